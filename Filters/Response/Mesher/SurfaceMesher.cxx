@@ -50,11 +50,15 @@ using Complex =
 } // namespace
 } // namespace palpate
 
-/// CGAL leaves what it cannot fill as files in the working directory: not ours.
+/// CGAL writes a surface that it cannot fill to files in the working directory. This specialization writes none.
+/// CGAL 6 passes one more argument than CGAL 5.
 template <>
 struct CGAL::Dump_c3t3<palpate::Complex>
 {
-  void dump_c3t3(const palpate::Complex&, const std::string&) const {}
+  template <class... Options>
+  void dump_c3t3(const palpate::Complex&, const std::string&, const Options&...) const
+  {
+  }
 };
 
 namespace palpate
