@@ -156,7 +156,7 @@ std::string vtkDirectContactResponse::CheckProperties()
 {
   if (!palpate::hasSurfaceMesher())
   {
-    return std::string("No part can be filled: ") + palpate::NoSurfaceMesher;
+    return std::string("No part can be filled: ") + palpate::missingMesher();
   }
   palpate::LawRequest request;
   request.tool = this->Tool;

@@ -55,7 +55,8 @@ public:
   vtkTypeMacro(vtkGradedBody, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Whether this build has CGAL, without which nothing is filled. */
+  /** Whether the module Mesher (libpalpateMesher.so, with CGAL) can be loaded. Without it nothing
+   * is filled. */
   static bool IsAvailable();
 
   ///@{

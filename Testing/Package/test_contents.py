@@ -17,6 +17,7 @@ ALLOWED = {
     "runtime": [
         r"bin/palpate",
         *(rf"{LIBDIR}/libpalpate{name}\.so\.({re.escape(VERSION)}|{re.escape(soversion())})" for name in LIBRARIES),
+        rf"{LIBDIR}/libpalpateMesher\.so",
         r"lib/udev/rules\.d/70-palpate\.rules",
         r"share/applications/palpate\.desktop",
         r"share/bash-completion/completions/palpate",
@@ -43,7 +44,7 @@ ALLOWED = {
         rf"{LIBDIR}/libpalpate\w+CS\.a", # by ParaView's own function; not packed
     ],
 }
-OPTIONAL = re.compile(r".*(CS\\.a|pyi\?)$")
+OPTIONAL = re.compile(r".*(CS\\.a|pyi\?|libpalpateMesher\\.so)$") # the last one where CGAL is
 
 
 class Contents(unittest.TestCase):

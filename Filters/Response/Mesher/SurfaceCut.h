@@ -21,7 +21,7 @@ struct CutPlane
  * it along them (CGAL's Polygon Mesh Processing): points there lie on the plane to the bit. Parts
  * smaller than `least` (mm³) are left out. `rims` become the edges between the planes and the rest,
  * and those of `before`, along which the surface was cut before.
- * Returns what is wrong - nothing is left, the cut touches itself, no mesher in this build - and
+ * Returns what is wrong - nothing is left, the cut touches itself, no module Mesher - and
  * leaves the surface unchanged, or "".
  *
  * Points and triangles are in an order of their own, the same on every run. Cost: 1 s per 100

@@ -25,11 +25,11 @@ struct TetrahedralMesh
   bool isTooRough = false;
 };
 
-/// Whether this build has a mesher (CGAL), and what to say where it has none.
+/// Whether the module Mesher (MesherModule.h) can be loaded. Otherwise missingMesher() says why
+/// not, and the functions below, of SurfaceCut.h and of SurfaceRepair.h return that; mendSurface
+/// alone then does nothing.
 bool hasSurfaceMesher();
-constexpr const char* NoSurfaceMesher =
-  "this build has no CGAL, which makes tetrahedra: install it (Debian: libcgal-dev) and configure "
-  "with PALPATE_USE_CGAL=ON";
+const std::string& missingMesher();
 
 /**
  * Delaunay refinement, then removal of slivers below 10° as far as possible (CGAL Mesh_3: Rineau

@@ -32,7 +32,7 @@ struct ClosedUp
  * touch each other at an edge or a point are separated by a twentieth of a side, fragments of less
  * than a thousandth of the triangles are left out, holes no wider than a fifth of the body are
  * filled as flat as possible (CGAL's Polygon Mesh Processing; Liepa 2003). Returns what is wrong -
- * a wider hole, no mesher in this build - and leaves the surface unchanged, or "". Cost: 1 s per
+ * a wider hole, no module Mesher - and leaves the surface unchanged, or "". Cost: 1 s per
  * 100 thousand triangles.
  */
 std::string closeSurface(MeshedSurface& surface, ClosedUp& done);

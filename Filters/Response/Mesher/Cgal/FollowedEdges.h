@@ -3,7 +3,7 @@
 #ifndef palpate_FollowedEdges_h
 #define palpate_FollowedEdges_h
 
-#include "Response/Mesher/CgalSurface.h"
+#include "Response/Mesher/Cgal/CgalSurface.h"
 
 #include <vector>
 

@@ -1,25 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A source of its own for CGAL, as SurfaceMesher.
-#include "Response/Mesher/SurfaceRepair.h"
-
-#ifndef PALPATE_WITH_CGAL
-namespace palpate
-{
-std::string mendSurface(MeshedSurface&, std::size_t& mended)
-{
-  mended = 0;
-  return {}; // the mesher reports that it is missing
-}
-
-std::string closeSurface(MeshedSurface&, ClosedUp&)
-{
-  return "this build has no mesher (CGAL) to close it";
-}
-} // namespace palpate
-#else
+#include "Response/Mesher/Cgal/CgalMesher.h"
 
 #include "Mechanics/JoinedText.h"
-#include "Response/Mesher/CgalSurface.h"
+#include "Response/Mesher/Cgal/CgalSurface.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -100,7 +83,7 @@ std::size_t partTouching(CgalSurface& mesh)
 }
 } // namespace
 
-std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
+std::string closeByCgal(MeshedSurface& surface, ClosedUp& done)
 {
   std::vector<CgalPoint> points;
   std::vector<std::vector<std::size_t>> corners;
@@ -159,7 +142,7 @@ std::string closeSurface(MeshedSurface& surface, ClosedUp& done)
   return {};
 }
 
-std::string mendSurface(MeshedSurface& surface, std::size_t& mended)
+std::string mendByCgal(MeshedSurface& surface, std::size_t& mended)
 {
   mended = 0;
   CgalSurface mesh;
@@ -199,4 +182,3 @@ std::string mendSurface(MeshedSurface& surface, std::size_t& mended)
   return {};
 }
 } // namespace palpate
-#endif

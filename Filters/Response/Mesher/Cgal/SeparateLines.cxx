@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Mesher/SeparateLines.h"
+#include "Response/Mesher/Cgal/SeparateLines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL takes a minute of compiling, and has a licence of its own (GPL).
-#include "Response/Mesher/SurfaceMesher.h"
-
-#ifndef PALPATE_WITH_CGAL
-namespace palpate
-{
-bool hasSurfaceMesher()
-{
-  return false;
-}
-
-std::string fillSurface(const MeshedSurface&, double, const WorkObserver&, TetrahedralMesh&)
-{
-  return NoSurfaceMesher;
-}
-} // namespace palpate
-#else
+#include "Response/Mesher/Cgal/CgalMesher.h"
 
 #include "Mechanics/JoinedText.h"
-#include "Response/Mesher/CgalSurface.h"
-#include "Response/Mesher/FollowedEdges.h"
+#include "Response/Mesher/Cgal/CgalSurface.h"
+#include "Response/Mesher/Cgal/FollowedEdges.h"
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -50,8 +34,8 @@ using Complex =
 } // namespace
 } // namespace palpate
 
-/// CGAL writes a surface that it cannot fill to files in the working directory. This specialization writes none.
-/// CGAL 6 passes one more argument than CGAL 5.
+/// CGAL writes a surface that it cannot fill to files in the working directory. This specialization
+/// writes none. CGAL 6 passes one more argument than CGAL 5.
 template <>
 struct CGAL::Dump_c3t3<palpate::Complex>
 {
@@ -237,12 +221,7 @@ void extract(const Complex& complex, TetrahedralMesh& mesh)
 }
 } // namespace
 
-bool hasSurfaceMesher()
-{
-  return true;
-}
-
-std::string fillSurface(
+std::string fillByCgal(
   const MeshedSurface& wanted, double cells, const WorkObserver& observer, TetrahedralMesh& mesh)
 {
   mesh = {};
@@ -297,4 +276,3 @@ std::string fillSurface(
   return {};
 }
 } // namespace palpate
-#endif

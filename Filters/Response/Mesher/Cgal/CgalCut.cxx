@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A source of its own for CGAL, as SurfaceMesher.
-#include "Response/Mesher/SurfaceCut.h"
-
-#ifndef PALPATE_WITH_CGAL
-namespace palpate
-{
-std::string cutOff(
-  MeshedSurface&, const std::vector<CutPlane>&, double, const std::vector<CutPlane>&)
-{
-  return "this build has no mesher (CGAL) to cut it";
-}
-} // namespace palpate
-#else
+#include "Response/Mesher/Cgal/CgalMesher.h"
 
 #include "Mechanics/JoinedText.h"
-#include "Response/Mesher/CgalSurface.h"
+#include "Response/Mesher/Cgal/CgalSurface.h"
 
 #include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -133,7 +121,7 @@ std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
 }
 } // namespace
 
-std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,
+std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,
   const std::vector<CutPlane>& before)
 {
   CgalSurface mesh;
@@ -173,4 +161,3 @@ std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, 
   return {};
 }
 } // namespace palpate
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifdef PALPATE_WITH_CGAL
-#include "Response/Mesher/FollowedEdges.h"
+#include "Response/Mesher/Cgal/FollowedEdges.h"
 
-#include "Response/Mesher/SeparateLines.h"
+#include "Response/Mesher/Cgal/SeparateLines.h"
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
@@ -176,4 +175,3 @@ FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wan
   return made;
 }
 } // namespace palpate
-#endif
