@@ -4,6 +4,7 @@
 #include "Contact/Reduction/ChoiceReason.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
+#include "Response/FilterThreads.h"
 #include "Response/Curves/TiltConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
 #include "Response/ReplacedCurves.h"

@@ -114,6 +114,23 @@ label_times()
     sed -nE "s|^(\S+) +=  *([0-9]+)[0-9.]* sec\*proc *\(([0-9]+) test.*|$1 \1 \2 \3|p"
 }
 
+# The sources against the headers of Debian 13: a row of the table, as a suite with one test.
+check_trixie()
+{
+  local log=$build_dir/trixie.log start=$SECONDS status
+  printf '\n=== trixie\n'
+  "$source_dir/Testing/Systems/check_trixie.sh" 2>&1 | tee "$log"
+  status=${PIPESTATUS[0]}
+  if [ "$status" -eq 77 ]; then
+    add_row trixie 'not run' - - 0 0
+    ! is_ci # in CI the packages have to be there
+    return
+  fi
+  total_run=$((total_run + 1))
+  add_row trixie 1 "$((status != 0))" 0 0 "$((SECONDS - start))"
+  return "$status"
+}
+
 # The file in which ctest leaves "number:name" of each test that failed.
 failed_tests() { echo "$build_dir/$1/Testing/Temporary/LastTestsFailed.log"; }
 
@@ -158,12 +175,14 @@ run_test()
     job=test-ci suites=(release plain-vtk asan tsan)
   fi
   prepare_system "$job"
+  rm -f "$build_dir/trixie.log"
   local failed=0 preset total_run=0 total_skipped=0 table=() labels=()
   local tests_run tests_failed tests_skipped
   ! is_long || prepare_kernel || ! is_ci || failed=1 # in CI all of it has to be there
   for preset in "${suites[@]}"; do
     run_suite "$preset" "$@" || failed=1
   done
+  [ "$job" = test ] || [ $# -gt 0 ] || check_trixie || failed=1
   printf '\n%-9s %-14s %9s %7s\n' suite label 'seconds' tests
   printf '%s\n' "${labels[@]}" | sort -k1,1 -k3,3nr | while read -r row; do
     printf '%-9s %-14s %9s %7s\n' $row
@@ -179,6 +198,7 @@ run_test()
     is_long || echo "All suites, and the long tests, are run by: ./run test --all"
   else
     for preset in "${suites[@]}"; do show_failures "$preset"; done
+    [ ! -e "$build_dir/trixie.log" ] || grep -A 4 ' error: ' "$build_dir/trixie.log" | head -n 60
     echo 'THERE WERE FAILURES.'
   fi
   return $failed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Firmware.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <utility>
@@ -53,11 +54,8 @@ void Firmware::run()
   auto deadline = begin;
   while (!this->Stopping)
   {
-    if (!this->Hanging)
-    {
-      this->tick(static_cast<std::uint64_t>(
-        std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - begin).count()));
-    }
+    this->tick(static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - begin).count()));
     deadline += std::chrono::milliseconds(1);
     std::this_thread::sleep_until(deadline);
   }
@@ -66,6 +64,10 @@ void Firmware::run()
 void Firmware::tick(std::uint64_t now)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Hanging)
+  {
+    return;
+  }
   std::vector<std::uint8_t> bytes;
   while (this->Hid.receive(bytes, PALPATE_HID_REPORT_SIZE))
   {
@@ -81,6 +83,10 @@ void Firmware::tick(std::uint64_t now)
   float force[3];
   palpate_hid_force(&this->State, now, force);
   this->Motors = Eigen::Vector3f(force[0], force[1], force[2]).cast<double>();
+  if (this->Applied.empty() || this->Applied.back() != this->Motors)
+  {
+    this->Applied.push_back(this->Motors);
+  }
 
   palpate_hid_reading reading{};
   const Eigen::Vector3f position = this->Hand(1e-6 * static_cast<double>(now)).cast<float>();
@@ -88,6 +94,12 @@ void Firmware::tick(std::uint64_t now)
   std::uint8_t report[PALPATE_HID_REPORT_SIZE];
   palpate_hid_state(&this->State, now, &reading, report);
   this->NotSent += this->Hid.send(report, sizeof report) ? 0 : 1;
+}
+
+void Firmware::hang(bool yes)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex); // a tick that has begun ends before
+  this->Hanging = yes;
 }
 
 palpate_hid Firmware::state() const
@@ -100,6 +112,12 @@ Eigen::Vector3d Firmware::motors() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Motors;
+}
+
+bool Firmware::hasApplied(const Eigen::Vector3d& force) const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::find(this->Applied.begin(), this->Applied.end(), force) != this->Applied.end();
 }
 
 std::uint64_t Firmware::forcesTaken() const

@@ -35,12 +35,15 @@ public:
   /// The loop ends; the device stays plugged in.
   ~Firmware();
 
-  /// A firmware that hangs: it neither reads nor writes.
-  void hang(bool yes) { this->Hanging = yes; }
+  /// A firmware that hangs: it neither reads nor writes, from the return of this call on.
+  void hang(bool yes);
 
   /// Copies, of this moment.
   palpate_hid state() const;
   Eigen::Vector3d motors() const; ///< N
+  /// Whether the motors have had this force (N) at any time. The watchdog takes it away after
+  /// 20 ms, in which a thread on a busy machine may not have looked.
+  bool hasApplied(const Eigen::Vector3d& force) const;
   std::uint64_t forcesTaken() const;
   /// States that the host's side had no room for, because it did not read.
   std::uint64_t statesNotSent() const;
@@ -56,10 +59,11 @@ private:
   mutable std::mutex Mutex;
   palpate_hid State{};
   Eigen::Vector3d Motors = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> Applied; ///< each force that differs from the one before
   std::uint64_t Taken = 0;
   std::uint64_t NotSent = 0;
   std::vector<std::uint32_t> Delays;
-  std::atomic<bool> Hanging{ false };
+  bool Hanging = false; ///< under Mutex
   std::atomic<bool> Stopping{ false };
   std::thread Thread;
 };

@@ -32,6 +32,12 @@ void print(const char* what, std::vector<double> milliseconds)
   std::printf("%s: median %.2f ms, worst %.2f ms of %zu\n", what,
     milliseconds[milliseconds.size() / 2], milliseconds.back(), milliseconds.size());
 }
+/// Whether another round is needed: as many as planned, and more of them, should a busy machine
+/// have let fewer than half begin in mid-contact.
+bool goOn(int round, int planned, int pressing)
+{
+  return round < planned || (pressing <= planned / 2 && round < 10 * planned);
+}
 } // namespace
 
 // While it presses; palpateUnplugs pulls it at any moment, and more often.
@@ -43,14 +49,14 @@ TEST(HidUnplug, NoForceInTheFirstTickAfterTheLossEveryTime)
   std::uniform_int_distribution<int> wait(0, 3000); // µs
   std::vector<double> wall;
   int pressing = 0;
-  for (int round = 0; round < Rounds; ++round)
+  for (int round = 0; goOn(round, Rounds, pressing); ++round)
   {
     const PulledPlug pulled = pullPlug(plate, { 0.0, std::chrono::microseconds(wait(random)) });
     ASSERT_EQ(pulled.fault, "") << "round " << round;
     pressing += pulled.motors > 0.0 ? 1 : 0;
     wall.push_back(pulled.wall);
   }
-  EXPECT_GT(pressing, Rounds / 2) << "most were pulled in mid-contact";
+  EXPECT_GT(pressing, Rounds / 2) << "many were pulled in mid-contact";
   print("from the plug to the first tick without force", wall);
 }
 
@@ -78,7 +84,7 @@ TEST(HidUnplug, ItReturnsAndIsFeltAgain)
     hid = std::make_unique<EmulatedHid>(modelOf(describedDevice())); // at another path
     const auto plugged = Clock::now();
     firmware = std::make_unique<Firmware>(*hid, press);
-    for (int i = 0; i < 5000 && device->status() != "connected"; ++i)
+    for (int i = 0; i < PatientTicks && device->status() != "connected"; ++i)
     {
       servo.tick();
     }
@@ -102,7 +108,7 @@ TEST(HidUnplug, ASilentDeviceIsLetGoInTheFirstTickAfterItsTimeOut)
   Firmware firmware(hid, press);
   PressingServo servo(*device, plate);
   int pressing = 0;
-  for (int round = 0; round < Rounds; ++round)
+  for (int round = 0; goOn(round, Rounds, pressing); ++round)
   {
     ASSERT_TRUE(servo.ticksUntilForce()) << device->status();
     firmware.hang(true);
@@ -112,7 +118,7 @@ TEST(HidUnplug, ASilentDeviceIsLetGoInTheFirstTickAfterItsTimeOut)
     {
       wasPressing = servo.force().norm() > 0.0;
       servo.tick();
-      ASSERT_LT(++ticks, 5000) << "readings go on";
+      ASSERT_LT(++ticks, PatientTicks) << "readings go on";
     }
     ASSERT_EQ(servo.force(), Vector3d::Zero()) << "round " << round;
     pressing += wasPressing ? 1 : 0;
@@ -123,7 +129,7 @@ TEST(HidUnplug, ASilentDeviceIsLetGoInTheFirstTickAfterItsTimeOut)
     }
     firmware.hang(false);
   }
-  EXPECT_GT(pressing, Rounds / 2) << "most fell silent in mid-contact";
+  EXPECT_GT(pressing, Rounds / 2) << "many fell silent in mid-contact";
   EXPECT_EQ(device->errors().disconnections, 0U);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PressingServo.h"
 
+#include <algorithm>
 #include <cmath>
 #include <thread>
 #include <utility>
@@ -23,7 +24,9 @@ PressingServo::PressingServo(HidDevice& device, std::shared_ptr<const ContactBod
 bool PressingServo::tick()
 {
   std::this_thread::sleep_until(this->Deadline);
-  this->Deadline += std::chrono::milliseconds(1);
+  // Ticks that were missed are not made up for: so many ticks are so many milliseconds at least.
+  this->Deadline =
+    std::max(this->Deadline, std::chrono::steady_clock::now()) + std::chrono::milliseconds(1);
   const bool reported = this->Device.errors().disconnections > this->Losses;
   const double time =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
@@ -38,7 +41,7 @@ bool PressingServo::tick()
 
 bool PressingServo::ticksUntilForce()
 {
-  for (int i = 0; i < 5000; ++i)
+  for (int i = 0; i < PatientTicks; ++i)
   {
     this->tick();
     if (this->Force.norm() > 0.1)

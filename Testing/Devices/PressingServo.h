@@ -17,6 +17,8 @@ namespace palpate::testing
 /// On the middle of a plate of 10 mm: five times a second from 0.1 mm above it to 0.5 mm deep,
 /// where it begins.
 constexpr double PressPeriod = 0.2; ///< s
+/// Ticks in which what is awaited comes on any machine: a minute at least, for what takes a second.
+constexpr int PatientTicks = 60000;
 Eigen::Vector3d press(double seconds);
 
 /// The host's loop at 1 kHz, in the caller's own thread, with everything between sample and force.
@@ -25,9 +27,10 @@ class PressingServo
 public:
   PressingServo(HidDevice& device, std::shared_ptr<const ContactBody> plate);
 
-  /// One tick. Whether the loss of the device had been reported when it began.
+  /// One tick, 1 ms or more after the one before. Whether the loss of the device had been reported
+  /// when it began.
   bool tick();
-  /// Ticks until the plate is felt, 5000 at most. Whether it was.
+  /// Ticks until the plate is felt, PatientTicks at most. Whether it was.
   bool ticksUntilForce();
   void forgetLosses() { this->Losses = this->Device.errors().disconnections; }
 

@@ -27,7 +27,7 @@ std::string watchLoss(PressingServo& servo, Clock::time_point& gone)
   int ticks = 0;
   while (!servo.tick())
   {
-    if (++ticks == 5000)
+    if (++ticks == PatientTicks)
     {
       return "the loss is never reported";
     }

@@ -29,7 +29,7 @@ struct PulledPlug
  * Plugs a force device in, opens it by hidapi, presses it on the plate, and pulls the plug in
  * another thread. A fault: any force in the first tick that begins after the device has reported
  * its loss, or in the twenty that follow; a device that is not opened, not felt, or whose loss is
- * not reported within 5000 ticks; one that calls itself connected afterwards.
+ * not reported within PatientTicks; one that calls itself connected afterwards.
  */
 PulledPlug pullPlug(const std::shared_ptr<const ContactBody>& plate, const PullMoment& moment);
 } // namespace palpate::testing

@@ -33,7 +33,9 @@ bool push(EmulatedHid& hid, SpaceMouseDevice& mouse, const std::vector<std::uint
   std::uint8_t buttons)
 {
   hid.send(report.data(), report.size());
-  std::this_thread::sleep_for(std::chrono::milliseconds(8)); // as such a device: 125 Hz
+  // Such a device sends one in 8 ms. The emulated one is a stream of bytes: on a busy machine, too,
+  // the first has to be read before the second comes.
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
   const std::uint8_t pressed[] = { 3, buttons, 0 };
   hid.send(pressed, sizeof pressed);
   return eventually([&] { return mouse.read(0.0).buttons == buttons; });

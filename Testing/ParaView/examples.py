@@ -29,7 +29,7 @@ def run(name, *arguments):
     said = re.search(r"\./run (\w+) Plugin/Python/examples/" + name, text)
     assert said, name + " does not say how to run it"
     done = subprocess.run([INTERPRETERS[said[1]], str(script), *map(str, arguments)], cwd=OUTPUT, text=True,
-                          capture_output=True, timeout=120, check=False)
+                          capture_output=True, timeout=800, check=False)
     print(done.stdout + done.stderr)
     assert done.returncode == 0 and "ERR|" not in done.stderr and "ERROR" not in done.stderr, name
     return done.stdout.splitlines()

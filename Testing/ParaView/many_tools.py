@@ -16,7 +16,7 @@ FOLDER, MPIEXEC, PVBATCH, SCRIPT = sys.argv[1:]
 def forces(ranks, *arguments):
     command = [MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks), PVBATCH, "--dr", SCRIPT]
     done = subprocess.run(command + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          timeout=200)
+                          timeout=800)
     assert done.returncode == 0 and "ERR|" not in done.stdout, done.stdout
     rows = [line.split() for line in done.stdout.splitlines() if line.endswith(" N")]
     return {row[0]: [float(number) for number in row[1:-1]] for row in rows}

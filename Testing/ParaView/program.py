@@ -16,7 +16,7 @@ def need_display():
 def play(program, events, folder, *options):
     """Its clean settings, $PARAVIEW_TEST_ROOT = folder; it must end well."""
     played = subprocess.run([program, "--dr", *options, "--test-script=" + events, "--test-directory=" + str(folder), "--exit"],
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=240, check=False)
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=800, check=False)
     print(played.stdout)
     assert played.returncode == 0, played.returncode
 

@@ -47,7 +47,7 @@ numpy.savez({RESULT!r}, **numbers({sources!r}))
 if os.path.exists(RESULT):
     os.remove(RESULT)
 done = subprocess.run([PVBATCH, "--dr", SCRIPT], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                      timeout=240, check=False)
+                      timeout=800, check=False)
 print(trace, done.stdout, sep="\n")
 assert done.returncode == 0, done.returncode
 with np.load(RESULT) as found:

@@ -21,7 +21,7 @@ FOLLOW = 3.0  # seconds for a few frames, software-rendered on a busy machine
 
 
 def xdotool(*words):
-    subprocess.run(["xdotool", *map(str, words)], check=True, timeout=30)
+    subprocess.run(["xdotool", *map(str, words)], check=True, timeout=300)
 
 
 class LiveWindow(unittest.TestCase):
@@ -52,7 +52,7 @@ class LiveWindow(unittest.TestCase):
 
     def quit(self):
         xdotool("key", "q")
-        self.assertEqual(self.program.wait(timeout=60), 0, self.said())
+        self.assertEqual(self.program.wait(timeout=300), 0, self.said())
         return self.said()
 
     def strongest_force(self, said):

@@ -20,7 +20,7 @@ RATE = 1000  # the viewer's default
 
 
 def xdotool(*words):
-    subprocess.run(["xdotool", *map(str, words)], check=True, timeout=30)
+    subprocess.run(["xdotool", *map(str, words)], check=True, timeout=300)
 
 
 def wait_for(path, words, program):
@@ -58,7 +58,7 @@ def main():
         xdotool("mouseup", 1)
         xdotool("key", "q")
         lasted = time.monotonic() - begin
-        code = program.wait(timeout=60)
+        code = program.wait(timeout=300)
     finally:
         program.kill()
         program.wait()

@@ -86,12 +86,12 @@ private:
   std::string Obstacle;
 };
 
-/// Waits until it is so, ten seconds at most; for what another thread does, and no longer than
-/// that.
+/// Waits until it is so, a minute at most; for what another thread does, which takes milliseconds
+/// unless the machine is busy.
 template <class Condition>
 bool eventually(const Condition& condition)
 {
-  for (int i = 0; i < 10000; ++i)
+  for (int i = 0; i < 60000; ++i)
   {
     if (condition())
     {

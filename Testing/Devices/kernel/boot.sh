@@ -6,10 +6,10 @@
 # network; the console tells the result. KERNEL_DIR is what `./run test` unpacks from the package of the
 # kernel (prepare_kernel).
 #
-# Exit code: 0 passed, 1 failed or not over after a minute, 77 it cannot be run here.
+# Exit code: 0 passed, 1 failed or not over after ten minutes, 77 it cannot be run here.
 
 set -u
-readonly program=$1 kernel_dir=$2 work=$3 seconds=60
+readonly program=$1 kernel_dir=$2 work=$3 seconds=600
 shift 3
 
 skip() { echo "Skipped: $*"; exit 77; }
