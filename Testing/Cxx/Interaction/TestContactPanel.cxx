@@ -122,7 +122,7 @@ struct Window
   /// Until the hand is where it was steered to, bounded.
   void arrive()
   {
-    for (int i = 0; i < 2000 && std::abs(this->session->GetDeflection() - Depth) > 1e-7; ++i)
+    for (int i = 0; i < 20000 && std::abs(this->session->GetDeflection() - Depth) > 1e-7; ++i)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -131,7 +131,7 @@ struct Window
   void settle()
   {
     this->clock->ShowFrame();
-    for (int i = 0; i < 2000 && this->setup->IsBusy(); ++i)
+    for (int i = 0; i < 20000 && this->setup->IsBusy(); ++i)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       this->panel->Update();
@@ -139,7 +139,7 @@ struct Window
     this->panel->Update();
     std::this_thread::sleep_for(std::chrono::milliseconds(50)); // the force goes over
     const vtkIdType ticks = this->session->GetNumberOfTicks();
-    for (int i = 0; i < 2000 && this->session->GetNumberOfTicks() < ticks + 60; ++i)
+    for (int i = 0; i < 20000 && this->session->GetNumberOfTicks() < ticks + 60; ++i)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

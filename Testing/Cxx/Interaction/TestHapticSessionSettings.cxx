@@ -161,7 +161,7 @@ void checkRealTime(vtkPolyData* body)
   double friction[3] = { 0.0, 0.0, 0.0 };
   // Steered back and forth until the newest tick slides along x; a loaded machine may take a while.
   bool felt = false;
-  for (int i = 0; i < 2000 && !felt; ++i)
+  for (int i = 0; i < 20000 && !felt; ++i)
   {
     const double there = i % 400 < 200 ? i % 200 : 200 - i % 200;
     const double tip[3] = { 0.3 + 0.02 * there, 0.2, -0.5 };

@@ -127,7 +127,7 @@ struct Window
   bool reaches(double height)
   {
     double away = 1.0;
-    for (int i = 0; i < 5000 && away > 1e-9; ++i)
+    for (int i = 0; i < 60000 && away > 1e-9; ++i)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       double tip[3];
