@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# check_trixie.sh [SOURCE] - compiles the sources that include VTK, ParaView or CGAL against the headers of Debian 13,
-# with this system's compiler and -fsyntax-only. SOURCE is the checkout, by default the one that holds this script.
+# check_trixie.sh [SOURCE] - compiles the sources that use VTK, ParaView's server manager or CGAL against
+# the headers of Debian 13, with this system's compiler and -fsyntax-only. Sources with Qt are not tried. SOURCE is the checkout, by default the one that holds this script.
 # The headers are unpacked from Debian 13's packages into build/trixie, at the first call; nothing is installed. ./run
 # test calls this script in continuous integration. The whole system is tried by bare.sh.
 #
@@ -62,14 +62,14 @@ write_groups()
   local folder name files i
   rm -rf "$place/groups" && mkdir -p "$place/groups" || exit 1
   while read -r folder; do
-    mapfile -t files < <(grep -lE '#include ["<]vtk' "$folder"/*.cxx | grep -v '/SelfTest')
+    files=("$folder"/*.cxx)
     name=${folder#"$source"/}
     for ((i = 0; i < ${#files[@]}; i += 12)); do
       write_group "${name//\//_}_$i" "${files[@]:i:12}"
     done
     count=$((count + ${#files[@]}))
-  done < <(find "$source"/Filters "$source"/Interactors "$source"/Plugin/Viewer "$source"/Plugin/ParaView/ServerManager \
-    -name '*.cxx' -printf '%h\n' | sort -u)
+  done < <(find "$source"/Filters/Response "$source"/Interactors/Interaction "$source"/Plugin/Viewer \
+    "$source"/Plugin/ParaView/ServerManager -name '*.cxx' -not -path '*/Mesher/Cgal/*' -printf '%h\n' | sort -u)
   while read -r folder; do
     write_group "cgal_$(basename "$folder" .cxx)" "$folder"
     count=$((count + 1))
