@@ -7,7 +7,7 @@
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
-#include "Mechanics/TrueShape/NearField.h"
+#include "Laws/NearField.h"
 
 #include <array>
 #include <cstdint>

@@ -22,9 +22,9 @@ struct ErrorParts
   std::array<double, ResponseLimitCount> of{}; ///< by ResponseLimit; that of None is storage
 
   double& operator[](ResponseLimit limit) { return of[static_cast<std::size_t>(limit)]; }
-  double total() const;
-  double norm() const; ///< of sources that know nothing of each other
-  ResponseLimit largest() const;
+  PALPATE_EXPORT double total() const;
+  PALPATE_EXPORT double norm() const; ///< of sources that know nothing of each other
+  PALPATE_EXPORT ResponseLimit largest() const;
 };
 
 /// The surface at a spot, and its measurement.

@@ -105,10 +105,11 @@ endfunction()
 function(palpate_install_former_headers room)
   while(ARGN)
     list(POP_FRONT ARGN former header)
+    cmake_path(SET former NORMALIZE "${room}/${former}")
     set(file "${CMAKE_CURRENT_BINARY_DIR}/Former/${former}")
     file(CONFIGURE OUTPUT "${file}"
       CONTENT "// SPDX-License-Identifier: BSD-3-Clause\n#include \"@room@/@header@\"\n" @ONLY)
-    get_filename_component(folder "${room}/${former}" DIRECTORY)
+    get_filename_component(folder "${former}" DIRECTORY)
     install(FILES "${file}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate/${folder}" COMPONENT development)
   endwhile()
 endfunction()
@@ -118,8 +119,9 @@ endfunction()
 # "Contact/PackedMesh.h", and installed so. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
 # what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
 # FORMER: pairs of a header that was, and the one which holds its content now; programs of before go on to include it.
+# FORMER_FOLDERS: pairs of a folder in which headers were, and the one in which they are now. Both from the room.
 function(palpate_add_kernel name)
-  cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;FORMER_FOLDERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
   set(private_headers ${arg_PRIVATE_HEADERS})
   set(sources ${arg_SOURCES})
@@ -157,7 +159,7 @@ function(palpate_add_kernel name)
     ${PALPATE_DIRECT_CALLS}
     $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-O2>) # a million inputs each
   if(PALPATE_DIRECT_CALLS)
-    target_link_options(palpate${name} PRIVATE -Wl,-Bsymbolic-functions)
+    target_link_options(palpate${name} PRIVATE -Wl,-Bsymbolic-functions -Wl,-z,defs) # defs: nothing undefined
   endif()
   palpate_version_library(palpate${name})
   install(TARGETS palpate${name} EXPORT PalpateKernels
@@ -165,6 +167,16 @@ function(palpate_add_kernel name)
     LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
   palpate_install_headers(${name} ${headers})
+  while(arg_FORMER_FOLDERS)
+    list(POP_FRONT arg_FORMER_FOLDERS former_folder own_folder)
+    foreach(header IN LISTS headers)
+      get_filename_component(folder "./${header}" DIRECTORY)
+      get_filename_component(header_name "${header}" NAME)
+      if(folder STREQUAL "." AND own_folder STREQUAL "." OR folder STREQUAL "./${own_folder}")
+        list(APPEND arg_FORMER "${former_folder}/${header_name}" "${header}")
+      endif()
+    endforeach()
+  endwhile()
   palpate_install_former_headers(${name} ${arg_FORMER})
 
   list(TRANSFORM arg_LINK REPLACE "^Palpate::(.+)$" "palpate\\1Inside" OUTPUT_VARIABLE link)

@@ -22,7 +22,7 @@ add_custom_target(palpateDescribed ALL
   DEPENDS "${palpate_described}/palpate.1.gz" "${palpate_described}/palpate")
 # All that is packed, and no tests.
 add_custom_target(palpatePacked DEPENDS palpateDescribed)
-foreach(target IN ITEMS Palpate palpatePython palpateMesher)
+foreach(target IN ITEMS Palpate palpatePython palpateModules)
   if(TARGET ${target})
     add_dependencies(palpatePacked ${target})
   endif()

@@ -61,9 +61,12 @@ foreach(palpate_module IN LISTS palpate_modules)
   palpate_group_sources(${palpate_target})
   palpate_version_library(${palpate_target})
   set_target_properties(${palpate_target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(PALPATE_DIRECT_CALLS)
+    target_link_options(${palpate_target} PRIVATE -Wl,-z,defs) # a module needs no more than a library exports
+  endif()
 endforeach()
 
-add_custom_target(palpatePython) # the package, as far as this VTK allows
+add_custom_target(palpatePython DEPENDS palpateMesher) # the package, as far as this VTK allows
 set(PALPATE_WITH_PYTHON OFF)
 if(TARGET VTK::WrappingPythonCore AND TARGET Python3::Module)
   set(PALPATE_WITH_PYTHON ON)

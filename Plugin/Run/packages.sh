@@ -7,7 +7,8 @@
 # viewer and Python, plugin what the rest of it wants (tried out on bare systems).
 declare -rA packages=(
   [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache
-    libsuitesparse-dev libopenblas0-pthread libhidapi-dev'
+    libhidapi-dev'
+  [elements]='libsuitesparse-dev libopenblas0-pthread'
   [mesher]='libcgal-dev'
   [vtk]='paraview-dev python3-paraview libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl-dev
     libglew-dev libjpeg-dev liblz4-dev liblzma-dev libopenmpi-dev libpng-dev libtiff-dev libutfcpp-dev
@@ -35,23 +36,25 @@ declare -rA packages=(
 # job: groups of packages : targets of the release build
 declare -rA needs=(
   [demo]='core vtk head display:palpate'
-  [demo-solid]='core mesher vtk head display:palpate palpateMesher'
-  [python]='core mesher vtk python display:palpateMesher palpatePython'
-  [pvpython]='core mesher vtk python plugin display:palpateMesher palpatePython Palpate'
-  [paraview]='core mesher vtk python plugin display:palpateMesher palpatePython Palpate'
-  [bench]='core mesher vtk gtest benchmarks pictures display:palpateMesher palpateLongBenchmarks'
-  [bench-python]='core mesher vtk python display head:palpateMesher palpatePython'
-  [bench-plugin]='core mesher vtk python plugin display:palpateMesher palpatePython Palpate'
-  [bench-all]='core mesher vtk python plugin gtest benchmarks pictures display head:palpateMesher palpatePython Palpate palpateLongBenchmarks'
-  [study]='core mesher vtk python pictures display gtest:palpateMesher palpatePython palpate palpateLongStudies'
-  [study-calculix]='core mesher vtk python pictures display calculix:palpateMesher palpatePython palpate'
-  [endurance]='core mesher vtk tests sanitizers pictures display head:all palpateLong'
-  [package]='core mesher vtk python plugin deb:palpatePacked'
-  [docs]='core mesher vtk python pictures docs display:palpateMesher palpatePython'
-  [test]='core mesher vtk python plugin tests head display:all'
-  [test-ci]='core mesher vtk python plugin tests head display style sanitizers plain docs deb:all'
-  [test-all]='core mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
-  [build]='core mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
+  [demo-solid]='core elements mesher vtk head display:palpate palpateViewerSolids palpateMesher'
+  [demo-elements]='core elements vtk head display:palpate palpateViewerSolids'
+  [demo-measured]='core vtk head display:palpate palpateViewerIdentification'
+  [python]='core elements mesher vtk python display:palpatePython'
+  [pvpython]='core elements mesher vtk python plugin display:palpatePython Palpate'
+  [paraview]='core elements mesher vtk python plugin display:palpatePython Palpate'
+  [bench]='core elements mesher vtk gtest benchmarks pictures display:palpateMesher palpateLongBenchmarks'
+  [bench-python]='core elements mesher vtk python display head:palpatePython'
+  [bench-plugin]='core elements mesher vtk python plugin display:palpatePython Palpate'
+  [bench-all]='core elements mesher vtk python plugin gtest benchmarks pictures display head:palpatePython Palpate palpateLongBenchmarks'
+  [study]='core elements mesher vtk python pictures display gtest:palpatePython palpate palpateModules palpateLongStudies'
+  [study-calculix]='core elements mesher vtk python pictures display calculix:palpatePython palpate palpateModules'
+  [endurance]='core elements mesher vtk tests sanitizers pictures display head:all palpateLong'
+  [package]='core elements mesher vtk python plugin deb:palpatePacked'
+  [docs]='core elements mesher vtk python pictures docs display:palpatePython'
+  [test]='core elements mesher vtk python plugin tests head display:all'
+  [test-ci]='core elements mesher vtk python plugin tests head display style sanitizers plain docs deb:all'
+  [test-all]='core elements mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
+  [build]='core elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
 )
 
 # What a job can do without, and what is lost then; all else it needs.

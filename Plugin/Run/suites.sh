@@ -63,7 +63,7 @@ tsan_launcher()
 suite_targets()
 {
   case $1 in
-    plain-vtk) echo palpate palpatePython; ! is_long || echo palpateResponseTests palpateInteractionTests ;;
+    plain-vtk) echo palpate palpateModules palpatePython; ! is_long || echo palpateResponseTests palpateInteractionTests ;;
     release) is_long && echo all palpateLong || echo all ;;
     *) echo all ;;
   esac

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ComparisonPictures.h"
 
-#include "ComparisonBodies.h"
+#include "ViewerModules.h"
 #include "ComparisonStage.h"
 #include "PictureSize.h"
 #include "Pictures.h"
@@ -138,7 +138,11 @@ std::string runComparison(const ViewerOptions& options)
   }
   sayProgress("finite elements of a strip and a block");
   std::array<ComparedBody, 2> bodies;
-  std::string error = makeComparedBodies(options, bodies);
+  std::string error;
+  if (const SolidsModule* solids = solidsModule("--compare", error))
+  {
+    error = solids->compareBodies(options, bodies);
+  }
   std::array<Press, 2> presses;
   const std::array<const char*, 2> names = { "/strip.csv", "/block.csv" };
   sayProgress("pressing and sliding");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ComparisonWindow.h"
 
-#include "ComparisonBodies.h"
+#include "ViewerModules.h"
 #include "ComparisonStage.h"
 #include "EventActions.h"
 #include "PictureSize.h"
@@ -248,7 +248,11 @@ std::string ComparisonWindow::run()
 std::string runComparisonWindow(const ViewerOptions& options)
 {
   std::array<ComparedBody, 2> bodies;
-  const std::string error = makeComparedBodies(options, bodies);
+  std::string error;
+  if (const SolidsModule* solids = solidsModule("--compare", error))
+  {
+    error = solids->compareBodies(options, bodies);
+  }
   return error.empty() ? ComparisonWindow(options, bodies).run() : error;
 }
 } // namespace palpate

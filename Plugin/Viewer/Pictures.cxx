@@ -3,7 +3,7 @@
 
 #include "Contact/ResponseContract.h"
 #include "LayerModel.h"
-#include "MeasuredBody.h"
+#include "MeasuredReadings.h"
 #include "PictureSize.h"
 #include "Interaction/Display/WindowPicture.h"
 

@@ -4,9 +4,7 @@
 #include "Response/BodyConversion.h"
 #include "BodyFile.h"
 #include "LayerModel.h"
-#include "MeasuredBody.h"
-#include "SolidBody.h"
-#include "VoxelCompliance.h"
+#include "ViewerModules.h"
 
 namespace palpate
 {
@@ -20,14 +18,35 @@ std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
     return options.body + ": brings its response, which " +
       (options.solid ? "--solid" : "--voxel") + " cannot change; give --tool for a new one";
   }
+  std::string fault;
+  const SolidsModule* solids = solidsModule(options.solid ? "--solid" : "--voxel", fault);
+  if (!solids)
+  {
+    return fault;
+  }
   if (options.solid)
   {
-    return attachSolidResponses(options, scene);
+    return solids->fillWithTetrahedra(options, scene);
   }
   scene.solid = true;
   scene.modelReason = "in series with the compliance of the solid, by finite elements";
-  return attachVoxelCompliance(scene.body,
+  return solids->fillWithVoxels(scene.body,
     { options.voxel, options.fixedFaces, scene.youngsModulus, scene.poissonsRatio }, scene.notes);
+}
+
+std::string makePhantom(const ViewerOptions& options, ViewerScene& scene)
+{
+  std::string fault;
+  const SolidsModule* solids = solidsModule("--scene phantom", fault);
+  return solids ? solids->pressPhantom(options, scene) : fault;
+}
+
+/// --measured: the responses from curves measured on the body.
+std::string identifyBody(const ViewerOptions& options, ViewerScene& scene)
+{
+  std::string fault;
+  const IdentificationModule* identification = identificationModule("--measured", fault);
+  return identification ? identification->identify(options, scene) : fault;
 }
 } // namespace
 
@@ -41,7 +60,7 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   else
   {
     error = options.scene == "cylinder" ? makeCylinderScene(options, scene)
-      : options.scene == "phantom"      ? makePhantomScene(options, scene)
+      : options.scene == "phantom"      ? makePhantom(options, scene)
                                         : makeHeadScene(options, scene);
   }
   if (!error.empty())
@@ -98,7 +117,7 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   {
     return fillBody(options, scene);
   }
-  return options.measured.empty() ? std::string() : attachMeasured(options, scene);
+  return options.measured.empty() ? std::string() : identifyBody(options, scene);
 }
 
 std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)

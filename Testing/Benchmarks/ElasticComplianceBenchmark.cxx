@@ -10,7 +10,7 @@
 //   blocks of 128 / 256, likewise                                                     7.2 / 6.0 s
 //   blocks of 128, one after the other, OpenBLAS on two threads                            12.0 s
 //   full solutions, one by one: 94 ms each                                           15 minutes
-#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Solids/FiniteElements/PatchCompliance.h"
 
 #include <benchmark/benchmark.h>
 

@@ -7,7 +7,7 @@
 //
 // One load: 151 ms, CHOLMOD 446, ratio 2.9. 900 loads: 10.8 s, CHOLMOD 70.7, ratio 6.6 (2.8 GHz, a
 // build beside).
-#include "Mechanics/FiniteElements/StiffnessFactor.h"
+#include "Solids/FiniteElements/StiffnessFactor.h"
 #include "Mechanics/ThreadCount.h"
 
 #include "ElasticBlocks.h"

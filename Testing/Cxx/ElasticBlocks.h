@@ -2,7 +2,7 @@
 #ifndef palpate_testing_ElasticBlocks_h
 #define palpate_testing_ElasticBlocks_h
 
-#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Solids/FiniteElements/ElasticBody.h"
 
 #include <cmath>
 #include <map>

@@ -4,7 +4,7 @@
 
     memcheck.py --build build/release --jobs 2 --output FILE.json [--quick]
 
-The GoogleTest programs of Mechanics, Contact, Laws and Haptics, found by their label in ctest, compiled for
+The GoogleTest programs of the rooms without VTK, found by their label in ctest, compiled for
 release: what memcheck sees is what runs, and the sanitizers cannot see into CHOLMOD, BLAS and hidapi.
 --quick: only the ticks (QUICK below). Tests that are left out stand in LEFT_OUT with their reason.
 Third parties are excused in memcheck.supp, if need be; our own code never.
@@ -25,7 +25,7 @@ import xml.etree.ElementTree as ElementTree
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-ROOMS = ("Mechanics", "Contact", "Laws", "Haptics")
+ROOMS = ("Mechanics", "Contact", "Laws", "Solids", "Identification", "Haptics")
 QUICK = {"palpateTickTests": "*"}
 SUPPRESSIONS = Path(__file__).with_name("memcheck.supp")
 CHUNK = 12  # tests per valgrind: it takes a second to start, and the last chunks should end together

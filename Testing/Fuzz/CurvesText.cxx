@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any text as a file of measured curves: an error that names a line, or curves that are finite and
 // in the order of time, and that come apart into loadings.
-#include "Mechanics/Identification/CurvePreparation.h"
-#include "Mechanics/Identification/CurvesFile.h"
+#include "Identification/CurvePreparation.h"
+#include "Identification/CurvesFile.h"
 #include "Require.h"
 
 #include <algorithm>

@@ -8,8 +8,8 @@ BUILD = os.environ["PALPATE_BUILD"]
 SOURCE = os.environ["PALPATE_SOURCE"]
 VERSION = os.environ["PALPATE_VERSION"]
 LIBDIR = os.environ["PALPATE_LIBDIR"]
-LIBRARIES = ("Mechanics", "Contact", "Laws", "Haptics", "Response", "Interaction")
-KERNELS = LIBRARIES[:4]
+KERNELS = ("Mechanics", "Contact", "Laws", "Solids", "Identification", "Haptics")
+LIBRARIES = KERNELS + ("Response", "SolidResponse", "MeasuredResponse", "Interaction")
 
 
 def soversion():

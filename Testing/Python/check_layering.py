@@ -4,18 +4,24 @@
 
     Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
                       '--------------> Haptics (devices, servo) ------'
+    modules: Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
+             Mechanics --> Identification --> MeasuredResponse (VTK) --> Plugin/*
 
 A room may include any room to its left along the arrows, never one to its right or beside it:
 
     Filters/Mechanics         nothing of ours
     Filters/Contact           Mechanics
     Filters/Laws              Mechanics, Contact
+    Filters/Solids            Mechanics, Contact, Laws
+    Filters/Identification    Mechanics
     Filters/Response          Mechanics, Contact, Laws
+    Filters/SolidResponse     Mechanics, Contact, Laws, Solids, Response
+    Filters/MeasuredResponse  Mechanics, Contact, Laws, Identification, Response
     Interactors/Haptics       Mechanics, Contact
     Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
     Plugin/NAME               all of the above, no other Plugin room
 
-Mechanics, Contact, Laws and Haptics include no header of VTK, ParaView or Qt: they build without them.
+Mechanics, Contact, Laws, Solids, Identification and Haptics include no header of VTK, ParaView or Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
 An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
@@ -34,18 +40,25 @@ import sys
 import tempfile
 from pathlib import Path
 
-KERNELS = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
+CORE = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
+MODULES = {"Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse"}
+KERNELS = CORE | {"Filters/Solids", "Filters/Identification"}
 
 MAY_INCLUDE = {
     "Filters/Mechanics": set(),
     "Filters/Contact": {"Filters/Mechanics"},
     "Filters/Laws": {"Filters/Mechanics", "Filters/Contact"},
+    "Filters/Solids": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
+    "Filters/Identification": {"Filters/Mechanics"},
     "Filters/Response": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
+    "Filters/SolidResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids", "Filters/Response"},
+    "Filters/MeasuredResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Identification",
+                                 "Filters/Response"},
     "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
-    "Interactors/Interaction": KERNELS | {"Filters/Response"},
+    "Interactors/Interaction": CORE | {"Filters/Response"},
 }
 for plugin_room in ("Plugin/ParaView", "Plugin/Python", "Plugin/Viewer"):
-    MAY_INCLUDE[plugin_room] = KERNELS | {"Filters/Response", "Interactors/Interaction"}
+    MAY_INCLUDE[plugin_room] = CORE | MODULES | {"Filters/Response", "Interactors/Interaction"}
 
 WINGS = ("Filters", "Interactors", "Plugin")
 
@@ -175,6 +188,10 @@ SOUND_TREE = {
     "Filters/Mechanics/Hertz.h": "#include <Eigen/Core>\n#include <cmath>\n",
     "Filters/Contact/Tick.h": '#include "Mechanics/Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
     "Filters/Laws/Law.h": '#include "Mechanics/Hertz.h"\n#include "Contact/Tick.h"\n',
+    "Filters/Solids/Element.h": '#include "Laws/Law.h"\n',
+    "Filters/Identification/Fit.h": '#include "Mechanics/Hertz.h"\n',
+    "Filters/SolidResponse/vtkSolid.h": '#include "vtkTool.h"\n#include "Solids/Element.h"\n',
+    "Filters/MeasuredResponse/vtkReadings.h": '#include "vtkTool.h"\n#include "Identification/Fit.h"\n',
     "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Contact/Tick.h"\n',
     "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Mechanics/Hertz.h"\n',
     "Interactors/Haptics/Device.h": '#include "Contact/Tick.h"\n#include "Mechanics/Hertz.h"\n#include <thread>\n',
@@ -196,6 +213,16 @@ BREAKS = [
     ("Filters/Contact/Wrong.h", '#include "Laws/Law.h"\n'),
     ("Filters/Laws/Wrong.h", '#include "vtkTool.h"\n'),
     ("Filters/Laws/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Filters/Laws/Wrong.h", '#include "Solids/Element.h"\n'),
+    ("Filters/Solids/Wrong.h", '#include "vtkTool.h"\n'),
+    ("Filters/Solids/Wrong.h", '#include "Identification/Fit.h"\n'),
+    ("Filters/Identification/Wrong.h", '#include "Contact/Tick.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "Solids/Element.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "vtkSolid.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "Identification/Fit.h"\n'),
+    ("Filters/SolidResponse/Wrong.h", '#include "vtkReadings.h"\n'),
+    ("Filters/MeasuredResponse/Wrong.h", '#include "Solids/Element.h"\n'),
+    ("Interactors/Interaction/Wrong.h", '#include "vtkSolid.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "Laws/Law.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
     ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),

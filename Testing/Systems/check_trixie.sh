@@ -76,7 +76,7 @@ write_groups()
   while read -r folder; do
     write_group "cgal_$(basename "$folder" .cxx)" "$folder"
     count=$((count + 1))
-  done < <(grep -rlE '#include [<"](CGAL/|Response/Mesher/Cgal/CgalSurface.h)' "$source"/Filters --include='*.cxx' | sort)
+  done < <(grep -rlE '#include [<"](CGAL/|SolidResponse/Mesher/Cgal/CgalSurface.h)' "$source"/Filters --include='*.cxx' | sort)
 }
 
 # The headers that CMake generates: an empty export macro for each VTK module.
@@ -84,7 +84,7 @@ write_export_headers()
 {
   local module
   mkdir -p "$place/include" || exit 1
-  for module in palpateResponse palpateInteraction palpateServerManager; do
+  for module in palpateResponse palpateSolidResponse palpateMeasuredResponse palpateInteraction palpateServerManager; do
     printf '#define %s_EXPORT\n#define %s_NO_EXPORT\n' "${module^^}" "${module^^}" >"$place/include/${module}Module.h"
   done
 }

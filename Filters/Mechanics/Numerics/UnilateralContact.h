@@ -2,6 +2,8 @@
 #ifndef palpate_UnilateralContact_h
 #define palpate_UnilateralContact_h
 
+#include "Mechanics/PalpateExport.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -9,7 +11,7 @@
 namespace palpate
 {
 /// What yields under forces on its nodes; symmetric, positive definite.
-class CompliantNodes
+class PALPATE_EXPORT CompliantNodes
 {
 public:
   virtual ~CompliantNodes() = default;
@@ -29,7 +31,7 @@ public:
  * passed through are taken in (primal–dual active set, Hintermüller, Ito and Kunisch 2003), all at
  * once; should the sets not settle, one at a time.
  */
-class UnilateralContact
+class PALPATE_EXPORT UnilateralContact
 {
 public:
   /// `active`, ascending, is the first guess and then the nodes in contact. False if it did not

@@ -5,6 +5,8 @@
 #include "Laws/ResponseFiller.h"
 #include "Response/BodyLaws.h"
 
+#include "palpateResponseModule.h"
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,15 +35,16 @@ using StrainMaker = std::function<std::string(
  * `chosen` begins with the terms of the request. Collective: without a piece of the body, `shape`
  * is not asked. Returns what is wrong, or "".
  */
-std::string chooseTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
-  const SurfaceShape& shape, const StrainMaker& makeStrain, AutomaticTerms& chosen);
+PALPATERESPONSE_EXPORT std::string chooseTerms(const Ranks& ranks, vtkPolyData* body,
+  const LawRequest& request, const SurfaceShape& shape, const StrainMaker& makeStrain,
+  AutomaticTerms& chosen);
 
 /// A change of the force in words: "0.8 %".
-std::string percentOf(double change);
+PALPATERESPONSE_EXPORT std::string percentOf(double change);
 
 /// The field array that keeps the reason, `<name>Terms`, and what it says on a body; "" without it.
-std::string termsName(const std::string& responseName);
-std::string termsReason(vtkPolyData* body, const std::string& responseName);
+PALPATERESPONSE_EXPORT std::string termsName(const std::string& responseName);
+PALPATERESPONSE_EXPORT std::string termsReason(vtkPolyData* body, const std::string& responseName);
 } // namespace palpate
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef PointNormals_h
 #define PointNormals_h
 
+#include "palpateResponseModule.h"
+
 #include <string>
 
 class vtkFloatArray;
@@ -27,7 +29,7 @@ std::string fillPointNormals(
   vtkPolyData* body, const BodySeam& seam, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 
 /// The same of a whole body.
-std::string fillPointNormals(
+PALPATERESPONSE_EXPORT std::string fillPointNormals(
   vtkPolyData* body, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 } // namespace palpate
 

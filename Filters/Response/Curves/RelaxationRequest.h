@@ -5,6 +5,8 @@
 #include "Mechanics/Relaxation/PronySeries.h"
 #include "Response/Curves/MaterialArrays.h"
 
+#include "palpateResponseModule.h"
+
 #include <string>
 
 class vtkPolyData;
@@ -27,12 +29,13 @@ std::string checkRelaxation(
   vtkPolyData* body, const RelaxationRequest& request, const MaterialArray& compliance);
 
 /// ", relaxing 0.5 in 0.1 s, 0.3 in 2 s"; "" where nothing does.
-std::string relaxationInWords(const RelaxationRequest& request, const MaterialArray& compliance);
+PALPATERESPONSE_EXPORT std::string relaxationInWords(
+  const RelaxationRequest& request, const MaterialArray& compliance);
 
 /// Attaches the arrays of the data contract in place of any there were, for a body that has passed
 /// checkRelaxation.
-void attachRelaxation(const RelaxationRequest& request, const MaterialArray& compliance,
-  const std::string& name, vtkPolyData* output);
+PALPATERESPONSE_EXPORT void attachRelaxation(const RelaxationRequest& request,
+  const MaterialArray& compliance, const std::string& name, vtkPolyData* output);
 } // namespace palpate
 
 #endif

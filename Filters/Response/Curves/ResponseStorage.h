@@ -4,6 +4,7 @@
 
 #include "Laws/ResponseFiller.h"
 
+#include "palpateResponseModule.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -16,7 +17,7 @@ class vtkPolyData;
 namespace palpate
 {
 /// The point arrays of one response, allocated together, attached together.
-struct ResponseStorage
+struct PALPATERESPONSE_EXPORT ResponseStorage
 {
   vtkNew<vtkFloatArray> Force;
   vtkNew<vtkFloatArray> Stiffness;

@@ -2,6 +2,8 @@
 #ifndef TiltRequest_h
 #define TiltRequest_h
 
+#include "palpateResponseModule.h"
+
 #include <string>
 
 class vtkPolyData;
@@ -20,13 +22,13 @@ struct TiltRequest
 };
 
 /// What is wrong with it, naming the angle, or "".
-std::string checkTilts(const TiltRequest& request);
+PALPATERESPONSE_EXPORT std::string checkTilts(const TiltRequest& request);
 
 /// Attaches the tilts to a body with its response; nothing for 0 degrees. `material` null: the
 /// tilts of a half-space, and validity is unchanged; otherwise validity and error (`tolerance` > 0)
 /// include the error of the tilts. Returns what is wrong, or "".
-std::string attachTilts(const TiltRequest& request, const BodyMaterial* material, double tolerance,
-  const std::string& name, vtkPolyData* output);
+PALPATERESPONSE_EXPORT std::string attachTilts(const TiltRequest& request,
+  const BodyMaterial* material, double tolerance, const std::string& name, vtkPolyData* output);
 } // namespace palpate
 
 #endif

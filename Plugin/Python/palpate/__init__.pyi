@@ -5,4 +5,6 @@ from ._curves import Curves as Curves, curves as curves
 from ._probe import CoupledProbe as CoupledProbe, Probe as Probe, probe as probe
 from ._response import Regime as Regime, regime as regime, response as response
 from .palpateInteraction import *
+from .palpateMeasuredResponse import *
 from .palpateResponse import *
+from .palpateSolidResponse import *

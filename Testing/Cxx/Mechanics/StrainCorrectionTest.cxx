@@ -4,7 +4,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/FiniteStrain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
-#include "Mechanics/Identification/CurvesFile.h"
+#include "Identification/CurvesFile.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/Tools/ToolSpecification.h"

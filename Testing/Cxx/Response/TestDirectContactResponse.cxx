@@ -7,7 +7,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
-#include "Mechanics/TrueShape/DirectContact.h"
+#include "Solids/TrueShape/DirectContact.h"
 
 #include "vtkContactTool.h"
 #include "vtkCell.h"

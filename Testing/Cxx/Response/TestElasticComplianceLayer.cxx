@@ -4,7 +4,7 @@
 // A block of half-width 2.5 h stands for the infinite layer.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
-#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Solids/FiniteElements/PatchCompliance.h"
 #include "ReferenceTable.h"
 
 #include <vector>

@@ -5,7 +5,7 @@
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
 #include "VolumeBlock.h"
-#include "Mechanics/FiniteElements/GlobalModes.h"
+#include "Solids/FiniteElements/GlobalModes.h"
 
 #include "vtkDataArray.h"
 #include "vtkElasticCompliance.h"

@@ -4,7 +4,7 @@
 // b²/(16πD) E*, without shear, is 3.3572). And its deflection under the load.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
-#include "Mechanics/FiniteElements/PatchCompliance.h"
+#include "Solids/FiniteElements/PatchCompliance.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
-#include "Mechanics/ClosedRelaxation.h"
+#include "Identification/ClosedRelaxation.h"
 
 #include "vtkFieldData.h"
 #include "vtkMeasuredCurves.h"

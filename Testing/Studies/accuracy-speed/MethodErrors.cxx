@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MethodErrors.h"
 
-#include "Mechanics/Identification/CurvesFile.h"
+#include "Identification/CurvesFile.h"
 #include "Mechanics/ReducedModulus.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "Laws/ResponseFiller.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Files/CsvReader.h"
-#include "Mechanics/Identification/CurvesFile.h"
+#include "Identification/CurvesFile.h"
 #include "Mechanics/ReducedModulus.h"
 #include "StoredMethods.h"
 

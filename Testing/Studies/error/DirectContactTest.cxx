@@ -3,9 +3,9 @@
 // straight and aslant, and however the body lies in space.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
-#include "Mechanics/ShapedBodies.h"
-#include "Mechanics/TestTools.h"
-#include "Mechanics/TrueShape/DirectContact.h"
+#include "Solids/ShapedBodies.h"
+#include "TestTools.h"
+#include "Solids/TrueShape/DirectContact.h"
 
 #include <Eigen/Geometry>
 

@@ -10,8 +10,8 @@
  * end.
  */
 #include "Mechanics/Tools/ToolSpecification.h"
-#include "Mechanics/TrueShape/DirectContact.h"
-#include "Mechanics/TrueShape/FiniteContact.h"
+#include "Solids/TrueShape/DirectContact.h"
+#include "Solids/TrueShape/FiniteContact.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"

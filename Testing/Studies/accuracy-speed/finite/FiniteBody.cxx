@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FiniteBody.h"
 
-#include "Mechanics/FiniteElements/GlobalModes.h"
+#include "Solids/FiniteElements/GlobalModes.h"
 #include "GradedBlock.h"
-#include "Mechanics/FiniteElements/PatchCompliance.h"
-#include "Mechanics/FiniteElements/RegularField.h"
+#include "Solids/FiniteElements/PatchCompliance.h"
+#include "Solids/FiniteElements/RegularField.h"
 
 #include <algorithm>
 #include <cmath>

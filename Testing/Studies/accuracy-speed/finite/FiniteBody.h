@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Mechanics/FiniteElements/ElasticBody.h"
+#include "Solids/FiniteElements/ElasticBody.h"
 #include "FiniteScene.h"
 
 #include <cstddef>

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Identification/BodyIdentification.h"
+
+#include "Mechanics/Files/NumberText.h"
+#include "Identification/FitReport.h"
+#include "Identification/FitVerdict.h"
+#include "Identification/StrainWindow.h"
+#include "Mechanics/Numerics/Constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace palpate
+{
+namespace
+{
+using FitLimits::Inseparable;
+using FitLimits::LargestPassCount;
+using FitLimits::LeastNoise;
+using FitLimits::LikelihoodRatio;
+
+constexpr std::size_t LargestGroupCount = 200;
+
+void sortByDepth(IndentationCurve& curve)
+{
+  std::vector<std::size_t> order(curve.deflection.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&curve](std::size_t a, std::size_t b) { return curve.deflection[a] < curve.deflection[b]; });
+  IndentationCurve sorted;
+  sorted.tool = curve.tool;
+  for (const std::size_t i : order)
+  {
+    sorted.deflection.push_back(curve.deflection[i]);
+    sorted.force.push_back(curve.force[i]);
+  }
+  curve = std::move(sorted);
+}
+
+/// Averages neighbours: within one of 200 groups the curve is nearly linear. The deepest readings
+/// that do not fill a group are left out.
+void group(IndentationCurve& curve)
+{
+  const std::size_t size = (curve.force.size() + LargestGroupCount - 1) / LargestGroupCount;
+  if (size <= 1)
+  {
+    return;
+  }
+  IndentationCurve grouped;
+  grouped.tool = curve.tool;
+  grouped.readings = static_cast<double>(size);
+  for (std::size_t i = 0; i + size <= curve.force.size(); i += size)
+  {
+    const auto mean = [&](const std::vector<double>& values)
+    {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
+      return std::accumulate(first, first + static_cast<std::ptrdiff_t>(size), 0.0) /
+        static_cast<double>(size);
+    };
+    grouped.deflection.push_back(mean(curve.deflection));
+    grouped.force.push_back(mean(curve.force));
+  }
+  curve = std::move(grouped);
+}
+
+/// Noise of all curves together.
+ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
+{
+  double squares = 0.0;
+  double freedom = 0.0;
+  for (const IndentationCurve& curve : curves)
+  {
+    const ForceNoise noise = estimateForceNoise(curve.deflection, curve.force);
+    squares += noise.degreesOfFreedom * noise.deviation * noise.deviation;
+    freedom += noise.degreesOfFreedom;
+  }
+  return { std::sqrt(squares / freedom), freedom };
+}
+
+std::string checkCurve(const IndentationCurve& curve)
+{
+  if (curve.force.size() < BodyIdentification::FewestReadings)
+  {
+    return "the loading has " + std::to_string(curve.force.size()) + " readings; " +
+      std::to_string(BodyIdentification::FewestReadings) + " are needed";
+  }
+  const auto [low, high] = std::minmax_element(curve.deflection.begin(), curve.deflection.end());
+  if (!(*high > *low))
+  {
+    return "the deflection stays at " + shortly(*low) + " mm";
+  }
+  const double force = *std::max_element(curve.force.begin(), curve.force.end());
+  return force > 0.0 ? std::string()
+                     : "no force is above 0: the largest is " + shortly(force) + " N";
+}
+
+bool isFlatOnly(const std::vector<IndentationCurve>& curves)
+{
+  return std::all_of(curves.begin(), curves.end(),
+    [](const IndentationCurve& curve) { return isFlat(*curve.tool); });
+}
+} // namespace
+
+const char* nameOf(BodyModel model)
+{
+  switch (model)
+  {
+    case BodyModel::GlobalCompliance:
+      return "half-space in series with global compliance";
+    case BodyModel::Layer:
+      return "layer on a rigid base";
+    default:
+      return "half-space";
+  }
+}
+
+BodyIdentification::BodyIdentification(const IdentificationOptions& options)
+  : Options(options)
+  , Kernel(std::make_shared<const LayerKernel>(options.poissonsRatio, options.base))
+{
+}
+
+/// Whether the fit determines its body.
+std::string BodyIdentification::checkDetermined(
+  const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const
+{
+  if (!fit.converged)
+  {
+    return std::string("the fit of a ") + nameOf(fit.body.model) + " does not converge";
+  }
+  if (fit.separation < Inseparable)
+  {
+    return isFlatOnly(curves) ? FlatAlone
+                              : std::string("the curves do not tell the parameters of a ") +
+        nameOf(fit.body.model) + " apart";
+  }
+  const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+  if (!(error <= this->Options.largestUncertainty))
+  {
+    return "E* is known to " + shortly(100.0 * error) + " % only, where " +
+      shortly(100.0 * this->Options.largestUncertainty) + " % are asked for";
+  }
+  return {};
+}
+
+/// Returns why none can be chosen, or "".
+std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curves,
+  const ForceNoise& noise, BodyFit& chosen, bool& withinNoise) const
+{
+  const IdentificationOptions& options = this->Options;
+  const auto fitted = [&](BodyModel model)
+  { return fitBody(curves, model, options.findContact, this->Kernel); };
+  if (options.model)
+  {
+    chosen = fitted(*options.model);
+    withinNoise = leavesNoise(chosen, noise);
+    return {};
+  }
+
+  chosen = fitted(BodyModel::HalfSpace);
+  withinNoise = leavesNoise(chosen, noise);
+  std::vector<BodyFit> richer;
+  for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
+  {
+    BodyFit fit = fitted(model);
+    const bool stiffens = model == BodyModel::GlobalCompliance && !(fit.body.compliance > 0.0);
+    if (fit.converged && fit.separation >= Inseparable && !stiffens)
+    {
+      richer.push_back(std::move(fit));
+    }
+  }
+  std::sort(richer.begin(), richer.end(),
+    [](const BodyFit& a, const BodyFit& b) { return a.sumOfSquares < b.sumOfSquares; });
+
+  const double significant = LikelihoodRatio * noise.deviation * noise.deviation;
+  const bool improved =
+    !richer.empty() && chosen.sumOfSquares - richer.front().sumOfSquares > significant;
+  if (!improved)
+  {
+    const double error = studentQuantile(chosen.degreesOfFreedom) * noise.deviation *
+      modulusErrorBesideCompliance(curves, chosen, options.findContact);
+    return error <= options.largestUncertainty ? std::string()
+      : isFlatOnly(curves)                     ? std::string(FlatAlone)
+                           : "the curves do not tell E* from a global compliance";
+  }
+  if (richer.size() > 1 && leavesNoise(richer[0], noise) && leavesNoise(richer[1], noise) &&
+    richer[1].sumOfSquares - richer[0].sumOfSquares < significant)
+  {
+    return "the curves do not tell a global compliance from a layer";
+  }
+  chosen = richer.front();
+  withinNoise = leavesNoise(chosen, noise);
+  return {};
+}
+
+/// Identifies from these readings unchanged; returns why not, or "".
+std::string BodyIdentification::judge(
+  const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const
+{
+  double force = 0.0;
+  for (const IndentationCurve& curve : curves)
+  {
+    std::string unusable = checkCurve(curve);
+    if (!unusable.empty())
+    {
+      return unusable;
+    }
+    force = std::max(force, *std::max_element(curve.force.begin(), curve.force.end()));
+  }
+  judgement.largestForce = force;
+  noise.deviation = std::max(noise.deviation, LeastNoise * force);
+  judgement.noise = noise.deviation;
+  std::string fault = this->choose(curves, noise, judgement.fit, judgement.withinNoise);
+  const double misfit = judgement.fit.residual();
+  const double allowed = this->Options.largestMisfit * force;
+  if (fault.empty() && !judgement.withinNoise && !(misfit <= allowed))
+  {
+    fault = "no model fits: the nearest, a " + std::string(nameOf(judgement.fit.body.model)) +
+      ", leaves " + shortly(misfit) + " N, more than the noise of " + shortly(noise.deviation) +
+      " N and the " + shortly(allowed) + " N allowed";
+  }
+  return fault.empty()
+    ? this->checkDetermined(curves, judgement.fit, std::max(noise.deviation, misfit))
+    : fault;
+}
+
+IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves) const
+{
+  IdentifiedBody result;
+  result.refusal = curves.empty() ? "there is no loading" : "";
+  for (IndentationCurve& curve : curves)
+  {
+    result.refusal = result.refusal.empty() ? checkCurve(curve) : result.refusal;
+    if (result.refusal.empty())
+    {
+      sortByDepth(curve);
+    }
+  }
+  if (!result.refusal.empty())
+  {
+    return result;
+  }
+  const bool given = this->Options.noise > 0.0;
+  const ForceNoise noise = given ? ForceNoise{ this->Options.noise } : poolNoise(curves);
+  for (IndentationCurve& curve : curves)
+  {
+    group(curve);
+  }
+
+  // Which readings lie within small strain depends on the body to be found.
+  Judgement judgement;
+  std::vector<IndentationCurve> used = curves;
+  result.refusal = this->judge(used, noise, judgement);
+  for (int pass = 0; pass < LargestPassCount && !judgement.fit.contactOffset.empty(); ++pass)
+  {
+    bool changed = false;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      IndentationCurve kept = readingsWithin(curves[i], judgement.fit.body,
+        judgement.fit.contactOffset[i], this->Kernel, this->Options.largestStrain);
+      changed = changed || kept.force.size() != used[i].force.size();
+      used[i] = std::move(kept);
+    }
+    if (!changed)
+    {
+      break;
+    }
+    result.refusal = this->judge(used, noise, judgement);
+  }
+  result.noise = judgement.noise;
+  result.misfit = judgement.fit.residual();
+  result.largestForce = judgement.largestForce;
+  result.withinNoise = judgement.withinNoise;
+  if (result.refusal.empty())
+  {
+    this->report(used, given, judgement.fit, result);
+  }
+  return result;
+}
+
+/// The numbers of the fit with their confidence intervals, and where the data end.
+void BodyIdentification::report(const std::vector<IndentationCurve>& curves, bool noiseGiven,
+  const BodyFit& fit, IdentifiedBody& result) const
+{
+  reportBody(fit, intervalWidth(fit, noiseGiven, result), this->Options.findContact, result);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    reportEnd(
+      *curves[i].tool, this->Kernel, curves[i].deflection.back() - fit.contactOffset[i], result);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BodyIdentification_h
+#define palpate_BodyIdentification_h
+
+#include "Identification/BodyFit.h"
+#include "Identification/Estimate.h"
+#include "Identification/ForceNoise.h"
+#include "Mechanics/PalpateExport.h"
+#include "Mechanics/Relaxation/PronySeries.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Known properties, and the limits of an acceptable fit.
+struct IdentificationOptions
+{
+  /// The model to fit, if it is known from elsewhere; otherwise the simplest that suffices.
+  std::optional<BodyModel> model;
+  double noise = 0.0;         ///< standard deviation of a reading of force, N; 0: estimated
+  double poissonsRatio = 0.5; ///< of a layer
+  LayerBase base = LayerBase::Bonded;
+  bool findContact = true;         ///< false: deflections are measured from first contact already
+  double largestStrain = 0.4;      ///< contact radius over tip radius: deeper readings are not used
+  double largestMisfit = 0.02;     ///< fraction of the largest force
+  double largestUncertainty = 0.5; ///< of E*: half the confidence interval, relative
+  /// How the body relaxes, if that is known from elsewhere; no branch: it is identified.
+  PronySeries relaxation;
+};
+
+/// The body identified at one site.
+struct IdentifiedBody
+{
+  /// Why no body was identified; empty if one was.
+  std::string refusal;
+
+  BodyParameters body;
+  Estimate reducedModulus;             ///< MPa
+  Estimate compliance;                 ///< mm/N, of BodyModel::GlobalCompliance
+  Estimate thickness;                  ///< mm, of BodyModel::Layer
+  std::vector<Estimate> contactOffset; ///< mm, of each curve
+  /// How it relaxes; the numbers above are then the slow response. No branch: an elastic body.
+  PronySeries relaxation;
+  std::vector<Estimate> relaxationStrength;                       ///< p_i
+  std::vector<Estimate> relaxationTime;                           ///< τ_i, s
+  double shortestTime = std::numeric_limits<double>::quiet_NaN(); ///< that the test can resolve, s
+  double longestTime = std::numeric_limits<double>::quiet_NaN();  ///< likewise
+  std::string remark; ///< what the test cannot resolve of a body that relaxes
+  /// A row each for ln E* and for C_g or ln h: S Sᵀ is their covariance, times the square of the
+  /// factor from a standard error to half a 95 % interval.
+  Eigen::MatrixXd spread;
+
+  double noise = 0.0;        ///< standard deviation of a reading, N, given or estimated
+  double misfit = 0.0;       ///< of the fit, N, per reading; about the noise if the model is right
+  double largestForce = 0.0; ///< of the readings used, N
+  bool withinNoise = false;  ///< false: the best model, whose residual exceeds the noise
+
+  // The end of the data used, by the fitted curves.
+  double endForce = 0.0;     ///< N
+  double endStiffness = 0.0; ///< dF/dδ, N/mm
+  IndentationPoint end;      ///< of the curve with the largest contact, without C_g
+  double endDepth = 0.0;     ///< its depth, mm, without C_g
+};
+
+/**
+ * Identifies the elastic body at one site from the loading curves of one or several tools.
+ *
+ * Three models are fitted: a half-space (E*), a half-space in series with a global compliance (E*,
+ * C_g > 0), a layer on a rigid base (E*, h; Poisson's ratio given). A model is within the noise
+ * when its residual is no larger than the noise (an F test at three standard deviations) and no
+ * richer model reduces it by more than noise would (a likelihood ratio at 1 %). The result is the
+ * simplest model within the noise. If there is none, it is the one with the least residual, if that
+ * is below `largestMisfit`, and withinNoise is false.
+ *
+ * The laws are those of small strain. Readings deeper than `largestStrain` allows (StrainWindow.h)
+ * are not used; since that depth depends on the body, fit and choice of readings alternate.
+ *
+ * Refused, with the reason: too few readings; curves from which the parameters cannot be separated,
+ * as those of flat punches of one radius, which are straight lines whatever E*, C_g and h; an
+ * uncertainty of E* above `largestUncertainty` if C_g were unknown as well; no model with a
+ * residual small enough.
+ *
+ * Confidence intervals are those of the linearised problem, from the Jacobian and the noise (given)
+ * or the misfit (Student's t); of E* and h symmetric in the logarithm. Cost: about a millisecond, a
+ * tenth of a second for a layer. Immutable and safe to use from any number of threads.
+ */
+class PALPATE_EXPORT BodyIdentification
+{
+public:
+  static constexpr std::size_t FewestReadings = 8;
+
+  explicit BodyIdentification(const IdentificationOptions& options);
+
+  /// The readings of a curve need not be sorted. Many are averaged in groups of neighbours.
+  IdentifiedBody identify(std::vector<IndentationCurve> curves) const;
+
+  const IdentificationOptions& options() const noexcept { return this->Options; }
+  const std::shared_ptr<const LayerKernel>& kernel() const noexcept { return this->Kernel; }
+
+private:
+  std::string choose(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
+    BodyFit& chosen, bool& withinNoise) const;
+  struct Judgement
+  {
+    BodyFit fit;
+    bool withinNoise = false;
+    double noise = 0.0;
+    double largestForce = 0.0;
+  };
+  std::string judge(
+    const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const;
+  void report(const std::vector<IndentationCurve>& curves, bool noiseGiven, const BodyFit& fit,
+    IdentifiedBody& result) const;
+  std::string checkDetermined(
+    const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const;
+
+  IdentificationOptions Options;
+  std::shared_ptr<const LayerKernel> Kernel;
+};
+
+/// "half-space", "half-space in series with global compliance", "layer on a rigid base".
+PALPATE_EXPORT const char* nameOf(BodyModel model);
+} // namespace palpate
+
+#endif

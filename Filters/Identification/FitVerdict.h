@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FitVerdict_h
+#define palpate_FitVerdict_h
+
+#include "Identification/BodyFit.h"
+#include "Identification/ForceNoise.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+/// Limits for judging the fits of bodies.
+namespace FitLimits
+{
+constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
+constexpr double LeastNoise = 0.003; // of the largest force: no law or instrument is more accurate
+constexpr int LargestPassCount = 6;  // of alternating fit and choice of readings
+constexpr double Inseparable = 1e-4; // sine of an angle that rounding and a kink can cause
+} // namespace FitLimits
+
+/// Errors of the packed parameters by a Jacobian, per unit residual.
+struct JacobianVerdict
+{
+  Eigen::VectorXd error;  ///< standard errors
+  Eigen::MatrixXd spread; ///< S, S Sᵀ their covariance; empty where they are not determined
+  double separation = 0.0;
+};
+JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
+
+/// Whether the residual of a fit is within the noise: an F test at three standard deviations.
+bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
+
+/// Whether the contact of a tool has the same radius at every depth.
+bool isFlat(const AxisymmetricTool& tool);
+
+/// Why curves of flat punches alone cannot be identified.
+extern const char* const FlatAlone;
+} // namespace palpate
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Identification/MeasuredSite.h"
+
+#include "Identification/RelaxingIdentification.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+
+namespace palpate
+{
+std::string collectSites(const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites)
+{
+  std::vector<MeasuredSite> collected;
+  std::map<std::string, std::size_t> index;
+  for (const MeasuredCurves& file : files)
+  {
+    const std::shared_ptr<const AxisymmetricTool> tool = makeTool(file.tool);
+    if (!tool)
+    {
+      return file.file + ": " + checkTool(file.tool);
+    }
+    for (const MeasuredCurve& curve : file.curves)
+    {
+      const auto known = index.emplace(curve.site, collected.size());
+      if (known.second)
+      {
+        MeasuredSite site;
+        site.name = curve.site;
+        site.position = curve.position;
+        collected.push_back(std::move(site));
+      }
+      MeasuredSite& site = collected[known.first->second];
+      if (site.position != curve.position)
+      {
+        return file.file + ": site '" + curve.site + "' lies elsewhere than in the files before";
+      }
+      site.curves.push_back({ file.toolText, tool, curve, {} });
+    }
+  }
+  sites = std::move(collected);
+  return {};
+}
+
+namespace
+{
+bool hasTimes(const SiteCurve& curve)
+{
+  const std::vector<double>& time = curve.curve.time;
+  return time.size() > 1 && time.back() > time.front();
+}
+
+/// Identifies a body that relaxes; sets why not, if its curves have no times.
+void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
+{
+  std::vector<PressHistory> histories;
+  for (const SiteCurve& curve : site.curves)
+  {
+    histories.push_back(makeHistory(*curve.tool, curve.curve, curve.prepared));
+  }
+  site.body = identifyRelaxing(identification, std::move(histories));
+  site.refusal = site.body.refusal;
+}
+
+/// Which loops, holds and speeds show that the site relaxes; "" if none does.
+std::string flowOf(const MeasuredSite& site, const ElasticityLimits& limits)
+{
+  for (const SiteCurve& curve : site.curves)
+  {
+    const PreparedCurve& prepared = curve.prepared;
+    if (relaxes(prepared, limits))
+    {
+      return prepared.hysteresis > limits.hysteresis ? "its loop shows"
+        : prepared.rateEffect > limits.rateEffect    ? "its effect of speed shows"
+                                                     : "its hold shows";
+    }
+  }
+  return {};
+}
+} // namespace
+
+void identifySite(
+  const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site)
+{
+  std::vector<IndentationCurve> loadings;
+  bool isJudged = true; // whether every refusal is due to relaxation
+  bool areTimed = true;
+  for (SiteCurve& curve : site.curves)
+  {
+    const std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
+    if (!fault.empty() && site.refusal.empty())
+    {
+      site.refusal = fault;
+    }
+    isJudged = isJudged && (fault.empty() || relaxes(curve.prepared, limits));
+    areTimed = areTimed && hasTimes(curve);
+    IndentationCurve loading;
+    loading.tool = curve.tool.get();
+    for (const LoadingBranch& load : curve.prepared.loads)
+    {
+      loading.deflection.insert(
+        loading.deflection.end(), load.deflection.begin(), load.deflection.end());
+      loading.force.insert(loading.force.end(), load.force.begin(), load.force.end());
+    }
+    loadings.push_back(std::move(loading));
+  }
+  const PronySeries& given = identification.options().relaxation;
+  const std::string flow = flowOf(site, limits);
+  if (isJudged && areTimed && (!flow.empty() || given.count > 0))
+  {
+    identifyFlow(identification, site);
+    return;
+  }
+  if (isJudged && !flow.empty())
+  {
+    site.refusal += (site.refusal.empty() ? "" : "; ") + flow +
+      " that the body relaxes, which only curves with time_s tell: record the time of every "
+      "reading, with a hold at depth until the force has come to rest";
+  }
+  if (site.refusal.empty())
+  {
+    site.body = identification.identify(std::move(loadings));
+    site.refusal = site.body.refusal;
+    site.body.relaxation = given;
+    for (std::size_t i = 0; i < given.count; ++i)
+    {
+      site.body.relaxationStrength.push_back(linearEstimate(given.strength[i], 0.0));
+      site.body.relaxationTime.push_back(linearEstimate(given.time[i], 0.0));
+    }
+    if (given.count > 0)
+    {
+      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones";
+    }
+  }
+}
+} // namespace palpate

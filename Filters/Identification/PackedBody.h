@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PackedBody_h
+#define palpate_PackedBody_h
+
+#include "Identification/BodyFit.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * The packing of a fitted body, and of the depths of first contact of its curves, into parameters
+ * of order one: ln E*, then C_g over a reference or ln h, then the offsets over a reference depth.
+ * Residuals are relative to the largest force. The common base of all residuals.
+ */
+class PackedBody
+{
+public:
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  /// Required by Eigen's optimisers.
+  enum
+  {
+    InputsAtCompileTime = Eigen::Dynamic,
+    ValuesAtCompileTime = Eigen::Dynamic
+  };
+
+  Eigen::Index values() const { return this->Count; }
+  Eigen::Index materialCount() const { return this->Model == BodyModel::HalfSpace ? 1 : 2; }
+  /// Number of parameters of material and offsets.
+  Eigen::Index bodyInputs() const { return this->materialCount() + this->Offsets; }
+  double force() const { return this->Force; }
+  double depth() const { return this->Depth; }
+  /// The C_g of the whole depth under the whole force.
+  double compliance() const { return this->Depth / this->Force; }
+
+  BodyParameters body(const Eigen::VectorXd& p) const;
+  double offset(const Eigen::VectorXd& p, std::size_t curve) const
+  {
+    return this->Offsets > 0
+      ? p[this->materialCount() + static_cast<Eigen::Index>(curve)] * this->Depth
+      : 0.0;
+  }
+
+  /// Finds separation, spread, and errors of body and offsets from the Jacobian at the minimum;
+  /// errors of further parameters stay packed.
+  void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
+  /// The standard error of ln E* per newton of noise, from that Jacobian.
+  double modulusError(const Eigen::MatrixXd& jacobian) const;
+
+protected:
+  /// For `curves` loading curves.
+  PackedBody(BodyModel model, bool findContact, std::size_t curves)
+    : Model(model)
+    , Offsets(findContact ? static_cast<Eigen::Index>(curves) : 0)
+  {
+  }
+
+  /// Into the first of the parameters.
+  void packBody(
+    const BodyParameters& body, const std::vector<double>& offsets, Eigen::VectorXd& p) const;
+  /// Whether a step led to a valid body.
+  static bool isUsable(const BodyParameters& body);
+  /// The scale by which ln h or C_g is packed.
+  double secondScale() const
+  {
+    return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
+  }
+
+  /// The residual where there is no force, so that the method rejects the step.
+  static constexpr double Astray = 1e3;
+
+  BodyModel Model;
+  Eigen::Index Offsets;   ///< that are fitted
+  Eigen::Index Count = 0; ///< of residuals
+  double Force = 0.0;     ///< largest, N
+  double Depth = 0.0;     ///< largest range of a curve, mm
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PressHistory_h
+#define palpate_PressHistory_h
+
+#include "Identification/BodyFit.h"
+#include "Identification/CurvePreparation.h"
+#include "Identification/ForceNoise.h"
+#include "Identification/MeasuredCurve.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * Depth and force of one tool on a body in the order of time: presses, holds, releases. Between
+ * points the depth is linear in time. Before the first one the body was at rest.
+ */
+struct PressHistory
+{
+  const AxisymmetricTool* tool = nullptr;
+  std::vector<double> time;       ///< s, never decreasing
+  std::vector<double> deflection; ///< mm, from any origin
+  std::vector<double> force;      ///< N
+  /// Number of readings averaged at each point; 0: a point of the path that is not compared.
+  std::vector<double> readings;
+  IndentationCurve loading; ///< its loads alone, of ascending depth, for the start of a fit
+  ForceNoise noise;         ///< of a reading
+
+  std::size_t size() const noexcept { return this->time.size(); }
+};
+
+/// From a curve with times. If there are more than 600, neighbours in time are averaged over about
+/// 0.5 % of the depth and 3 % of the time since the last turn.
+PALPATE_EXPORT PressHistory makeHistory(
+  const AxisymmetricTool& tool, const MeasuredCurve& curve, const PreparedCurve& prepared);
+
+/// The range of relaxation times that a test can resolve, s.
+struct TimeWindow
+{
+  double shortest = 0.0; ///< a fifteenth of the fastest press, or the time between two readings
+  double longest = 0.0;  ///< the longest time in contact before the depth turns back
+};
+
+/// The window of the compared points deeper than first contact at `offsets` (mm, of each history).
+PALPATE_EXPORT TimeWindow windowOf(
+  const std::vector<PressHistory>& histories, const std::vector<double>& offsets);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Identification/RelaxationStart.h"
+
+#include "Mechanics/Numerics/NonNegativeLeastSquares.h"
+#include "Mechanics/Relaxation/QuasiLinearElement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double TimesPerDecade = 3.0;
+constexpr double LeastForce = 0.1;  // of the largest: less may be a contact that is about to end
+constexpr double LeastShare = 0.02; // of the whole response, of the slow one where none is found
+
+constexpr double SomeShare = 0.2; // of it, of a branch where none is found
+
+std::vector<double> timeGrid(const TimeWindow& window)
+{
+  if (!(window.longest > window.shortest))
+  {
+    return { window.longest };
+  }
+  const double decades = std::log10(window.longest / window.shortest);
+  const int count = std::clamp(static_cast<int>(std::ceil(TimesPerDecade * decades)), 1, 30);
+  std::vector<double> times;
+  for (int i = 0; i <= count; ++i)
+  {
+    times.push_back(window.shortest * std::pow(10.0, decades * i / count));
+  }
+  return times;
+}
+} // namespace
+
+RelaxationSpectrum RelaxationSpectrum::merged(std::size_t count) const
+{
+  RelaxationSpectrum left = *this;
+  while (left.time.size() > count)
+  {
+    // Ward's rule: the pair whose merging changes least.
+    std::size_t best = 0;
+    double least = 0.0;
+    for (std::size_t i = 0; i + 1 < left.time.size(); ++i)
+    {
+      const double a = left.strength[i];
+      const double b = left.strength[i + 1];
+      const double apart = std::log(left.time[i + 1] / left.time[i]);
+      const double moved = a * b / (a + b) * apart * apart;
+      if (i == 0 || moved < least)
+      {
+        best = i;
+        least = moved;
+      }
+    }
+    const double a = left.strength[best];
+    const double b = left.strength[best + 1];
+    left.time[best] =
+      std::exp((a * std::log(left.time[best]) + b * std::log(left.time[best + 1])) / (a + b));
+    left.strength[best] = a + b;
+    const auto next = static_cast<std::ptrdiff_t>(best) + 1;
+    left.time.erase(left.time.begin() + next);
+    left.strength.erase(left.strength.begin() + next);
+  }
+  return left;
+}
+
+RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
+  const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
+  const TimeWindow& window)
+{
+  if (!(window.shortest > 0.0)) // no contact
+  {
+    return {};
+  }
+  const std::vector<double> times = timeGrid(window);
+  const auto branches = static_cast<Index>(times.size());
+  std::vector<VectorXd> rows;
+  std::vector<double> forces;
+  for (std::size_t c = 0; c < histories.size(); ++c)
+  {
+    const PressHistory& history = histories[c];
+    const double largest = *std::max_element(history.force.begin(), history.force.end());
+    std::vector<QuasiLinearElement> memory(times.size());
+    double before = 0.0;
+    for (std::size_t i = 0; i < history.size(); ++i)
+    {
+      const double slow = bodyResponse(
+        about.body, *history.tool, kernel, history.deflection[i] - about.contactOffset[c])
+                            .force;
+      const double seconds = i > 0 ? history.time[i] - history.time[i - 1] : 0.0;
+      VectorXd row(branches + 1);
+      row[0] = slow;
+      for (std::size_t k = 0; k < times.size(); ++k)
+      {
+        PronySeries one;
+        one.add(1.0, times[k]);
+        row[static_cast<Index>(k) + 1] =
+          memory[k].follow(slow - before, RelaxationStep(one, seconds));
+      }
+      before = slow;
+      if (history.readings[i] > 0.0 && history.force[i] > LeastForce * largest && row.allFinite())
+      {
+        const double weight = std::sqrt(history.readings[i]);
+        rows.emplace_back(weight * row);
+        forces.push_back(weight * history.force[i]);
+      }
+    }
+  }
+  RelaxationSpectrum spectrum;
+  if (static_cast<Index>(rows.size()) <= branches)
+  {
+    return spectrum;
+  }
+  MatrixXd columns(static_cast<Index>(rows.size()), branches + 1);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    columns.row(static_cast<Index>(i)) = rows[i].transpose();
+  }
+  const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
+  const VectorXd shares = nonNegativeLeastSquares(columns * length.cwiseInverse().asDiagonal(),
+    Eigen::Map<const VectorXd>(forces.data(), static_cast<Index>(forces.size())))
+                            .cwiseQuotient(length);
+  spectrum.slow = shares[0];
+  for (std::size_t k = 0; k < times.size(); ++k)
+  {
+    if (shares[static_cast<Index>(k) + 1] > 0.0)
+    {
+      spectrum.time.push_back(times[k]);
+      spectrum.strength.push_back(shares[static_cast<Index>(k) + 1]);
+    }
+  }
+  spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
+  if (spectrum.time.empty()) // so that the fit finds that there is none
+  {
+    spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
+    spectrum.strength.push_back(SomeShare * spectrum.slow);
+  }
+  return spectrum;
+}
+
+RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
+{
+  about.body.reducedModulus *= spectrum.slow;
+  // The product with E*, the shape of the curve, stays unchanged.
+  about.body.compliance /= spectrum.slow;
+  about.series = {};
+  for (std::size_t i = 0; i < spectrum.time.size(); ++i)
+  {
+    about.series.add(spectrum.strength[i] / spectrum.slow, spectrum.time[i]);
+  }
+  return about;
+}
+} // namespace palpate

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Identification/RelaxingIdentification.h"
+
+#include "Mechanics/Files/NumberText.h"
+#include "Identification/FitReport.h"
+#include "Identification/FitVerdict.h"
+#include "Identification/RelaxationFit.h"
+#include "Identification/StrainWindow.h"
+#include "Mechanics/Numerics/Constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace palpate
+{
+namespace
+{
+using Eigen::Index;
+
+constexpr double WideInterval = 0.2; // of E*, relative: worth a remark
+
+std::string seconds(double time)
+{
+  return shortly(time) + " s";
+}
+
+/// Identifies one site.
+class Identifier
+{
+public:
+  Identifier(const BodyIdentification& identification, std::vector<PressHistory> histories)
+    : Identification(identification)
+    , Options(identification.options())
+    , All(std::move(histories))
+    , Used(this->All)
+  {
+  }
+
+  IdentifiedBody identify()
+  {
+    IdentifiedBody result;
+    result.refusal = this->All.empty() ? "there is no loading" : "";
+    result.refusal = result.refusal.empty() ? this->judge() : result.refusal;
+    // Which readings lie within small strain depends on the body to be found.
+    for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
+         ++pass)
+    {
+      result.refusal = this->judge();
+    }
+    if (this->Fit)
+    {
+      result.noise = this->Noise.deviation;
+      result.misfit = this->Fit->residual();
+      result.largestForce = this->LargestForce;
+      result.withinNoise = this->WithinNoise;
+    }
+    if (this->isHoldTooDeep())
+    {
+      result.refusal += (result.refusal.empty() ? "" : "; ") +
+        std::string("its longest hold lies deeper than small strain allows, and without it E* is a "
+                    "guess: hold less deep, or allow more strain");
+    }
+    if (result.refusal.empty())
+    {
+      this->report(result);
+    }
+    return result;
+  }
+
+private:
+  bool isGiven() const { return this->Options.relaxation.count > 0; }
+
+  std::string judge()
+  {
+    this->LargestForce = 0.0;
+    double squares = 0.0;
+    double freedom = 0.0;
+    for (const PressHistory& history : this->Used)
+    {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < history.size(); ++i)
+      {
+        const bool counts = history.readings[i] > 0.0;
+        count += counts ? 1 : 0;
+        this->LargestForce = std::max(this->LargestForce, counts ? history.force[i] : 0.0);
+      }
+      if (count < BodyIdentification::FewestReadings || history.loading.force.size() < 2)
+      {
+        return "the curve has " + std::to_string(count) + " readings within small strain; " +
+          std::to_string(BodyIdentification::FewestReadings) + " are needed";
+      }
+      squares += history.noise.degreesOfFreedom * history.noise.deviation * history.noise.deviation;
+      freedom += history.noise.degreesOfFreedom;
+    }
+    if (!(this->LargestForce > 0.0))
+    {
+      return "no force is above 0";
+    }
+    this->Noise = this->Options.noise > 0.0 ? ForceNoise{ this->Options.noise }
+                                            : ForceNoise{ std::sqrt(squares / freedom), freedom };
+    this->Noise.deviation =
+      std::max(this->Noise.deviation, FitLimits::LeastNoise * this->LargestForce);
+    std::string fault = this->choose();
+    const double misfit = this->Fit->residual();
+    const double allowed = this->Options.largestMisfit * this->LargestForce;
+    if (fault.empty() && !this->WithinNoise && !(misfit <= allowed))
+    {
+      fault = "no model fits: the nearest, a relaxing " +
+        std::string(nameOf(this->Fit->body.model)) + ", leaves " + shortly(misfit) +
+        " N, more than the noise of " + shortly(this->Noise.deviation) + " N and the " +
+        shortly(allowed) + " N allowed";
+    }
+    return fault.empty() ? this->checkDetermined(std::max(this->Noise.deviation, misfit)) : fault;
+  }
+
+  std::string choose()
+  {
+    const auto fitted = [&](BodyModel model)
+    {
+      return fitRelaxingBody(this->Used, model, this->Options.findContact,
+        this->Identification.kernel(), this->Noise.deviation, this->Options.relaxation);
+    };
+    if (this->Options.model)
+    {
+      this->Fit = fitted(*this->Options.model);
+      this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
+      return {};
+    }
+    this->Fit = fitted(BodyModel::HalfSpace);
+    this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
+    std::vector<RelaxationFit> richer;
+    for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
+    {
+      RelaxationFit fit = fitted(model);
+      const bool stiffens = model == BodyModel::GlobalCompliance && !(fit.body.compliance > 0.0);
+      if (fit.converged && fit.separation >= FitLimits::Inseparable && !stiffens)
+      {
+        richer.push_back(std::move(fit));
+      }
+    }
+    std::sort(richer.begin(), richer.end(),
+      [](const RelaxationFit& a, const RelaxationFit& b) { return a.score < b.score; });
+    if (richer.empty() || !(richer.front().score < this->Fit->score))
+    {
+      const double error = studentQuantile(this->Fit->degreesOfFreedom) * this->Noise.deviation *
+        modulusErrorBesideCompliance(
+          this->Used, *this->Fit, this->Options.findContact, this->isGiven());
+      return error <= this->Options.largestUncertainty ? std::string()
+        : this->isFlatOnly()                           ? std::string(FlatAlone)
+                             : "the curves do not tell E* from a global compliance";
+    }
+    if (richer.size() > 1 && leavesNoise(richer[0], this->Noise) &&
+      leavesNoise(richer[1], this->Noise) &&
+      richer[1].score - richer[0].score < FitLimits::LikelihoodRatio)
+    {
+      return "the curves do not tell a global compliance from a layer";
+    }
+    this->Fit = richer.front();
+    this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
+    return {};
+  }
+
+  std::string checkDetermined(double noise) const
+  {
+    const RelaxationFit& fit = *this->Fit;
+    if (fit.contactOffset.size() != this->Used.size())
+    {
+      return "the readings are too few to tell how the body relaxes";
+    }
+    const double longest = windowOf(this->Used, fit.contactOffset).longest;
+    const bool goesOn = !this->isGiven() && fit.series.count > 0 &&
+      fit.series.time[fit.series.count - 1] > 0.3 * longest;
+    const std::string advice = goesOn
+      ? ": the force has not come to rest after " + seconds(longest) + "; hold longer"
+      : std::string();
+    const std::string what = std::string("a relaxing ") + nameOf(fit.body.model);
+    if (!fit.converged)
+    {
+      return "the fit of " + what + " does not converge" + advice;
+    }
+    if (fit.separation < FitLimits::Inseparable)
+    {
+      return this->isFlatOnly() && fit.body.model != BodyModel::HalfSpace
+        ? std::string(FlatAlone)
+        : "the curves do not tell the parameters of " + what + " apart" + advice;
+    }
+    const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+    if (!(error <= this->Options.largestUncertainty))
+    {
+      return "the slow E* is known to " + shortly(100.0 * error) + " % only, where " +
+        shortly(100.0 * this->Options.largestUncertainty) + " % are asked for" + advice;
+    }
+    return {};
+  }
+
+  bool isFlatOnly() const
+  {
+    return std::all_of(this->Used.begin(), this->Used.end(),
+      [](const PressHistory& history) { return isFlat(*history.tool); });
+  }
+
+  /// Leaves out readings too deep for a linear law; returns whether the choice has changed.
+  bool selectReadings()
+  {
+    bool changed = false;
+    const BodyParameters& body = this->Fit->body;
+    for (std::size_t c = 0; c < this->All.size() && c < this->Fit->contactOffset.size(); ++c)
+    {
+      const PressHistory& all = this->All[c];
+      const double local = smallStrainDepth(
+        *all.tool, body, this->Identification.kernel(), this->Options.largestStrain);
+      const double given = body.compliance > 0.0 && std::isfinite(local) ? body.compliance *
+          localContact(body, *all.tool, this->Identification.kernel(), local).force
+                                                                         : 0.0;
+      PressHistory& used = this->Used[c];
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        const bool isKept = all.deflection[i] - this->Fit->contactOffset[c] - given <= local;
+        const double readings = isKept ? all.readings[i] : 0.0;
+        changed = changed || readings != used.readings[i];
+        used.readings[i] = readings;
+      }
+    }
+    return changed;
+  }
+
+  /// Whether small strain ends before most of the test's time is compared.
+  bool isHoldTooDeep() const
+  {
+    return !this->isGiven() && this->Fit && this->Fit->contactOffset.size() == this->All.size() &&
+      windowOf(this->Used, this->Fit->contactOffset).longest <
+      0.5 * windowOf(this->All, this->Fit->contactOffset).longest;
+  }
+
+  /// The numbers of the fit with their confidence intervals, and where the data end.
+  void report(IdentifiedBody& result) const
+  {
+    const RelaxationFit& fit = *this->Fit;
+    const double width = intervalWidth(fit, this->Options.noise > 0.0, result);
+    const auto error = [&](Index at) { return width * fit.errorPerNoise[at]; };
+    const Index next = reportBody(fit, width, this->Options.findContact, result);
+    result.relaxation = fit.series;
+    const auto branches = static_cast<Index>(fit.series.count);
+    for (Index i = 0; i < branches; ++i)
+    {
+      const auto branch = static_cast<std::size_t>(i);
+      result.relaxationStrength.push_back(
+        logarithmicEstimate(fit.series.strength[branch], this->isGiven() ? 0.0 : error(next + i)));
+      result.relaxationTime.push_back(logarithmicEstimate(
+        fit.series.time[branch], this->isGiven() ? 0.0 : error(next + branches + i)));
+    }
+    this->findEnd(result);
+    const TimeWindow window = windowOf(this->Used, fit.contactOffset);
+    result.shortestTime = window.shortest;
+    result.longestTime = window.longest;
+    result.remark = this->isGiven() ? "relaxation given" : this->remarkOn(result, error(0));
+  }
+
+  void findEnd(IdentifiedBody& result) const
+  {
+    for (std::size_t c = 0; c < this->Used.size(); ++c)
+    {
+      const PressHistory& history = this->Used[c];
+      double deepest = -std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < history.size(); ++i)
+      {
+        deepest = history.readings[i] > 0.0 ? std::max(deepest, history.deflection[i]) : deepest;
+      }
+      reportEnd(*history.tool, this->Identification.kernel(), deepest - this->Fit->contactOffset[c],
+        result);
+    }
+  }
+
+  /// What the test does not resolve.
+  std::string remarkOn(const IdentifiedBody& result, double modulusError) const
+  {
+    const PronySeries& series = result.relaxation;
+    std::string text = "times from " + seconds(result.shortestTime) + " to " +
+      seconds(result.longestTime) +
+      " are told; relaxation that is faster or slower than the test is not";
+    for (std::size_t i = 0; i < series.count; ++i)
+    {
+      const Estimate& time = result.relaxationTime[i];
+      if (time.value > result.longestTime)
+      {
+        text += "; that of " + seconds(time.value) + " (" + seconds(time.lower) + " to " +
+          seconds(time.upper) + ") goes on beyond it, and E* hangs on a guess of its end";
+      }
+      else if (time.value < result.shortestTime)
+      {
+        text += "; of that of " + seconds(time.value) +
+          " little more than strength times time is "
+          "known";
+      }
+    }
+    if (modulusError > WideInterval)
+    {
+      text += "; E* is known to " + shortly(100.0 * modulusError) +
+        " % only, as the force has not come to rest: hold longer";
+    }
+    return text;
+  }
+
+  const BodyIdentification& Identification;
+  const IdentificationOptions& Options;
+  std::vector<PressHistory> All;
+  std::vector<PressHistory> Used;
+  ForceNoise Noise;
+  std::optional<RelaxationFit> Fit;
+  double LargestForce = 0.0;
+  bool WithinNoise = false;
+};
+} // namespace
+
+IdentifiedBody identifyRelaxing(
+  const BodyIdentification& identification, std::vector<PressHistory> histories)
+{
+  return Identifier(identification, std::move(histories)).identify();
+}
+} // namespace palpate

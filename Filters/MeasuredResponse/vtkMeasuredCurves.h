@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMeasuredCurves
+ * @brief measured readings and the curves of the bodies identified from them, as a table to plot
+ *
+ * Input: the readings of vtkMeasuredContactResponse (its output port 2), with the columns
+ * `Deflection (mm)`, `Force (N)`, `ModelForce (N)`, `Site` and `Tool`.
+ *
+ * Output: a vtkTable with `Deflection (mm)` from first contact, and for every site and tool, in the
+ * order in which they come, `<site> measured (N)`, the readings, and `<site> model (N)`, the force
+ * of the identified body there; with several tools `<site> measured with <tool> (N)`. The rows of a
+ * site and tool stand together, in the order of their deflection, or, where the readings have a
+ * `Time (s)` because the body relaxes, in the order of time: drawn as lines they are the loops. Its
+ * columns are NaN in all other rows. A site that was refused has no model: NaN.
+ *
+ * Errors: a column is missing (named).
+ */
+#ifndef vtkMeasuredCurves_h
+#define vtkMeasuredCurves_h
+
+#include "palpateMeasuredResponseModule.h" // For export macro
+#include "vtkTableAlgorithm.h"
+
+class PALPATEMEASUREDRESPONSE_EXPORT vtkMeasuredCurves : public vtkTableAlgorithm
+{
+public:
+  static vtkMeasuredCurves* New();
+  vtkTypeMacro(vtkMeasuredCurves, vtkTableAlgorithm);
+
+protected:
+  vtkMeasuredCurves() = default;
+  ~vtkMeasuredCurves() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkMeasuredCurves(const vtkMeasuredCurves&) = delete;
+  void operator=(const vtkMeasuredCurves&) = delete;
+};
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolidResponse/Bodies/DirectPresses.h"
+
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Solids/TrueShape/SurfaceGap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// In contact radii.
+constexpr double Reach = 5.0;  ///< of the part
+constexpr double Around = 1.4; ///< has facets of this length:
+constexpr double Facets = 0.3; ///< a ball's pole is within 1 %
+constexpr double Rim = 0.12;   ///< at a flat end's rim: within 2 %
+constexpr double Far = 0.8;    ///< away from the tool
+constexpr double Longer = 1.5; ///< are the second mesh's
+constexpr int RimBalls = 32;
+constexpr int MostBoxes = 4;
+constexpr double Larger = 1.07; ///< a box where another cannot be cut
+/// And where one does not do: of what is around it knows the more.
+constexpr double Wider = 1.6;
+constexpr double Inside = 0.1;      ///< lie loads on the body's coarse cells
+constexpr double CoarseReach = 2.5; ///< of the part, in lengths of these cells
+} // namespace
+
+DirectPresses::DirectPresses(const PreparedSurface& surface, const RestOfBody& body,
+  const RestOfBody& coarser, const DirectTerms& terms)
+  : Surface(surface)
+  , Body(body)
+  , Coarser(coarser)
+  , Tool(*terms.tool)
+  , Terms(terms)
+  , Radius(terms.tool->contactRadius(terms.depth))
+{
+}
+
+PartCells DirectPresses::cells(const DirectPlace& place, const Lengths& lengths) const
+{
+  const double unit = lengths.near * this->Radius;
+  PartCells made;
+  made.spacing = Far * lengths.far * this->Radius;
+  made.balls.push_back({ place.place, Around * this->Radius, Facets * unit });
+  if (this->Tool.smallestContactRadius() >= this->Radius)
+  {
+    const Eigen::Matrix3d frame = SurfaceGap::frame(-place.inward);
+    for (int i = 0; i < RimBalls; ++i)
+    {
+      const double angle = 2.0 * Pi * i / RimBalls;
+      const Eigen::Vector3d rim = place.place +
+        this->Radius * (std::cos(angle) * frame.col(0) + std::sin(angle) * frame.col(1));
+      made.balls.push_back({ rim, Rim * this->Radius, Rim * unit });
+    }
+  }
+  return made;
+}
+
+std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& cut,
+  const Lengths& lengths, const RestOfBody& rest, Part& part) const
+{
+  CutOutPart filled;
+  std::string fault = fillPart(cut, this->cells(place, lengths), filled);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const UnitMotion ofCut = rest.motionAt(
+    place.place, Inside * this->Radius * place.inward, filled.mesh.nodes, filled.onCut);
+  if (ofCut.nodes.front().size() == 0)
+  {
+    return "there is not enough memory for the body around it";
+  }
+  ElasticBodyInput input;
+  input.mesh = std::move(filled.mesh);
+  input.materials = { this->Terms.material };
+  for (std::size_t i = 0; i < filled.onCut.size(); ++i)
+  {
+    input.fixed.push_back(filled.onCut[i] || filled.held[i] ? FixedX | FixedY | FixedZ : 0);
+  }
+  part.onCut = std::move(filled.onCut);
+  part.held = std::move(filled.held);
+  ElasticBody& body = part.body;
+  fault = body.assemble(std::move(input));
+  fault = fault.empty() ? body.analyse(StiffnessFactor::Kind::Automatic) : fault;
+  fault = fault.empty() ? body.factorise() : fault;
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  part.moved = motionFromCut(body, ofCut);
+  return part.moved.nodes.front().size() > 0 ? ""
+                                             : "there is not enough memory for the part around it";
+}
+
+DirectPress DirectPresses::press(const DirectPlace& place, const Part& part) const
+{
+  const double depth = this->Terms.depth;
+  DirectPress made;
+  if (this->Terms.solvesFiniteStrain)
+  {
+    made.finite = pressAtFiniteStrain(part.body, this->Tool, place, depth, &part.moved);
+  }
+  else
+  {
+    made.small = std::make_unique<DirectContact>(part.body, this->Tool, place, depth, &part.moved);
+  }
+  return made;
+}
+
+std::string DirectPresses::pressIn(
+  double wider, const DirectPlace& place, Contacts& contacts, bool& isBeyond) const
+{
+  const std::int32_t point = this->Body.pointBeside(place.place, -place.inward);
+  if (point < 0)
+  {
+    return "no point of the solid's surface faces the same way";
+  }
+  double half = wider *
+    std::max(Reach * this->Radius, CoarseReach * this->Body.body().surface().spacing(point));
+  std::string fault = "it has no part";
+  for (int i = 0; i < MostBoxes && !fault.empty(); ++i, half *= Larger)
+  {
+    CutOutSurface cut;
+    Part finer;
+    Part coarser;
+    fault = cutOutAround(this->Surface, place.place, half, cut);
+    fault = fault.empty() ? this->make(place, cut, { 1.0, wider }, this->Body, finer) : fault;
+    fault = fault.empty()
+      ? this->make(place, cut, { Longer, Longer * wider }, this->Coarser, coarser)
+      : fault;
+    if (!fault.empty())
+    {
+      continue;
+    }
+    const std::vector<ToolFacet> under =
+      facetsUnder(finer.body, this->Tool, place, this->Terms.depth);
+    if (depthOfMarked(under, finer.held, this->Tool) < this->Terms.depth)
+    {
+      return "the tool comes upon what is held";
+    }
+    isBeyond = depthOfMarked(under, finer.onCut, this->Tool) < this->Terms.depth;
+    if (isBeyond)
+    {
+      return "the tool comes upon what is too far away";
+    }
+    contacts = { this->press(place, finer), this->press(place, coarser) };
+  }
+  return fault;
+}
+
+std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) const
+{
+  bool isBeyond = false;
+  const std::string fault = this->pressIn(1.0, place, contacts, isBeyond);
+  const bool isOpen =
+    fault.empty() ? !meshesAgree(contacts.finer, contacts.coarser, this->Terms) : isBeyond;
+  Contacts again;
+  if (isOpen && this->pressIn(Wider, place, again, isBeyond).empty())
+  {
+    contacts = std::move(again);
+    return "";
+  }
+  return fault;
+}
+} // namespace palpate

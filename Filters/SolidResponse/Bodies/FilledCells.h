@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FilledCells_h
+#define FilledCells_h
+
+#include "SolidResponse/Bodies/CellPlaces.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+class vtkCell;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+/// A ball in a body, mm.
+struct BodyBall
+{
+  std::array<double, 3> middle{};
+  double radius = 0.0;
+};
+
+/// The fraction of a cell's volume that each of several balls fills, counted at n³ points of the
+/// cell (CellPlaces). A point in several balls belongs to the last.
+class FilledCells
+{
+public:
+  FilledCells(std::vector<BodyBall> balls, int subdivisions);
+
+  /// Of cell `id`: a fraction for each ball; null where none reaches into it.
+  const std::vector<double>* fractions(vtkUnstructuredGrid* grid, vtkIdType id);
+
+private:
+  /// The numbers of those that reach into a box.
+  void findNear(const double* bounds);
+  bool hasWithin(const double* bounds, std::size_t ball) const;
+  void count(vtkCell* cell);
+
+  std::vector<BodyBall> Balls;
+  CellPlaces Places;
+  std::vector<std::size_t> Near;
+  std::vector<double> Fractions;
+};
+} // namespace palpate
+
+#endif

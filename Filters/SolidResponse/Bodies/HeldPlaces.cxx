@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolidResponse/Bodies/HeldPlaces.h"
+
+#include "SolidResponse/Bodies/ClosestPlace.h"
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double LeastShare = 1e-6; ///< of a corner, by rounding
+}
+
+HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld)
+  : Surface(surface)
+  , Locator(vtkSmartPointer<vtkStaticCellLocator>::New())
+  , IsHeld(std::move(isHeld))
+{
+  surface->BuildCells(); // so that threads only read
+  this->Locator->SetDataSet(surface);
+  this->Locator->BuildLocator();
+}
+
+bool HeldPlaces::contain(const double place[3]) const
+{
+  const Eigen::Vector3d from(place);
+  if (!from.allFinite())
+  {
+    return false; // VTK's triangles have no closest place to that
+  }
+  const ClosestPlace closest = closestPlace(this->Locator, from);
+  if (closest.cell < 0)
+  {
+    return false;
+  }
+  vtkNew<vtkIdList> corners;
+  this->Surface->GetCellPoints(closest.cell, corners);
+  std::array<Eigen::Vector3d, 3> away;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->Surface->GetPoint(corners->GetId(static_cast<vtkIdType>(k)), away[k].data());
+    away[k] -= closest.at;
+  }
+  // A corner's share is the area of the triangle that the others make with the place.
+  const Eigen::Vector3d shares(
+    away[1].cross(away[2]).norm(), away[2].cross(away[0]).norm(), away[0].cross(away[1]).norm());
+  for (Eigen::Index k = 0; k < 3; ++k)
+  {
+    if (shares[k] >= LeastShare * shares.sum() && !this->IsHeld(corners->GetId(k)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace palpate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VolumeConversion_h
+#define VolumeConversion_h
+
+#include "Solids/FiniteElements/ElasticBody.h"
+
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+/// Nodes and elements of a grid. What is wrong - a cell other than a hexahedron, voxel, linear or
+/// quadratic tetrahedron, by its id and type - or "".
+std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh);
+
+/// The point array `Fixed`. What is wrong with it, or "".
+std::string convertFixed(vtkUnstructuredGrid* grid, std::vector<unsigned char>& fixed);
+
+/// E and ν per cell; a null array means the constant.
+std::vector<ElasticMaterial> convertMaterials(
+  vtkIdType cells, vtkDataArray* young, vtkDataArray* poisson, const ElasticMaterial& constant);
+
+/// The surface's points and triangles, with the grid's point arrays and `OriginalPointIds`.
+void convertSurface(const BodySurface& surface, vtkUnstructuredGrid* grid, vtkPolyData* output);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolidResponse/Mesher/Cgal/FollowedEdges.h"
+
+#include "SolidResponse/Mesher/Cgal/SeparateLines.h"
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/split_graph_into_polylines.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace palpate
+{
+namespace
+{
+constexpr double OwnEdge = 3.0; ///< least length of an edge of the body, in spacings
+
+using Edges = std::vector<CgalSurface::Edge_index>;
+
+/// Those by which the surface turns more than wanted, but for the ones in `besides`.
+Edges sharpEdges(const CgalSurface& surface, double angle, const Edges& besides)
+{
+  const double least = std::cos(angle * CGAL_PI / 180.0);
+  const auto normalOf = [&surface](CgalSurface::Halfedge_index h)
+  {
+    return CGAL::unit_normal(surface.point(surface.source(h)), surface.point(surface.target(h)),
+      surface.point(surface.target(surface.next(h))));
+  };
+  Edges found;
+  for (const CgalSurface::Edge_index edge : surface.edges())
+  {
+    const CgalSurface::Halfedge_index h = surface.halfedge(edge);
+    if (!std::binary_search(besides.begin(), besides.end(), edge) &&
+      normalOf(h) * normalOf(surface.opposite(h)) < least)
+    {
+      found.push_back(edge);
+    }
+  }
+  return found;
+}
+
+/// Whether the sharp edges of a surface are those of the body, lines several spacings long, and not
+/// the many short ones that a scan's noise has.
+bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSurface& wanted)
+{
+  std::vector<CgalSurface::Vertex_index> root(surface.vertices().begin(), surface.vertices().end());
+  const auto rootOf = [&root](CgalSurface::Vertex_index v)
+  {
+    while (root[v.idx()] != v)
+    {
+      v = root[v.idx()] = root[root[v.idx()].idx()];
+    }
+    return v;
+  };
+  for (const CgalSurface::Edge_index edge : sharp)
+  {
+    root[rootOf(surface.vertex(edge, 0)).idx()] = rootOf(surface.vertex(edge, 1));
+  }
+  std::map<CgalSurface::Vertex_index, double> lengths;
+  for (const CgalSurface::Edge_index edge : sharp)
+  {
+    lengths[rootOf(surface.vertex(edge, 0))] += std::sqrt(CGAL::squared_distance(
+      surface.point(surface.vertex(edge, 0)), surface.point(surface.vertex(edge, 1))));
+  }
+  const double enough = OwnEdge * wanted.spacing.front();
+  const auto own = std::count_if(
+    lengths.begin(), lengths.end(), [enough](const auto& line) { return line.second >= enough; });
+  return 2 * static_cast<std::size_t>(own) > lengths.size();
+}
+
+/// Ascending.
+Edges rimsOf(const CgalSurface& surface, const MeshedSurface& wanted)
+{
+  Edges found;
+  for (const auto& [from, to] : wanted.rims)
+  {
+    const CgalSurface::Halfedge_index h =
+      surface.halfedge(CgalSurface::Vertex_index(static_cast<CgalSurface::size_type>(from)),
+        CgalSurface::Vertex_index(static_cast<CgalSurface::size_type>(to)));
+    found.push_back(surface.edge(h));
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+using LineGraph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, CgalPoint>;
+
+/// Lines, from corner to corner or closed.
+class LineVisitor
+{
+public:
+  explicit LineVisitor(const LineGraph& graph)
+    : Graph(graph)
+  {
+  }
+  void start_new_polyline() { this->Lines.emplace_back(); }
+  void add_node(LineGraph::vertex_descriptor v)
+  {
+    const CgalPoint& at = this->Graph[v];
+    this->Lines.back().emplace_back(at.x(), at.y(), at.z());
+  }
+  void end_polyline() {}
+
+  std::vector<Line> Lines;
+
+private:
+  const LineGraph& Graph;
+};
+
+/// Where a line turns back by more than 90 degrees.
+struct IsCorner
+{
+  bool operator()(LineGraph::vertex_descriptor v, const LineGraph& graph) const
+  {
+    std::vector<CgalPoint> ends;
+    for (const auto& next : CGAL::make_range(boost::adjacent_vertices(v, graph)))
+    {
+      ends.push_back(graph[next]);
+    }
+    return ends.size() == 2 && CGAL::angle(ends[0], graph[v], ends[1]) == CGAL::ACUTE;
+  }
+};
+
+std::vector<Line> linesOf(const CgalSurface& surface, const Edges& edges)
+{
+  LineGraph graph;
+  std::map<CgalSurface::Vertex_index, LineGraph::vertex_descriptor> number;
+  const auto node = [&](CgalSurface::Vertex_index v)
+  {
+    const auto [at, isNew] = number.try_emplace(v, 0);
+    if (isNew)
+    {
+      at->second = boost::add_vertex(surface.point(v), graph);
+    }
+    return at->second;
+  };
+  for (const CgalSurface::Edge_index edge : edges)
+  {
+    const LineGraph::vertex_descriptor from = node(surface.vertex(edge, 0));
+    boost::add_edge(from, node(surface.vertex(edge, 1)), graph);
+  }
+  LineVisitor visitor(graph);
+  CGAL::split_graph_into_polylines(graph, visitor, IsCorner());
+  return visitor.Lines;
+}
+} // namespace
+
+FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wanted)
+{
+  FollowedEdges made;
+  Edges followed = rimsOf(surface, wanted);
+  const Edges sharp = sharpEdges(surface, wanted.sharpAngle, followed);
+  const bool areOwn = areOwnEdges(surface, sharp, wanted);
+  made.areDetected = areOwn && followed.empty();
+  if (areOwn && !followed.empty())
+  {
+    followed.insert(followed.end(), sharp.begin(), sharp.end());
+  }
+  std::vector<Line> lines = linesOf(surface, followed);
+  if (!areOwn)
+  {
+    lines = separateLines(lines, wanted.spacing.front()); // a scan's rims are as rough as it is
+  }
+  for (const Line& line : lines)
+  {
+    made.lines.emplace_back();
+    for (const Eigen::Vector3d& at : line)
+    {
+      made.lines.back().emplace_back(at.x(), at.y(), at.z());
+    }
+  }
+  return made;
+}
+} // namespace palpate

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDirectContactResponse.h"
+
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/ArrayFetch.h"
+#include "SolidResponse/Bodies/CoarserBody.h"
+#include "SolidResponse/Bodies/DirectPresses.h"
+#include "Response/BodyConversion.h"
+#include "Response/BodyLaws.h"
+#include "Response/Curves/StoredError.h"
+#include "Response/FilterStage.h"
+#include "Response/FilterThreads.h"
+#include "SolidResponse/Mesher/SurfaceMesher.h"
+#include "Response/ReplacedCurves.h"
+#include "vtkContactTool.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+// Of the work, as progress tells it.
+constexpr double RestShare = 0.05;
+constexpr double RestsShare = 0.06;
+/// A curve that ends no earlier than this, of the depth, goes to it.
+constexpr double ToTheEnd = 0.999;
+
+/// A copy of its own of a point array, attached in its place.
+template <class Array>
+Array* ownCopy(vtkPolyData* body, const std::string& name, palpate::ResponseArray which)
+{
+  vtkPointData* data = body->GetPointData();
+  auto* from = Array::SafeDownCast(data->GetArray(palpate::arrayName(name, which).c_str()));
+  vtkNew<Array> own;
+  own->DeepCopy(from);
+  data->AddArray(own);
+  return own;
+}
+} // namespace
+
+/// What is pressed on.
+struct vtkDirectContactResponse::Bodies
+{
+  palpate::PreparedSurface surface;
+  palpate::RestOfBody rest;
+  palpate::RestOfBody coarser;
+  std::unique_ptr<palpate::StrainCorrection> strain;
+};
+
+vtkStandardNewMacro(vtkDirectContactResponse);
+
+vtkDirectContactResponse::vtkDirectContactResponse()
+{
+  this->SetNumberOfInputPorts(4);
+}
+vtkDirectContactResponse::~vtkDirectContactResponse() = default;
+
+void vtkDirectContactResponse::SetTool(vtkContactTool* tool)
+{
+  if (this->Tool != tool)
+  {
+    this->Tool = tool;
+    this->Modified();
+  }
+}
+
+vtkContactTool* vtkDirectContactResponse::GetTool()
+{
+  return this->Tool;
+}
+
+vtkMTimeType vtkDirectContactResponse::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
+}
+
+int vtkDirectContactResponse::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const bool isSolid = port == 1 || port == 2;
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isSolid ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 3 ? 1 : 0);
+  return 1;
+}
+
+void vtkDirectContactResponse::SetBodyData(vtkUnstructuredGrid* body)
+{
+  this->SetInputData(1, body);
+}
+
+void vtkDirectContactResponse::SetCoarserData(vtkUnstructuredGrid* coarser)
+{
+  this->SetInputData(2, coarser);
+}
+
+void vtkDirectContactResponse::SetShapeData(vtkPolyData* shape)
+{
+  this->SetInputData(3, shape);
+}
+
+int vtkDirectContactResponse::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->NumberOfPresses = 0;
+  this->NumberOfReplaced = 0;
+  if (!surface || surface->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const palpate::FilterThreads threads;
+  vtkUnstructuredGrid* body = vtkUnstructuredGrid::GetData(inputVector[1]);
+  vtkUnstructuredGrid* coarser = vtkUnstructuredGrid::GetData(inputVector[2]);
+  vtkPolyData* shape = vtkPolyData::GetData(inputVector[3]);
+  std::string fault = this->CheckProperties();
+  fault = fault.empty() ? this->CheckResponse(surface, body, coarser) : fault;
+  if (fault.empty())
+  {
+    palpate::copyWithOwnFields(surface, output);
+    const std::vector<vtkIdType> points = this->FindPoints(surface);
+    Bodies bodies;
+    bool isEnded = false;
+    fault = points.empty() ? std::string()
+                           : this->Prepare(shape ? shape : surface, body, coarser, bodies, isEnded);
+    fault = fault.empty() && !isEnded ? this->Press(points, bodies, output) : fault;
+  }
+  if (!fault.empty() || palpate::isAborted(this))
+  {
+    output->Initialize();
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  return 1;
+}
+
+std::string vtkDirectContactResponse::CheckProperties()
+{
+  if (!palpate::hasSurfaceMesher())
+  {
+    return std::string("No part can be filled: ") + palpate::missingMesher();
+  }
+  palpate::LawRequest request;
+  request.tool = this->Tool;
+  request.responseName = this->ResponseName;
+  request.deflection = this->MaximumDeflection;
+  request.terms.errorTolerance = this->ErrorTolerance;
+  std::string fault = palpate::checkShapedRequest(request);
+  if (fault.empty() && !(this->ErrorTolerance > 0.0))
+  {
+    fault = palpate::joined("ErrorTolerance must be positive, but is ", this->ErrorTolerance);
+  }
+  palpate::FactorRequest factor;
+  factor.material = { this->YoungsModulus, this->PoissonRatio };
+  return fault.empty() ? palpate::checkFactorRequest(factor) : fault;
+}
+
+std::string vtkDirectContactResponse::CheckResponse(
+  vtkPolyData* surface, vtkUnstructuredGrid* body, vtkUnstructuredGrid* coarser) const
+{
+  const auto isEmpty = [](vtkUnstructuredGrid* grid)
+  { return !grid || grid->GetNumberOfCells() == 0; };
+  if (isEmpty(body) || isEmpty(coarser))
+  {
+    return palpate::joined("Wrong input: ", isEmpty(body) ? "Body" : "Coarser", " has no cells");
+  }
+  std::string fault = palpate::checkCoarser(body, coarser);
+  fault = fault.empty() ? palpate::checkTriangles(surface) : fault;
+  palpate::ResponseArrays arrays;
+  if (fault.empty() && !palpate::viewResponse(surface, this->ResponseName, arrays, fault))
+  {
+    return palpate::joined("Wrong input: no response '", this->ResponseName, "': ", fault);
+  }
+  const float* validity = nullptr;
+  const unsigned char* limit = nullptr;
+  if (fault.empty() && !palpate::viewValidity(surface, this->ResponseName, validity, limit, fault))
+  {
+    return "Wrong input: " + fault;
+  }
+  if (fault.empty() && arrays.force == nullptr)
+  {
+    return palpate::joined("Wrong input: response '", this->ResponseName,
+      "' was reduced, which leaves no curve of its own to a point: press before");
+  }
+  if (fault.empty() &&
+    !palpate::fetchArray<vtkFloatArray>(
+      surface, this->ResponseName, palpate::ResponseArray::Error, arrays, fault))
+  {
+    return "Wrong input: " + fault + ": make the response with StoreError";
+  }
+  vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
+  if (fault.empty() && pressed && pressed->GetNumberOfComponents() != 1)
+  {
+    return "Wrong input: array 'Pressed' must have 1 component";
+  }
+  return fault;
+}
+
+/// The points where the response is not known well enough.
+std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface) const
+{
+  palpate::ResponseArrays arrays;
+  std::string fault;
+  palpate::viewResponse(surface, this->ResponseName, arrays, fault); // CheckResponse found none
+  const palpate::StoredError errors(surface, this->ResponseName);
+  vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
+  std::vector<vtkIdType> found;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    const auto status = static_cast<palpate::ResponseStatus>(arrays.status[at]);
+    const auto range = static_cast<double>(arrays.range[at]);
+    const bool isKnown = status == palpate::ResponseStatus::Valid &&
+      range >= ToTheEnd * this->MaximumDeflection &&
+      errors.at(i, std::min(range, this->MaximumDeflection)) <= this->ErrorTolerance;
+    const bool canBe = status == palpate::ResponseStatus::Valid ||
+      status == palpate::ResponseStatus::Edge || status == palpate::ResponseStatus::Folded;
+    if (!isKnown && canBe && (!pressed || pressed->GetTuple1(i) != 0.0))
+    {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructuredGrid* body,
+  vtkUnstructuredGrid* coarser, Bodies& bodies, bool& ended)
+{
+  palpate::FactorRequest request;
+  request.material = { this->YoungsModulus, this->PoissonRatio };
+  double memory = 0.0;
+  std::string fault = bodies.rest.factorise(
+    body, request, palpate::FilterStage{ this, 0.0, RestShare }, memory, ended);
+  if (fault.empty() && !ended)
+  {
+    fault = bodies.coarser.factorise(
+      coarser, request, palpate::FilterStage{ this, RestShare, RestsShare }, memory, ended);
+    fault = fault.empty() ? fault : "Coarser: " + fault;
+  }
+  if (!fault.empty() || ended)
+  {
+    return fault;
+  }
+  const double radius = this->Tool->GetKernel()->contactRadius(this->MaximumDeflection);
+  palpate::HeldFaces faces{};
+  fault = palpate::readHeldFaces(this->FixedFaces, bodies.rest.spacing(), faces);
+  fault = fault.empty() ? palpate::takeSurface(shape, bodies.surface) : fault;
+  fault = fault.empty() ? palpate::mendAndCut(radius, faces, bodies.surface) : fault;
+  for (const std::string& warning : bodies.surface.warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (!fault.empty() || this->StrainModel == SmallStrain)
+  {
+    return fault;
+  }
+  const palpate::StrainLaw law{ static_cast<palpate::StrainModel>(this->StrainModel),
+    this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent };
+  const palpate::FilterStage stage{ this, RestsShare, RestsShare };
+  fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
+    palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio }, this->MaximumDeflection, stage,
+    bodies.strain);
+  ended = fault.empty() && !bodies.strain;
+  return fault;
+}
+
+std::string vtkDirectContactResponse::Press(
+  const std::vector<vtkIdType>& points, const Bodies& bodies, vtkPolyData* output)
+{
+  using palpate::DirectOutcome;
+  using palpate::ResponseArray;
+  palpate::ResponseArrays arrays;
+  std::string fault;
+  palpate::viewResponse(output, this->ResponseName, arrays, fault); // CheckResponse found none
+  const std::string& name = this->ResponseName;
+  const palpate::ResponseSpans spans{ arrays.samples,
+    ownCopy<vtkFloatArray>(output, name, ResponseArray::Force)->GetPointer(0),
+    ownCopy<vtkFloatArray>(output, name, ResponseArray::Stiffness)->GetPointer(0),
+    ownCopy<vtkFloatArray>(output, name, ResponseArray::Range)->GetPointer(0),
+    ownCopy<vtkFloatArray>(output, name, ResponseArray::Validity)->GetPointer(0),
+    ownCopy<vtkUnsignedCharArray>(output, name, ResponseArray::Status)->GetPointer(0),
+    ownCopy<vtkUnsignedCharArray>(output, name, ResponseArray::Limit)->GetPointer(0),
+    ownCopy<vtkFloatArray>(output, name, ResponseArray::Error)->GetPointer(0) };
+  vtkNew<vtkUnsignedCharArray> became;
+  became->SetName((name + "Direct").c_str());
+  became->SetNumberOfValues(output->GetNumberOfPoints());
+  became->Fill(static_cast<double>(DirectOutcome::NotPressed));
+  std::vector<std::string> faults(points.size());
+  const palpate::AxisymmetricTool& tool = *this->Tool->GetKernel();
+  const palpate::DirectTerms terms{ &tool, { this->YoungsModulus, this->PoissonRatio },
+    this->MaximumDeflection, this->ErrorTolerance, bodies.strain.get(),
+    this->StrainModel == NeoHooke && palpate::isForFiniteStrain(tool) };
+  const palpate::ResponseSampling sampling(arrays.samples, arrays.exponent);
+  const palpate::DirectPresses presses(bodies.surface, bodies.rest, bodies.coarser, terms);
+  const auto press = [&](std::size_t i)
+  {
+    const vtkIdType point = points[i];
+    const auto at = static_cast<std::size_t>(point);
+    palpate::DirectPlace place;
+    output->GetPoint(point, place.place.data());
+    const Eigen::Vector3f normal = Eigen::Map<const Eigen::Vector3f>(arrays.normal + 3 * at);
+    place.inward = -normal.cast<double>().normalized();
+    palpate::DirectPresses::Contacts contacts;
+    std::string& wrong = faults[i];
+    wrong = presses.at(place, contacts);
+    DirectOutcome outcome = DirectOutcome::Failed;
+    if (wrong.empty())
+    {
+      outcome =
+        palpate::takeDirectCurve(at, contacts.finer, contacts.coarser, terms, sampling, spans);
+      wrong = "no contact settles"; // where it failed
+    }
+    became->SetValue(point, static_cast<unsigned char>(outcome));
+  };
+  if (!palpate::shareWork(points.size(), press, palpate::FilterStage{ this, RestsShare, 1.0 }))
+  {
+    return {};
+  }
+  const auto isIt = [&](DirectOutcome what)
+  {
+    return [is = static_cast<unsigned char>(what), &became](vtkIdType point)
+    { return became->GetValue(point) == is; };
+  };
+  this->NumberOfPresses = static_cast<vtkIdType>(points.size());
+  this->NumberOfReplaced =
+    std::count_if(points.begin(), points.end(), isIt(DirectOutcome::Replaced));
+  const auto failed = std::count_if(points.begin(), points.end(), isIt(DirectOutcome::Failed));
+  if (failed > 0)
+  {
+    const auto first = static_cast<std::size_t>(
+      std::find_if(points.begin(), points.end(), isIt(DirectOutcome::Failed)) - points.begin());
+    vtkWarningMacro(<< "Direct contact failed at " << failed << " of " << points.size()
+                    << " points, which keep their response; at the first, " << points[first]
+                    << ", since " << faults[first] << ".");
+  }
+  output->GetPointData()->AddArray(became);
+  const std::string model = palpate::arrayName(name, ResponseArray::Model);
+  palpate::addText(output, model,
+    palpate::joined(palpate::responseText(output, name, ResponseArray::Model),
+      "; by direct contact at ", this->NumberOfReplaced, " points"));
+  return {};
+}
+
+void vtkDirectContactResponse::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tool: " << this->Tool.Get() << "\n";
+  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "FixedFaces: " << this->FixedFaces << "\n";
+  os << indent << "ResponseName: " << this->ResponseName << "\n";
+  os << indent << "StrainModel: " << this->StrainModel << "\n";
+  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
+  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
+  os << indent << "NumberOfPresses: " << this->NumberOfPresses << "\n";
+  os << indent << "NumberOfReplaced: " << this->NumberOfReplaced << "\n";
+}

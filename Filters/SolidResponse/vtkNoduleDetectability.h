@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNoduleDetectability
+ * @brief where on a body, and by how much, nodules inside change the force on tools
+ *
+ * Input: a vtkUnstructuredGrid as for vtkElasticContactResponse, with the cell arrays of
+ * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Arrays of
+ * other names are given as arrays to process 0 to 3, in this order. What is wrong with it is an
+ * error that names it. Empty input gives empty output.
+ *
+ * Output: the body's outer surface as triangles, with the input's point arrays,
+ * `OriginalPointIds`, and
+ * - the response arrays of Tool on the body with nodules, as for vtkElasticContactResponse, and of
+ *   the tools of AddMoreTool under ResponseName followed by 2, 3 …; with StoreWithout also those of
+ *   the body without, the names ending in `Without`: "ResponseWithout", "Response2Without";
+ * - point arrays with one component per tool, named by its specification: `ForceChange`, the
+ *   largest relative change of the force by the nodules at equal depth, negative where it
+ *   decreases; `StiffnessChange`, that of dF/dδ there; `ChangeDepth`, that depth, mm; `Felt`, 1
+ *   where |ForceChange| is Threshold or more, else 0;
+ * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 being Tool; -1 where
+ *   none is known. That tool also feels the deepest nodules.
+ *
+ * Depths: from the first sample to PressDepth, or where the response of either body ends (Range,
+ * with WithinValidity also Validity). Where one has no response the changes are NaN and Felt is 0.
+ *
+ * **Threshold.** The least change of a force that a hand can tell is about 7 % of it (Pang, Tan and
+ * Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); between 0.07 and 0.1 for
+ * most. 0.1 is on the safe side. Forces below half a newton need more.
+ *
+ * **Accuracy.** That of vtkElasticContactResponse for either body; errors that both share, as of
+ * small strain and of elements far away, cancel. For the error by the mixed cells of a nodule see
+ * vtkNoduleMaterial.
+ *
+ * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, kept for all
+ * tools until the input changes or a contact gets wider; then some milliseconds per point and tool.
+ * Without nodules a coarser spacing often suffices: SourceSpacingWithout saves most of the second
+ * body's solutions. Abort is seen between steps and solutions. The same bits for any number of
+ * threads.
+ *
+ * @sa vtkNoduleMaterial vtkElasticContactResponse
+ */
+#ifndef vtkNoduleDetectability_h
+#define vtkNoduleDetectability_h
+
+#include "palpateSolidResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkContactTool;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+class SolvedBody;
+struct SolveRequest;
+} // namespace palpate
+
+class PALPATESOLIDRESPONSE_EXPORT vtkNoduleDetectability : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkNoduleDetectability* New();
+  vtkTypeMacro(vtkNoduleDetectability, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The first tool; required. Its changes count in this filter's modification time. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  ///@{
+  /**
+   * Further tools, by their specification, as "flat:1.6" (vtkContactTool::SetSpecification); a
+   * wrong one is an error when the filter runs.
+   */
+  void AddMoreTool(const std::string& specification);
+  void RemoveAllMoreTools();
+  int GetNumberOfTools() { return static_cast<int>(this->MoreTools.size()) + 1; }
+  ///@}
+
+  ///@{
+  /** What counts as felt: a change of the force by this fraction, positive. Default 0.1. */
+  vtkSetMacro(Threshold, double);
+  vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /** How deep a hand presses at most, mm. Default 0: MaximumDeflection. */
+  vtkSetMacro(PressDepth, double);
+  vtkGetMacro(PressDepth, double);
+  ///@}
+
+  ///@{
+  /** Only depths at which the error of both responses is within ErrorTolerance. Default off. */
+  vtkSetMacro(WithinValidity, bool);
+  vtkGetMacro(WithinValidity, bool);
+  vtkBooleanMacro(WithinValidity, bool);
+  ///@}
+
+  ///@{
+  /** Also the responses of the body without nodules. Default off. */
+  vtkSetMacro(StoreWithout, bool);
+  vtkGetMacro(StoreWithout, bool);
+  vtkBooleanMacro(StoreWithout, bool);
+  ///@}
+
+  ///@{
+  /** As of vtkElasticContactResponse: 2 mm, 8, "Response", 0.05. */
+  vtkSetMacro(MaximumDeflection, double);
+  vtkGetMacro(MaximumDeflection, double);
+  vtkSetMacro(NumberOfSamples, int);
+  vtkGetMacro(NumberOfSamples, int);
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  vtkSetMacro(ErrorTolerance, double);
+  vtkGetMacro(ErrorTolerance, double);
+  ///@}
+
+  ///@{
+  /** As of vtkElasticContactResponse, mm: the widest contact of all tools to follow. Default 0. */
+  vtkSetMacro(LargestContactRadius, double);
+  vtkGetMacro(LargestContactRadius, double);
+  ///@}
+
+  ///@{
+  /** As of vtkElasticContactResponse, mm: half the distance to a nodule's top is enough. Default 0:
+   * all points. */
+  vtkSetMacro(SourceSpacing, double);
+  vtkGetMacro(SourceSpacing, double);
+  ///@}
+
+  ///@{
+  /** The same on the body without nodules, where half the distance to a base or a layer is enough,
+   * mm. Default 0: as SourceSpacing. */
+  vtkSetMacro(SourceSpacingWithout, double);
+  vtkGetMacro(SourceSpacingWithout, double);
+  ///@}
+
+  ///@{
+  /** As of vtkElasticCompliance, for each body: MiB, 0 (default): nine tenths of what is available.
+   */
+  vtkSetMacro(MemoryLimit, double);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /** As of vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
+  vtkSetMacro(Solver, int);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /** Of both bodies, as for vtkElasticContactResponse. */
+  vtkGetMacro(MemoryEstimate, double);
+  vtkGetMacro(NumberOfSolutions, vtkIdType);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkNoduleDetectability();
+  ~vtkNoduleDetectability() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkNoduleDetectability(const vtkNoduleDetectability&) = delete;
+  void operator=(const vtkNoduleDetectability&) = delete;
+
+  std::string FindTools();
+  std::string CheckTools();
+  std::string Solve(vtkUnstructuredGrid* grid, bool& ended);
+  std::string SolveOne(
+    vtkUnstructuredGrid* grid, bool with, palpate::SolveRequest& request, bool& ended);
+  std::string Compare(vtkUnstructuredGrid* grid, vtkPolyData* output);
+
+  std::unique_ptr<palpate::SolvedBody> With;
+  std::unique_ptr<palpate::SolvedBody> Without;
+  vtkSmartPointer<vtkContactTool> Tool;
+  std::vector<std::string> MoreTools;
+  std::vector<vtkSmartPointer<vtkContactTool>> Tools; ///< of the present run
+  double Threshold = 0.1;
+  double PressDepth = 0.0;
+  bool WithinValidity = false;
+  bool StoreWithout = false;
+  double MaximumDeflection = 2.0;
+  int NumberOfSamples = 8;
+  std::string ResponseName = "Response";
+  double ErrorTolerance = 0.05;
+  double LargestContactRadius = 0.0;
+  double SourceSpacing = 0.0;
+  double SourceSpacingWithout = 0.0;
+  double MemoryLimit = 0.0;
+  int Solver = 0;
+  double MemoryEstimate = 0.0;
+  vtkIdType NumberOfSolutions = 0;
+};
+
+#endif

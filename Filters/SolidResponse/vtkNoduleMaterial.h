@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNoduleMaterial
+ * @brief spheres of another material in a volume mesh
+ *
+ * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
+ * cells in mm, E and ν around the nodules per cell by arrays to process 0 and 1 (cell data, one
+ * component), else the constants. Empty input gives empty output.
+ *
+ * Output: the same grid with the cell arrays (doubles)
+ * - `YoungsModulus` (MPa) and `PoissonRatio`: with the nodules;
+ * - `YoungsModulusWithout` and `PoissonRatioWithout`: without the nodules;
+ * - `NoduleFraction`: the fraction of the cell's volume that they fill, 0 to 1.
+ *
+ * A cell that the surface of a sphere cuts is mixed by the fractions of its volume, counted at
+ * Subdivisions³ points in it: E by palpate::mixedModulus, harmonic where the nodule is harder,
+ * geometric where softer; ν by volume. Where spheres overlap, the one added last counts.
+ *
+ * **Accuracy.** Of the force on a nodule of 3 mm, ten times as hard, 2 mm or deeper, in cells of 1
+ * mm: 1.5 %; 1 mm deep 4 %. Cells should be no larger than half the distance of a nodule's top from
+ * the surface, and no larger than a third of its radius.
+ *
+ * Errors, and no output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or a nodule
+ * that fills no part of any cell, by its number; a wrong array or value in it; a cell of another
+ * kind.
+ *
+ * Cost: Subdivisions³ distances for each cell whose box a sphere's surface cuts, milliseconds for
+ * ten thousand.
+ *
+ * @sa vtkNoduleDetectability vtkElasticContactResponse
+ */
+#ifndef vtkNoduleMaterial_h
+#define vtkNoduleMaterial_h
+
+#include "palpateSolidResponseModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <array>  // For std::array
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+namespace palpate
+{
+struct ElasticMaterial;
+}
+
+class PALPATESOLIDRESPONSE_EXPORT vtkNoduleMaterial : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkNoduleMaterial* New();
+  vtkTypeMacro(vtkNoduleMaterial, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Around the nodules: E, MPa, of cells without an array. Default 0.1. */
+  vtkSetMacro(YoungsModulus, double);
+  vtkGetMacro(YoungsModulus, double);
+  ///@}
+
+  ///@{
+  /** Around the nodules: 0 to 0.499, of cells without an array. Default 0.45. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Adds a sphere: its centre and radius, mm, its E, MPa, and its ν; without ν, that of its
+   * surroundings. Checked when the filter runs.
+   */
+  void AddNodule(double x, double y, double z, double radius, double youngsModulus);
+  void AddNodule(
+    double x, double y, double z, double radius, double youngsModulus, double poissonRatio);
+  ///@}
+  void ClearNodules();
+  int GetNumberOfNodules() { return static_cast<int>(this->Nodules.size()); }
+
+  ///@{
+  /** Points along each side of a cell that a sphere's surface cuts, 1 to 64. Default 8. */
+  vtkSetMacro(Subdivisions, int);
+  vtkGetMacro(Subdivisions, int);
+  ///@}
+
+protected:
+  vtkNoduleMaterial() = default;
+  ~vtkNoduleMaterial() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkNoduleMaterial(const vtkNoduleMaterial&) = delete;
+  void operator=(const vtkNoduleMaterial&) = delete;
+
+  /// A sphere as it was added.
+  struct Nodule
+  {
+    std::array<double, 3> Middle;
+    double Radius;
+    double YoungsModulus;
+    double PoissonRatio;
+    bool HasPoissonRatio;
+  };
+
+  std::string Check();
+  /// Mixes the nodules that fill `fractions` of a cell into its material; returns the fraction they
+  /// fill.
+  double MixCell(const std::vector<double>& fractions, palpate::ElasticMaterial& material) const;
+  std::string Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
+
+  std::vector<Nodule> Nodules;
+  double YoungsModulus = 0.1;
+  double PoissonRatio = 0.45;
+  int Subdivisions = 8;
+};
+
+#endif

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkScannedMaterial.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/ReducedModulus.h"
+#include "Solids/TrueShape/InclusionMixing.h"
+#include "SolidResponse/Bodies/CellPlaces.h"
+#include "SolidResponse/Bodies/FactorisedBody.h"
+#include "SolidResponse/Bodies/VolumeConversion.h"
+#include "Response/FilterStage.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace
+{
+constexpr vtkIdType ScannedBetweenLooks = 4096; // whether to stop
+constexpr int MostPlaces = 64;
+
+using palpate::ElasticMaterial;
+using TissueMap = std::map<double, ElasticMaterial>;
+
+/// Reads an image at points.
+class ScanReader
+{
+public:
+  ScanReader(vtkImageData* image, vtkDataArray* values)
+    : Image(image)
+    , Values(values)
+  {
+  }
+
+  /// The value of the nearest voxel, or between the eight around; false outside the image.
+  bool read(const std::array<double, 3>& place, bool nearest, double& value) const
+  {
+    std::array<double, 3> index{};
+    this->Image->TransformPhysicalPointToContinuousIndex(place.data(), index.data());
+    std::array<int, 6> extent{};
+    this->Image->GetExtent(extent.data());
+    std::array<std::array<int, 2>, 3> beside{};
+    std::array<double, 3> part{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double low = extent[2 * k];
+      const double high = extent[2 * k + 1];
+      // The outermost voxels extend by half a voxel.
+      if (!(index[k] >= low - 0.5 && index[k] <= high + 0.5))
+      {
+        return false;
+      }
+      const double at = std::clamp(nearest ? std::round(index[k]) : index[k], low, high);
+      const double below = std::min(std::floor(at), std::max(low, high - 1.0));
+      part[k] = at - below;
+      beside[k] = { static_cast<int>(below), static_cast<int>(std::min(below + 1.0, high)) };
+    }
+    value = 0.0;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      double weight = 1.0;
+      std::array<int, 3> voxel{};
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const std::size_t side = corner >> k & 1U;
+        weight *= side == 1 ? part[k] : 1.0 - part[k];
+        voxel[k] = beside[k][side];
+      }
+      if (weight > 0.0)
+      {
+        value += weight * this->Values->GetComponent(this->Image->ComputePointId(voxel.data()), 0);
+      }
+    }
+    return true;
+  }
+
+private:
+  vtkImageData* Image;
+  vtkDataArray* Values;
+};
+
+/// Interpolates log E and ν linearly between the rows of a map.
+ElasticMaterial onScale(const TissueMap& map, double value)
+{
+  const auto above = map.lower_bound(value);
+  if (above == map.end())
+  {
+    return std::prev(above)->second;
+  }
+  if (above == map.begin())
+  {
+    return above->second;
+  }
+  const auto below = std::prev(above);
+  const double part = (value - below->first) / (above->first - below->first);
+  const ElasticMaterial& a = below->second;
+  const ElasticMaterial& b = above->second;
+  return { a.youngsModulus * std::pow(b.youngsModulus / a.youngsModulus, part),
+    a.poissonRatio + part * (b.poissonRatio - a.poissonRatio) };
+}
+
+/// The most frequent material of a cell, with the others mixed in one after the other.
+ElasticMaterial mixTissues(std::vector<std::pair<double, ElasticMaterial>>& parts)
+{
+  std::stable_sort(
+    parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  ElasticMaterial mixed = parts.front().second;
+  double sum = parts.front().first;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    sum += parts[i].first;
+    const double share = parts[i].first / sum;
+    mixed.youngsModulus =
+      palpate::mixedModulus(mixed.youngsModulus, parts[i].second.youngsModulus, share);
+    mixed.poissonRatio += share * (parts[i].second.poissonRatio - mixed.poissonRatio);
+  }
+  return mixed;
+}
+
+/// Collects the sample points of one cell.
+class CellTissue
+{
+public:
+  CellTissue(const ScanReader& scan, const TissueMap& map, bool labels, const ElasticMaterial& none)
+    : Scan(scan)
+    , Known(map)
+    , HasLabels(labels)
+    , Outside(none)
+  {
+  }
+
+  void clear()
+  {
+    this->Volumes.clear();
+    this->LogModulus = this->Ratio = this->All = 0.0;
+    this->Fault.clear();
+  }
+
+  void add(const std::array<double, 3>& place, double volume)
+  {
+    double value = 0.0;
+    const bool isInside = this->Scan.read(place, this->HasLabels, value);
+    if (isInside && !std::isfinite(value))
+    {
+      this->Fault = palpate::joined("the image's value is ", value);
+      return;
+    }
+    if (this->HasLabels)
+    {
+      const bool isKnown = !isInside || this->Known.count(value) > 0;
+      if (!isKnown)
+      {
+        this->Fault = palpate::joined("label ", value, " is not in the map: AddMaterial");
+      }
+      const double key = isInside ? value : std::numeric_limits<double>::infinity();
+      this->Volumes[key] += isKnown ? volume : 0.0;
+      return;
+    }
+    const ElasticMaterial here = isInside ? onScale(this->Known, value) : this->Outside;
+    this->LogModulus += volume * std::log(here.youngsModulus);
+    this->Ratio += volume * here.poissonRatio;
+    this->All += volume;
+  }
+
+  ElasticMaterial material() const
+  {
+    if (!this->HasLabels)
+    {
+      return { std::exp(this->LogModulus / this->All), this->Ratio / this->All };
+    }
+    std::vector<std::pair<double, ElasticMaterial>> parts;
+    for (const auto& [value, volume] : this->Volumes)
+    {
+      parts.emplace_back(volume, std::isfinite(value) ? this->Known.at(value) : this->Outside);
+    }
+    return mixTissues(parts);
+  }
+
+  const std::string& fault() const { return this->Fault; }
+
+private:
+  const ScanReader& Scan;
+  const TissueMap& Known;
+  bool HasLabels;
+  ElasticMaterial Outside;
+  std::map<double, double> Volumes; ///< by label; at infinity what is outside
+  double LogModulus = 0.0;
+  double Ratio = 0.0;
+  double All = 0.0;
+  std::string Fault;
+};
+} // namespace
+
+vtkStandardNewMacro(vtkScannedMaterial);
+
+vtkScannedMaterial::vtkScannedMaterial()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkScannedMaterial::SetImageConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkScannedMaterial::SetImageData(vtkImageData* image)
+{
+  this->SetInputData(1, image);
+}
+
+void vtkScannedMaterial::AddMaterial(double value, double youngsModulus, double poissonRatio)
+{
+  this->Rows.push_back({ value, youngsModulus, poissonRatio });
+  this->Modified();
+}
+
+void vtkScannedMaterial::ClearMaterials()
+{
+  if (!this->Rows.empty())
+  {
+    this->Rows.clear();
+    this->Modified();
+  }
+}
+
+int vtkScannedMaterial::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkImageData" : "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkScannedMaterial::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(inputVector[0]);
+  if (!grid || grid->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  std::string fault = this->CheckMap();
+  fault = fault.empty() ? this->Map(grid, vtkImageData::GetData(inputVector[1]),
+                            vtkUnstructuredGrid::GetData(outputVector))
+                        : fault;
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  return 1;
+}
+
+std::string vtkScannedMaterial::CheckMap()
+{
+  if (this->Subdivisions < 1 || this->Subdivisions > MostPlaces)
+  {
+    return palpate::joined(
+      "Subdivisions must be 1 to ", MostPlaces, ", but is ", this->Subdivisions);
+  }
+  palpate::FactorRequest outside;
+  outside.material = { this->YoungsModulus, this->PoissonRatio };
+  const std::string fault = palpate::checkFactorRequest(outside);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  if (this->Rows.empty())
+  {
+    return "There is no map from the image's values to materials: AddMaterial";
+  }
+  for (std::size_t i = 0; i < this->Rows.size(); ++i)
+  {
+    const Row& row = this->Rows[i];
+    const auto wrong = [i](const char* what, double value)
+    { return palpate::joined("Material ", i, ": ", what, ", but is ", value); };
+    if (!std::isfinite(row.Value))
+    {
+      return wrong("its value must be finite", row.Value);
+    }
+    if (!palpate::isYoungsModulus(row.YoungsModulus))
+    {
+      return wrong("its Young's modulus must be positive and finite (MPa)", row.YoungsModulus);
+    }
+    if (!palpate::isElementRatio(row.PoissonRatio))
+    {
+      return wrong("its Poisson's ratio must lie between 0 and 0.499", row.PoissonRatio);
+    }
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      if (this->Rows[k].Value == row.Value)
+      {
+        return palpate::joined("Materials ", k, " and ", i, " have one value, ", row.Value);
+      }
+    }
+  }
+  return {};
+}
+
+std::string vtkScannedMaterial::Map(
+  vtkUnstructuredGrid* grid, vtkImageData* image, vtkUnstructuredGrid* output)
+{
+  vtkInformationVector* wanted = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  vtkDataArray* values = !image || image->GetNumberOfPoints() == 0 ? nullptr
+    : wanted && wanted->GetNumberOfInformationObjects() > 0 ? this->GetInputArrayToProcess(0, image)
+                                                            : image->GetPointData()->GetScalars();
+  if (!values || values->GetNumberOfComponents() != 1 ||
+    values->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    return "Wrong input: the image has no point array of one component to be read";
+  }
+  palpate::VolumeMesh ignored;
+  std::string fault = palpate::convertVolume(grid, ignored);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  TissueMap map;
+  for (const Row& row : this->Rows)
+  {
+    map[row.Value] = { row.YoungsModulus, row.PoissonRatio };
+  }
+  const ScanReader scan(image, values);
+  CellTissue tissue(scan, map, this->Labels, { this->YoungsModulus, this->PoissonRatio });
+  palpate::CellPlaces places(this->Subdivisions);
+  const vtkIdType cells = grid->GetNumberOfCells();
+  vtkNew<vtkDoubleArray> young;
+  vtkNew<vtkDoubleArray> poisson;
+  young->SetName("YoungsModulus");
+  poisson->SetName("PoissonRatio");
+  young->SetNumberOfTuples(cells);
+  poisson->SetNumberOfTuples(cells);
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    tissue.clear();
+    places.visit(grid->GetCell(cell),
+      [&tissue](const std::array<double, 3>& place, double volume) { tissue.add(place, volume); });
+    if (!tissue.fault().empty())
+    {
+      return palpate::joined("Wrong input: in cell ", cell, " ", tissue.fault());
+    }
+    const ElasticMaterial material = tissue.material();
+    young->SetValue(cell, material.youngsModulus);
+    poisson->SetValue(cell, material.poissonRatio);
+    if (cell % ScannedBetweenLooks == 0 &&
+      !palpate::FilterStage{ this, 0.0, 1.0 }(
+        static_cast<double>(cell) / static_cast<double>(cells)))
+    {
+      return {};
+    }
+  }
+  output->ShallowCopy(grid);
+  output->GetCellData()->AddArray(young);
+  output->GetCellData()->AddArray(poisson);
+  this->UpdateProgress(1.0);
+  return {};
+}
+
+void vtkScannedMaterial::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Materials: " << this->Rows.size() << "\n";
+  os << indent << "Labels: " << this->Labels << "\n";
+  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
+  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
+  os << indent << "Subdivisions: " << this->Subdivisions << "\n";
+}

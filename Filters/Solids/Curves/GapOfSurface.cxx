@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Curves/GapOfSurface.h"
+
+#include "Contact/SmoothTriangle.h"
+#include "Mechanics/Numerics/Constants.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_set>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Facing = 0.5;       ///< cosine to the normal: 60°
+constexpr double OnTriangle = -1e-9; ///< area coordinates, so that no place falls between two
+constexpr double OverTheSide = 1e-6; ///< of a triangle's own size
+
+/// One point's walk over the surface.
+class GapWalk
+{
+public:
+  GapWalk(const BodyMesh& mesh, const float* normals, std::int32_t point, double radius)
+    : Mesh(mesh)
+    , Normals(normals)
+    , Point(point)
+    , Radius(radius)
+    , Frame(SurfaceGap::frame(this->normal(point)))
+    , Origin(mesh.point(point))
+  {
+    this->Found.surface.setConstant(NotANumber);
+    this->Found.facets.setConstant(NotANumber);
+    for (int j = 0; j < SurfaceGap::Angles; ++j)
+    {
+      const double angle = 2.0 * Pi * j / SurfaceGap::Angles;
+      this->Directions.col(j) << std::cos(angle), std::sin(angle);
+    }
+    for (int k = 0; k < SurfaceGap::Rings; ++k)
+    {
+      this->Rings[k] = radius * SurfaceGap::ring(k);
+    }
+  }
+
+  SurfaceGap run()
+  {
+    std::vector<std::int32_t> front = { this->Point };
+    std::unordered_set<std::int32_t> seen = { this->Point };
+    std::unordered_set<std::int32_t> taken;
+    while (!front.empty())
+    {
+      const std::int32_t from = front.back();
+      front.pop_back();
+      const auto [begin, end] = this->Mesh.trianglesAround(from);
+      for (const std::int32_t* t = begin; t != end; ++t)
+      {
+        if (!taken.insert(*t).second || !this->take(*t))
+        {
+          continue;
+        }
+        for (const std::int32_t next : this->Mesh.corners(*t))
+        {
+          if (seen.insert(next).second)
+          {
+            front.push_back(next);
+          }
+        }
+      }
+    }
+    int known = 0;
+    while (known < SurfaceGap::Rings && this->Found.surface.row(known).allFinite())
+    {
+      ++known;
+    }
+    this->Found.known = known;
+    return SurfaceGap(this->Radius, this->Found);
+  }
+
+private:
+  Vector3 normal(std::int32_t point) const
+  {
+    return Eigen::Map<const Eigen::Vector3f>(this->Normals + 3 * static_cast<std::size_t>(point))
+      .cast<double>();
+  }
+
+  /// The place in the frame: along the tangents, and how far below the plane.
+  Vector3 inFrame(const Vector3& place) const
+  {
+    return this->Frame.transpose() * (place - this->Origin);
+  }
+
+  /// Fills the heights that lie on a triangle; false where it is out of reach or turns away.
+  bool take(std::int32_t triangle)
+  {
+    const TriangleCorners& corners = this->Mesh.corners(triangle);
+    std::array<Vector3, 3> at;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      at[i] = this->inFrame(this->Mesh.point(corners[i]));
+    }
+    const Vector3 across = (at[1] - at[0]).cross(at[2] - at[0]);
+    if (!(-across[2] > Facing * across.norm()))
+    {
+      return false; // the frame looks inwards
+    }
+    Eigen::Vector2d low = at[0].head<2>();
+    Eigen::Vector2d high = low;
+    for (const Vector3& corner : at)
+    {
+      low = low.cwiseMin(corner.head<2>());
+      high = high.cwiseMax(corner.head<2>());
+    }
+    // The nearest and the farthest of the box that the corners span.
+    const Eigen::Vector2d nearest = low.cwiseMax(Eigen::Vector2d::Zero().cwiseMin(high));
+    const double from = nearest.norm() - OverTheSide * this->Radius;
+    const double to = low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm();
+    if (from > this->Radius)
+    {
+      return false;
+    }
+    SmoothTriangle patch;
+    double uneven = 0.0;
+    bool isBuilt = false;
+    bool isSmooth = false;
+    for (int k = 0; k < SurfaceGap::Rings; ++k)
+    {
+      if (this->Rings[k] < from || this->Rings[k] > to)
+      {
+        continue;
+      }
+      for (int j = 0; j < SurfaceGap::Angles; ++j)
+      {
+        const Eigen::Vector2d place = this->Rings[k] * this->Directions.col(j);
+        const Vector3 area = areaCoordinates(at, across[2], place);
+        if (area.minCoeff() < OnTriangle)
+        {
+          continue;
+        }
+        if (!isBuilt)
+        {
+          isBuilt = true;
+          const std::array<Vector3, 3> normals = { this->turned(corners[0]),
+            this->turned(corners[1]), this->turned(corners[2]) };
+          isSmooth = patch.build(at, normals);
+          uneven = isSmooth ? unevenness(at, normals) : 0.0;
+        }
+        this->put(k, j, at, area, isSmooth ? heightOn(patch, area, place) : NotANumber, uneven);
+      }
+    }
+    return true;
+  }
+
+  Vector3 turned(std::int32_t point) const { return this->Frame.transpose() * this->normal(point); }
+
+  static Vector3 areaCoordinates(
+    const std::array<Vector3, 3>& at, double twice, const Eigen::Vector2d& place)
+  {
+    const auto part = [&](std::size_t i, std::size_t j)
+    {
+      const Eigen::Vector2d u = at[i].head<2>() - place;
+      const Eigen::Vector2d v = at[j].head<2>() - place;
+      return (u[0] * v[1] - u[1] * v[0]) / twice;
+    };
+    return { part(1, 2), part(2, 0), part(0, 1) };
+  }
+
+  /// Of a triangle's edges (GapTerms::uneven), the root of the mean square.
+  static double unevenness(const std::array<Vector3, 3>& at, const std::array<Vector3, 3>& normals)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t next = (i + 1) % 3;
+      const double off = (normals[i] + normals[next]).dot(at[next] - at[i]);
+      sum += off * off;
+    }
+    return std::sqrt(sum / 3.0);
+  }
+
+  /// How far the patch lies below the plane over a place: its point of these area coordinates,
+  /// moved along its tangent plane.
+  static double heightOn(
+    const SmoothTriangle& patch, const Vector3& area, const Eigen::Vector2d& place)
+  {
+    const SurfaceJet jet = patch.evaluate(area);
+    const Vector3 across = jet.across();
+    const Eigen::Vector2d away = place - jet.point.head<2>();
+    return jet.point[2] - away.dot(across.head<2>()) / across[2];
+  }
+
+  void put(int k, int j, const std::array<Vector3, 3>& at, const Vector3& area, double smooth,
+    double uneven)
+  {
+    const double flat = area[0] * at[0][2] + area[1] * at[1][2] + area[2] * at[2][2];
+    const double height = std::isfinite(smooth) ? smooth : flat;
+    double& known = this->Found.surface(k, j);
+    if (!(known <= height)) // the outermost of a fold
+    {
+      known = height;
+      this->Found.facets(k, j) = flat;
+      this->Found.uneven(k, j) = uneven;
+    }
+  }
+
+  const BodyMesh& Mesh;
+  const float* Normals;
+  std::int32_t Point;
+  double Radius;
+  Eigen::Matrix3d Frame;
+  Vector3 Origin;
+  Eigen::Matrix<double, 2, SurfaceGap::Angles> Directions;
+  Eigen::Matrix<double, SurfaceGap::Rings, 1> Rings;
+  SurfaceGap::Heights Found;
+};
+} // namespace
+
+SurfaceGap gapOfSurface(
+  const BodyMesh& mesh, const float* normals, std::int32_t point, double radius)
+{
+  return GapWalk(mesh, normals, point, radius).run();
+}
+} // namespace palpate

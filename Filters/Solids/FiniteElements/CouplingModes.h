@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_CouplingModes_h
+#define palpate_CouplingModes_h
+
+#include "Solids/FiniteElements/PatchCompliance.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+constexpr int MostCouplingModes = 16;
+
+/**
+ * The compliance of a body at one place of its surface under a force at another, both along their
+ * normals, less the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and positive semi-definite.
+ *
+ * From the fields of landmarks (RegularField) by Nyström's method, as GlobalModes, but of the
+ * normal parts and positive eigenvalues alone, so that the sum is an energy. Added to the
+ * half-space's 1/(πE*r) between places that face the same way (BodyCoupling), it is the whole
+ * compliance.
+ */
+struct CouplingModes
+{
+  /// φ_m at each surface point, one row per mode: √(mm/N), inward along the normal. Zero where the
+  /// body has fewer. No rows when the observer stopped it.
+  Eigen::MatrixXd values;
+  /// Root mean square of C_ij - Σ φ φ over pairs of landmarks, relative to that of C_ij.
+  double neglected = 0.0;
+};
+
+/// The `count` largest modes of a factorised body, 1 to MostCouplingModes, from LandmarksPerMode
+/// times as many landmarks among the points with a valid compliance. Costs one solution per
+/// landmark.
+PALPATE_EXPORT CouplingModes couplingModes(const ElasticBody& body,
+  const PatchCompliances& compliances, double radius, int count, const WorkObserver& observer);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ElasticBody_h
+#define palpate_ElasticBody_h
+
+#include "Solids/FiniteElements/BodySurface.h"
+#include "Solids/FiniteElements/MemoryForecast.h"
+#include "Mechanics/PalpateExport.h"
+#include "Solids/FiniteElements/StiffnessFactor.h"
+
+namespace palpate
+{
+/// Mesh, materials and fixed nodes of a linear elastic body; mm, N, MPa.
+struct ElasticBodyInput
+{
+  VolumeMesh mesh;
+  std::vector<ElasticMaterial> materials; ///< one per element, or one for all
+  std::vector<unsigned char> fixed;       ///< per node: FixedX | FixedY | FixedZ
+};
+
+/**
+ * A linear elastic body under small loads: mesh, surface, stiffness and its factor.
+ *
+ * Call take(), assemble(), analyse() and factorise() in this order; then any number of the others.
+ * After an error the body must not be used further.
+ */
+class PALPATE_EXPORT ElasticBody
+{
+public:
+  /// Takes the input, after which memoryForecast() is valid. Returns what is wrong (a floating
+  /// part, E or ν out of range; elements and nodes by index), or "".
+  std::string take(ElasticBodyInput input);
+  MemoryForecast memoryForecast() const;
+  /// Assembles the stiffness. Returns what is wrong (inverted elements), or "".
+  std::string assemble();
+  /// Both.
+  std::string assemble(ElasticBodyInput input);
+
+  /// Chooses the order of elimination, after which memoryEstimate() is that of factorise().
+  std::string analyse(StiffnessFactor::Kind kind);
+  double memoryEstimate() const; ///< bytes
+  std::string factorise();
+
+  const VolumeMesh& mesh() const { return this->Input.mesh; }
+  const MeshTopology& topology() const { return this->Topology; }
+  const BodySurface& surface() const { return this->Surface; }
+  const StiffnessMatrix& stiffness() const { return this->Stiffness; }
+  const StiffnessFactor& factor() const { return *this->Factor; }
+  int unknowns() const { return static_cast<int>(this->Stiffness.lower.rows()); }
+  /// The unknown of a node's direction, or -1 if it is fixed.
+  int unknown(std::int32_t node, int axis) const
+  {
+    return this->Stiffness.dof[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis)];
+  }
+
+  /// Whether a node is fixed in all directions.
+  bool isHeld(std::int32_t node) const
+  {
+    return this->unknown(node, 0) < 0 && this->unknown(node, 1) < 0 && this->unknown(node, 2) < 0;
+  }
+
+  /// Whether the body has a single material.
+  bool isUniform() const;
+  const ElasticMaterial& material(std::int32_t element) const
+  {
+    const std::vector<ElasticMaterial>& all = this->Input.materials;
+    return all[all.size() == 1 ? 0 : static_cast<std::size_t>(element)];
+  }
+  /// Mean E and ν of the elements that meet at a node.
+  ElasticMaterial materialAt(std::int32_t node) const;
+
+  /// Displacement of every node (3 × nodes, mm) under forces on nodes (3 × nodes, N).
+  Eigen::Matrix3Xd displacement(const Eigen::Matrix3Xd& forces) const;
+
+private:
+  std::string checkInput() const;
+
+  ElasticBodyInput Input;
+  MeshTopology Topology;
+  BodySurface Surface;
+  StiffnessMatrix Stiffness;
+  std::unique_ptr<StiffnessFactor> Factor;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_NearestAlong_h
+#define palpate_NearestAlong_h
+
+#include "Solids/FiniteElements/BodySurface.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <functional>
+
+namespace palpate
+{
+/// A point of a surface and its distance along the edges, mm.
+struct AlongSurface
+{
+  std::int32_t point;
+  double distance;
+};
+
+/// The `count` wanted points nearest to `point` along the edges of the surface, without paths
+/// through another; nearest first. Fewer if that part of the surface has no more.
+PALPATE_EXPORT std::vector<AlongSurface> nearestAlong(const BodySurface& surface,
+  std::int32_t point, std::size_t count, const std::function<bool(std::int32_t)>& isWanted);
+
+/// Weights by 1/distance², with sum 1, in the order of `found`.
+PALPATE_EXPORT std::vector<double> weightsAlong(const std::vector<AlongSurface>& found);
+} // namespace palpate
+
+#endif

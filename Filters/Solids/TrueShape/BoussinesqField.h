@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BoussinesqField_h
+#define palpate_BoussinesqField_h
+
+#include "Solids/FiniteElements/ElasticElement.h"
+
+namespace palpate
+{
+/**
+ * The half-space z >= 0 under 1 N along +z at the origin of its surface (Boussinesq 1885; Johnson
+ * 1985, eq. 3.18 and 3.19): mm, MPa.
+ *
+ * Continued analytically to z < 0, where it still is a field without body forces; there it is
+ * singular on the axis x = y = 0. Infinite at the origin. A function of the place alone: the body
+ * it is evaluated in may have any shape.
+ */
+class BoussinesqField
+{
+public:
+  explicit BoussinesqField(const ElasticMaterial& material)
+    : Shear(material.youngsModulus / (2.0 * (1.0 + material.poissonRatio)))
+    , PoissonRatio(material.poissonRatio)
+  {
+  }
+
+  Eigen::Vector3d displacement(const Eigen::Vector3d& at) const;
+  Eigen::Matrix3d strain(const Eigen::Vector3d& at) const;
+  /// Does not depend on E.
+  Eigen::Matrix3d stress(const Eigen::Vector3d& at) const;
+
+private:
+  /// 4πG times the symmetric part of the displacement's gradient.
+  Eigen::Matrix3d scaledStrain(const Eigen::Vector3d& at) const;
+
+  double Shear;
+  double PoissonRatio;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/TrueShape/ComplianceError.h"
+
+#include "Solids/FiniteElements/EnergyError.h"
+#include "Mechanics/Numerics/Constants.h"
+#include "Mechanics/SharedWork.h"
+#include "Solids/TrueShape/ElementError.h"
+#include "Solids/TrueShape/SourceThinning.h"
+#include "Solids/TrueShape/SubtractedLoad.h"
+#include "Solids/TrueShape/SurfaceDisc.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double SampleCount = 10.0; ///< about as many
+constexpr std::size_t AtATime = 4;   ///< displacements of the whole body are kept of so many
+constexpr double OfDifference = 2.0;
+
+/// Points with a compliance, about SampleCount of them, spread over the surface.
+std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompliances& compliances)
+{
+  const BodySurface& surface = body.surface();
+  std::vector<std::int32_t> candidates;
+  double area = 0.0; // of the triangles around them, each told by its three corners
+  for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
+  {
+    if (compliances.status[static_cast<std::size_t>(i)] == PatchStatus::Valid &&
+      isOfOneMaterial(body, i))
+    {
+      candidates.push_back(i);
+      for (const std::int32_t* t = surface.trianglesBegin(i); t != surface.trianglesEnd(i); ++t)
+      {
+        area += surface.triangleArea(*t) / 3.0;
+      }
+    }
+  }
+  return thinnedSources(
+    surface, candidates, std::vector<double>(candidates.size(), std::sqrt(area / SampleCount)));
+}
+} // namespace
+
+std::vector<double> complianceErrors(
+  const ElasticBody& body, const PatchCompliances& compliances, const WorkObserver& observer)
+{
+  const BodySurface& surface = body.surface();
+  const std::vector<std::int32_t> samples = samplePoints(body, compliances);
+  std::vector<double> atSamples(samples.size(), NotANumber);
+  const SubtractedLoad loads(body);
+  const auto estimate = [&](std::size_t block)
+  {
+    const std::size_t first = block * AtATime;
+    const std::size_t last = std::min(samples.size(), first + AtATime);
+    Eigen::MatrixXd right(body.unknowns(), static_cast<Eigen::Index>(last - first));
+    for (std::size_t s = first; s < last; ++s)
+    {
+      right.col(static_cast<Eigen::Index>(s - first)) =
+        loads.load(SingularSource(body, samples[s]));
+    }
+    const Eigen::MatrixXd smooth = body.factor().solveAll(right);
+    if (smooth.size() == 0)
+    {
+      return; // does not fit the memory: no estimate
+    }
+    std::vector<Eigen::Matrix3Xd> moved;
+    for (std::size_t s = first; s < last; ++s)
+    {
+      moved.push_back(regularDisplacement(
+        body, SingularSource(body, samples[s]), smooth.col(static_cast<Eigen::Index>(s - first))));
+    }
+    const std::vector<double> energies = energyErrors(body, moved);
+    for (std::size_t s = first; s < last; ++s)
+    {
+      const std::int32_t point = samples[s];
+      const double otherWay = -surface.normal(point).dot(moved[s - first].col(surface.node(point)));
+      atSamples[s] = OfDifference *
+          std::abs(otherWay - compliances.compliance[static_cast<std::size_t>(point)]) +
+        BoundOfEnergy * energies[s - first];
+    }
+  };
+  if (!shareWork((samples.size() + AtATime - 1) / AtATime, estimate, observer))
+  {
+    return {};
+  }
+  // Between the samples as the elements let expect it, by place.
+  const ElementError expected(body);
+  const auto expectedAt = [&](std::int32_t point)
+  { return expected.at(SingularSource(body, point)).error; };
+  for (std::size_t s = 0; s < samples.size(); ++s)
+  {
+    atSamples[s] /= expectedAt(samples[s]);
+  }
+  std::vector<double> errors(static_cast<std::size_t>(surface.pointTotal()));
+  const auto carry = [&](std::size_t i)
+  {
+    const auto point = static_cast<std::int32_t>(i);
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::size_t s = 0; s < samples.size(); ++s)
+    {
+      const double square = (surface.position(samples[s]) - surface.position(point)).squaredNorm();
+      const double weight = 1.0 / std::max(square, 1e-300);
+      sum += weight * atSamples[s];
+      weights += weight;
+    }
+    errors[i] = weights > 0.0 ? expectedAt(point) * sum / weights : NotANumber;
+  };
+  shareWork(errors.size(), carry);
+  return errors;
+}
+} // namespace palpate

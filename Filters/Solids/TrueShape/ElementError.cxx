@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/TrueShape/ElementError.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Missed = 1.5;         ///< of what second order lets expect: 2 of 100 pass it
+constexpr double MissedByLinear = 7.5; ///< likewise of linear tetrahedra, which lock
+constexpr double OfHeld = 0.5; ///< where a base holds, elements have its displacement exactly
+constexpr double QuadraticGain = 1.25; ///< as if a quadratic tetrahedron were so much smaller
+
+double gainOf(ElementKind kind)
+{
+  return kind == ElementKind::QuadraticTetrahedron ? QuadraticGain : 1.0;
+}
+
+/// A face that belongs to the smooth surface around the source: nearly level with it, and turned by
+/// no more than 30°.
+constexpr double SmoothTurn = 0.866;
+constexpr double SmoothSlope = 0.3;
+/// Of the part missed there, times the turn of the surface over one element: where a surface is
+/// smooth, so is what its curvature does to H. Measured on balls and bumps.
+constexpr double OfSmooth = 2.0;
+
+/// (h/r)², no more than all of it.
+double missedPart(double spacing, double distance)
+{
+  const double ratio = spacing / std::max(distance, 1e-300);
+  return std::min(1.0, ratio * ratio);
+}
+/// What is left of the part missed at a free face, as the source sees it.
+double smoothPart(const Eigen::Vector3d& area, const Eigen::Vector3d& at, double spacing)
+{
+  const double away = at.head<2>().norm();
+  const double level = -area[2] / area.norm(); // cosine of its turn; the frame looks inwards
+  if (!(level > SmoothTurn) || std::abs(at[2]) > SmoothSlope * std::max(away, spacing))
+  {
+    return 1.0;
+  }
+  return std::min(
+    1.0, OfSmooth * std::acos(std::min(1.0, level)) * spacing / std::max(away, spacing));
+}
+} // namespace
+
+ElementError::ElementError(const ElasticBody& body)
+{
+  const VolumeMesh& mesh = body.mesh();
+  const bool locks = std::any_of(mesh.elements.begin(), mesh.elements.end(),
+    [](const VolumeElement& element) { return element.kind == ElementKind::Tetrahedron; });
+  this->Part = locks ? MissedByLinear : Missed;
+  for (const BoundaryFace& boundary : body.topology().boundary())
+  {
+    const VolumeElement& element = mesh.elements[static_cast<std::size_t>(boundary.element)];
+    const ElementFace& face = elementFace(element.kind, boundary.face);
+    Side side{ Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0, true };
+    const auto corner = [&](int i)
+    { return element.nodes[static_cast<std::size_t>(face.node[static_cast<std::size_t>(i)])]; };
+    for (int i = 0; i < face.corners; ++i)
+    {
+      side.middle += mesh.nodes.col(corner(i)) / face.corners;
+      side.isHeld = side.isHeld && body.isHeld(corner(i));
+    }
+    for (int i = 0; i < face.corners; ++i)
+    {
+      const Eigen::Vector3d from = mesh.nodes.col(corner(i));
+      const Eigen::Vector3d to = mesh.nodes.col(corner((i + 1) % face.corners));
+      side.area += 0.5 * (from - side.middle).cross(to - side.middle);
+    }
+    const double square = side.area.norm() * (face.corners == 3 ? 2.0 : 1.0);
+    side.spacing = std::sqrt(square) / gainOf(element.kind);
+    this->Sides.push_back(side);
+  }
+  const bool isUniform = body.isUniform();
+  for (std::int32_t e = 0; e < mesh.elementTotal() && !isUniform; ++e)
+  {
+    const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
+    const double volume = leastVolume(element.kind, elementNodes(mesh, element));
+    const bool isHexahedron = element.kind == ElementKind::Hexahedron;
+    this->Cells.push_back({ elementMiddle(mesh, element), volume,
+      std::cbrt(isHexahedron ? volume : 6.0 * volume) / gainOf(element.kind), body.material(e) });
+  }
+}
+
+ExpectedError ElementError::at(const SingularSource& source) const
+{
+  const BoussinesqField field(source.material);
+  ExpectedError sum{ 0.0, 0.0 };
+  const auto add = [&sum](double amount, double missed)
+  {
+    sum.direct += amount;
+    sum.error += amount * missed;
+  };
+  const auto place = [&source](const Eigen::Vector3d& middle)
+  {
+    Eigen::Vector3d at = source.inFrame(middle);
+    if (SingularSource::isUnder(at))
+    {
+      return at;
+    }
+    // What stands over the source knows the field only from where that ends, as far away.
+    constexpr double level =
+      1.0 - SingularSource::LargestOverhang * SingularSource::LargestOverhang;
+    const double aside = at.head<2>().norm();
+    const Eigen::Vector2d direction =
+      aside > 0.0 ? Eigen::Vector2d(at.head<2>() / aside) : Eigen::Vector2d(1.0, 0.0);
+    Eigen::Vector3d moved;
+    moved << std::sqrt(level) * direction, -SingularSource::LargestOverhang;
+    return Eigen::Vector3d(at.norm() * moved);
+  };
+  for (const Side& side : this->Sides)
+  {
+    const Eigen::Vector3d at = place(side.middle);
+    const double distance = std::max(at.norm(), 0.5 * side.spacing);
+    const Eigen::Matrix3d stress = field.stress(at);
+    const double force = side.isHeld ? stress.norm() * side.area.norm()
+                                     : (stress * (source.frame.transpose() * side.area)).norm();
+    const double missed = missedPart(side.spacing, distance);
+    add(force * field.displacement(at).norm(),
+      side.isHeld ? OfHeld * missed
+                  : missed * smoothPart(source.frame.transpose() * side.area, at, side.spacing));
+  }
+  for (const Cell& cell : this->Cells)
+  {
+    if (isAlike(cell.material, source.material))
+    {
+      continue;
+    }
+    const double here = cell.material.youngsModulus;
+    const double there = source.material.youngsModulus;
+    const Eigen::Vector3d at = place(cell.middle);
+    const double distance = std::max(at.norm(), 0.5 * cell.spacing);
+    const double contrast = std::max(std::abs(here - there) / std::max(here, there),
+      std::abs(cell.material.poissonRatio - source.material.poissonRatio));
+    add(contrast * cell.volume * field.stress(at).cwiseProduct(field.strain(at)).sum(),
+      missedPart(cell.spacing, distance));
+  }
+  sum.error *= this->Part;
+  return sum;
+}
+} // namespace palpate

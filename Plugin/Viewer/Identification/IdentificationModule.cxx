@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerModules.h"
+
+/// The only symbol that the module exports.
+extern "C" __attribute__((visibility("default"))) const palpate::ModuleTable*
+palpateViewerIdentificationModule()
+{
+  static const palpate::IdentificationModule module{ { PALPATE_VERSION }, palpate::attachMeasured };
+  return &module;
+}

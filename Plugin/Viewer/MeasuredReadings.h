@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MeasuredReadings_h
+#define palpate_MeasuredReadings_h
+
+#include "ViewerScene.h"
+
+#include <string>
+
+class vtkResponseChart;
+
+namespace palpate
+{
+/// The suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic
+/// curves"; "" if nothing was measured.
+std::string measuredLabel(const ViewerScene& scene);
+
+/// Adds the readings of the first site, one curve per tool that measured it.
+void addReadings(const ViewerScene& scene, vtkResponseChart* chart);
+} // namespace palpate
+
+#endif

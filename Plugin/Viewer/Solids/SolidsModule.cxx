@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerModules.h"
+
+/// The only symbol that the module exports.
+extern "C" __attribute__((visibility("default"))) const palpate::ModuleTable*
+palpateViewerSolidsModule()
+{
+  static const palpate::SolidsModule module{ { PALPATE_VERSION }, palpate::attachSolidResponses,
+    palpate::attachVoxelCompliance, palpate::makeComparedBodies, palpate::makePhantomScene };
+  return &module;
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ViewerModules_h
+#define palpate_ViewerModules_h
+
+#include "MeasuredBody.h"
+#include "Mechanics/Files/ModuleFile.h"
+#include "ComparisonBodies.h"
+#include "SolidBody.h"
+#include "VoxelCompliance.h"
+#include "ViewerScene.h"
+
+#include <string>
+
+namespace palpate
+{
+/// What libpalpateViewerSolids.so adds: --solid, --voxel, --compare and --scene phantom.
+struct SolidsModule : ModuleTable
+{
+  decltype(&attachSolidResponses) fillWithTetrahedra;
+  decltype(&attachVoxelCompliance) fillWithVoxels;
+  decltype(&makeComparedBodies) compareBodies;
+  decltype(&makePhantomScene) pressPhantom;
+};
+
+/// What libpalpateViewerIdentification.so adds: --measured.
+struct IdentificationModule : ModuleTable
+{
+  decltype(&attachMeasured) identify;
+};
+
+/// A loaded module, or null and a sentence that names the option, the module and how to get it.
+/// Loaded at the first call.
+const SolidsModule* solidsModule(const std::string& option, std::string& fault);
+const IdentificationModule* identificationModule(const std::string& option, std::string& fault);
+} // namespace palpate
+
+#endif

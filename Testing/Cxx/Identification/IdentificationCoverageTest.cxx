@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Do 95 % confidence intervals hold the truth 95 times in 100? Repeated experiments with noise of 1
+// % of the largest force and an unknown contact point, fixed seeds. Also: how often the right model
+// is chosen, and whether the interval of what another tool will feel holds.
+#include "Identification/PredictedForceError.h"
+
+#include "Mechanics/Layers/LayerContact.h"
+
+#include "SyntheticCurves.h"
+#include "TestTools.h"
+
+#include <gtest/gtest.h>
+
+using palpate::BodyIdentification;
+using palpate::BodyModel;
+using palpate::Estimate;
+using palpate::IdentificationOptions;
+using namespace palpate::testing;
+
+namespace
+{
+constexpr double Modulus = 0.05;   // MPa
+constexpr double Offset = 0.2;     // mm
+constexpr double OtherDepth = 1.0; // mm, of the tool that is felt
+
+struct Truth
+{
+  BodyModel model;
+  double second; ///< C_g or h
+};
+
+struct Tally
+{
+  int modulus = 0;
+  int second = 0;
+  int offset = 0;
+  int felt = 0; ///< by another tool
+  int chosen = 0;
+};
+
+bool holds(const Estimate& estimate, double truth)
+{
+  return estimate.lower <= truth && truth <= estimate.upper;
+}
+
+Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repeats, int readings,
+  bool noiseGiven, bool modelGiven)
+{
+  IdentificationOptions options;
+  options.largestUncertainty = 10.0; // every interval is to be judged
+  options.largestStrain = 100.0;     // the truth is linear at every depth
+  if (modelGiven)
+  {
+    options.model = truth.model;
+  }
+  const auto kernel = std::make_shared<const palpate::LayerKernel>(0.5, palpate::LayerBase::Bonded);
+  palpate::BodyParameters body{ truth.model, Modulus, 0.0, 0.0 };
+  (truth.model == BodyModel::Layer ? body.thickness : body.compliance) = truth.second;
+  const auto law = [&](double depth)
+  { return palpate::bodyResponse(body, tip, kernel, depth).force; };
+  Readings sampling;
+  sampling.count = readings;
+  sampling.offset = Offset;
+  sampling.noise = 0.01 * law(sampling.depth);
+  options.noise = noiseGiven ? sampling.noise : 0.0;
+  const BodyIdentification identification(options);
+  const auto other = tool("flat:1.6");
+  const double force = palpate::bodyResponse(body, *other, kernel, OtherDepth).force;
+  std::mt19937 random(2002);
+  Tally tally;
+  for (int i = 0; i < repeats; ++i)
+  {
+    const auto found = identification.identify({ makeCurve(tip, law, sampling, random) });
+    if (!found.refusal.empty() || found.body.model != truth.model)
+    {
+      continue;
+    }
+    ++tally.chosen;
+    tally.modulus += holds(found.reducedModulus, Modulus) ? 1 : 0;
+    tally.offset += holds(found.contactOffset[0], Offset) ? 1 : 0;
+    tally.second += truth.model == BodyModel::HalfSpace ||
+        holds(truth.model == BodyModel::Layer ? found.thickness : found.compliance, truth.second)
+      ? 1
+      : 0;
+    const double felt = palpate::bodyResponse(found.body, *other, kernel, OtherDepth).force;
+    const double error = palpate::predictedForceError(found, *other, kernel, OtherDepth);
+    tally.felt += std::abs(std::log(felt / force)) <= error ? 1 : 0;
+  }
+  return tally;
+}
+
+/// 95 % of `count`, within three standard deviations of the binomial and 2 % for what the
+/// linearised problem leaves out.
+void expectNinetyFive(int held, int count, const char* what)
+{
+  const double share = static_cast<double>(held) / count;
+  const double slack = 3.0 * std::sqrt(0.95 * 0.05 / count) + 0.02;
+  std::printf("  %-10s %d of %d: %.1f %%\n", what, held, count, 100.0 * share);
+  EXPECT_NEAR(share, 0.95, slack) << what;
+}
+
+void check(const char* specification, const Truth& truth, int repeats, int choices)
+{
+  const auto tip = tool(specification);
+  for (const bool noiseGiven : { true, false })
+  {
+    const Tally tally = repeat(*tip, truth, repeats, 80, noiseGiven, true);
+    ASSERT_EQ(tally.chosen, repeats) << "refused";
+    expectNinetyFive(tally.modulus, repeats, "E*");
+    expectNinetyFive(tally.second, repeats, "C_g or h");
+    expectNinetyFive(tally.offset, repeats, "offset");
+    expectNinetyFive(tally.felt, repeats, "felt");
+  }
+  // Left to choose: the two tests at 1 % and three standard deviations reject the truth rarely.
+  const Tally free = repeat(*tip, truth, choices, 80, false, false);
+  std::printf("  chosen     %d of %d\n", free.chosen, choices);
+  EXPECT_GE(free.chosen, 0.9 * choices);
+}
+} // namespace
+
+TEST(IdentificationCoverage, HalfSpace)
+{
+  check("paraboloid:6.35", { BodyModel::HalfSpace, 0.0 }, 400, 40);
+}
+
+TEST(IdentificationCoverage, GlobalCompliance)
+{
+  check("paraboloid:6.35", { BodyModel::GlobalCompliance, 6.0 }, 400, 40);
+}
+
+TEST(IdentificationCoverage, Layer)
+{
+  check("sphere:6.35", { BodyModel::Layer, 5.0 }, 60, 10);
+}
