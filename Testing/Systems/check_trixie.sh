@@ -71,8 +71,8 @@ write_groups()
       write_group "${name//\//_}_$i" "${files[@]:i:12}"
     done
     count=$((count + ${#files[@]}))
-  done < <(find "$source"/Filters/Response "$source"/Interactors/Interaction "$source"/Plugin/Viewer \
-    "$source"/Plugin/ParaView/ServerManager -name '*.cxx' -not -path '*/Mesher/Cgal/*' -printf '%h\n' | sort -u)
+  done < <(find "$source"/Filters/{Response,SolidResponse,MeasuredResponse} "$source"/Interactors/Interaction \
+    "$source"/Plugin/{Viewer,ParaView/ServerManager} -name '*.cxx' -not -path '*/Mesher/Cgal/*' -printf '%h\n' | sort -u)
   while read -r folder; do
     write_group "cgal_$(basename "$folder" .cxx)" "$folder"
     count=$((count + 1))
@@ -95,8 +95,9 @@ compile_group()
   [[ $1 != */cgal_* ]] || flags=(-frounding-math)
   # What folders of a group define for themselves has two names in the build; sources of two folders never meet here.
   g++ -std=c++17 -fsyntax-only -w -DPALPATE_VERSION='"0"' -DPALPATE_PROJECT_VERSION='"0"' "${flags[@]}" \
-    -I"$place/include" -I"$source/Filters" -I"$source/Interactors" -I"$source/Filters/Response" \
-    -I"$source/Interactors/Interaction" -I"$source/Plugin/Viewer" -I"$source/Plugin/Viewer/CommandLine" \
+    -I"$place/include" -I"$source/Filters" -I"$source/Interactors" \
+    -I"$source"/Filters/{Response,SolidResponse,MeasuredResponse} \
+    -I"$source/Interactors/Interaction" -I"$source"/Plugin/Viewer{,/CommandLine,/Solids,/Identification} \
     -I"$source/Plugin/ParaView/ServerManager" \
     -isystem "$vtk" -isystem "$vtk/vtkprotobuf/src" -isystem "$place/root/usr/include/eigen3" \
     -isystem "$place/root/usr/include/freetype2" -isystem "$place/root/usr/include" \

@@ -11,7 +11,7 @@ namespace palpate
 /**
  * The functions of a module: a library that no other links, since most scenes need none of it. A
  * module has its own table of functions, derived from this one, and defines
- *   extern "C" const ModuleTable* <name>Module();
+ *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
 {
@@ -27,7 +27,7 @@ struct LoadedModule
 
 /**
  * Loads lib`name`.so from the folder of Palpate's libraries or, where it is not there, from where
- * the system looks for libraries. Refuses a file without <name>Module, and a module of another
+ * the system looks for libraries. Refuses a file without `name`Module, and a module of another
  * version. A module stays loaded. Any thread may call it; not from the servo tick.
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);

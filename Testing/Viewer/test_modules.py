@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A module that is missing, broken or strange: an option that needs it is refused in words, all else works."""
+import os
+import shutil
+import unittest
+from pathlib import Path
+
+import bodies
+from session import SessionCase
+
+MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its own folder
+CURVES = Path(os.environ.get("PALPATE_DATA", "")) / "Examples" / "cylinder_sphere_curves.csv"
+
+
+class Modules(SessionCase):
+    def setUp(self):
+        super().setUp()
+        self.libraries = self.folder / "lib"
+        self.libraries.mkdir()
+        shutil.copy(MECHANICS, self.libraries / self.soname())
+        self.environment = {"LD_LIBRARY_PATH": f"{self.libraries}:{os.environ.get('LD_LIBRARY_PATH', '')}"}
+        self.ball = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+
+    @staticmethod
+    def soname():
+        """libpalpateMechanics.so.0.1 of libpalpateMechanics.so.0.1.0"""
+        return MECHANICS.name.rsplit(".", 1)[0]
+
+    def test_an_option_without_its_module_is_refused(self):
+        for arguments in (("--solid", "5"), ("--voxel", "5")):
+            self.refuse(self.ball, *arguments, environment=self.environment,
+                        words=(arguments[0], "module Solids", "libpalpateViewerSolids.so", "./run build"))
+        self.refuse("--scene", "phantom", environment=self.environment, words=("--scene phantom", "module Solids"))
+        self.refuse("--compare", environment=self.environment, words=("--compare", "module Solids"))
+        self.refuse("--scene", "cylinder", "--measured", CURVES, environment=self.environment,
+                    words=("--measured", "module Identification", "libpalpateViewerIdentification.so"))
+
+    def test_all_else_works_without_modules(self):
+        self.succeed(self.ball, "--tool", "sphere:3", environment=self.environment)
+
+    def test_a_file_that_is_no_module_is_refused(self):
+        module = self.libraries / "libpalpateViewerSolids.so"
+        module.write_text("not a library")
+        self.refuse(self.ball, "--solid", "5", environment=self.environment, words=("module Solids", module.name))
+        shutil.copy(MECHANICS, module)
+        self.refuse(self.ball, "--solid", "5", environment=self.environment,
+                    words=(module.name, "is no module of Palpate", "palpateViewerSolidsModule"))
+
+
+if __name__ == "__main__":
+    unittest.main()
