@@ -14,7 +14,8 @@
 #   all        ./run test --all
 #
 # Without JOBs: demo again test package install. Each job goes on from where the one before left the system.
-# Logs in build/systems/SYSTEM.log; the times in Testing/Systems/report.md, which is kept.
+# Logs in build/systems/SYSTEM.log. Testing/Systems/report.md has the last times of each system, times.csv the times of all runs:
+# both are committed.
 #
 #   MIRROR=ADDRESS   another mirror than debootstrap's own
 #   KEEP=1           goes on in the system that there is, and keeps the report's rows of other jobs
@@ -25,7 +26,7 @@ set -u
 here=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd) || exit 1
 source=$(cd -- "$here/../.." && pwd) || exit 1
 system=${1:-}
-[ -n "$system" ] || { sed -n '4,24s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+[ -n "$system" ] || { sed -n '4,25s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 [ "$(id -u)" -eq 0 ] || { echo 'bare.sh: needs root' >&2; exit 2; }
 command -v debootstrap >/dev/null || { echo 'bare.sh: needs debootstrap' >&2; exit 2; }
 shift
@@ -102,6 +103,7 @@ write_report()
 # add_row JOB WHAT SECONDS PACKAGES OUTCOME
 add_row()
 {
+  echo "$(date -u +%Y-%m-%d),$commit,$system,$(nproc),$1,$3,$([[ $5 == passed* ]] && echo passed || echo failed)" >>"$here/times.csv"
   rows[$1]="| $1 | \`$2\` | $(($3 / 60)):$(printf %02d $(($3 % 60))) | $4 | $5 | $commit, $(date -u +%Y-%m-%d) |"
   echo "${rows[$1]}"
   write_report

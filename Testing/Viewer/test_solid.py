@@ -29,7 +29,7 @@ def cached():
     return list(pathlib.Path(CACHE.name).glob("palpate/solid-*.vtp"))
 
 
-class Solid(SessionCase):
+class SolidCase(SessionCase):
     def setUp(self):
         super().setUp()
         for file in cached():
@@ -47,6 +47,59 @@ class Solid(SessionCase):
         self.body = reader.GetOutput()
         return {name: vtk_to_numpy(self.body.GetPointData().GetArray(f"Response{name}"))
                 for name in ("Force", "Stiffness", "Range", "Status", "Normal")}
+
+
+class Solid(SolidCase):
+    def test_several_tools_share_the_solid(self):
+        found = self.responses("--tool", "sphere:6.35", "--tool", "flat:1.6", spacing=COARSE)
+        second = vtk_to_numpy(self.body.GetPointData().GetArray("Response2Force"))
+        top = found["Normal"][:, 2].argmax()
+        self.assertNotEqual(second[top, 1], found["Force"][top, 1])
+        self.assertRegex(self.result.stderr, r"\d tools in")
+
+    def test_the_second_time_it_is_there(self):
+        first = self.responses("--tool", "sphere:4", spacing=COARSE)
+        self.assertIn("filled with", self.result.stderr)
+        again = self.responses("--tool", "sphere:4", spacing=COARSE)
+        self.assertRegex(self.result.stderr, r"its solid's responses taken from the cache .*solid-\w+\.vtp")
+        self.assertNotIn("filled with", self.result.stderr)
+        for name, values in first.items():
+            numpy.testing.assert_array_equal(values, again[name])
+        # Held otherwise, and from a file that ends in the middle, it is solved for again.
+        self.responses("--tool", "sphere:4", "--fixed", "z-:4", spacing=COARSE)
+        self.assertIn("filled with", self.result.stderr)
+        self.assertEqual(len(cached()), 2)
+        for file in cached():
+            file.write_bytes(file.read_bytes()[:5000])
+        broken = self.responses("--tool", "sphere:4", spacing=COARSE)
+        self.assertIn("filled with", self.result.stderr)
+        numpy.testing.assert_array_equal(first["Force"], broken["Force"])
+
+    def test_all_warnings_are_told(self):
+        body = bodies.sphere(RADIUS)
+        body.BuildCells()
+        for cell in (700, 701):
+            body.DeleteCell(cell)
+        body.RemoveDeletedCells()
+        path = bodies.write(body, self.folder / "hole.vtp")
+        result = self.refuse(path, "--solid", "5", "--fixed", "z-:1000", words=("every point of the body is fixed",))
+        for warning in ("holes were filled", "held ends at whole cells, since nothing of the body would be left"):
+            self.assertEqual(result.stderr.count(warning), 1, result.stderr)
+
+    def test_what_cannot_be_filled_is_refused(self):
+        half = vtkSphereSource()
+        half.SetRadius(25)
+        half.SetEndTheta(200)
+        half.Update()
+        path = bodies.write(half.GetOutput(), self.folder / "half.vtp")
+        self.refuse(path, "--solid", "2", words=("closed",))
+        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+        self.refuse(path, "--solid", "0.001", words=("SurfaceSpacing", "MiB"))
+        self.refuse(path, "--solid", "5", "--poisson", "0.5", words=("0.499",))
+
+
+class SolidForces(SolidCase):
+    """Against other methods and by its shape; half a minute."""
 
     def test_the_surface_feels_its_solid(self):
         found = self.responses()
@@ -78,36 +131,11 @@ class Solid(SessionCase):
         # Series takes the compliance of a point for that of the contact: some per cent.
         self.assertLess(abs(peak_force(self.result) / peak_force(series) - 1.0), 0.06)
 
-    def test_several_tools_share_the_solid(self):
-        found = self.responses("--tool", "sphere:6.35", "--tool", "flat:1.6", spacing=COARSE)
-        second = vtk_to_numpy(self.body.GetPointData().GetArray("Response2Force"))
-        top = found["Normal"][:, 2].argmax()
-        self.assertNotEqual(second[top, 1], found["Force"][top, 1])
-        self.assertRegex(self.result.stderr, r"\d tools in")
-
     def test_the_size_is_chosen_from_body_and_tool(self):
         result = self.press(bodies.sphere(6.0), "small.vtp", "--solid", "--tool", "sphere:3", "--depth", "0.2")
         if "PALPATE_USE_CGAL" not in result.stderr:
             chosen = float(re.search(r"nodes, (\S+) mm at the surface \(chosen", result.stderr).group(1))
             self.assertLess(chosen, 6.0 / 3.0)
-
-    def test_the_second_time_it_is_there(self):
-        first = self.responses("--tool", "sphere:4", spacing=COARSE)
-        self.assertIn("filled with", self.result.stderr)
-        again = self.responses("--tool", "sphere:4", spacing=COARSE)
-        self.assertRegex(self.result.stderr, r"its solid's responses taken from the cache .*solid-\w+\.vtp")
-        self.assertNotIn("filled with", self.result.stderr)
-        for name, values in first.items():
-            numpy.testing.assert_array_equal(values, again[name])
-        # Held otherwise, and from a file that ends in the middle, it is solved for again.
-        self.responses("--tool", "sphere:4", "--fixed", "z-:4", spacing=COARSE)
-        self.assertIn("filled with", self.result.stderr)
-        self.assertEqual(len(cached()), 2)
-        for file in cached():
-            file.write_bytes(file.read_bytes()[:5000])
-        broken = self.responses("--tool", "sphere:4", spacing=COARSE)
-        self.assertIn("filled with", self.result.stderr)
-        numpy.testing.assert_array_equal(first["Force"], broken["Force"])
 
     def test_a_scan_of_few_points_is_felt(self):
         """Its facets are longer than the contact, and uneven: a warning, not a failure."""
@@ -128,28 +156,6 @@ class Solid(SessionCase):
         reader.Update()
         between = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("ResponseSurfaceError"))
         self.assertGreater((between > 0.05).mean(), 0.1)  # of which the filter warns
-
-    def test_all_warnings_are_told(self):
-        body = bodies.sphere(RADIUS)
-        body.BuildCells()
-        for cell in (700, 701):
-            body.DeleteCell(cell)
-        body.RemoveDeletedCells()
-        path = bodies.write(body, self.folder / "hole.vtp")
-        result = self.refuse(path, "--solid", "5", "--fixed", "z-:1000", words=("every point of the body is fixed",))
-        for warning in ("holes were filled", "held ends at whole cells, since nothing of the body would be left"):
-            self.assertEqual(result.stderr.count(warning), 1, result.stderr)
-
-    def test_what_cannot_be_filled_is_refused(self):
-        half = vtkSphereSource()
-        half.SetRadius(25)
-        half.SetEndTheta(200)
-        half.Update()
-        path = bodies.write(half.GetOutput(), self.folder / "half.vtp")
-        self.refuse(path, "--solid", "2", words=("closed",))
-        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
-        self.refuse(path, "--solid", "0.001", words=("SurfaceSpacing", "MiB"))
-        self.refuse(path, "--solid", "5", "--poisson", "0.5", words=("0.499",))
 
 
 if __name__ == "__main__":
