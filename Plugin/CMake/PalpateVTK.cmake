@@ -42,8 +42,16 @@ find_package(CLI11 REQUIRED)
 
 vtk_module_find_modules(palpate_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters" "${CMAKE_CURRENT_SOURCE_DIR}/Interactors")
+set(palpate_left_out)
+if(NOT PALPATE_WITH_SOLIDS)
+  list(APPEND palpate_left_out Palpate::SolidResponse)
+endif()
+if(NOT PALPATE_WITH_IDENTIFICATION)
+  list(APPEND palpate_left_out Palpate::MeasuredResponse)
+endif()
 vtk_module_scan(
   MODULE_FILES ${palpate_module_files}
+  REJECT_MODULES ${palpate_left_out}
   PROVIDES_MODULES palpate_modules
   WANT_BY_DEFAULT ON
   ENABLE_TESTS OFF)
@@ -66,7 +74,10 @@ foreach(palpate_module IN LISTS palpate_modules)
   endif()
 endforeach()
 
-add_custom_target(palpatePython DEPENDS palpateMesher) # the package, as far as this VTK allows
+add_custom_target(palpatePython) # the package, as far as this VTK allows
+if(TARGET palpateMesher)
+  add_dependencies(palpatePython palpateMesher)
+endif()
 set(PALPATE_WITH_PYTHON OFF)
 if(TARGET VTK::WrappingPythonCore AND TARGET Python3::Module)
   set(PALPATE_WITH_PYTHON ON)
