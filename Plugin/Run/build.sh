@@ -60,6 +60,15 @@ configure()
   echo "${options[*]}" >"$stamp"
 }
 
+# The kernels of the release build, before VTK is there: the same commands as with it, so that nothing is compiled again.
+build_kernels()
+{
+  local options
+  mapfile -t options < <(cmake_options release)
+  cd "$source_dir" && cmake --preset release "${options[@]}" -DPALPATE_WITH_VTK=OFF -DBUILD_TESTING=OFF &&
+    nice cmake --build --preset release --target palpateLaws palpateHaptics
+}
+
 # Reads ninja's lines "[done/all] what" and shows how far it is and what is left.
 show_build()
 {

@@ -209,6 +209,7 @@ install_missing()
     entry=$(choose "$entry")
     if apt-cache show "$entry" >/dev/null 2>&1; then optional+=("$entry"); fi
   done
+  compile_meanwhile
   # At once, since each call costs seconds; one by one where one of them cannot be had.
   install_packages "${needed[@]}" "${optional[@]}" || {
     [ ${#needed[@]} -eq 0 ] || install_packages "${needed[@]}" || tail -n 5 "$apt_log" >&2
@@ -216,6 +217,28 @@ install_missing()
   }
   done_with "installed $((${#needed[@]} + ${#optional[@]})) packages and what they need in" \
     "$(minutes $((SECONDS - start))) (log: $apt_log)"
+  finish_kernels
+}
+
+# On a system without a compiler, the packages of the group core come first. While the rest is
+# downloaded and unpacked, the kernels are compiled, which need no VTK.
+kernels_process=
+compile_meanwhile()
+{
+  local first=()
+  mapfile -t first < <(unmet core)
+  [[ " ${first[*]} " == *' g++ '* ]] || return 0
+  install_packages "${first[@]}" || return 0 # they are tried again with the rest
+  build_kernels >"$build_dir/kernels.log" 2>&1 &
+  kernels_process=$!
+}
+
+finish_kernels()
+{
+  [ -n "$kernels_process" ] || return 0
+  progress "compiling what needs no VTK (log: $build_dir/kernels.log)"
+  wait "$kernels_process" # what failed is built again, and shown then
+  kernels_process=
 }
 
 report_missing()

@@ -4,24 +4,20 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkResponseChart.h"
-#include "vtkTable.h"
 
 #include <set>
 
 namespace palpate
 {
-namespace
-{
-double number(vtkTable* table, vtkIdType row, const std::string& column)
+double numberAt(vtkTable* table, vtkIdType row, const std::string& column)
 {
   return table->GetValueByName(row, column.c_str()).ToDouble();
 }
 
-std::string text(vtkTable* table, vtkIdType row, const char* column)
+std::string textAt(vtkTable* table, vtkIdType row, const std::string& column)
 {
-  return table->GetValueByName(row, column).ToString();
+  return table->GetValueByName(row, column.c_str()).ToString();
 }
-} // namespace
 
 std::string measuredLabel(const ViewerScene& scene)
 {
@@ -43,9 +39,9 @@ void addReadings(const ViewerScene& scene, vtkResponseChart* chart)
   std::set<std::string> tools;
   for (vtkIdType row = 0; row < scene.readings->GetNumberOfRows(); ++row)
   {
-    if (text(scene.readings, row, "Site") == scene.readSite)
+    if (textAt(scene.readings, row, "Site") == scene.readSite)
     {
-      tools.insert(text(scene.readings, row, "Tool"));
+      tools.insert(textAt(scene.readings, row, "Tool"));
     }
   }
   for (const std::string& tool : tools)
@@ -57,12 +53,12 @@ void addReadings(const ViewerScene& scene, vtkResponseChart* chart)
     force->SetName("Force (N)");
     for (vtkIdType row = 0; row < scene.readings->GetNumberOfRows(); ++row)
     {
-      if (text(scene.readings, row, "Site") == scene.readSite &&
-        text(scene.readings, row, "Tool") == tool &&
-        number(scene.readings, row, "Deflection (mm)") >= 0.0)
+      if (textAt(scene.readings, row, "Site") == scene.readSite &&
+        textAt(scene.readings, row, "Tool") == tool &&
+        numberAt(scene.readings, row, "Deflection (mm)") >= 0.0)
       {
-        depth->InsertNextValue(number(scene.readings, row, "Deflection (mm)"));
-        force->InsertNextValue(number(scene.readings, row, "MonotoneForce (N)"));
+        depth->InsertNextValue(numberAt(scene.readings, row, "Deflection (mm)"));
+        force->InsertNextValue(numberAt(scene.readings, row, "MonotoneForce (N)"));
       }
     }
     curve->AddColumn(depth);

@@ -4,12 +4,18 @@
 
 #include "ViewerScene.h"
 
+#include "vtkTable.h"
+
 #include <string>
 
 class vtkResponseChart;
 
 namespace palpate
 {
+/// A value of a table of sites or readings.
+double numberAt(vtkTable* table, vtkIdType row, const std::string& column);
+std::string textAt(vtkTable* table, vtkIdType row, const std::string& column);
+
 /// The suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic
 /// curves"; "" if nothing was measured.
 std::string measuredLabel(const ViewerScene& scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredBody.h"
 
+#include "MeasuredReadings.h"
 #include "Response/BodyConversion.h"
 #include "ResponseSet.h"
 
@@ -16,36 +17,26 @@ namespace palpate
 {
 namespace
 {
-double number(vtkTable* table, vtkIdType row, const std::string& column)
-{
-  return table->GetValueByName(row, column.c_str()).ToDouble();
-}
-
-std::string text(vtkTable* table, vtkIdType row, const char* column)
-{
-  return table->GetValueByName(row, column).ToString();
-}
-
 /// "E* = 0.05 MPa (0.049 to 0.051)"; "" if there is no such number.
 std::string estimate(vtkTable* sites, vtkIdType row, const char* symbol, const std::string& column,
   const std::string& unit)
 {
   const std::string inUnit = " (" + unit + ")";
-  const double value = number(sites, row, column + inUnit);
+  const double value = numberAt(sites, row, column + inUnit);
   if (std::isnan(value))
   {
     return {};
   }
   std::array<char, 160> buffer{};
   std::snprintf(buffer.data(), buffer.size(), ", %s = %.4g %s (%.4g to %.4g)", symbol, value,
-    unit.c_str(), number(sites, row, column + " from" + inUnit),
-    number(sites, row, column + " to" + inUnit));
+    unit.c_str(), numberAt(sites, row, column + " from" + inUnit),
+    numberAt(sites, row, column + " to" + inUnit));
   return buffer.data();
 }
 
 std::string share(vtkTable* sites, vtkIdType row, const char* what, const char* column)
 {
-  const double value = number(sites, row, column);
+  const double value = numberAt(sites, row, column);
   if (std::isnan(value))
   {
     return std::string(", ") + what + " not recorded";
@@ -57,15 +48,15 @@ std::string share(vtkTable* sites, vtkIdType row, const char* what, const char* 
 
 std::string describeSite(vtkTable* sites, vtkIdType row)
 {
-  const std::string name = "Site '" + text(sites, row, "Site") + "': ";
-  if (text(sites, row, "Verdict") != "identified")
+  const std::string name = "Site '" + textAt(sites, row, "Site") + "': ";
+  if (textAt(sites, row, "Verdict") != "identified")
   {
-    return name + "refused: " + text(sites, row, "Verdict") + ".";
+    return name + "refused: " + textAt(sites, row, "Verdict") + ".";
   }
   std::array<char, 120> left{};
   std::snprintf(left.data(), left.size(), "; leaves %.2g N where the noise is %.2g N",
-    number(sites, row, "Misfit (N)"), number(sites, row, "Noise (N)"));
-  return name + text(sites, row, "Model") + estimate(sites, row, "E*", "ReducedModulus", "MPa") +
+    numberAt(sites, row, "Misfit (N)"), numberAt(sites, row, "Noise (N)"));
+  return name + textAt(sites, row, "Model") + estimate(sites, row, "E*", "ReducedModulus", "MPa") +
     estimate(sites, row, "C_g", "Compliance", "mm/N") +
     estimate(sites, row, "h", "Thickness", "mm") +
     estimate(sites, row, "first contact", "ContactOffset", "mm") +
@@ -90,7 +81,7 @@ std::string describeRegistration(vtkMeasuredContactResponse* measured)
 vtkIdType firstIdentified(vtkTable* sites)
 {
   vtkIdType row = 0;
-  while (row + 1 < sites->GetNumberOfRows() && text(sites, row, "Verdict") != "identified")
+  while (row + 1 < sites->GetNumberOfRows() && textAt(sites, row, "Verdict") != "identified")
   {
     ++row;
   }
@@ -137,11 +128,11 @@ std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene)
   scene.modelReason = responseText(scene.body, "Response", ResponseArray::Model);
 
   const vtkIdType first = firstIdentified(sites);
-  scene.readSite = text(sites, first, "Site");
+  scene.readSite = textAt(sites, first, "Site");
   if (!options.site)
   {
-    const Direction site = { number(sites, first, "X (mm)"), number(sites, first, "Y (mm)"),
-      number(sites, first, "Z (mm)") };
+    const Direction site = { numberAt(sites, first, "X (mm)"), numberAt(sites, first, "Y (mm)"),
+      numberAt(sites, first, "Z (mm)") };
     scene.directions.front() = { site[0] - scene.center[0], site[1] - scene.center[1],
       site[2] - scene.center[2] };
     scene.directions.resize(options.slideTo ? 2 : 1);
