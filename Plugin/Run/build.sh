@@ -66,7 +66,7 @@ build_kernels()
   local options
   mapfile -t options < <(cmake_options release)
   cd "$source_dir" && cmake --preset release "${options[@]}" -DPALPATE_WITH_VTK=OFF -DBUILD_TESTING=OFF &&
-    nice cmake --build --preset release --target palpateLaws palpateHaptics
+    exec nice ninja -C "$release_dir" palpateLaws palpateHaptics
 }
 
 # Reads ninja's lines "[done/all] what" and shows how far it is and what is left.

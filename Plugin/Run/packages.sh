@@ -231,6 +231,7 @@ compile_meanwhile()
   install_packages "${first[@]}" || return 0 # they are tried again with the rest
   build_kernels >"$build_dir/kernels.log" 2>&1 &
   kernels_process=$!
+  trap 'kill "$kernels_process" 2>/dev/null' EXIT # no second build in the same folder after an interrupt
 }
 
 finish_kernels()
@@ -239,6 +240,7 @@ finish_kernels()
   progress "compiling what needs no VTK (log: $build_dir/kernels.log)"
   wait "$kernels_process" # what failed is built again, and shown then
   kernels_process=
+  trap - EXIT
 }
 
 report_missing()
