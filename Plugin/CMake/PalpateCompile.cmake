@@ -28,9 +28,10 @@ if(PALPATE_SANITIZE)
   add_link_options(-fsanitize=${PALPATE_SANITIZE})
   add_compile_options(-fno-sanitize=object-size,null) # the address sanitizer tells both; a fifth of the time
 endif()
-if(PALPATE_BUILD_FUZZERS)
-  add_compile_options(-fsanitize=fuzzer-no-link) # so that libFuzzer sees which branches are taken
-endif()
+# libFuzzer sees which branches of a target are taken.
+function(palpate_trace_branches target)
+  target_compile_options(${target} PRIVATE $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-fsanitize=fuzzer-no-link>)
+endfunction()
 
 # Calls inside a library of the kernels go straight to the function, not through the table in which another library
 # could put its own: a servo tick takes a dozen. What is exported stays so. Not under sanitizers, which put theirs.
@@ -118,10 +119,12 @@ endfunction()
 # CLASSES and PRIVATE_CLASSES, and what is named besides. A header is included by its room and folder,
 # "Contact/PackedMesh.h", and installed so. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
 # what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
+# FUZZED: a fuzzer tests it. READS_BYTES: it reads bytes as numbers, so that a sanitizer checks their alignment; elsewhere Eigen
+# checks, and a sanitizer that does so too takes a fifth of the time.
 # FORMER: pairs of a header that was, and the one which holds its content now; programs of before go on to include it.
 # FORMER_FOLDERS: pairs of a folder in which headers were, and the one in which they are now. Both from the room.
 function(palpate_add_kernel name)
-  cmake_parse_arguments(arg "" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;FORMER_FOLDERS;LINK" ${ARGN})
+  cmake_parse_arguments(arg "FUZZED;READS_BYTES" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;FORMER_FOLDERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
   set(private_headers ${arg_PRIVATE_HEADERS})
   set(sources ${arg_SOURCES})
@@ -156,8 +159,13 @@ function(palpate_add_kernel name)
   target_compile_options(palpate${name} PRIVATE
     -Wpedantic $<$<NOT:${falsely}>:-Wnull-dereference> # VTK's headers fail both
     -fno-math-errno # a square root is one instruction
-    ${PALPATE_DIRECT_CALLS}
-    $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-O2>) # a million inputs each
+    ${PALPATE_DIRECT_CALLS})
+  if(arg_FUZZED)
+    palpate_trace_branches(palpate${name})
+  endif()
+  if(PALPATE_SANITIZE AND NOT arg_READS_BYTES)
+    target_compile_options(palpate${name} PRIVATE -fno-sanitize=alignment)
+  endif()
   if(PALPATE_DIRECT_CALLS)
     target_link_options(palpate${name} PRIVATE -Wl,-Bsymbolic-functions -Wl,-z,defs) # defs: nothing undefined
   endif()

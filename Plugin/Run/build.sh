@@ -35,6 +35,8 @@ cmake_options()
   # In continuous integration the cache is empty, and to fill it takes a tenth of the time: there it is for the
   # kernels alone, which release and plain-vtk share.
   echo "-DPALPATE_CACHE_TESTS=$(is_ci && echo OFF || echo ON)"
+  # The thread sanitizer takes three minutes to compile the solids, for the tests of five files: these are among the long ones.
+  [ "$1" != tsan ] || echo "-DPALPATE_WITH_SOLIDS=$(on_if is_long)"
   if have ccache && ! { is_ci && [[ $1 == [at]san ]]; }; then
     printf -- '-DCMAKE_%s_COMPILER_LAUNCHER=ccache\n' C CXX
   fi

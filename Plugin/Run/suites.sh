@@ -75,9 +75,7 @@ run_suite()
   local preset=$1 launcher=() choice=() start=$SECONDS
   shift
   [ "$preset" != tsan ] || read -ra launcher < <(tsan_launcher)
-  # The presets of sanitizers leave out Heavy, and register no Long. With two expressions ctest would leave out only tests
-  # that have both labels.
-  is_long || [[ $preset == [at]san ]] || choice=(-LE 'Long')
+  is_long || choice=(-LE 'Long') # under sanitizers, neither Heavy nor Long is registered
   is_long || [ "$preset" != plain-vtk ] || choice+=(-R '^(Python|Viewer)')
   printf '\n=== %s\n' "$preset"
   if [ "$preset" = plain-vtk ] && ! prepare_plain_vtk; then

@@ -2,19 +2,16 @@
 // What is wrong with a mesh is counted and left out; borders and volume.
 #include "BruteForce.h"
 #include "Contact/TriangleTree.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 using namespace palpate::testing;
 using palpate::BodyMesh;
+using palpate::NotANumber;
 using palpate::PackedMesh;
 using palpate::TriangleTree;
 using palpate::Vector3;
-
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-} // namespace
 
 TEST(BodyMeshDefects, SoundBodiesHaveNone)
 {
@@ -67,7 +64,7 @@ TEST(BodyMeshDefects, CountedAndLeftOut)
 {
   Surface body = block(10, 10, 10);
   const auto sound = static_cast<std::int32_t>(body.triangles.size());
-  body.points.emplace_back(NaN, 0.0, 0.0);
+  body.points.emplace_back(NotANumber, 0.0, 0.0);
   body.points.emplace_back(0.0, std::numeric_limits<double>::infinity(), 0.0);
   body.points.emplace_back(-5.0, -5.0, -5.0);
   body.points.emplace_back(-6.0, -6.0, -6.0);

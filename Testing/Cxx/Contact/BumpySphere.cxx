@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BumpySphere.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -14,7 +15,6 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = 100.0;
 constexpr double Waves = 15.0;
 

@@ -4,26 +4,26 @@
 #include "Contact/CappedResponse.h"
 
 #include "SampleResponses.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace palpate::testing;
 using palpate::BlendedResponse;
 using palpate::CappedResponse;
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::ResponseField;
 using palpate::ResponseValue;
 using palpate::Vector3;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 const palpate::TriangleCorners Corners{ 0, 1, 2 };
 
 /// Three points of one law each, F = scale δ^power.
@@ -223,7 +223,7 @@ TEST(CappedResponse, LimitsThatAreNone)
     EXPECT_EQ(uncapped.stiffness, whole.stiffness);
     EXPECT_EQ(uncapped.beyondRange, whole.beyondRange);
     EXPECT_EQ(CappedResponse(response, Infinity).share(depth), 1.0);
-    for (const double none : { 0.0, -1.0, NaN, -Infinity })
+    for (const double none : { 0.0, -1.0, NotANumber, -Infinity })
     {
       EXPECT_LE(CappedResponse(response, none).evaluate(depth).force, 1e-12) << none;
     }
@@ -233,7 +233,7 @@ TEST(CappedResponse, LimitsThatAreNone)
   const BlendedResponse sphere(spheres, Corners, Vector3(0.2, 0.3, 0.5));
   EXPECT_EQ(CappedResponse(sphere, 1e3).evaluate(1.9).force, sphere.evaluate(1.9).force);
   const CappedResponse capped(response, 2.0);
-  for (const double depth : { 0.0, -1.0, NaN })
+  for (const double depth : { 0.0, -1.0, NotANumber })
   {
     EXPECT_EQ(capped.evaluate(depth).force, 0.0);
     EXPECT_EQ(capped.evaluate(depth).stiffness, 0.0);

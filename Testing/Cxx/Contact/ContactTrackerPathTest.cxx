@@ -4,6 +4,7 @@
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Contact/ContactTracker.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 using namespace palpate::testing;
 using palpate::ContactTracker;
 using palpate::PackedMesh;
+using palpate::Pi;
 using palpate::TriangleTree;
 using palpate::Vector3;
 using Outcome = ContactTracker::Outcome;
@@ -52,7 +54,6 @@ int followPath(const Surface& given, int ticks, const std::function<Vector3(doub
   return inContact;
 }
 
-constexpr double Pi = 3.14159265358979323846;
 } // namespace
 
 TEST(ContactTrackerPath, OverASphere)

@@ -2,6 +2,7 @@
 #include "Contact/ContactTracker.h"
 
 #include "SampleBodies.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 
 using namespace palpate::testing;
 using palpate::ContactTracker;
+using palpate::NotANumber;
 using palpate::PackedMesh;
 using palpate::TriangleTree;
 using palpate::Vector3;
@@ -29,7 +31,6 @@ struct Tracked
   ContactTracker tracker;
 };
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 } // namespace
 
 TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
@@ -92,7 +93,7 @@ TEST(ContactTracker, OpenBorderLosesTheContact)
 TEST(ContactTracker, NaNForgetsTheContact)
 {
   Tracked slab(subdivided(block(40, 40, 4), 3));
-  for (const Vector3& bad : { Vector3(NaN, 0, 0), Vector3(0, 0, NaN),
+  for (const Vector3& bad : { Vector3(NotANumber, 0, 0), Vector3(0, 0, NotANumber),
          Vector3(0, std::numeric_limits<double>::infinity(), 0) })
   {
     slab.tracker.reset();

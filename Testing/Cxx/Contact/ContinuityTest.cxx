@@ -5,6 +5,7 @@
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@ using palpate::ContactSettings;
 using palpate::ContactState;
 using palpate::ContactSurface;
 using palpate::ForceForm;
+using palpate::Pi;
 using palpate::ToolContact;
 using palpate::Vector3;
 
@@ -25,9 +27,8 @@ namespace
 {
 constexpr double Radius = 20.0;
 constexpr double Depth = 1.0;
-constexpr double Pi = 3.14159265358979323846;
 
-ContactSettings settingsOf(ForceForm form, ContactSurface surface)
+ContactSettings formOf(ForceForm form, ContactSurface surface)
 {
   ContactSettings settings;
   settings.form = form;
@@ -124,22 +125,21 @@ TEST(Continuity, JumpsUnderTheCornersOfPolygons)
     // Coordinates are float32, 2e-6 mm: an edge of length h turns by 4e-6 mm / h.
     const double turned = 4e-6 / h;
     const PolygonJump ofPaper =
-      polygonJump(sides, depth, settingsOf(ForceForm::Paper, ContactSurface::Facets));
+      polygonJump(sides, depth, formOf(ForceForm::Paper, ContactSurface::Facets));
     EXPECT_NEAR(ofPaper.contactPoint, point, 2.0 * depth * turned);
     EXPECT_NEAR(ofPaper.force, paper, 2.0 * turned * depth / h * (h / Radius) + 1e-7);
     // Blending direction and magnitude apart changes the second order alone.
     const PolygonJump normalized =
-      polygonJump(sides, depth, settingsOf(ForceForm::NormalizedDirection, ContactSurface::Facets));
+      polygonJump(sides, depth, formOf(ForceForm::NormalizedDirection, ContactSurface::Facets));
     EXPECT_NEAR(normalized.force, paper, paper * h * h / (Radius * Radius) + 1e-6);
     // Along the facets' own normal.
     const PolygonJump energy =
-      polygonJump(sides, depth, settingsOf(ForceForm::EnergyConsistent, ContactSurface::Facets));
+      polygonJump(sides, depth, formOf(ForceForm::EnergyConsistent, ContactSurface::Facets));
     EXPECT_NEAR(energy.force, facets, 2.0 * turned);
     // On the smooth surface all turn by the way (the table's `phong`, 2e-7), over 1 - δ/R.
     for (const ForceForm form : allForms)
     {
-      const PolygonJump smooth =
-        polygonJump(sides, depth, settingsOf(form, ContactSurface::Smooth));
+      const PolygonJump smooth = polygonJump(sides, depth, formOf(form, ContactSurface::Smooth));
       EXPECT_LE(smooth.force, 3.0 * table.number(row, "phong"));
       EXPECT_LE(smooth.contactPoint, 3.0 * Radius * table.number(row, "phong"));
     }
@@ -152,7 +152,7 @@ TEST(Continuity, FacetsJumpInProportionToTheirSize)
   {
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      const ContactSettings settings = settingsOf(form, ContactSurface::Facets);
+      const ContactSettings settings = formOf(form, ContactSurface::Facets);
       const double coarse = forceJump(sphere(0, isVaried), settings, Depth, 100.0);
       const double fine = forceJump(sphere(1, isVaried), settings, Depth, 100.0);
       // ΔF/f ≈ δh/R², for the edge that is crossed; responses that differ add up to as much.
@@ -162,7 +162,7 @@ TEST(Continuity, FacetsJumpInProportionToTheirSize)
       EXPECT_NEAR(coarse / fine, 2.0, 0.35);
     }
     // The facets' own normal turns by the whole angle between them: an altitude over R.
-    const ContactSettings energy = settingsOf(ForceForm::EnergyConsistent, ContactSurface::Facets);
+    const ContactSettings energy = formOf(ForceForm::EnergyConsistent, ContactSurface::Facets);
     const double coarse = forceJump(sphere(0, isVaried), energy, Depth, 100.0);
     EXPECT_GT(coarse, 0.5 * sphere(0, isVaried).longestEdge / Radius);
     EXPECT_LT(coarse, 1.0 * sphere(0, isVaried).longestEdge / Radius);
@@ -178,11 +178,10 @@ TEST(Continuity, SmoothSurfaceDoesNotJump)
     {
       // Between tips 1e-9 mm apart, contact points to 1e-9 of an edge: times 1/R and 1/h.
       EXPECT_LE(
-        forceJump(sphere(0, isVaried), settingsOf(form, ContactSurface::Smooth), Depth, 100.0),
-        1e-8);
+        forceJump(sphere(0, isVaried), formOf(form, ContactSurface::Smooth), Depth, 100.0), 1e-8);
     }
   }
-  const ContactSettings energy = settingsOf(ForceForm::EnergyConsistent, ContactSurface::Smooth);
+  const ContactSettings energy = formOf(ForceForm::EnergyConsistent, ContactSurface::Smooth);
   EXPECT_LE(forceJump(sphere(0, false), energy, Depth, 100.0), 1e-8);
   // Where responses differ, Σ e_i ∇n_i jumps as the slopes of a piecewise linear e do: by h e″,
   // here e = 0.4 f δ times a factor whose second derivative is at most about 2/R².
@@ -199,7 +198,7 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
   for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
   {
     // O(h²/(Rδ)), relative to force times way; the mean of the jumps it crosses has many signs.
-    const ContactSettings settings = settingsOf(form, ContactSurface::Facets);
+    const ContactSettings settings = formOf(form, ContactSurface::Facets);
     const double coarse = loopEnergy(sphere(0, false), settings, Depth, 8);
     const double fine = loopEnergy(sphere(1, false), settings, Depth, 8);
     const double h = sphere(0, false).longestEdge;
@@ -208,15 +207,14 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
     EXPECT_GT(coarse / fine, 3.0); // order 2 or better
   }
   EXPECT_LT(loopEnergy(sphere(0, false),
-              settingsOf(ForceForm::EnergyConsistent, ContactSurface::Facets), Depth, 8),
+              formOf(ForceForm::EnergyConsistent, ContactSurface::Facets), Depth, 8),
     floor);
   for (const ForceForm form : { ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
   {
-    EXPECT_LT(
-      loopEnergy(sphere(0, false), settingsOf(form, ContactSurface::Smooth), Depth, 8), floor);
+    EXPECT_LT(loopEnergy(sphere(0, false), formOf(form, ContactSurface::Smooth), Depth, 8), floor);
   }
   // Eq. 3 still loses by the length of its blended normal.
-  const ContactSettings paper = settingsOf(ForceForm::Paper, ContactSurface::Smooth);
+  const ContactSettings paper = formOf(ForceForm::Paper, ContactSurface::Smooth);
   const double coarse = loopEnergy(sphere(0, false), paper, Depth, 8);
   EXPECT_GT(coarse, 10.0 * floor);
   EXPECT_GT(coarse / loopEnergy(sphere(1, false), paper, Depth, 8), 3.0);
@@ -229,15 +227,15 @@ TEST(Continuity, ClosedPathsWithResponsesThatDiffer)
   {
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      EXPECT_GT(loopEnergy(sphere(1, true), settingsOf(form, surface), Depth, 8), 3e-3);
+      EXPECT_GT(loopEnergy(sphere(1, true), formOf(form, surface), Depth, 8), 3e-3);
     }
   }
   // With an energy there is none to gain but where that jumps itself: from facet to facet.
   const double facets = loopEnergy(
-    sphere(1, true), settingsOf(ForceForm::EnergyConsistent, ContactSurface::Facets), Depth, 8);
+    sphere(1, true), formOf(ForceForm::EnergyConsistent, ContactSurface::Facets), Depth, 8);
   EXPECT_LT(facets, 1e-3);
-  EXPECT_LT(loopEnergy(sphere(1, true),
-              settingsOf(ForceForm::EnergyConsistent, ContactSurface::Smooth), Depth, 8),
+  EXPECT_LT(loopEnergy(sphere(1, true), formOf(ForceForm::EnergyConsistent, ContactSurface::Smooth),
+              Depth, 8),
     1e-6); // the quadrature's
 }
 
@@ -251,8 +249,7 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
     {
       // A facet lies up to h²/(6R) deep (h²/(8R) at its edges): so much less depth, of force
       // δ^1.5. Its triangles are longer than wide: not all of that.
-      const ForceError facets =
-        forceError(body, settingsOf(form, ContactSurface::Facets), Depth, 2000);
+      const ForceError facets = forceError(body, formOf(form, ContactSurface::Facets), Depth, 2000);
       const double sag = h * h / (6.0 * Radius);
       EXPECT_LT(facets.size, 1.5 * sag / Depth + h * h / (6.0 * Radius * Radius));
       EXPECT_GT(facets.size, 0.5 * sag / Depth);
@@ -260,14 +257,13 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
     for (const ForceForm form : { ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
     {
       // h⁴/R³ times 0.005 (SmoothTriangle), with float32 coordinates and normals.
-      const ForceError smooth =
-        forceError(body, settingsOf(form, ContactSurface::Smooth), Depth, 2000);
+      const ForceError smooth = forceError(body, formOf(form, ContactSurface::Smooth), Depth, 2000);
       EXPECT_LT(smooth.size, 1.5 * 0.005 * std::pow(h, 4) / std::pow(Radius, 3) + 4e-6);
       EXPECT_LT(smooth.direction, 0.01 * std::pow(h / Radius, 3) + 1e-5);
     }
     // Eq. 3 loses h²/(6R²) by its normals on any surface.
     const ForceError paper =
-      forceError(body, settingsOf(ForceForm::Paper, ContactSurface::Smooth), Depth, 2000);
+      forceError(body, formOf(ForceForm::Paper, ContactSurface::Smooth), Depth, 2000);
     EXPECT_LT(paper.size, 1.1 * h * h / (6.0 * Radius * Radius));
     EXPECT_GT(paper.size, 0.5 * h * h / (6.0 * Radius * Radius));
   }

@@ -5,6 +5,7 @@
 
 #include "CoupledPlate.h"
 #include "SampleSeries.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,18 +16,17 @@
 #include <vector>
 
 using namespace palpate;
+using palpate::NotANumber;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 /// In and out of the plate, over its border and beyond its range, sometimes nowhere.
 Vector3 pathOf(int tick, double phase)
 {
   const double t = 1e-2 * tick + phase;
   return { 30.0 + 33.0 * std::sin(1.3 * t), 30.0 + 31.0 * std::cos(0.7 * t),
-    tick % 97 == 3 ? NaN : 0.5 - 2.0 * std::abs(std::sin(3.0 * t)) };
+    tick % 97 == 3 ? NotANumber : 0.5 - 2.0 * std::abs(std::sin(3.0 * t)) };
 }
 
 void expectSame(const Contact& one, const Contact& other, int tick)
@@ -118,7 +118,7 @@ TEST(CoupledContacts, WhoIsNotThereIsNotFelt)
 {
   const auto body = CoupledPlate().body();
   const double alone = ToolContact(*body).update(Vector3(29.1, 29.7, -0.5)).normalForce;
-  for (const Vector3& second : { Vector3(33.0, 29.0, 1.0), Vector3(33.0, NaN, -0.5) })
+  for (const Vector3& second : { Vector3(33.0, 29.0, 1.0), Vector3(33.0, NotANumber, -0.5) })
   {
     CoupledContacts two(*body, {}, 2);
     const auto near = posesOf({ { 29.1, 29.7, 0.5 }, { 33.0, 29.0, 0.5 } });
@@ -293,14 +293,14 @@ TEST(BodyCoupling, NamesWhatIsWrong)
   EXPECT_EQ(faultOfCoupling(terms, 3), "");
   terms.modulus = -1.0;
   says(terms, "modulus must be finite and not negative (MPa), but is -1");
-  terms.modulus = NaN;
+  terms.modulus = NotANumber;
   says(terms, "but is nan");
   terms.modulus = 1.0;
   terms.thickness = 2.0;
   says(terms, "79 knots of a layer, and 0 without them, but is 2");
   terms.knots = knots.data();
   EXPECT_EQ(faultOfCoupling(terms, 3), "");
-  knots[5].slope = NaN;
+  knots[5].slope = NotANumber;
   says(terms, "knot 5 must be finite");
   knots[5].slope = 0.0;
   knots[7].ratio = -0.5;

@@ -3,6 +3,7 @@
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +14,11 @@
 #include <vector>
 
 using namespace palpate;
+using palpate::Pi;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double Circle = 3.14159265358979323846;
-
 ContactSettings energyConsistent()
 {
   ContactSettings settings;
@@ -38,7 +38,7 @@ double workOfATurn(CoupledContacts& contacts, const Motion& motion, int steps, i
   double work = 0.0;
   for (int step = 0; step <= turns * steps; ++step)
   {
-    const double angle = 2.0 * Circle * (step % steps) / steps;
+    const double angle = 2.0 * Pi * (step % steps) / steps;
     std::vector<ToolPose> poses;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -72,7 +72,7 @@ TEST(CoupledEnergy, OfTwoFingersOutOfStepIsKept)
   const auto body = CoupledPlate().body();
   const Motion motion = [](std::size_t tool, double angle)
   {
-    const double depth = 0.5 + 0.25 * std::sin(angle + 0.5 * Circle * static_cast<double>(tool));
+    const double depth = 0.5 + 0.25 * std::sin(angle + 0.5 * Pi * static_cast<double>(tool));
     return Vector3(25.0 + 5.0 * static_cast<double>(tool), 29.3, -depth);
   };
   const double scale = 10.0 * std::pow(0.5, 1.5) * 0.5;

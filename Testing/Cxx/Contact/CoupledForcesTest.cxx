@@ -5,6 +5,7 @@
 
 #include "CoupledPlate.h"
 #include "ReferenceTable.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -16,12 +17,11 @@
 #include <vector>
 
 using namespace palpate;
+using palpate::Pi;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double Circle = 3.14159265358979323846;
-
 /// Tips on a grid of this spacing, moved about a little, with depths in a range.
 std::vector<PressedTip> scattered(std::size_t count, double spacing, double least, double most)
 {
@@ -50,7 +50,7 @@ Eigen::MatrixXd matrixOf(const std::vector<PressedTip>& tips, double modulus, do
       const PressedTip& b = tips[static_cast<std::size_t>(j)];
       if (i != j)
       {
-        matrix(i, j) = 1.0 / (Circle * modulus * std::hypot(a.x - b.x, a.y - b.y));
+        matrix(i, j) = 1.0 / (Pi * modulus * std::hypot(a.x - b.x, a.y - b.y));
       }
     }
   }
@@ -118,13 +118,13 @@ TEST(CoupledForces, TwoFlatEndsAgreeWithBoundaryElements)
     const auto& felt = contacts.settle(poses.data());
     const double alone = 2.0 * CoupledPlate::Flat * 0.5;
     // In closed form; floats.
-    EXPECT_NEAR(felt[0].normalForce / alone, 1.0 / (1.0 + 2.0 / (Circle * over)), 1e-6) << over;
+    EXPECT_NEAR(felt[0].normalForce / alone, 1.0 / (1.0 + 2.0 / (Pi * over)), 1e-6) << over;
     EXPECT_NEAR(felt[1].normalForce, felt[0].normalForce, 1e-6 * alone);
     // 0.8 % of the point law at twice the radius, less farther, and the same again the other way,
     // as the flat ends of the grid are 1.4 % small.
     EXPECT_NEAR(felt[0].normalForce / alone, table.number(row, "BEM"), 0.01) << over;
     // Opposite motion: exact for two.
-    EXPECT_NEAR(contacts.stiffening(), 1.0 / (1.0 - 2.0 / (Circle * over)), 1e-5) << over;
+    EXPECT_NEAR(contacts.stiffening(), 1.0 / (1.0 - 2.0 / (Pi * over)), 1e-5) << over;
     ++compared;
   }
   EXPECT_GE(compared, 9);
@@ -283,7 +283,7 @@ TEST(CoupledForces, OfAHexagonAreBounded)
   std::vector<PressedTip> tips = { { 29.0, 29.3, 0.5 } };
   for (int k = 0; k < 6; ++k)
   {
-    const double angle = Circle / 3.0 * k;
+    const double angle = Pi / 3.0 * k;
     const double apart = 2.0 * CoupledPlate::Flat;
     tips.push_back({ 29.0 + apart * std::cos(angle), 29.3 + apart * std::sin(angle), 1.0 });
   }

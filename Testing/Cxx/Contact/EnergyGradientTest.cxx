@@ -17,14 +17,14 @@ using palpate::Vector3;
 
 namespace
 {
-const Vector3 a(0.1, -0.2, 0.3);
-const Vector3 b(4.2, 0.5, 0.9);
-const Vector3 c(1.3, 3.1, -0.4);
-constexpr double e = 1e-6;
+const Vector3 FirstCorner(0.1, -0.2, 0.3);
+const Vector3 SecondCorner(4.2, 0.5, 0.9);
+const Vector3 ThirdCorner(1.3, 3.1, -0.4);
+constexpr double Offset = 1e-6;
 
 Vector3 weightsAt(const Vector3& tip)
 {
-  return projectOnTriangle(tip, a, b, c).weights;
+  return projectOnTriangle(tip, FirstCorner, SecondCorner, ThirdCorner).weights;
 }
 
 Vector3 anyTip(std::mt19937& random)
@@ -45,7 +45,7 @@ struct Law
 
 double energyAt(const Vector3& tip, const Law& law)
 {
-  const TriangleProjection at = projectOnTriangle(tip, a, b, c);
+  const TriangleProjection at = projectOnTriangle(tip, FirstCorner, SecondCorner, ThirdCorner);
   return at.weights.dot(law.energy(std::sqrt(at.squaredDistance)));
 }
 } // namespace
@@ -57,20 +57,23 @@ TEST(EnergyGradient, WeightGradientsOfEveryFeature)
   for (int i = 0; i < 4000; ++i)
   {
     const Vector3 tip = anyTip(random);
-    const TriangleFeature feature = projectOnTriangle(tip, a, b, c).feature;
-    const Eigen::Matrix3d found = EnergyGradient::facetWeightGradients(feature, a, b, c);
+    const TriangleFeature feature =
+      projectOnTriangle(tip, FirstCorner, SecondCorner, ThirdCorner).feature;
+    const Eigen::Matrix3d found =
+      EnergyGradient::facetWeightGradients(feature, FirstCorner, SecondCorner, ThirdCorner);
     bool sameFeature = true;
     Eigen::Matrix3d expected;
     for (Eigen::Index k = 0; k < 3; ++k)
     {
-      const Vector3 step = e * Vector3::Unit(k);
-      expected.row(k) = (weightsAt(tip + step) - weightsAt(tip - step)) / (2.0 * e);
-      sameFeature = sameFeature && projectOnTriangle(tip + step, a, b, c).feature == feature &&
-        projectOnTriangle(tip - step, a, b, c).feature == feature;
+      const Vector3 step = Offset * Vector3::Unit(k);
+      expected.row(k) = (weightsAt(tip + step) - weightsAt(tip - step)) / (2.0 * Offset);
+      sameFeature = sameFeature &&
+        projectOnTriangle(tip + step, FirstCorner, SecondCorner, ThirdCorner).feature == feature &&
+        projectOnTriangle(tip - step, FirstCorner, SecondCorner, ThirdCorner).feature == feature;
     }
     if (sameFeature)
     {
-      // Linear within a feature: rounding over e.
+      // Linear within a feature: rounding over the offset.
       EXPECT_LE((found - expected).norm(), 1e-9);
       ++seen[static_cast<std::size_t>(feature)];
     }
@@ -88,23 +91,26 @@ TEST(EnergyGradient, ForceIsMinusTheGradientOfTheEnergy)
   for (int i = 0; i < 4000; ++i)
   {
     const Vector3 tip = anyTip(random);
-    const TriangleProjection at = projectOnTriangle(tip, a, b, c);
+    const TriangleProjection at = projectOnTriangle(tip, FirstCorner, SecondCorner, ThirdCorner);
     const double depth = std::sqrt(at.squaredDistance);
     const Vector3 normal = (at.point - tip) / depth;
     const Vector3 force = EnergyGradient::force(at.weights.dot(law.force(depth)), normal,
-      EnergyGradient::facetWeightGradients(at.feature, a, b, c), law.energy(depth));
+      EnergyGradient::facetWeightGradients(at.feature, FirstCorner, SecondCorner, ThirdCorner),
+      law.energy(depth));
     Vector3 expected;
     bool sameFeature = true;
     for (Eigen::Index k = 0; k < 3; ++k)
     {
-      const Vector3 step = e * Vector3::Unit(k);
-      expected[k] = -(energyAt(tip + step, law) - energyAt(tip - step, law)) / (2.0 * e);
-      sameFeature = sameFeature && projectOnTriangle(tip + step, a, b, c).feature == at.feature &&
-        projectOnTriangle(tip - step, a, b, c).feature == at.feature;
+      const Vector3 step = Offset * Vector3::Unit(k);
+      expected[k] = -(energyAt(tip + step, law) - energyAt(tip - step, law)) / (2.0 * Offset);
+      sameFeature = sameFeature &&
+        projectOnTriangle(tip + step, FirstCorner, SecondCorner, ThirdCorner).feature ==
+          at.feature &&
+        projectOnTriangle(tip - step, FirstCorner, SecondCorner, ThirdCorner).feature == at.feature;
     }
     if (sameFeature)
     {
-      // Rounding of an energy over e, of a force: 1e-16 δ/e.
+      // Rounding of an energy over the offset, of a force: 1e-16 δ over the offset.
       EXPECT_LE((force - expected).norm(), 1e-8 * (1.0 + force.norm()));
     }
   }
@@ -113,8 +119,8 @@ TEST(EnergyGradient, ForceIsMinusTheGradientOfTheEnergy)
 TEST(EnergyGradient, EqualResponsesGiveTheNormalForceAlone)
 {
   const Vector3 normal = Vector3(1, 2, 3).normalized();
-  const Eigen::Matrix3d gradients =
-    EnergyGradient::facetWeightGradients(TriangleFeature::Face, a, b, c);
+  const Eigen::Matrix3d gradients = EnergyGradient::facetWeightGradients(
+    TriangleFeature::Face, FirstCorner, SecondCorner, ThirdCorner);
   const Vector3 force =
     EnergyGradient::force(7.0, normal, gradients, Vector3::Constant(1e6 + 1.0 / 3.0));
   EXPECT_EQ(force, Vector3(7.0 * normal)); // to the last bit, however large the energies

@@ -2,6 +2,7 @@
 #ifndef palpate_testing_FrictionCurves_h
 #define palpate_testing_FrictionCurves_h
 
+#include "Contact/Friction.h"
 #include "Contact/ResponseSampling.h"
 
 #include <cmath>
@@ -10,6 +11,19 @@
 
 namespace palpate::testing
 {
+inline constexpr FrictionModel FrictionModels[] = { FrictionModel::ElastoPlastic,
+  FrictionModel::Dahl, FrictionModel::ShapeDerived };
+
+/// Friction of a coefficient μ and a stiffness in N/mm, all else by default.
+inline FrictionSettings frictionOf(FrictionModel model, double coefficient, double stiffness)
+{
+  FrictionSettings settings;
+  settings.model = model;
+  settings.coefficient = coefficient;
+  settings.tangentialStiffness = stiffness;
+  return settings;
+}
+
 /// k δ^q, the response of flat, paraboloid and cone on a half-space, evaluated itself.
 struct PowerCurve
 {

@@ -5,6 +5,7 @@
 #include "FrictionCurves.h"
 
 #include "Agreement.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +14,13 @@
 using palpate::Friction;
 using palpate::FrictionModel;
 using palpate::FrictionSettings;
+using palpate::Pi;
 using palpate::Vector3;
 using palpate::testing::agrees;
 using palpate::testing::PowerCurve;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Mass = 0.1;    // kg
 constexpr double Period = 1e-3; // s
 constexpr double NormalForce = 1.0;
@@ -57,15 +58,6 @@ double tangentialForce(Friction& friction, double x)
 }
 
 /// z_max = 1 mm under 1 N.
-FrictionSettings settingsOf(FrictionModel model)
-{
-  FrictionSettings settings;
-  settings.model = model;
-  settings.coefficient = 1.0;
-  settings.tangentialStiffness = 1.0;
-  return settings;
-}
-
 /// How far (mm) 0.1 kg goes in 8 s under 0.5 + 0.2 sin(2π 2 t) N, friction's limit being 1 N: from
 /// mean position to mean position of a cycle. The load is put on slowly, and the swing too, so that
 /// nothing rings.
@@ -101,7 +93,7 @@ double drift(const FrictionSettings& settings, double damping)
 /// ln of how the amplitude of a stuck mass grows in 200 s.
 double growth(double stiffness, double damping)
 {
-  FrictionSettings settings = settingsOf(FrictionModel::ElastoPlastic);
+  FrictionSettings settings = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
   settings.coefficient = 1e9; // never slides
   settings.tangentialStiffness = 1e-3 * stiffness;
   Friction friction(settings);
@@ -131,7 +123,7 @@ double growth(double stiffness, double damping)
 TEST(FrictionDrift, DahlPerCycle)
 {
   // Between z = 0.3 and 0.7 z_max: forwards ln((1-z₁)/(1-z₂)), backwards ln((1+z₂)/(1+z₁)).
-  Friction friction(settingsOf(FrictionModel::Dahl));
+  Friction friction(frictionOf(FrictionModel::Dahl, 1.0, 1.0));
   double x = 0.0;
   tangentialForce(friction, x);
   x -= std::log(1.0 - 0.3);
@@ -152,12 +144,12 @@ TEST(FrictionDrift, UnderASwingingLoad)
 {
   for (const double damping : { 1.0, 5.0 })
   {
-    const double dahl = drift(settingsOf(FrictionModel::Dahl), damping);
+    const double dahl = drift(frictionOf(FrictionModel::Dahl, 1.0, 1.0), damping);
     // 16 cycles of the closed form. Inertia and damping (0.006 and 0.008 N per N·s/m) change the
     // swing of 0.2 N that friction sees by 3 %, and the drift grows with its square.
     EXPECT_NEAR(dahl, 16.0 * 0.5790338738, 0.08 * 9.26) << damping;
 
-    FrictionSettings eight = settingsOf(FrictionModel::ElastoPlastic);
+    FrictionSettings eight = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
     eight.breakaway = 0.0;
     const double smooth = drift(eight, damping);
     EXPECT_GT(dahl, 20.0 * smooth) << damping;
@@ -166,8 +158,8 @@ TEST(FrictionDrift, UnderASwingingLoad)
     EXPECT_GT(drift(eight, damping), 2.0);
 
     // As it comes, and as stick and slide: not at all, but for what is left of the ringing.
-    EXPECT_LT(std::abs(drift(settingsOf(FrictionModel::ElastoPlastic), damping)), 1e-6);
-    FrictionSettings hard = settingsOf(FrictionModel::ElastoPlastic);
+    EXPECT_LT(std::abs(drift(frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0), damping)), 1e-6);
+    FrictionSettings hard = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
     hard.breakaway = 1.0;
     hard.stickRadius = 1.0;
     EXPECT_LT(std::abs(drift(hard, damping)), 1e-6);
@@ -177,7 +169,7 @@ TEST(FrictionDrift, UnderASwingingLoad)
 TEST(FrictionDrift, ShapeDerivedStopsDrifting)
 {
   // Masing's loops are closed: after the first loading nothing moves on.
-  FrictionSettings settings = settingsOf(FrictionModel::ShapeDerived);
+  FrictionSettings settings = frictionOf(FrictionModel::ShapeDerived, 1.0, 1.0);
   EXPECT_LT(std::abs(drift(settings, 1.0)), 1e-3);
 }
 

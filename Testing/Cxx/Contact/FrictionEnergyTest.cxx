@@ -11,28 +11,25 @@
 #include <functional>
 #include <random>
 
+using namespace palpate::testing;
 using palpate::Friction;
 using palpate::FrictionModel;
 using palpate::FrictionSettings;
 using palpate::ShapeFriction;
 using palpate::Vector2;
 using palpate::Vector3;
-using palpate::testing::PowerCurve;
 
 namespace
 {
-constexpr FrictionModel Models[] = { FrictionModel::ElastoPlastic, FrictionModel::Dahl,
-  FrictionModel::ShapeDerived };
-
-struct Contact
+struct PressedContact
 {
   Vector2 point;
   double depth;
   double factor; ///< of the response there
 };
-using Path = std::function<Contact(double)>;
+using Path = std::function<PressedContact(double)>;
 /// Tangential force on the tool at a contact.
-using Answer = std::function<Vector2(const Contact&)>;
+using Answer = std::function<Vector2(const PressedContact&)>;
 
 /// The least and the last work done so far, N mm, along the path from t = 0 to the end, by
 /// trapezoids.
@@ -45,11 +42,11 @@ struct Work
 Work workAlong(const Path& path, double end, int ticks, const Answer& answer)
 {
   Work work;
-  Contact before = path(0.0);
+  PressedContact before = path(0.0);
   Vector2 forceBefore = answer(before);
   for (int i = 1; i <= ticks; ++i)
   {
-    const Contact contact = path(end * i / ticks);
+    const PressedContact contact = path(end * i / ticks);
     const Vector2 force = answer(contact);
     work.last -= 0.5 * (force + forceBefore).dot(contact.point - before.point);
     work.least = std::min(work.least, work.last);
@@ -59,16 +56,7 @@ Work workAlong(const Path& path, double end, int ticks, const Answer& answer)
   return work;
 }
 
-FrictionSettings settingsOf(FrictionModel model)
-{
-  FrictionSettings settings;
-  settings.model = model;
-  settings.coefficient = 0.5;
-  settings.tangentialStiffness = 5.0;
-  return settings;
-}
-
-PowerCurve curveAt(const Contact& contact)
+PowerCurve curveAt(const PressedContact& contact)
 {
   PowerCurve curve;
   curve.factor = contact.factor;
@@ -77,7 +65,7 @@ PowerCurve curveAt(const Contact& contact)
 
 Answer answerOf(Friction& friction)
 {
-  return [&friction](const Contact& contact) -> Vector2
+  return [&friction](const PressedContact& contact) -> Vector2
   {
     const PowerCurve curve = curveAt(contact);
     return friction
@@ -90,7 +78,7 @@ Answer answerOf(Friction& friction)
 /// Pre-sliding with σ₀ = μ f_n/z_max, as Hayward and Armstrong have it, stick and slide.
 Answer proportionalStiffness(Vector2& z, Vector2& last)
 {
-  return [&z, &last](const Contact& contact) -> Vector2
+  return [&z, &last](const PressedContact& contact) -> Vector2
   {
     z += contact.point - last;
     z *= std::min(1.0, 0.5 / std::max(z.norm(), 1e-300));
@@ -111,7 +99,7 @@ Path wandering(unsigned seed, double reach, double variation)
     a[i] = share(random);
     w[i] = 0.5 + 3.0 * share(random);
   }
-  return [=](double t) -> Contact
+  return [=](double t) -> PressedContact
   {
     const auto swing = [&](int first)
     {
@@ -128,7 +116,7 @@ Path wandering(unsigned seed, double reach, double variation)
 /// stiffness that grows with the normal force.
 Path pressAndReturn(double reach)
 {
-  return [=](double t) -> Contact
+  return [=](double t) -> PressedContact
   {
     const double part = std::fmod(t, 4.0);
     const auto smooth = [](double s)
@@ -145,13 +133,13 @@ Path pressAndReturn(double reach)
 
 TEST(FrictionEnergy, NeverGivenBackMoreThanTaken)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
     for (unsigned seed = 0; seed < 12; ++seed)
     {
       const double reach = seed % 3 == 0 ? 0.1 : seed % 3 == 1 ? 0.5 : 3.0;
       const double variation = seed % 2 == 0 ? 0.0 : 0.3;
-      Friction friction(settingsOf(model));
+      Friction friction(frictionOf(model, 0.5, 5.0));
       const Work work =
         workAlong(wandering(seed, reach, variation), 40.0, 40000, answerOf(friction));
       // Trapezoids over a kink of the force err by σ₀ dx²/8 each, dx < 0.01 mm at worst: 4e-5
@@ -166,9 +154,9 @@ TEST(FrictionEnergy, PressAndReturn)
 {
   for (const double reach : { 0.05, 0.3, 2.0 })
   {
-    for (const FrictionModel model : Models)
+    for (const FrictionModel model : FrictionModels)
     {
-      Friction friction(settingsOf(model));
+      Friction friction(frictionOf(model, 0.5, 5.0));
       const Work work = workAlong(pressAndReturn(reach), 40.0, 40000, answerOf(friction));
       EXPECT_GE(work.least, -1e-9) << static_cast<int>(model) << ' ' << reach;
       // Ten cycles; and one more from there takes energy too.
@@ -190,7 +178,7 @@ TEST(FrictionEnergy, PressAndReturn)
 TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
 {
   // As long as the clip is not met, a constant stiffness takes and gives the same.
-  Friction friction(settingsOf(FrictionModel::ElastoPlastic));
+  Friction friction(frictionOf(FrictionModel::ElastoPlastic, 0.5, 5.0));
   const Work work = workAlong(pressAndReturn(0.2), 40.0, 4000, answerOf(friction));
   EXPECT_NEAR(work.last, 0.0, 1e-14);
   EXPECT_GE(work.least, -1e-15);
@@ -199,14 +187,14 @@ TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
 TEST(FrictionEnergy, ShapeDerivedInAStiffeningBody)
 {
   // Out where it is soft, back where it is stiff, at constant depth and stuck throughout.
-  const Path loop = [](double t) -> Contact
+  const Path loop = [](double t) -> PressedContact
   {
     const Vector2 point(0.1 * std::sin(t) * std::cos(t), 0.1 * (1.0 - std::cos(t)));
     return { point, 1.0, 10.0 * (1.0 + 8.0 * point.x()) };
   };
   for (const double turns : { 1.0, -1.0 })
   {
-    Friction friction(settingsOf(FrictionModel::ShapeDerived));
+    Friction friction(frictionOf(FrictionModel::ShapeDerived, 0.5, 5.0));
     const double end = turns * 10.0 * 3.14159265358979323846;
     const Work work = workAlong(loop, end, 40000, answerOf(friction));
     EXPECT_GE(work.least, -1e-9);

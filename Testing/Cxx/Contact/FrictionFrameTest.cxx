@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parallel transport against the geometry of the sphere.
 #include "Contact/FrictionFrame.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -11,13 +12,12 @@
 #include <vector>
 
 using palpate::FrictionFrame;
+using palpate::Pi;
 using palpate::Vector2;
 using palpate::Vector3;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 Vector3 onSphere(double colatitude, double longitude)
 {
   return { std::sin(colatitude) * std::cos(longitude), std::sin(colatitude) * std::sin(longitude),

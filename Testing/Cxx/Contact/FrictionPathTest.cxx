@@ -4,6 +4,7 @@
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Sanitized.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -11,19 +12,16 @@
 #include <cmath>
 #include <functional>
 
+using namespace palpate::testing;
 using palpate::Friction;
 using palpate::FrictionModel;
 using palpate::FrictionSettings;
+using palpate::Pi;
 using palpate::Vector2;
 using palpate::Vector3;
-using palpate::testing::PowerCurve;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr FrictionModel Models[] = { FrictionModel::ElastoPlastic, FrictionModel::Dahl,
-  FrictionModel::ShapeDerived };
-
 /// A contact pressed 1 mm deep with 10 N: limit 5 N, z_max 2.5 mm; ShapeDerived slides at 0.75 mm.
 class Slider
 {
@@ -60,15 +58,6 @@ private:
   Vector2 Point = Vector2::Zero();
   bool Sliding = false;
 };
-
-FrictionSettings settingsOf(FrictionModel model)
-{
-  FrictionSettings settings;
-  settings.model = model;
-  settings.coefficient = 0.5;
-  settings.tangentialStiffness = 2.0;
-  return settings;
-}
 
 constexpr double Limit = 5.0;
 constexpr double Longest = 2.5;
@@ -117,7 +106,7 @@ std::function<Vector2(const Vector2&, const Vector2&)> elastoPlastic(double b, d
 
 TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
     // Exact but for the creep of ElastoPlastic: Runge-Kutta in steps of 1/8 z_max, 2e-5 measured.
     const double tolerance = model == FrictionModel::ElastoPlastic ? 3e-5 * Limit : 1e-12;
@@ -131,7 +120,7 @@ TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
           const int ticks[3] = { 1, 10, palpate::testing::casesOf(1000) };
           for (int i = 0; i < 3; ++i)
           {
-            Slider slider(settingsOf(model));
+            Slider slider(frictionOf(model, 0.5, 2.0));
             slider.move({ before, 0.0 }, 100);
             forces[i] = slider.move(length * direction(angle), ticks[i]);
           }
@@ -145,9 +134,9 @@ TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
 
 TEST(FrictionPath, LongWaysSlide)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    Slider slider(settingsOf(model));
+    Slider slider(frictionOf(model, 0.5, 2.0));
     slider.move({ 0.0, 2.0 }, 7);
     const Vector2 force = slider.move({ 100.0, 0.0 }, 1);
     EXPECT_LE((force - Vector2(-Limit, 0.0)).norm(), 1e-14); // e^-40
@@ -157,13 +146,13 @@ TEST(FrictionPath, LongWaysSlide)
 
 TEST(FrictionPath, SlidesWhenTheLimitIsReached)
 {
-  Slider dahl(settingsOf(FrictionModel::Dahl));
+  Slider dahl(frictionOf(FrictionModel::Dahl, 0.5, 2.0));
   dahl.move({ 4.60 * Longest, 0.0 }, 5); // 1 - e^-4.60 = 0.98995
   EXPECT_FALSE(dahl.sliding());
   dahl.move({ 0.01 * Longest, 0.0 }, 1);
   EXPECT_TRUE(dahl.sliding());
 
-  Slider shape(settingsOf(FrictionModel::ShapeDerived));
+  Slider shape(frictionOf(FrictionModel::ShapeDerived, 0.5, 2.0));
   // μcδ = 0.75 at ν = 0.5; the first of the springs touches at 7e-4 mm instead of 0.
   shape.move({ 0.749, 0.0 }, 3);
   EXPECT_FALSE(shape.sliding());
@@ -183,7 +172,7 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
     const double r = 0.8 + 0.2 * i / n;
     way += 0.2 / n / 6.0 * (slower(r) + 4.0 * slower(r + 0.1 / n) + slower(r + 0.2 / n));
   }
-  Slider plastic(settingsOf(FrictionModel::ElastoPlastic));
+  Slider plastic(frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0));
   // Runge-Kutta's 2e-5 of the force, at a slope of 1 - α = 0.24.
   plastic.move({ (way - 1e-4) * Longest, 0.0 }, 4);
   EXPECT_FALSE(plastic.sliding());
@@ -196,7 +185,7 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
 TEST(FrictionPath, StuckIsASpring)
 {
   // Below breakaway (4 N) any way there and back: exactly σ₀, and nothing left at its start.
-  Slider slider(settingsOf(FrictionModel::ElastoPlastic));
+  Slider slider(frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0));
   for (int i = 1; i < 400; ++i)
   {
     const Vector2 point = 1.99 * std::sin(0.037 * i) * direction(1.3 * i);
@@ -212,7 +201,7 @@ TEST(FrictionPath, SlopeAtReversal)
   const double h = 1e-6;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
   {
-    Slider slider(settingsOf(model));
+    Slider slider(frictionOf(model, 0.5, 2.0));
     const double before = slider.move({ 100.0, 0.0 }, 10).x();
     const double after = slider.move({ -h, 0.0 }, 1).x();
     const double slope = model == FrictionModel::Dahl ? 4.0 : 2.0;
@@ -225,15 +214,15 @@ TEST(FrictionPath, CircleAgainstTheEquations)
 {
   const double rho = 6.0;
   const auto dahl = [](const Vector2& z, const Vector2& d) { return Vector2(d - z / Longest); };
-  FrictionSettings eight = settingsOf(FrictionModel::ElastoPlastic);
+  FrictionSettings eight = frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0);
   eight.breakaway = 0.0;
   const struct
   {
     FrictionSettings settings;
     std::function<Vector2(const Vector2&, const Vector2&)> rate;
     bool clipped;
-  } cases[] = { { settingsOf(FrictionModel::Dahl), dahl, false },
-    { settingsOf(FrictionModel::ElastoPlastic), elastoPlastic(0.8, 0.9), true },
+  } cases[] = { { frictionOf(FrictionModel::Dahl, 0.5, 2.0), dahl, false },
+    { frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0), elastoPlastic(0.8, 0.9), true },
     { eight, elastoPlastic(0.0, 0.9), true } };
   for (const auto& one : cases)
   {
@@ -271,7 +260,7 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
 {
   for (const double stickRadius : { 0.85, 0.9, 1.3 })
   {
-    FrictionSettings settings = settingsOf(FrictionModel::ElastoPlastic);
+    FrictionSettings settings = frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0);
     settings.stickRadius = stickRadius;
     palpate::ElastoPlasticFriction friction(settings);
     const auto law = elastoPlastic(settings.breakaway, stickRadius);
@@ -311,7 +300,7 @@ TEST(FrictionPath, SteadyOnACircle)
   const int perTurn = 20000;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
   {
-    Slider slider(settingsOf(model));
+    Slider slider(frictionOf(model, 0.5, 2.0));
     Vector2 force = Vector2::Zero();
     double phi = 0.0;
     for (int i = 1; i <= 4 * perTurn; ++i)
@@ -328,7 +317,7 @@ TEST(FrictionPath, SteadyOnACircle)
   }
   // Each spring of ShapeDerived lags by its own asin(limit/ρ), the longest by asin(0.75/ρ): the sum
   // Σ limit_j (sin, cos) with the load density of f = 10 δ^1.5, by the midpoint rule.
-  Slider slider(settingsOf(FrictionModel::ShapeDerived));
+  Slider slider(frictionOf(FrictionModel::ShapeDerived, 0.5, 2.0));
   Vector2 force = Vector2::Zero();
   double phi = 0.0;
   for (int i = 1; i <= 2 * perTurn; ++i)

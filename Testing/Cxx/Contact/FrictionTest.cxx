@@ -2,34 +2,28 @@
 // The interface of Friction: what goes in and out, limits, bad input, curved bodies.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
+using namespace palpate::testing;
 using palpate::Friction;
 using palpate::FrictionModel;
 using palpate::FrictionSettings;
+using palpate::Infinity;
+using palpate::NotANumber;
+using palpate::Pi;
 using palpate::Vector3;
-using palpate::testing::PowerCurve;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr FrictionModel Models[] = { FrictionModel::ElastoPlastic, FrictionModel::Dahl,
-  FrictionModel::ShapeDerived };
-
-FrictionSettings settingsOf(FrictionModel model)
+FrictionSettings rubbingOf(FrictionModel model)
 {
-  FrictionSettings settings;
-  settings.model = model;
-  settings.coefficient = 0.5;
-  settings.tangentialStiffness = 4.0;
+  FrictionSettings settings = frictionOf(model, 0.5, 4.0);
   settings.poissonRatio = 0.45;
   return settings;
 }
@@ -50,9 +44,9 @@ bool isNone(const Friction::Result& result)
 
 TEST(Friction, FirstContactHasNoPreSliding)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     for (int i = 0; i < 2; ++i)
     {
       const auto first = press(friction, { 3.0, 4.0, 0.0 });
@@ -68,12 +62,12 @@ TEST(Friction, FirstContactHasNoPreSliding)
 
 TEST(Friction, NoneWithoutCoefficientOrLoad)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    FrictionSettings without = settingsOf(model);
+    FrictionSettings without = rubbingOf(model);
     without.coefficient = 0.0;
     Friction frictionless(without);
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     for (int i = 0; i < 5; ++i)
     {
       const Vector3 point(0.3 * i, 0.0, 0.0);
@@ -86,24 +80,24 @@ TEST(Friction, NoneWithoutCoefficientOrLoad)
 
 TEST(Friction, SettingsOutOfRangeGiveNone)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    for (const double bad : { NaN, Infinity, -1.0 })
+    for (const double bad : { NotANumber, Infinity, -1.0 })
     {
-      FrictionSettings settings = settingsOf(model);
+      FrictionSettings settings = rubbingOf(model);
       (model == FrictionModel::ShapeDerived ? settings.poissonRatio
                                             : settings.tangentialStiffness) = bad;
       Friction friction(settings);
       press(friction, Vector3::Zero());
       EXPECT_TRUE(isNone(press(friction, Vector3::UnitX())));
-      settings = settingsOf(model);
+      settings = rubbingOf(model);
       settings.coefficient = bad;
       Friction other(settings);
       press(other, Vector3::Zero());
       EXPECT_TRUE(isNone(press(other, Vector3::UnitX())));
     }
   }
-  FrictionSettings settings = settingsOf(FrictionModel::ElastoPlastic);
+  FrictionSettings settings = rubbingOf(FrictionModel::ElastoPlastic);
   settings.breakaway = 1.5;
   Friction friction(settings);
   press(friction, Vector3::Zero());
@@ -112,13 +106,13 @@ TEST(Friction, SettingsOutOfRangeGiveNone)
 
 TEST(Friction, WhatIsNotFiniteEndsTheHistory)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    for (const double bad : { NaN, Infinity, -Infinity })
+    for (const double bad : { NotANumber, Infinity, -Infinity })
     {
       for (int field = 0; field < 4; ++field)
       {
-        Friction friction(settingsOf(model));
+        Friction friction(rubbingOf(model));
         press(friction, Vector3::Zero());
         EXPECT_NE(press(friction, { 0.1, 0.0, 0.0 }).force, Vector3::Zero());
         const Vector3 point(0.1, field == 0 ? bad : 0.0, 0.0);
@@ -129,17 +123,17 @@ TEST(Friction, WhatIsNotFiniteEndsTheHistory)
         EXPECT_LT(press(friction, { 0.3, 0.0, 0.0 }).force.x(), 0.0);
       }
     }
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     press(friction, Vector3::Zero());
     EXPECT_TRUE(isNone(press(friction, Vector3::UnitX(), Vector3::Zero())));
     EXPECT_TRUE(isNone(press(friction, Vector3::UnitX(), { 0.0, 0.0, 2.0 })));
   }
   struct Broken
   {
-    palpate::ResponseValue evaluate(double) const { return { NaN, NaN, false }; }
-    double range() const { return NaN; }
+    palpate::ResponseValue evaluate(double) const { return { NotANumber, NotANumber, false }; }
+    double range() const { return NotANumber; }
   } const broken;
-  Friction friction(settingsOf(FrictionModel::ShapeDerived));
+  Friction friction(rubbingOf(FrictionModel::ShapeDerived));
   press(friction, Vector3::Zero());
   EXPECT_TRUE(isNone(friction.update({ 0.1, 0.0, 0.0 }, Vector3::UnitZ(), 10.0, 1.0, broken)));
   press(friction, { 0.2, 0.0, 0.0 });
@@ -148,11 +142,11 @@ TEST(Friction, WhatIsNotFiniteEndsTheHistory)
 
 TEST(Friction, AStandingContactKeepsItsForce)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
     for (const double way : { 0.05, 50.0 })
     {
-      Friction friction(settingsOf(model));
+      Friction friction(rubbingOf(model));
       press(friction, Vector3::Zero());
       const auto moved = press(friction, { way, 0.0, 0.0 });
       EXPECT_EQ(moved.sliding, way > 1.0);
@@ -168,13 +162,13 @@ TEST(Friction, AStandingContactKeepsItsForce)
 
 TEST(Friction, ATinyLimitAndAHugeStep)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
     for (const double force : { 1e-320, 1e-200, 1e-12, 1e12 })
     {
       for (const double step : { 1e-300, 1e-30, 1.0, 1e6 })
       {
-        Friction friction(settingsOf(model));
+        Friction friction(rubbingOf(model));
         friction.update(Vector3::Zero(), Vector3::UnitZ(), force, 1.0, Curve);
         const auto result =
           friction.update({ 0.6 * step, 0.8 * step, 0.0 }, Vector3::UnitZ(), force, 1.0, Curve);
@@ -189,9 +183,9 @@ TEST(Friction, NeverBeyondCoulombsLimitAndTangential)
 {
   std::mt19937 random(5);
   std::normal_distribution<double> share;
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     Vector3 point(20.0, 0.0, 0.0);
     for (int i = 0; i < 20000; ++i)
     {
@@ -210,9 +204,9 @@ TEST(Friction, NeverBeyondCoulombsLimitAndTangential)
 
 TEST(Friction, OppositeNormalsEndTheHistory)
 {
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     press(friction, Vector3::Zero());
     EXPECT_LT(press(friction, { 0.1, 0.0, 0.0 }).force.x(), 0.0);
     const auto flipped = press(friction, { 0.2, 0.0, 0.0 }, -Vector3::UnitZ());
@@ -233,9 +227,9 @@ TEST(Friction, IsCarriedOverACurvedBody)
     return Vector3(std::sin(colatitude) * std::cos(phi), std::sin(colatitude) * std::sin(phi),
       std::cos(colatitude));
   };
-  for (const FrictionModel model : Models)
+  for (const FrictionModel model : FrictionModels)
   {
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     press(friction, Vector3::Zero(), normalAt(0));
     const Vector3 start = 0.1 * normalAt(0).unitOrthogonal();
     const Vector3 before = press(friction, start, normalAt(0)).force;
@@ -262,7 +256,7 @@ TEST(Friction, SlidesAroundASphere)
   const int perTurn = 20000;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
   {
-    Friction friction(settingsOf(model));
+    Friction friction(rubbingOf(model));
     Vector3 normal;
     Vector3 along;
     Vector3 force;

@@ -38,22 +38,6 @@ std::size_t twisted(const std::vector<TriangleCorners>& triangles, std::size_t p
   return TriangleLinks(triangles, points).twistedEdges();
 }
 
-/// Each triangle's corners anew, as in a file of stereolithography.
-Surface soup(const Surface& body)
-{
-  Surface apart;
-  for (std::size_t t = 0; t < body.triangles.size(); ++t)
-  {
-    const auto first = static_cast<std::int32_t>(apart.points.size());
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      apart.points.push_back(body.corner(static_cast<std::int32_t>(t), k));
-    }
-    apart.triangles.push_back({ first, first + 1, first + 2 });
-  }
-  return apart;
-}
-
 std::vector<std::int32_t> twinsOf(const Surface& body)
 {
   std::vector<float> coordinates;
@@ -168,7 +152,7 @@ TEST(MeshRepair, NotAcrossEdgesOfThree)
 TEST(MeshRepair, ASoupIsJoined)
 {
   const Surface body = icosphere(20.0, 2);
-  const Surface apart = soup(body);
+  const Surface apart = triangleSoup(body);
   const std::vector<std::int32_t> twins = twinsOf(apart);
   EXPECT_EQ(joined(twins), apart.points.size() - body.points.size());
   for (std::size_t i = 0; i < twins.size(); ++i)

@@ -17,22 +17,6 @@ namespace palpate::testing
 {
 namespace
 {
-/// Each triangle's corners anew.
-Surface soup(const Surface& body)
-{
-  Surface apart;
-  for (const std::int32_t t : allTriangles(body))
-  {
-    const auto first = static_cast<std::int32_t>(apart.points.size());
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      apart.points.push_back(body.corner(t, k));
-    }
-    apart.triangles.push_back({ first, first + 1, first + 2 });
-  }
-  return apart;
-}
-
 Surface withFlips(Surface body, std::size_t flips, unsigned seed)
 {
   std::vector<std::size_t> order(body.triangles.size());
@@ -112,7 +96,7 @@ TEST(PackedMeshRepair, FlippedTrianglesAreTurnedOver)
 TEST(PackedMeshRepair, ASoupIsJoined)
 {
   const Surface body = icosphere(20.0, 3);
-  const Surface apart = soup(body);
+  const Surface apart = triangleSoup(body);
   const PackedMesh sound = body.packed();
   const PackedMesh mended = apart.packed();
   EXPECT_EQ(mended.defects().joinedPoints, apart.points.size() - body.points.size());
@@ -131,7 +115,7 @@ TEST(PackedMeshRepair, ASoupIsJoined)
 
 TEST(PackedMeshRepair, AShuffledSoupWithFlipsAndScraps)
 {
-  Surface apart = withFlips(soup(bumpySphere(20)), 300, 8);
+  Surface apart = withFlips(triangleSoup(bumpySphere(20)), 300, 8);
   const std::size_t triangles = apart.triangles.size();
   const auto n = static_cast<std::int32_t>(apart.points.size());
   apart.triangles.push_back({ 3, 4, 4 }); // a corner twice

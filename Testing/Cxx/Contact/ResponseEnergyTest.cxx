@@ -19,7 +19,7 @@ using palpate::testing::ContractCurve;
 namespace
 {
 /// As the kernel reads a curve.
-struct Samples
+struct SamplesOfCurve
 {
   const ContractCurve& curve;
   double force(int i) const { return curve.force[static_cast<std::size_t>(i)]; }
@@ -29,7 +29,7 @@ struct Samples
 double energyOf(const ContractCurve& curve, double depth)
 {
   const ResponseSampling sampling(static_cast<int>(curve.force.size()), curve.exponent);
-  return ResponseEnergy(sampling).energy(Samples{ curve }, curve.range, depth);
+  return ResponseEnergy(sampling).energy(SamplesOfCurve{ curve }, curve.range, depth);
 }
 
 ContractCurve anyCurve(int n, double exponent, unsigned seed)

@@ -3,11 +3,13 @@
 
 #include "Agreement.h"
 #include "ContractCurve.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <cstddef>
-#include <limits>
 #include <random>
 
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::ResponseSampling;
 using palpate::ResponseValue;
 using palpate::testing::agrees;
@@ -16,7 +18,7 @@ using palpate::testing::Response;
 
 namespace
 {
-struct Samples
+struct ManySamples
 {
   std::vector<double> forces;
   std::vector<double> stiffnesses;
@@ -24,9 +26,9 @@ struct Samples
   double stiffness(int i) const { return this->stiffnesses[static_cast<std::size_t>(i)]; }
 };
 
-Samples powerLaw(const ResponseSampling& sampling, double range, double exponent)
+ManySamples powerLaw(const ResponseSampling& sampling, double range, double exponent)
 {
-  Samples samples;
+  ManySamples samples;
   for (int i = 0; i < sampling.samples(); ++i)
   {
     const double depth = sampling.depth(i, range);
@@ -37,10 +39,10 @@ Samples powerLaw(const ResponseSampling& sampling, double range, double exponent
 }
 
 /// Random forces that grow, with random stiffness.
-Samples monotone(std::mt19937& random, int n, double range)
+ManySamples monotone(std::mt19937& random, int n, double range)
 {
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  Samples samples;
+  ManySamples samples;
   double force = 0.0;
   for (int i = 0; i < n; ++i)
   {
@@ -51,8 +53,6 @@ Samples monotone(std::mt19937& random, int n, double range)
   return samples;
 }
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 } // namespace
 
 TEST(ResponseSampling, DepthsOfTheSamples)
@@ -70,7 +70,7 @@ TEST(ResponseSampling, ExactForItsOwnPower)
   {
     const ResponseSampling sampling(8, exponent);
     const double range = 1.7;
-    const Samples samples = powerLaw(sampling, range, exponent);
+    const ManySamples samples = powerLaw(sampling, range, exponent);
     for (int i = 1; i <= 1000; ++i)
     {
       const double depth = 1e-3 * i * range;
@@ -91,7 +91,7 @@ TEST(ResponseSampling, PassesThroughItsSamplesWithTheirSlopes)
     const int n = 2 + trial % 9;
     const ResponseSampling sampling(n, trial % 2 == 0 ? 1.0 : 1.5);
     const double range = 0.5 + 0.01 * trial;
-    const Samples samples = monotone(random, n, range);
+    const ManySamples samples = monotone(random, n, range);
     for (int i = 0; i < n; ++i)
     {
       const double knot = sampling.depth(i, range);
@@ -112,7 +112,7 @@ TEST(ResponseSampling, PowerStart)
 {
   const ResponseSampling sampling(4, 1.0);
   const double range = 1.6; // first sample at 0.1
-  Samples samples{ { 0.3, 1.0, 2.0, 4.0 }, { 6.0, 5.0, 5.0, 6.0 } };
+  ManySamples samples{ { 0.3, 1.0, 2.0, 4.0 }, { 6.0, 5.0, 5.0, 6.0 } };
   // q = 6·0.1/0.3 = 2: F = 30 δ².
   for (const double depth : { 1e-9, 1e-3, 0.05, 0.0999 })
   {
@@ -128,7 +128,7 @@ TEST(ResponseSampling, PowerStart)
 TEST(ResponseSampling, BeyondTheRangeTheLastTangent)
 {
   const ResponseSampling sampling(8, 1.5);
-  const Samples samples = powerLaw(sampling, 2.0, 1.5);
+  const ManySamples samples = powerLaw(sampling, 2.0, 1.5);
   const ResponseValue at = sampling.evaluate(samples, 2.0, 2.0);
   EXPECT_EQ(at.force, samples.force(7));
   EXPECT_EQ(at.stiffness, samples.stiffness(7));
@@ -148,7 +148,7 @@ TEST(ResponseSampling, BeyondTheRangeTheLastTangent)
 TEST(ResponseSampling, NoContactAndNaN)
 {
   const ResponseSampling sampling(8, 1.5);
-  const Samples samples = powerLaw(sampling, 2.0, 1.5);
+  const ManySamples samples = powerLaw(sampling, 2.0, 1.5);
   for (const double depth : { 0.0, -0.0, -1e-300, -5.0, -Infinity })
   {
     const ResponseValue value = sampling.evaluate(samples, 2.0, depth);
@@ -156,9 +156,9 @@ TEST(ResponseSampling, NoContactAndNaN)
     EXPECT_EQ(value.stiffness, 0.0);
     EXPECT_FALSE(value.beyondRange);
   }
-  EXPECT_TRUE(std::isnan(sampling.evaluate(samples, 2.0, NaN).force));
-  EXPECT_TRUE(std::isnan(sampling.evaluate(samples, 2.0, NaN).stiffness));
-  EXPECT_FALSE(sampling.evaluate(samples, 2.0, NaN).beyondRange);
+  EXPECT_TRUE(std::isnan(sampling.evaluate(samples, 2.0, NotANumber).force));
+  EXPECT_TRUE(std::isnan(sampling.evaluate(samples, 2.0, NotANumber).stiffness));
+  EXPECT_FALSE(sampling.evaluate(samples, 2.0, NotANumber).beyondRange);
 }
 
 TEST(ResponseSampling, TheContractWrittenOutAgain)
@@ -171,7 +171,7 @@ TEST(ResponseSampling, TheContractWrittenOutAgain)
     const double exponent = trial % 3 == 0 ? 1.0 : trial % 3 == 1 ? 1.5 : 0.7 + share(random);
     const double range = 0.1 + 3.0 * share(random);
     const ResponseSampling sampling(n, exponent);
-    const Samples samples = monotone(random, n, range);
+    const ManySamples samples = monotone(random, n, range);
     const ContractCurve contract{ exponent, range, samples.forces, samples.stiffnesses };
     for (int i = 0; i < 100; ++i)
     {
@@ -197,7 +197,7 @@ TEST(ResponseSampling, StiffnessIsTheSlopeOfTheForce)
     const int n = 8;
     const double range = 2.0;
     const ResponseSampling sampling(n, trial % 2 == 0 ? 1.0 : 1.5);
-    const Samples samples = monotone(random, n, range);
+    const ManySamples samples = monotone(random, n, range);
     for (int k = 0; k < 3 * n; ++k)
     {
       // A third, a half and two thirds of the way between knots in s.

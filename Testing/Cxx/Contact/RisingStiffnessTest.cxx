@@ -23,23 +23,23 @@ using palpate::RisingStiffness;
 
 namespace
 {
-constexpr int Samples = 8;
-constexpr double Range = 1.7;
+constexpr int SampleCount = 8;
+constexpr double RisingRange = 1.7;
 
 struct Stored
 {
-  std::array<float, Samples> forces;
-  std::array<float, Samples> stiffnesses;
+  std::array<float, SampleCount> forces;
+  std::array<float, SampleCount> stiffnesses;
   FloatCurve curve() const { return { this->forces.data(), this->stiffnesses.data() }; }
 };
 
 Stored powerLaw(double scale, double power)
 {
-  const ResponseSampling sampling(Samples, 1.5);
+  const ResponseSampling sampling(SampleCount, 1.5);
   Stored stored;
-  for (int i = 0; i < Samples; ++i)
+  for (int i = 0; i < SampleCount; ++i)
   {
-    const double depth = sampling.depth(i, Range);
+    const double depth = sampling.depth(i, RisingRange);
     const auto at = static_cast<std::size_t>(i);
     stored.forces[at] = static_cast<float>(scale * std::pow(depth, power));
     stored.stiffnesses[at] = static_cast<float>(scale * power * std::pow(depth, power - 1.0));
@@ -55,7 +55,8 @@ double largestFall(const ResponseSampling& sampling, const FloatCurve& curve)
   for (int i = 1; i <= 4000; ++i)
   {
     const double root = 1.1 * i / 4000.0;
-    const double stiffness = sampling.evaluate(curve, Range, Range * root * root).stiffness;
+    const double stiffness =
+      sampling.evaluate(curve, RisingRange, RisingRange * root * root).stiffness;
     fall = std::max(fall, largest - stiffness);
     largest = std::max(largest, stiffness);
   }
@@ -67,40 +68,41 @@ TEST(RisingStiffness, PowerLawsInTheirOwnExponent)
 {
   for (const double power : { 1.0, 1.25, 1.5, 2.0, 3.0 })
   {
-    const ResponseSampling sampling(Samples, power);
+    const ResponseSampling sampling(SampleCount, power);
     const RisingStiffness rising(sampling);
     for (const double scale : { 1e-5, 0.37, 13.0, 1e6 })
     {
-      EXPECT_TRUE(rising.isOf(powerLaw(scale, power).curve(), Range)) << power << ' ' << scale;
+      EXPECT_TRUE(rising.isOf(powerLaw(scale, power).curve(), RisingRange))
+        << power << ' ' << scale;
     }
   }
-  const RisingStiffness rising(ResponseSampling(Samples, 0.9));
-  EXPECT_FALSE(rising.isOf(powerLaw(2.0, 0.9).curve(), Range));
+  const RisingStiffness rising(ResponseSampling(SampleCount, 0.9));
+  EXPECT_FALSE(rising.isOf(powerLaw(2.0, 0.9).curve(), RisingRange));
 }
 
 TEST(RisingStiffness, OneSampleOfManyThatIsLessStiff)
 {
-  const RisingStiffness rising(ResponseSampling(Samples, 1.5));
-  for (std::size_t i = 0; i < Samples; ++i)
+  const RisingStiffness rising(ResponseSampling(SampleCount, 1.5));
+  for (std::size_t i = 0; i < SampleCount; ++i)
   {
     Stored stored = powerLaw(10.0, 1.5);
     stored.stiffnesses[i] *= 0.5F;
-    EXPECT_FALSE(rising.isOf(stored.curve(), Range)) << i;
+    EXPECT_FALSE(rising.isOf(stored.curve(), RisingRange)) << i;
     stored.stiffnesses[i] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_FALSE(rising.isOf(stored.curve(), Range)) << i;
+    EXPECT_FALSE(rising.isOf(stored.curve(), RisingRange)) << i;
   }
   Stored pulling = powerLaw(10.0, 1.5);
   pulling.forces[0] *= -1.0F;
-  EXPECT_FALSE(rising.isOf(pulling.curve(), Range));
+  EXPECT_FALSE(rising.isOf(pulling.curve(), RisingRange));
   const Stored nothing = powerLaw(0.0, 1.5);
-  EXPECT_TRUE(rising.isOf(nothing.curve(), Range));
+  EXPECT_TRUE(rising.isOf(nothing.curve(), RisingRange));
 }
 
 // Sums of power laws disturbed more and more: no curve that falls is told to rise, and those that
 // hardly are disturbed are told so.
 TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
 {
-  const ResponseSampling sampling(Samples, 1.5);
+  const ResponseSampling sampling(SampleCount, 1.5);
   const RisingStiffness rising(sampling);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -112,7 +114,7 @@ TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
     const Stored sphere = powerLaw(10.0 * share(random), 1.5);
     const Stored cone = powerLaw(10.0 * share(random), 2.0);
     Stored stored;
-    for (std::size_t i = 0; i < Samples; ++i)
+    for (std::size_t i = 0; i < SampleCount; ++i)
     {
       const double more = 1.0 + disturbed * (share(random) - 0.5);
       stored.forces[i] = static_cast<float>(sphere.forces[i] + cone.forces[i]);
@@ -120,7 +122,7 @@ TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
         static_cast<float>(more * static_cast<double>(sphere.stiffnesses[i] + cone.stiffnesses[i]));
     }
     const double fall = largestFall(sampling, stored.curve());
-    const bool isTold = rising.isOf(stored.curve(), Range);
+    const bool isTold = rising.isOf(stored.curve(), RisingRange);
     // The rounding of floats, over 8 cells.
     EXPECT_TRUE(!isTold || fall < 1e-6) << trial << ' ' << fall;
     told += isTold;

@@ -165,6 +165,21 @@ Surface grooveBlock()
     { { 0, 4, 5 }, { 0, 5, 6 }, { 0, 1, 4 }, { 1, 3, 4 }, { 1, 2, 3 } }, 40.0);
 }
 
+Surface triangleSoup(const Surface& body)
+{
+  Surface apart;
+  for (std::size_t t = 0; t < body.triangles.size(); ++t)
+  {
+    const auto first = static_cast<std::int32_t>(apart.points.size());
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      apart.points.push_back(body.corner(static_cast<std::int32_t>(t), k));
+    }
+    apart.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return apart;
+}
+
 Surface openPlate(double size, int cells)
 {
   Surface body;

@@ -54,6 +54,9 @@ Surface angleBlock();
 /// slope by 45°, so that the groove is a right angle open towards +y.
 Surface grooveBlock();
 
+/// The body with corners of its own for each triangle, as in a file of stereolithography.
+Surface triangleSoup(const Surface& body);
+
 /// Open plate [0,size]² at z = 0, its normals along +z.
 Surface openPlate(double size, int cells);
 } // namespace palpate::testing

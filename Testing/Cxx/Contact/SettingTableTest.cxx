@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Settings from outside: every range has both its ends, and a fault names what is wrong.
 #include "Contact/SettingTable.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +12,14 @@
 #include <vector>
 
 using palpate::ContactSettings;
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::SettingFault;
 using palpate::SettingRow;
 using palpate::SettingTable;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Tiny = std::numeric_limits<double>::min();
 
 void check(const char* name, const std::vector<double>& good, const std::vector<double>& bad)
@@ -51,11 +52,11 @@ TEST(SettingTable, RangesAreKept)
   check("ForceForm", { 0, 1, 2 }, { -1, 3, 256 });
   check("ContactSurface", { 0, 1 }, { -1, 2, 256 });
   check("FrictionModel", { 0, 1, 2 }, { -1, 3, 258 });
-  check("FrictionCoefficient", { 0.0, 0.5, 3.0 }, { -0.1, -Tiny, NaN, Infinity });
-  check("TangentialStiffness", { 1e-9, 1e6 }, { 0.0, -1.0, NaN, Infinity });
-  check("FrictionBreakaway", { 0.0, 0.9 }, { -0.1, 1.1, NaN, Infinity });
-  check("FrictionStickRadius", { 0.8, 1.0, 2.0 }, { 0.79, 0.0, -1.0, NaN, Infinity });
-  check("PoissonRatio", { 0.0, 0.5 }, { -0.1, 0.51, NaN, Infinity });
+  check("FrictionCoefficient", { 0.0, 0.5, 3.0 }, { -0.1, -Tiny, NotANumber, Infinity });
+  check("TangentialStiffness", { 1e-9, 1e6 }, { 0.0, -1.0, NotANumber, Infinity });
+  check("FrictionBreakaway", { 0.0, 0.9 }, { -0.1, 1.1, NotANumber, Infinity });
+  check("FrictionStickRadius", { 0.8, 1.0, 2.0 }, { 0.79, 0.0, -1.0, NotANumber, Infinity });
+  check("PoissonRatio", { 0.0, 0.5 }, { -0.1, 0.51, NotANumber, Infinity });
   check("RelaxationElements", { 0, 16, 32 }, { -1, 33 });
   ContactSettings creeping;
   creeping.friction.breakaway = 0.0;

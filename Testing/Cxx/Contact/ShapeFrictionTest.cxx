@@ -6,6 +6,7 @@
 
 #include "Agreement.h"
 #include "ReferenceTable.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@
 
 using palpate::FrictionModel;
 using palpate::FrictionSettings;
+using palpate::Pi;
 using palpate::ShapeFriction;
 using palpate::TangentialForce;
 using palpate::Vector2;
@@ -48,7 +50,6 @@ double closedForm(const PowerCurve& curve, double mu, double c, double depth, do
 PowerCurve toolOf(const std::string& name)
 {
   constexpr double E = 3.45;
-  constexpr double Pi = 3.14159265358979323846;
   const std::map<std::string, PowerCurve> tools{
     { "sphere6.35", { 4.0 / 3.0 * E * std::sqrt(6.35), 1.5 } },
     { "cone60", { 2.0 / Pi * E * std::tan(Pi / 3.0), 2.0 } }, { "flat1.6", { 2.0 * 1.6 * E, 1.0 } }

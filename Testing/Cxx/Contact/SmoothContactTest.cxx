@@ -28,7 +28,6 @@ using palpate::Vector3;
 
 namespace
 {
-using Outcome = SmoothPoint::Outcome;
 
 /// A torus of very unequal triangles, its points moved about: not convex, no symmetry.
 std::unique_ptr<ContactBody> crookedBody()
@@ -126,7 +125,7 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
     const double depth = i % 4 - 1.0; // -1 outside, 0, 1, 2 mm inside
     const Start start = anyStart(*body, random, depth);
     const SmoothPoint point = contact.follow(start.tip, start.triangle, start.weights);
-    ASSERT_EQ(point.outcome, Outcome::Found) << i;
+    ASSERT_EQ(point.outcome, SmoothPoint::Outcome::Found) << i;
     const ContactPlace& place = point.place;
     ++found;
     EXPECT_GE(place.projection.weights.minCoeff(), 0.0);
@@ -156,8 +155,8 @@ TEST(SmoothContact, TheSameFromAnyTriangleNearby)
     const Vector3 aside = start.tip + 12.0 * start.tip.unitOrthogonal();
     const SurfacePoint far = body->tree.closestLocal(aside);
     const SmoothPoint came = contact.follow(start.tip, far.triangle, far.projection.weights);
-    ASSERT_EQ(near.outcome, Outcome::Found);
-    ASSERT_EQ(came.outcome, Outcome::Found);
+    ASSERT_EQ(near.outcome, SmoothPoint::Outcome::Found);
+    ASSERT_EQ(came.outcome, SmoothPoint::Outcome::Found);
     EXPECT_LE((near.place.projection.point - came.place.projection.point).norm(), 1e-9);
     EXPECT_LE((near.place.normal - came.place.normal).norm(), 1e-9);
   }
@@ -180,7 +179,7 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
     {
       const SmoothPoint next =
         contact.follow(tipAt(s + 0.05), last.place.triangle, last.place.projection.weights);
-      ASSERT_EQ(next.outcome, Outcome::Found);
+      ASSERT_EQ(next.outcome, SmoothPoint::Outcome::Found);
       if (next.place.signedDistance < -1.5)
       {
         break; // the crooked body's sharpest radius is little above 2 mm
@@ -228,7 +227,7 @@ TEST(SmoothContact, WeightGradients)
   {
     const Start start = anyStart(*body, random, 0.5 + 0.005 * i);
     const SmoothPoint here = contact.follow(start.tip, start.triangle, start.weights);
-    ASSERT_EQ(here.outcome, Outcome::Found);
+    ASSERT_EQ(here.outcome, SmoothPoint::Outcome::Found);
     const ContactPlace& place = here.place;
     if (place.projection.weights.minCoeff() < 0.02) // away from corners and edges, where they jump
     {
@@ -264,7 +263,7 @@ TEST(SmoothContact, DepthOfASphere)
     {
       const Vector3 tip = (20.0 - depth) * anyStart(*body, random, 0.0).tip.normalized();
       const SmoothPoint point = onset(*body, contact, tip);
-      ASSERT_EQ(point.outcome, Outcome::Found);
+      ASSERT_EQ(point.outcome, SmoothPoint::Outcome::Found);
       EXPECT_NEAR(-point.place.signedDistance, depth, 5e-5);
       // The normal of the patch is off by 3e-5; beneath it, by that times R/(R - δ).
       EXPECT_LE((point.place.normal - tip.normalized()).norm(), 1e-4 * 20.0 / (20.0 - depth));
@@ -280,13 +279,13 @@ TEST(SmoothContact, NotFoundBeyondTheCentreOfCurvature)
   const Vector3 n = Vector3(19, 1, 2).normalized();
   const auto at = [&](double depth)
   { return contact.follow((20.0 - depth) * n, side.triangle, side.projection.weights).outcome; };
-  EXPECT_EQ(at(15.0), Outcome::Found);
+  EXPECT_EQ(at(15.0), SmoothPoint::Outcome::Found);
   // Either not found, or the far side's own point, which is not deeper than the centre.
   for (double depth = 19.99; depth < 21.0; depth += 0.01)
   {
     const SmoothPoint point =
       contact.follow((20.0 - depth) * n, side.triangle, side.projection.weights);
-    if (point.outcome == Outcome::Found)
+    if (point.outcome == SmoothPoint::Outcome::Found)
     {
       EXPECT_LE(-point.place.signedDistance, 20.0);
     }
@@ -304,16 +303,16 @@ TEST(SmoothContact, EndsAtAnOpenBorder)
     return contact.follow(tip, near.triangle, near.projection.weights);
   };
   const Vector3 inside(4.4, 0.2, -0.5); // local: the plate's centre is the origin
-  EXPECT_EQ(follow(inside, inside).outcome, Outcome::Found);
+  EXPECT_EQ(follow(inside, inside).outcome, SmoothPoint::Outcome::Found);
   for (const double beyond : { 5.001, 5.2, 7.0 })
   {
     const SmoothPoint lost = follow(Vector3(beyond, 0.2, -0.5), inside);
-    EXPECT_EQ(lost.outcome, Outcome::Border);
+    EXPECT_EQ(lost.outcome, SmoothPoint::Outcome::Border);
     EXPECT_LE((lost.place.projection.point - Vector3(5.0, 0.2, 0.0)).norm(), 1e-6);
     EXPECT_NEAR(lost.place.signedDistance, -0.5, 1e-12); // inside, by the normal there
   }
-  EXPECT_EQ(follow(Vector3(5.2, 5.3, -0.5), inside).outcome, Outcome::Border);
-  EXPECT_EQ(follow(Vector3(4.999, 0.2, -0.5), inside).outcome, Outcome::Found);
+  EXPECT_EQ(follow(Vector3(5.2, 5.3, -0.5), inside).outcome, SmoothPoint::Outcome::Border);
+  EXPECT_EQ(follow(Vector3(4.999, 0.2, -0.5), inside).outcome, SmoothPoint::Outcome::Found);
 }
 
 TEST(SmoothContact, NotFoundAtCreasesAndForTipsThatAreNotFinite)
@@ -327,13 +326,14 @@ TEST(SmoothContact, NotFoundAtCreasesAndForTipsThatAreNotFinite)
   }
   const auto body = contactBody(surface, store);
   SmoothContact contact(body->surface, body->response);
-  EXPECT_EQ(onset(*body, contact, Vector3(1.0, 2.0, 18.0)).outcome, Outcome::Found);
+  EXPECT_EQ(onset(*body, contact, Vector3(1.0, 2.0, 18.0)).outcome, SmoothPoint::Outcome::Found);
   const Vector3 corner = body->surface.toLocal(surface.points[0]);
-  EXPECT_EQ(onset(*body, contact, corner + Vector3(0.5, 0.7, 0.1)).outcome, Outcome::NotFound);
+  EXPECT_EQ(
+    onset(*body, contact, corner + Vector3(0.5, 0.7, 0.1)).outcome, SmoothPoint::Outcome::NotFound);
   for (const double bad :
     { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     EXPECT_EQ(contact.follow(Vector3(1.0, bad, 18.0), 0, Vector3(0.3, 0.3, 0.4)).outcome,
-      Outcome::NotFound);
+      SmoothPoint::Outcome::NotFound);
   }
 }

@@ -2,6 +2,7 @@
 // How well 8 float32 samples hold a response: the closed forms of the reference sheet in series
 // with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
 #include "Contact/ResponseField.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+using palpate::Pi;
 
 namespace
 {
@@ -31,7 +34,6 @@ struct Tool
 std::vector<Tool> tools()
 {
   constexpr double E = 3.45;
-  constexpr double Pi = 3.14159265358979323846;
   const auto flat = [](double a) {
     return [a](double p) { return Local{ p, 2.0 * a * E * p, 2.0 * a * E }; };
   };
@@ -75,26 +77,27 @@ Local series(const Tool& tool, double compliance, double depth)
   return { depth, local.force, local.stiffness / (1.0 + compliance * local.stiffness) };
 }
 
-constexpr double Range = 2.0;
-constexpr int Samples = 8;
+constexpr double StoredRange = 2.0;
+constexpr int StoredSamples = 8;
 
 /// Largest relative error of the force over 1 … 100 % of the range.
 double storageError(const Tool& tool, double compliance, double exponent)
 {
   std::vector<float> force;
   std::vector<float> stiffness;
-  for (int i = 1; i <= Samples; ++i)
+  for (int i = 1; i <= StoredSamples; ++i)
   {
-    const Local point = series(tool, compliance, Range * i * i / (Samples * Samples));
+    const Local point =
+      series(tool, compliance, StoredRange * i * i / (StoredSamples * StoredSamples));
     force.push_back(static_cast<float>(point.force));
     stiffness.push_back(static_cast<float>(point.stiffness));
   }
   const float normal[3] = { 0.0F, 0.0F, 1.0F };
-  const auto range = static_cast<float>(Range);
+  const auto range = static_cast<float>(StoredRange);
   const std::uint8_t status = 0;
   palpate::ResponseArrays arrays;
   arrays.points = 1;
-  arrays.samples = Samples;
+  arrays.samples = StoredSamples;
   arrays.exponent = exponent;
   arrays.force = force.data();
   arrays.stiffness = stiffness.data();
@@ -105,7 +108,7 @@ double storageError(const Tool& tool, double compliance, double exponent)
   double worst = 0.0;
   for (int i = 100; i <= 10000; ++i)
   {
-    const double depth = 1e-4 * i * Range;
+    const double depth = 1e-4 * i * StoredRange;
     const double exact = series(tool, compliance, depth).force;
     worst = std::max(worst, std::abs(field.evaluate(0, depth).force / exact - 1.0));
   }

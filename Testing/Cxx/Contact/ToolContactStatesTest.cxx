@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +13,12 @@ using namespace palpate::testing;
 using palpate::Contact;
 using palpate::ContactState;
 using palpate::ForceForm;
+using palpate::NotANumber;
 using palpate::ToolContact;
 using palpate::Vector3;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 void expectNoForce(const Contact& found)
 {
   EXPECT_EQ(found.force, Vector3::Zero());
@@ -127,7 +127,7 @@ TEST(ToolContactStates, VertexWithoutResponse)
 TEST(ToolContactStates, TipThatIsNotFinite)
 {
   const auto body = uniformBody(subdivided(block(40, 40, 3), 4));
-  for (const double bad : { NaN, std::numeric_limits<double>::infinity() })
+  for (const double bad : { NotANumber, std::numeric_limits<double>::infinity() })
   {
     ToolContact contact(*body);
     EXPECT_GT(contact.update(Vector3(20.3, 18.7, 2.0)).force.z(), 0.0);
@@ -174,7 +174,7 @@ TEST(ToolContactStates, NormalsThatCancelGiveNoDirection)
 TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
 {
   const Surface surface = openPlate(10.0, 2);
-  for (const double wrong : { std::numeric_limits<double>::infinity(), NaN })
+  for (const double wrong : { std::numeric_limits<double>::infinity(), NotANumber })
   {
     ResponseStore store(surface.points.size());
     store.normal.assign(store.normal.size(), static_cast<float>(wrong));
@@ -206,7 +206,7 @@ TEST(ToolContactStates, ForeseeingChangesNothing)
     for (int tick = 0; tick < 5000; ++tick)
     {
       const double t = 1e-3 * tick;
-      const double z = tick % 97 == 0 ? NaN : 1.0 - 4.0 * std::abs(std::sin(5.0 * t));
+      const double z = tick % 97 == 0 ? NotANumber : 1.0 - 4.0 * std::abs(std::sin(5.0 * t));
       const double far = tick % 101 == 0 ? 1e300 : 1.0;
       const Vector3 tip(5.0 + 6.0 * std::sin(3.1 * t), far * (5.0 + 5.5 * std::cos(1.7 * t)), z);
       const Contact expected = usual.update(tip);

@@ -28,7 +28,7 @@ namespace
 {
 constexpr double Radius = 5.0;
 constexpr double Largest = 0.6;
-constexpr double Range = 2.0;
+constexpr double TiltRange = 2.0;
 
 /// The axis of a tool that leans by an angle towards a direction in the plane.
 Vector3 leaning(double angle, double towards)
@@ -149,7 +149,7 @@ Work workAround(const ContactBody& body, const ContactSettings& settings, int st
 
 TEST(ToolTilt, ASphereThatLeansIsASphereThatIsDeeper)
 {
-  const TiltStore tilts({ noFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ noFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Plate plate(tilts);
   for (const double angle : { 0.05, 0.2, 0.5 })
   {
@@ -171,7 +171,7 @@ TEST(ToolTilt, ASphereThatLeansIsASphereThatIsDeeper)
 
 TEST(ToolTilt, FoundAtOnceItIsTheSameAsFollowed)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Plate plate(tilts);
   const ToolPose pose(tipAt(0.4), leaning(0.3, 2.0));
   ToolContact contact(*plate.body);
@@ -183,7 +183,7 @@ TEST(ToolTilt, FoundAtOnceItIsTheSameAsFollowed)
 
 TEST(ToolTilt, ForceTorqueAndStiffnessAreThoseOfTheWork)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Plate plate(tilts);
   const double depth = 0.5;
   const double angle = 0.3;
@@ -209,7 +209,7 @@ TEST(ToolTilt, ForceTorqueAndStiffnessAreThoseOfTheWork)
 
 TEST(ToolTilt, WithoutAnAxisEveryBitIsAsBefore)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Ball with(tilts);
   const auto without = contactBody(with.surface, with.store);
   for (const ContactSettings& settings : allFormsAndSurfaces())
@@ -231,7 +231,7 @@ TEST(ToolTilt, WithoutAnAxisEveryBitIsAsBefore)
 
 TEST(ToolTilt, UprightItIsTheForceWithoutAnAxis)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Plate plate(tilts);
   ToolContact tilted(*plate.body);
   ToolContact plain(*plate.body);
@@ -248,7 +248,7 @@ TEST(ToolTilt, UprightItIsTheForceWithoutAnAxis)
 
 TEST(ToolTilt, FurtherThanTheTableItIsFeltAsThereAndSaysSo)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Plate plate(tilts);
   const auto at = [&plate](double angle)
   {
@@ -269,7 +269,7 @@ TEST(ToolTilt, FurtherThanTheTableItIsFeltAsThereAndSaysSo)
 
 TEST(ToolTilt, NothingIsGainedOnAClosedPath)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Ball ball(tilts);
   const ContactSettings settings = energyOn(ContactSurface::Smooth);
   const Work coarse = workAround(*ball.body, settings, 4000);
@@ -283,7 +283,7 @@ TEST(ToolTilt, NothingIsGainedOnAClosedPath)
 
 TEST(ToolTilt, NeitherAreUnlikeLawsOfItsPoints)
 {
-  const TiltStore tilts({ leaningFactor, softFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor, softFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Surface surface = icosphere(20.0, 2);
   std::vector<float> weight;
   for (std::size_t p = 0; p < surface.points.size(); ++p)
@@ -299,7 +299,7 @@ TEST(ToolTilt, NeitherAreUnlikeLawsOfItsPoints)
 
 TEST(ToolTilt, ABodyThatRelaxesRestsAtTheTiltedForce)
 {
-  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), Range, Largest);
+  const TiltStore tilts({ leaningFactor }, dropOfSphere(Radius), TiltRange, Largest);
   const Plate elastic(tilts);
   const Plate relaxing(tilts, relaxation({ { 0.5, 0.1 } }));
   const ToolPose pose(tipAt(0.5), leaning(0.3, 1.0));

@@ -4,6 +4,7 @@
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,6 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// The law of the responses; beyond 2 mm the last tangent. Their samples are float32.
 double law(double depth)
 {

@@ -3,6 +3,7 @@
 // ServoStep.
 #include "CBall.h"
 #include "Haptics/Servo/ServoStep.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -10,19 +11,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace c_safe_contact
+{
 using namespace palpate::testing;
 using Eigen::Vector3d;
+using palpate::Infinity;
+using palpate::NotANumber;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 palpate_safety usualSafety()
 {
   palpate_safety safety;
@@ -262,7 +263,7 @@ TEST(CSafeContact, WhatIsOutOfRangeIsRefusedByName)
     { &palpate_safety::maximum_force, -1.0, "maximum_force must not be negative (N), but is -1" },
     { &palpate_safety::maximum_stiffness, 0.0,
       "maximum_stiffness must be positive (N/m), but is 0" },
-    { &palpate_safety::maximum_force_rate, NaN,
+    { &palpate_safety::maximum_force_rate, NotANumber,
       "maximum_force_rate must be positive (N/s), but is nan" },
     { &palpate_safety::sample_time_out, 0.0, "sample_time_out must be positive (s), but is 0" },
     { &palpate_safety::period, Infinity, "period must be finite and positive (s), but is inf" },
@@ -313,8 +314,9 @@ TEST(CSafeContact, FitsABodyOrSaysWhyNot)
   EXPECT_EQ(
     palpate_mapping_fit(&mapping, ball.c.get(), flat, 5.0, reason.data(), reason.size()), 0);
   EXPECT_EQ(std::string(reason.data()), "workspace must be finite and positive (m)");
-  EXPECT_EQ(
-    palpate_mapping_fit(&mapping, ball.c.get(), workspace, NaN, reason.data(), reason.size()), 0);
+  EXPECT_EQ(palpate_mapping_fit(
+              &mapping, ball.c.get(), workspace, NotANumber, reason.data(), reason.size()),
+    0);
   EXPECT_EQ(std::string(reason.data()).rfind("margin must be finite", 0), 0U);
   EXPECT_EQ(palpate_mapping_fit(&mapping, nullptr, workspace, 5.0, nullptr, 0), 0);
   EXPECT_EQ(mapping.scale, before) << "a refusal leaves it alone";
@@ -356,3 +358,4 @@ TEST(CSafeContact, ABodyMayBeFreedBeforeIt)
   palpate_step_sample(contact.get(), &sample, 0.0, &tick);
   EXPECT_EQ(tick.tick.state, PALPATE_SLIDE);
 }
+} // namespace c_safe_contact

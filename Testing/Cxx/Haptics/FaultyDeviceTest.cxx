@@ -2,28 +2,29 @@
 // Each fault does what it says, on time and for as long; random ones come as often as asked for.
 #include "FaultyDevice.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace faulty_device
+{
 using Eigen::Vector3d;
 using palpate::DeviceFault;
 using palpate::DeviceFaults;
 using palpate::DeviceSample;
 using palpate::FaultyDevice;
 using palpate::HandModel;
+using palpate::NotANumber;
 using palpate::SimulatedDevice;
 using palpate::SimulatedPlant;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 /// At time t it is at x = t.
 std::unique_ptr<SimulatedDevice> moving()
 {
@@ -208,7 +209,7 @@ TEST(FaultyDevice, WrongSettingsAreNamed)
     EXPECT_FALSE(device.write(Vector3d::Zero()));
     return device.status();
   };
-  EXPECT_EQ(status(once(DeviceFault::Late, NaN)),
+  EXPECT_EQ(status(once(DeviceFault::Late, NotANumber)),
     "not connected: scheduled fault 0 has a start that is not finite");
   EXPECT_EQ(status(once(DeviceFault::Late, 0.0, -1.0)),
     "not connected: scheduled fault 0 has a duration that is negative or not a number");
@@ -218,6 +219,7 @@ TEST(FaultyDevice, WrongSettingsAreNamed)
   faults.rate(DeviceFault::Stall).probability = 1.5;
   EXPECT_EQ(status(faults), "not connected: the probability of Stall must be from 0 to 1");
   faults = {};
-  faults.rate(DeviceFault::Dropped).duration = NaN;
+  faults.rate(DeviceFault::Dropped).duration = NotANumber;
   EXPECT_EQ(status(faults), "not connected: the duration of Dropped must not be negative");
 }
+} // namespace faulty_device

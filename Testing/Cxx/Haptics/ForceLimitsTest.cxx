@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The two links that know nothing but the force: its magnitude and its rate.
 #include "Haptics/Safety/SafetyLinks.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
+namespace force_limits
+{
 using Eigen::Vector3d;
 using palpate::ForceLimit;
 using palpate::ForceRateLimit;
-
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
+using palpate::Infinity;
+using palpate::NotANumber;
 
 TEST(ForceLimit, KeepsTheDirection)
 {
@@ -32,7 +29,7 @@ TEST(ForceLimit, LimitsThatAreNone)
 {
   const Vector3d force(1.0, 2.0, 3.0);
   EXPECT_EQ(ForceLimit(Infinity).limit(force), force);
-  for (const double none : { 0.0, -1.0, NaN, -Infinity })
+  for (const double none : { 0.0, -1.0, NotANumber, -Infinity })
   {
     EXPECT_EQ(ForceLimit(none).limit(force), Vector3d::Zero()) << none;
     EXPECT_EQ(ForceLimit(none).limit(Vector3d::Zero()), Vector3d::Zero()) << none;
@@ -75,11 +72,12 @@ TEST(ForceRateLimit, LimitsThatAreNone)
   const Vector3d force(1.0, 2.0, 3.0);
   ForceRateLimit unlimited(Infinity);
   EXPECT_EQ(unlimited.limit(0.0, force), force);
-  EXPECT_EQ(unlimited.limit(NaN, force), force); // time is not looked at
-  for (const double none : { 0.0, -1.0, NaN, -Infinity })
+  EXPECT_EQ(unlimited.limit(NotANumber, force), force); // time is not looked at
+  for (const double none : { 0.0, -1.0, NotANumber, -Infinity })
   {
     ForceRateLimit slew(none);
     slew.sent(0.0, Vector3d::Zero());
     EXPECT_EQ(slew.limit(1.0, force), Vector3d::Zero()) << none;
   }
 }
+} // namespace force_limits

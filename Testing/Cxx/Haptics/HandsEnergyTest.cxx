@@ -14,6 +14,8 @@
 #include <memory>
 #include <random>
 
+namespace hands_energy
+{
 using Eigen::Vector3d;
 using namespace palpate;
 using namespace palpate::testing;
@@ -128,3 +130,4 @@ TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
   EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // asked back once, of each; rounding
   EXPECT_GT(acted, 1000);
 }
+} // namespace hands_energy

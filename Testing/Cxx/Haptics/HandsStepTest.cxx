@@ -6,6 +6,7 @@
 #include "CoupledPlate.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -17,17 +18,19 @@
 #include <memory>
 #include <vector>
 
+namespace hands_step
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::Pi;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double Circle = 3.14159265358979323846;
 constexpr double Endless = std::numeric_limits<double>::infinity();
 constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, of a flat end on 1 MPa
 constexpr double Apart = 5.0;                       ///< mm
-constexpr double Mutual = 1.0 / (Circle * Apart);   ///< C_12 of Boussinesq, mm/N
+constexpr double Mutual = 1.0 / (Pi * Apart);       ///< C_12 of Boussinesq, mm/N
 
 using Samples = std::array<DeviceSample, 2>;
 
@@ -234,8 +237,7 @@ TEST(HandsStep, TheStiffnessCapCountsBoth)
     {
       hands.step(samples.data(), 1e-3 * tick);
     }
-    const double stiffer =
-      isCoupled ? 1.0 / (1.0 - 2.0 * CoupledPlate::Flat / (Circle * Apart)) : 1.0;
+    const double stiffer = isCoupled ? 1.0 / (1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart)) : 1.0;
     const double ideal = isCoupled ? coupled(0.5, 0.5) : 0.5 * Spring;
     const Tick& tick = hands.ticks()[0];
     EXPECT_NEAR(tick.idealForce.z(), ideal, 1e-5);
@@ -289,7 +291,7 @@ bool calmsDown(bool isCoupled, double stiffness)
 TEST(HandsStep, OppositeMotionIsUnstableWhereItsStiffnessIs)
 {
   const double limit = 2003.339;
-  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Circle * Apart); // 0.745
+  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // 0.745
   // 3 % off the limit a swing changes by e^±3 in 20 s.
   EXPECT_TRUE(calmsDown(true, 0.97 * share * limit));
   EXPECT_FALSE(calmsDown(true, 1.03 * share * limit));
@@ -316,13 +318,13 @@ TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
   double turnedOver = 0.0;
   for (int tick = 0; tick <= 2000; ++tick)
   {
-    const double angle = 2e-3 * Circle * (tick % 1000);
+    const double angle = 2e-3 * Pi * (tick % 1000);
     Samples samples;
     for (std::size_t i = 0; i < 2; ++i)
     {
       const auto hand = static_cast<double>(i);
-      samples[i] = sampleOf(mappings[i],
-        { 25.0 + 5.0 * hand, 29.3, -0.5 - 0.25 * std::sin(angle + 0.5 * Circle * hand) });
+      samples[i] = sampleOf(
+        mappings[i], { 25.0 + 5.0 * hand, 29.3, -0.5 - 0.25 * std::sin(angle + 0.5 * Pi * hand) });
     }
     const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
     for (std::size_t i = 0; i < 2; ++i)
@@ -394,3 +396,4 @@ TEST(HandsStep, AnotherSceneIsTakenFromNoForce)
   }
   EXPECT_EQ(retired, 3); // the old one, one outdated, one for a single hand
 }
+} // namespace hands_step

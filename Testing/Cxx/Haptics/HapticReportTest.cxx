@@ -3,6 +3,7 @@
 #include "Haptics/Hid/HapticReport.h"
 
 #include "KnownReports.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,10 @@
 #include <limits>
 #include <random>
 
+namespace haptic_report
+{
 using namespace palpate;
+using palpate::NotANumber;
 using namespace palpate::testing;
 
 namespace
@@ -126,9 +130,8 @@ TEST(HapticReport, SaysWhatIsWrong)
 
 TEST(HapticReport, NumbersThatAreNoneAreRefusedAndNothingIsTaken)
 {
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const double wrong : { NaN, infinity, -infinity })
+  for (const double wrong : { NotANumber, infinity, -infinity })
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -207,15 +210,15 @@ TEST(DescribedSpecification, IsBelievedWhereItIsCredible)
 TEST(DescribedSpecification, WhatIsAbsurdIsReplacedByWhatIsCareful)
 {
   const DeviceSpecification careful = carefulSpecification();
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
-  for (const double absurd : { NaN, 0.0, -1.0, 1e30, std::numeric_limits<double>::infinity() })
+  for (const double absurd :
+    { NotANumber, 0.0, -1.0, 1e30, std::numeric_limits<double>::infinity() })
   {
     DescriptionReport description = knownDescription();
     description.planar = false;
     description.maximumForce = description.maximumStiffness = description.maximumDamping = absurd;
     description.rate = description.sampleTimeOut = absurd;
     description.workspace.setConstant(absurd);
-    description.maximumForceRate = absurd > 0.0 ? NaN : absurd;
+    description.maximumForceRate = absurd > 0.0 ? NotANumber : absurd;
     std::string replaced;
     const DeviceSpecification limits = specificationOf(description, &replaced);
     EXPECT_EQ(limits.maximumForce, careful.maximumForce);
@@ -241,3 +244,4 @@ TEST(DescribedSpecification, InputOnlyFeelsNothing)
   EXPECT_FALSE(limits.outputsForce);
   EXPECT_EQ(limits.maximumForce, 0.0);
 }
+} // namespace haptic_report

@@ -12,6 +12,8 @@
 #include <memory>
 #include <string>
 
+namespace hid_torque
+{
 using Eigen::Vector3d;
 using namespace palpate;
 using namespace palpate::testing;
@@ -93,3 +95,4 @@ TEST(HidTorque, ADeviceThatOutputsNoneIsSentNone)
   EXPECT_EQ(sent.force, Vector3d(1, 0, 0));
   EXPECT_EQ(sent.torque, Vector3d::Zero());
 }
+} // namespace hid_torque

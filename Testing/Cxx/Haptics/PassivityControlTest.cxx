@@ -2,24 +2,26 @@
 // No motion gets more energy out of the forces sent than went in and the device's own damping
 // takes, whatever the scene; and a passive scene is not touched.
 #include "Haptics/Safety/PassivityControl.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 #include <vector>
 
+namespace passivity_control
+{
 using Eigen::Vector3d;
 using palpate::ForcesUnderWay;
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::PassivityControl;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Stiffest = 2000.0; // N/m
 constexpr double Period = 1e-3;     // s
 
@@ -375,7 +377,7 @@ TEST(PassivityControl, LimitsThatAreNone)
     unlimited.sent(Period * i, force);
     EXPECT_EQ(unlimited.energy(), 0.0);
   }
-  for (const double none : { 0.0, -1.0, NaN })
+  for (const double none : { 0.0, -1.0, NotANumber })
   {
     PassivityControl control(none, Period);
     control.observe(0.0, Vector3d::Zero());
@@ -437,7 +439,7 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
       }
     }
   }
-  EXPECT_EQ(ForcesUnderWay(NaN, Period).late(), 0U);
+  EXPECT_EQ(ForcesUnderWay(NotANumber, Period).late(), 0U);
   EXPECT_EQ(ForcesUnderWay(-1.0, Period).late(), 0U);
   EXPECT_EQ(ForcesUnderWay(1.0, Period).late(), ForcesUnderWay::Most);
   EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // rounding is no tick
@@ -544,3 +546,4 @@ TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
   EXPECT_GT(finite, 300);
   EXPECT_EQ(PassivityControl(Infinity, Period).holdTime(), Infinity);
 }
+} // namespace passivity_control

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+namespace passivity_torque
+{
 using Eigen::Vector3d;
 using namespace palpate;
 
@@ -195,3 +197,4 @@ TEST(PassivityTorque, LimitsThatAreNone)
   EXPECT_EQ(uncounted.limit(wanted).torque, wanted.torque);
   EXPECT_LT(uncounted.limit(wanted).force.norm(), 1e-2); // nothing has been put in
 }
+} // namespace passivity_torque

@@ -18,6 +18,8 @@
 #include <memory>
 #include <vector>
 
+namespace replay_device
+{
 using Eigen::Vector3d;
 using namespace palpate::testing;
 using palpate::DeviceFault;
@@ -315,3 +317,4 @@ TEST(RecordingDevice, ReadingsWithoutForcesAndForcesWithoutReadings)
   const auto& inner = dynamic_cast<const SimulatedDevice&>(recorder.device());
   EXPECT_EQ(inner.lastForce(), Vector3d(0, 0, 3));
 }
+} // namespace replay_device

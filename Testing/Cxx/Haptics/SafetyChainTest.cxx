@@ -3,22 +3,20 @@
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+namespace safety_chain
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::Infinity;
+using palpate::NotANumber;
 using namespace palpate::testing;
-
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
 
 TEST(SafetyChain, PassesWhatNeedsNothing)
 {
@@ -192,7 +190,7 @@ TEST(SafetyChain, ForceFactorAndStiffnessLimit)
   EXPECT_EQ(chain.settings().forceFactor, 0.25);
   chain.setForceFactor(3.0);
   EXPECT_EQ(chain.settings().forceFactor, 1.0);
-  for (const double none : { 0.0, -1.0, NaN, -Infinity })
+  for (const double none : { 0.0, -1.0, NotANumber, -Infinity })
   {
     chain.setForceFactor(none);
     EXPECT_EQ(chain.settings().forceFactor, 0.0);
@@ -228,7 +226,7 @@ TEST(SafetyChain, MagnitudeOnlyKnowsNoTime)
   input.valid = true;
   input.idealForce = Vector3d(3.0, 0.0, 4.0);
   input.cappedForce = Vector3d::Zero(); // not looked at
-  for (const double time : { 0.0, 0.0, 7.0, -3.0, NaN, Infinity, 0.0 })
+  for (const double time : { 0.0, 0.0, 7.0, -3.0, NotANumber, Infinity, 0.0 })
   {
     input.time = time;
     const SafeForce safe = chain.apply(input);
@@ -237,9 +235,10 @@ TEST(SafetyChain, MagnitudeOnlyKnowsNoTime)
   }
   input.idealForce *= 3.0;
   EXPECT_LE((chain.apply(input).force - input.idealForce / 3.0).norm(), 1e-15);
-  input.idealForce.y() = NaN;
+  input.idealForce.y() = NotANumber;
   EXPECT_EQ(chain.apply(input).force, Vector3d::Zero());
   input.idealForce.y() = 0.0;
   EXPECT_NEAR(chain.apply(input).force.norm(), 5.0, 1e-14);
   EXPECT_EQ(chain.bodyStiffnessLimit(1.0), Infinity);
 }
+} // namespace safety_chain

@@ -3,23 +3,21 @@
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 
+namespace safety_loss
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::Infinity;
+using palpate::NotANumber;
 using namespace palpate::testing;
-
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
 
 TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
 {
@@ -29,9 +27,10 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
     std::function<void(SafetyInput&, SafetyChain&)> spoil;
   };
   const Loss losses[] = {
-    { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.idealForce.y() = NaN; } },
+    { SafetyLink::NotFinite,
+      [](SafetyInput& in, SafetyChain&) { in.idealForce.y() = NotANumber; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.cappedForce.z() = Infinity; } },
-    { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.time = NaN; } },
+    { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.time = NotANumber; } },
     { SafetyLink::NotFinite, [](SafetyInput& in, SafetyChain&) { in.time = Infinity; } },
     { SafetyLink::Watchdog, [](SafetyInput& in, SafetyChain&) { in.time -= 1.5 * Period; } },
     { SafetyLink::Watchdog, [](SafetyInput& in, SafetyChain&) { in.time += 0.021; } },
@@ -72,7 +71,7 @@ TEST(SafetyLoss, WithoutAGateTheForceComesBackFromNothing)
   ChainedWall wall(settings);
   wall.press();
   SafetyInput bad = wall.at(4e-3);
-  bad.idealForce.x() = NaN;
+  bad.idealForce.x() = NotANumber;
   EXPECT_EQ(wall.Chain.apply(bad).force, Vector3d::Zero());
   EXPECT_EQ(wall.feel(8e-3).force, Vector3d::Zero()); // no time since it began anew
   EXPECT_NEAR(wall.feel(8e-3).force.z(), 5.0, 1e-9);
@@ -82,7 +81,7 @@ TEST(SafetyLoss, WithoutAGateTheForceComesBackFromNothing)
 TEST(SafetyLoss, AGapEndsTheForceAndNotTheTouch)
 {
   const std::function<void(SafetyInput&)> gaps[] = { [](SafetyInput& in) { in.valid = false; },
-    [](SafetyInput& in) { in.position.x() = NaN; },
+    [](SafetyInput& in) { in.position.x() = NotANumber; },
     [](SafetyInput& in) { in.position.y() = -Infinity; } };
   for (const auto& spoil : gaps)
   {
@@ -293,7 +292,7 @@ TEST(SafetyLoss, WhateverComesInWhatGoesOutIsSafe)
     {
       SafetyInput input;
       time += Period;
-      input.time = often(0.002) ? NaN : often(0.002) ? time - 0.5 : time;
+      input.time = often(0.002) ? NotANumber : often(0.002) ? time - 0.5 : time;
       input.valid = !often(0.003);
       input.fresh = !often(0.1);
       place = input.fresh
@@ -307,7 +306,7 @@ TEST(SafetyLoss, WhateverComesInWhatGoesOutIsSafe)
       input.cappedForce = share(random) * input.idealForce;
       if (often(0.003))
       {
-        input.cappedForce.x() = often(0.5) ? NaN : 1e300;
+        input.cappedForce.x() = often(0.5) ? NotANumber : 1e300;
       }
       const Vector3d moved = place - last;
       given += safe.force.dot(moved);
@@ -330,3 +329,4 @@ TEST(SafetyLoss, WhateverComesInWhatGoesOutIsSafe)
     EXPECT_LT(given, allowed) << seed;
   }
 }
+} // namespace safety_loss

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace safety_stability
+{
 using namespace palpate;
 
 namespace
@@ -125,3 +127,4 @@ TEST(SafetyStability, NothingIsTouchedUpToTheLimit)
   EXPECT_LT(below.last, below.first);
   EXPECT_GT(above.last, above.first);
 }
+} // namespace safety_stability

@@ -6,22 +6,23 @@
 #include "ChainedWall.h"
 
 #include "Haptics/Servo/SceneSwitch.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+namespace safety_torque
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::Infinity;
+using palpate::NotANumber;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 SafetySettings turning()
 {
   DeviceSpecification device;
@@ -88,11 +89,11 @@ TEST(SafetyTorque, GoesWithTheForceInTheSameTick)
   expectNone(wall.Chain.apply(input), SafetyLink::NoSample);          // a gap
   EXPECT_LT(wall.Chain.apply(wall.at(1e-3, 0.1)).torque.x(), -0.001); // what the gap left
   input = wall.at(1e-3, 0.1);
-  input.orientation.x() = NaN;
+  input.orientation.x() = NotANumber;
   expectNone(wall.Chain.apply(input), SafetyLink::NoSample);
   wall.press();
   input = wall.at(1e-3, 0.1);
-  input.idealTorque.z() = NaN;
+  input.idealTorque.z() = NotANumber;
   expectNone(wall.Chain.apply(input), SafetyLink::NotFinite);
   expectNone(wall.Chain.apply(wall.at(1e-3, 0.1)), SafetyLink::Gate);
   wall.press();
@@ -157,7 +158,7 @@ TEST(SafetyTorque, ADeviceWithoutTorqueIsSentTheForceOfBefore)
   {
     const double depth = 1e-4 * (i > 40 ? 80 - i : i);
     SafetyInput input = turned.at(depth, 0.3 * std::sin(i));
-    input.idealTorque.z() = i % 7 == 0 ? NaN : 1.0;
+    input.idealTorque.z() = i % 7 == 0 ? NotANumber : 1.0;
     const SafeForce a = turned.Chain.apply(input);
     const SafeForce b = plain.feel(depth);
     ASSERT_EQ(a.force, b.force);
@@ -229,10 +230,11 @@ TEST(SafetyTorque, SettingsOutOfRangeAreNamed)
     "MaximumTorque must not be negative (N m), but is -0.5");
   EXPECT_EQ(named([](SafetySettings& s) { s.maximumTorsionalStiffness = 0.0; }),
     "MaximumTorsionalStiffness must be positive (N m/rad), but is 0");
-  EXPECT_EQ(named([](SafetySettings& s) { s.maximumTorqueRate = NaN; }),
+  EXPECT_EQ(named([](SafetySettings& s) { s.maximumTorqueRate = NotANumber; }),
     "MaximumTorqueRate must be positive (N m/s), but is nan");
   DeviceSpecification none;
   none.maximumTorque = 3.0; // but it outputs none
   EXPECT_EQ(SafetySettings::of(none).maximumTorque, 0.0);
   EXPECT_EQ(SafetySettings::magnitudeOnly(5.0).maximumTorque, 0.0);
 }
+} // namespace safety_torque

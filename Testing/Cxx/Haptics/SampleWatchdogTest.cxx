@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Safety/SafetyLinks.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
-using palpate::SampleWatchdog;
-
-namespace
+namespace sample_watchdog
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
+using palpate::Infinity;
+using palpate::NotANumber;
+using palpate::SampleWatchdog;
 
 TEST(SampleWatchdog, LostOnTheFirstTickAfterTheTimeOut)
 {
@@ -65,10 +62,11 @@ TEST(SampleWatchdog, TimeOutsThatAreNone)
   SampleWatchdog patient(Infinity);
   EXPECT_FALSE(patient.isLost(0.0, true));
   EXPECT_FALSE(patient.isLost(1e9, false));
-  for (const double none : { -1.0, NaN, -Infinity })
+  for (const double none : { -1.0, NotANumber, -Infinity })
   {
     SampleWatchdog watchdog(none);
     EXPECT_TRUE(watchdog.isLost(0.0, true)) << none;
     EXPECT_TRUE(watchdog.isLost(0.001, true)) << none;
   }
 }
+} // namespace sample_watchdog

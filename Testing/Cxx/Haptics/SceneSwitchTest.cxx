@@ -5,21 +5,21 @@
 #include "Contact/CappedResponse.h"
 #include "SampleResponses.h"
 #include "StiffenedBody.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
 using namespace palpate;
+using palpate::Infinity;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Period = 1e-3; // s
 constexpr double PerTick = Period / 0.05;
 

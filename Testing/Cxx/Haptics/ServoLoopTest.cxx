@@ -5,6 +5,7 @@
 #include "SampleResponses.h"
 #include "StandingDevice.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,11 @@
 #include <stdexcept>
 #include <string>
 
+namespace servo_loop
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::NotANumber;
 using namespace palpate::testing;
 
 namespace
@@ -210,18 +214,17 @@ TEST(ServoLoop, SettingsThatCannotBeAreNamed)
     EXPECT_EQ(loop.isRunning(), fault.empty());
     return fault;
   };
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(faultOf(0.5, 0.0, 0), "a rate of 0.5 ticks per second: it must be 1 to 100000");
-  EXPECT_EQ(faultOf(NaN, 0.0, 0), "a rate of nan ticks per second: it must be 1 to 100000");
+  EXPECT_EQ(faultOf(NotANumber, 0.0, 0), "a rate of nan ticks per second: it must be 1 to 100000");
   EXPECT_EQ(faultOf(200e3, 0.0, 0), "a rate of 200000 ticks per second: it must be 1 to 100000");
   EXPECT_EQ(faultOf(1e3, -1.0, 0), "a recording of -1000 ticks: it must be 0 to 1e+07");
-  EXPECT_EQ(faultOf(1e3, NaN, 0), "a recording of nan ticks: it must be 0 to 1e+07");
+  EXPECT_EQ(faultOf(1e3, NotANumber, 0), "a recording of nan ticks: it must be 0 to 1e+07");
   EXPECT_EQ(faultOf(1e3, 1e5, 0), "a recording of 1e+08 ticks: it must be 0 to 1e+07");
   EXPECT_EQ(faultOf(1e3, 0.0, 100), "a real-time priority of 100: it must be 0 to 99");
   EXPECT_EQ(faultOf(1e3, 0.0, -1), "a real-time priority of -1: it must be 0 to 99");
   EXPECT_EQ(faultOf(1e3, 0.0, 0, -1e-4), "a rehearsal of -0.0001 s: it must be 0 to 0.0005");
   EXPECT_EQ(faultOf(1e3, 0.0, 0, 6e-4), "a rehearsal of 0.0006 s: it must be 0 to 0.0005");
-  EXPECT_EQ(faultOf(1e3, 0.0, 0, NaN), "a rehearsal of nan s: it must be 0 to 0.0005");
+  EXPECT_EQ(faultOf(1e3, 0.0, 0, NotANumber), "a rehearsal of nan s: it must be 0 to 0.0005");
   EXPECT_EQ(faultOf(1e3, 0.0, 0), "");
 }
 
@@ -252,3 +255,4 @@ TEST(SteeredHand, ATargetThatIsNotFiniteGivesNoSample)
   EXPECT_TRUE(sample.valid);
   EXPECT_EQ(sample.position, Vector3d(0.0, 0.0, 0.01));
 }
+} // namespace servo_loop

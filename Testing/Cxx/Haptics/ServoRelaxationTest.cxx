@@ -6,6 +6,7 @@
 #include "Haptics/Simulation/SimulatedDevice.h"
 #include "ReferenceTable.h"
 #include "RelaxingPlate.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +16,16 @@
 #include <memory>
 #include <vector>
 
+namespace servo_relaxation
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::Infinity;
 using namespace palpate::testing;
 
 namespace
 {
 constexpr double Period = 1e-3;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 DeviceSample sampleAt(const Vector3& tip)
 {
@@ -267,3 +270,4 @@ TEST(ServoRelaxation, TheCapKnowsTheInstantaneousStiffness)
   }
   EXPECT_GT(last, 0.8 * 0.667);
 }
+} // namespace servo_relaxation

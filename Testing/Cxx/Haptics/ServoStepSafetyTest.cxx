@@ -5,23 +5,25 @@
 
 #include "SampleResponses.h"
 #include "StiffenedBody.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
+namespace servo_step_safety
+{
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::Infinity;
+using palpate::NotANumber;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Period = 1e-3; // s
 constexpr std::uint32_t Button = 4;
 
@@ -150,7 +152,7 @@ TEST(ServoStepSafety, NothingIsSentInTheTickOfAFailureAndContactsAreForgotten)
   DeviceSample gone = overSlab(1.2);
   gone.valid = false;
   DeviceSample wrong = overSlab(1.2);
-  wrong.position.y() = NaN;
+  wrong.position.y() = NotANumber;
   SafetySettings gated = whole();
   gated.controlPassivity = false; // no gaps
   for (const SafetySettings& safety : { gated, unlimited() })
@@ -185,7 +187,7 @@ TEST(ServoStepSafety, AMissingReadingCostsItsTickAndNotTheTouch)
   DeviceSample gone = overSlab(1.2);
   gone.valid = false;
   DeviceSample wrong = overSlab(1.2);
-  wrong.position.y() = NaN;
+  wrong.position.y() = NotANumber;
   for (const DeviceSample& bad : { gone, wrong, DeviceSample(), sampleAt(Vector3d(0, 0, 1e306)) })
   {
     Pressed pressed(whole());
@@ -311,7 +313,7 @@ TEST(ServoStepSafety, APlanarDeviceFeelsWhatLiesInItsPlane)
   ServoStep step(std::move(scene), mapping, unlimited());
   for (int i = 0; i < 50; ++i)
   {
-    const Tick tick = step.step(sampleAt(Vector3d(-1e-5 * i, 0.0105, NaN)), 1e-3 * i);
+    const Tick tick = step.step(sampleAt(Vector3d(-1e-5 * i, 0.0105, NotANumber)), 1e-3 * i);
     ASSERT_TRUE(tick.valid);
     EXPECT_EQ(tick.tip.y(), 18.7);
     EXPECT_GT(std::abs(tick.contact.force.y()), 1.0) << "the body pushes out of the plane as well";
@@ -415,3 +417,4 @@ TEST(ServoStepSafety, ACopyGoesItsOwnWay)
   ServoStep moved = std::move(copy);
   EXPECT_TRUE(moved.isSwitching());
 }
+} // namespace servo_step_safety

@@ -3,18 +3,22 @@
 
 #include "SampleResponses.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+namespace servo_step
+{
 using Eigen::Vector3d;
 using namespace palpate::testing;
 using palpate::Contact;
 using palpate::ContactState;
 using palpate::DeviceSample;
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::ServoStep;
 using palpate::Tick;
 using palpate::ToolContact;
@@ -22,9 +26,6 @@ using palpate::WorkspaceMapping;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 DeviceSample sampleAt(const Vector3d& metres)
 {
   DeviceSample sample;
@@ -123,7 +124,7 @@ TEST(ServoStep, LimitsThatAreNoneSendNothing)
 {
   const auto body = uniformBody(thinSlab());
   const DeviceSample pressed = sampleAt(Vector3d(0.0203, 0.0187, 0.0025));
-  for (const double limit : { 0.0, -1.0, NaN, -Infinity })
+  for (const double limit : { 0.0, -1.0, NotANumber, -Infinity })
   {
     ServoStep step(*body, WorkspaceMapping(), limit);
     const Tick tick = step.step(pressed, 0.0);
@@ -140,7 +141,7 @@ TEST(ServoStep, InvalidSamplesSendNothingAndForget)
   const auto body = uniformBody(thinSlab());
   DeviceSample failed = sampleAt(Vector3d(0.0203, 0.0187, 0.0012));
   failed.valid = false;
-  for (const DeviceSample& bad : { failed, DeviceSample(), sampleAt(Vector3d(NaN, 0, 0)),
+  for (const DeviceSample& bad : { failed, DeviceSample(), sampleAt(Vector3d(NotANumber, 0, 0)),
          sampleAt(Vector3d(0, Infinity, 0)), sampleAt(Vector3d(0, 0, 1e306)) }) // overflows in mm
   {
     ServoStep step(*body, WorkspaceMapping(), 100.0);
@@ -190,3 +191,4 @@ TEST(ServoStep, PaperFormIsPassedOn)
   EXPECT_LT(paper.step(sample, 0.0).contact.normalForce,
     0.97 * whole.step(sample, 0.0).contact.normalForce);
 }
+} // namespace servo_step

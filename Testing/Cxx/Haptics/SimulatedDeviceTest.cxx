@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
+namespace simulated_device
+{
 using Eigen::Vector3d;
 using palpate::DeviceSample;
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::SimulatedDevice;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 SimulatedDevice threePoints()
 {
   return SimulatedDevice(
@@ -87,7 +87,7 @@ TEST(SimulatedDevice, OneWayPoint)
 TEST(SimulatedDevice, TimesThatAreNotFinite)
 {
   SimulatedDevice device = threePoints();
-  for (const double time : { NaN, Infinity, -Infinity })
+  for (const double time : { NotANumber, Infinity, -Infinity })
   {
     const DeviceSample sample = device.read(time);
     EXPECT_FALSE(sample.valid);
@@ -112,3 +112,4 @@ TEST(SimulatedDevice, StatesTheSpecificationItWasGiven)
   EXPECT_EQ(device.specification().maximumForce, 3.3);
   EXPECT_EQ(device.specification().rate, 4000.0);
 }
+} // namespace simulated_device

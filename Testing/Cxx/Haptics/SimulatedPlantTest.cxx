@@ -4,6 +4,7 @@
 #include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "Agreement.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,18 +16,20 @@
 #include <utility>
 #include <vector>
 
+namespace simulated_plant
+{
 using namespace palpate::testing;
 using Eigen::Vector3d;
 using palpate::DeviceSample;
 using palpate::DeviceSpecification;
 using palpate::HandModel;
+using palpate::NotANumber;
 using palpate::SimulatedDevice;
 using palpate::SimulatedPlant;
 using palpate::SteeredTarget;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 const HandModel Nobody{ 0.0, 0.0 };
 const Vector3d Origin = Vector3d::Zero();
 constexpr double Period = 0.25; // s; exact in binary, as are the delays
@@ -181,7 +184,7 @@ TEST(SimulatedPlant, ASteeredHand)
     EXPECT_NEAR(x.x(), 0.01 * share, 1e-8);
     EXPECT_NEAR(x.y(), 0.02 * (1.0 - share), 1e-8);
   }
-  device.steerTo({ NaN, 0.0, 0.0 }); // is not heard
+  device.steerTo({ NotANumber, 0.0, 0.0 }); // is not heard
   const Vector3d before = device.read(0.101).position;
   EXPECT_TRUE(device.read(0.102).valid);
   EXPECT_NEAR((device.read(0.2).position - before).norm(), 0.0, 1e-3);
@@ -255,7 +258,7 @@ TEST(SimulatedPlant, ATimeThatDoesNotIncrease)
     EXPECT_FALSE(again.fresh);
     EXPECT_EQ(again.position, at.position);
   }
-  for (const double time : { NaN, std::numeric_limits<double>::infinity() })
+  for (const double time : { NotANumber, std::numeric_limits<double>::infinity() })
   {
     EXPECT_FALSE(device.read(time).valid);
   }
@@ -268,7 +271,7 @@ TEST(SimulatedPlant, RefusesAForceThatIsNotFinite)
   device.read(0.0);
   device.write({ 1.0, 0.0, 0.0 });
   device.read(1.0);
-  EXPECT_FALSE(device.write({ NaN, 0.0, 0.0 }));
+  EXPECT_FALSE(device.write({ NotANumber, 0.0, 0.0 }));
   EXPECT_EQ(device.read(2.0).position.x(), 3.0); // goes on at 2 m/s
 }
 
@@ -299,13 +302,13 @@ TEST(SimulatedPlant, WrongSettingsAreNamed)
   EXPECT_EQ(
     status(plant, hand, {}, 1e3), "not simulated: sample-delay must be from 0 to 1 s, not 2");
   plant = {};
-  plant.encoderStep = NaN;
+  plant.encoderStep = NotANumber;
   EXPECT_EQ(
     status(plant, hand, {}, 1e3), "not simulated: encoder-step must be from 0 to 1e+09 m, not nan");
   EXPECT_EQ(status({}, { -5.0, 0.0 }, {}, 1e3),
     "not simulated: stiffness must be from 0 to 1e+09 N/m, not -5");
-  EXPECT_EQ(
-    status({}, hand, { { 0.0, { NaN, 0, 0 } } }, 1e3), "not simulated: way point 0 is not finite");
+  EXPECT_EQ(status({}, hand, { { 0.0, { NotANumber, 0, 0 } } }, 1e3),
+    "not simulated: way point 0 is not finite");
   EXPECT_EQ(status({}, hand, { { 1.0, { 0, 0, 0 } }, { 0.0, { 0, 0, 0 } } }, 1e3),
     "not simulated: way point 1 is earlier than the one before");
   EXPECT_EQ(status({}, hand, {}, 0.0), "not simulated: rate must be above 0, to 100000 Hz");
@@ -379,3 +382,4 @@ TEST(SimulatedPlant, StatesWhatASampledLoopMayRender)
   EXPECT_EQ(device.maximumDamping, 1.0);
   EXPECT_EQ(device.rate, 1000.0);
 }
+} // namespace simulated_plant

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace space_mouse_device
+{
 using Eigen::Vector3d;
 using namespace palpate;
 using namespace palpate::testing;
@@ -183,3 +185,4 @@ TEST(SpaceMouse, WrongLengthsAreCounted)
   ASSERT_TRUE(eventually([&] { return bench.mouse->errors().malformed == 1; }));
   EXPECT_EQ(bench.run(0.1).position, Vector3d::Zero());
 }
+} // namespace space_mouse_device

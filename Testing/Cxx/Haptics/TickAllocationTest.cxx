@@ -9,21 +9,24 @@
 #include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <new>
 #include <vector>
 
+namespace tick_allocation
+{
 using Eigen::Vector3d;
 using namespace palpate::testing;
 using palpate::ContactState;
 using palpate::DeviceSample;
+using palpate::NotANumber;
 using palpate::ServoStep;
 using palpate::SimulatedDevice;
 using palpate::Tick;
@@ -32,7 +35,6 @@ using palpate::WorkspaceMapping;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int Ticks = 5000;
 
 /// How often each state was met: the test must have been everywhere.
@@ -47,7 +49,7 @@ void met(States& states, ContactState state)
 Vector3d pathOf(int tick)
 {
   const double t = 1e-3 * tick;
-  const double z = tick % 97 == 0 ? NaN : 1.0 - 4.0 * std::abs(std::sin(5.0 * t));
+  const double z = tick % 97 == 0 ? NotANumber : 1.0 - 4.0 * std::abs(std::sin(5.0 * t));
   return { 5.0 + 6.0 * std::sin(3.1 * t), 5.0 + 5.5 * std::cos(1.7 * t), z };
 }
 
@@ -298,7 +300,7 @@ TEST(TickAllocation, DeviceToForceToDevice)
   const long before = allocationCount();
   for (int tick = -10; tick < Ticks + 10; ++tick)
   {
-    const double time = tick == 1234 ? NaN : 1e-3 * tick;
+    const double time = tick == 1234 ? NotANumber : 1e-3 * tick;
     DeviceSample sample = device.read(time);
     sample.valid = sample.valid && tick % 113 != 0;
     const Tick done = step.step(sample, time);
@@ -327,9 +329,9 @@ TEST(TickAllocation, OfADeviceThatTurnsAndIsSentTorque)
     DeviceSample sample;
     sample.position = pathOf(tick) / 1000.0;
     sample.valid = true;
-    sample.orientation = tick % 31 == 0
-      ? palpate::orientationNotTold()
-      : palpate::turnedBy(Vector3d(0.3 * std::sin(0.01 * tick), tick % 41 == 0 ? NaN : 0.1, 0.0));
+    sample.orientation = tick % 31 == 0 ? palpate::orientationNotTold()
+                                        : palpate::turnedBy(Vector3d(0.3 * std::sin(0.01 * tick),
+                                            tick % 41 == 0 ? NotANumber : 0.1, 0.0));
     valid += step.step(sample, 1e-3 * tick).valid;
   }
   EXPECT_EQ(allocationCount(), before);
@@ -382,3 +384,4 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
   expectEverywhere(states);
   EXPECT_GT(*std::min_element(forces.begin(), forces.end()), 100);
 }
+} // namespace tick_allocation

@@ -4,20 +4,22 @@
 #include "Haptics/Devices/SteeredAxis.h"
 #include "Haptics/Devices/TimedPath.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
+namespace tool_orientation
+{
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::NotANumber;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Rounding = 1e-14; ///< of a dozen operations on numbers up to π
 
 Vector3d anyDirection(std::mt19937& random)
@@ -48,10 +50,10 @@ TEST(ToolOrientation, TheShaftIsTheToolsOwnZ)
     EXPECT_LE((shaftOf(told) - turn.col(2)).norm(), Rounding);
   }
   EXPECT_FALSE(isTold(orientationAlong(Vector3d::Zero())));
-  EXPECT_FALSE(isTold(orientationAlong(Vector3d(NaN, 0.0, 1.0))));
-  EXPECT_TRUE(isTold(ToolOrientation(NaN, 0.0, 0.0, 0.0)));
+  EXPECT_FALSE(isTold(orientationAlong(Vector3d(NotANumber, 0.0, 1.0))));
+  EXPECT_TRUE(isTold(ToolOrientation(NotANumber, 0.0, 0.0, 0.0)));
   EXPECT_EQ(shaftOf(orientationNotTold()), Vector3d::Zero());
-  EXPECT_EQ(shaftOf(ToolOrientation(1.0, NaN, 0.0, 0.0)), Vector3d::Zero());
+  EXPECT_EQ(shaftOf(ToolOrientation(1.0, NotANumber, 0.0, 0.0)), Vector3d::Zero());
   EXPECT_LE((shaftOf(orientationAlong(-Vector3d::UnitZ())) + Vector3d::UnitZ()).norm(), Rounding);
 }
 
@@ -110,7 +112,7 @@ TEST(ToolOrientation, ASteeredHandTurnsAsItMoves)
   hand.turnTo(-shaftOf(hand.read(0.202).orientation)); // the other way round
   EXPECT_NEAR(shaftOf(hand.read(0.203).orientation).norm(), 1.0, Rounding);
   const Vector3d held = shaftOf(hand.read(0.3).orientation);
-  hand.turnTo(Vector3d(NaN, 0.0, 0.0));
+  hand.turnTo(Vector3d(NotANumber, 0.0, 0.0));
   EXPECT_GT(shaftOf(hand.read(0.301).orientation).dot(held), 0.99);
   hand.turnTo(Vector3d::Zero());
   EXPECT_FALSE(isTold(hand.read(0.302).orientation));
@@ -131,5 +133,6 @@ TEST(ToolOrientation, APathTurnsEvenly)
   EXPECT_FALSE(isTold(hand.read(1.5).orientation));
   EXPECT_FALSE(isTold(hand.read(2.5).orientation));
   EXPECT_EQ(TimedPath({}).axisAt(0.0), Vector3d::Zero());
-  EXPECT_NE(TimedPath({ { 0.0, Vector3d::Zero(), Vector3d(NaN, 0.0, 0.0) } }).fault(), "");
+  EXPECT_NE(TimedPath({ { 0.0, Vector3d::Zero(), Vector3d(NotANumber, 0.0, 0.0) } }).fault(), "");
 }
+} // namespace tool_orientation

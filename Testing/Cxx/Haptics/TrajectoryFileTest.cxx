@@ -4,29 +4,30 @@
 
 #include "FileSizeLimit.h"
 #include "ScratchFile.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+namespace trajectory_file
+{
 using Eigen::Vector3d;
 using namespace palpate::testing;
 using palpate::ContactState;
+using palpate::NotANumber;
 using palpate::Tick;
 using palpate::Trajectory;
 using palpate::TrajectoryRow;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 /// Any finite double: of all exponents, both signs, subnormal ones, -0.
 double anyNumber(std::mt19937_64& random)
 {
@@ -182,7 +183,7 @@ TEST(TrajectoryFile, TicksOfAServoStep)
   ticks[2] = Tick(); // no valid sample
   ticks[2].time = 0.002;
   ticks[2].contact.state = ContactState::Invalid;
-  ticks[3].tip.y() = NaN;
+  ticks[3].tip.y() = NotANumber;
   const ScratchFile file(".csv");
   ASSERT_EQ(palpate::writeTrajectory(file.path(), ticks), "");
   std::ifstream stream(file.path());
@@ -285,7 +286,7 @@ TEST(TrajectoryFile, WritesNothingThatCannotBeRead)
 {
   const ScratchFile file(".csv");
   Trajectory trajectory = anyTrajectory(true, false);
-  trajectory.rows[7].contact.deflection = NaN;
+  trajectory.rows[7].contact.deflection = NotANumber;
   EXPECT_EQ(palpate::writeTrajectory(file.path(), trajectory),
     "cannot write '" + file.path() + "': row 7: deflection_mm is not finite");
   EXPECT_FALSE(std::ifstream(file.path()).good());
@@ -340,3 +341,4 @@ TEST(TrajectoryFile, OnAFullDiskTheFirstRowsAreKeptAndTheOldFileStands)
   EXPECT_EQ(palpate::writeTrajectory("/dev/full", trajectory),
     "cannot write '/dev/full': No space left on device");
 }
+} // namespace trajectory_file

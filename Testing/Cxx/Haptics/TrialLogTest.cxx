@@ -10,13 +10,15 @@
 #include <fstream>
 #include <sstream>
 
+namespace trial_log
+{
 using palpate::readTrialLog;
 using palpate::TrialAnswer;
 using palpate::TrialHead;
 using palpate::TrialLog;
 using palpate::TrialRecord;
 using palpate::testing::ScratchFile;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace
 {
@@ -252,3 +254,4 @@ TEST(TrialLog, BadFilesAreNamedWithTheirLine)
   TrialRecord record;
   EXPECT_THAT(readTrialLog("/nowhere/at/all.csv", record), HasSubstr("/nowhere/at/all.csv"));
 }
+} // namespace trial_log

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Haptics/Trials/TrialScore.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
+namespace trial_score
+{
+using palpate::Infinity;
 using palpate::scoreTrials;
 using palpate::TrialRecord;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// `right` right answers of `trials` between 1 N and 3 N, X always the stronger.
 TrialRecord answered(int right, int trials)
 {
@@ -136,3 +137,4 @@ TEST(TrialScore, SaysInWordsWhatItFound)
   EXPECT_THAT(words(chosen), Not(HasSubstr("right in")));
   EXPECT_THAT(words(chosen), HasSubstr("X, the first of each two, chosen in 8 of 10"));
 }
+} // namespace trial_score

@@ -7,28 +7,29 @@
 
 #include "SampleResponses.h"
 #include "ScratchFile.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+namespace turning_step
+{
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using namespace palpate;
+using palpate::NotANumber;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 struct Plate
 {
   Surface surface = block(40, 40, 10);
@@ -136,7 +137,7 @@ TEST(TurningStep, NoOrientationIsTheTickOfBeforeAndNonsenseIsNoSample)
     ASSERT_FALSE(b.hasAxis());
     ASSERT_EQ(b.deviceTorque, Vector3d::Zero());
   }
-  const Tick lost = turning.step(sampleAt(9.9, ToolOrientation(1.0, NaN, 0.0, 0.0)), 0.6);
+  const Tick lost = turning.step(sampleAt(9.9, ToolOrientation(1.0, NotANumber, 0.0, 0.0)), 0.6);
   EXPECT_FALSE(lost.valid);
   EXPECT_EQ(lost.deviceForce, Vector3d::Zero());
   EXPECT_EQ(lost.axis, Vector3d::Zero());
@@ -209,3 +210,4 @@ TEST(TurningStep, AxesInFilesThatAreNone)
     faultOf(names + "axis_x,axis_z\n0,1,2,3,0,1\n").find("'axis_y' is missing"), std::string::npos);
   EXPECT_NE(faultOf(names + "axis_x,axis_y,axis_z\n0,1,2,3,0,nan,1\n"), "");
 }
+} // namespace turning_step

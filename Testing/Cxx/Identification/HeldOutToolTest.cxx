@@ -12,6 +12,8 @@
 #include <cmath>
 #include <random>
 
+namespace held_out_tool
+{
 using palpate::BodyIdentification;
 using palpate::BodyModel;
 using palpate::IdentificationOptions;
@@ -175,3 +177,4 @@ TEST(HeldOutTool, FailsOnAPlateNoThickerThanTheContact)
   EXPECT_LT(off, -0.1);
   EXPECT_GT(off, -0.4);
 }
+} // namespace held_out_tool

@@ -18,6 +18,8 @@
 
 #include <fstream>
 
+namespace relaxation_identification
+{
 using palpate::BodyIdentification;
 using palpate::BodyModel;
 using palpate::IdentificationOptions;
@@ -605,3 +607,4 @@ TEST(RelaxationIdentification, ManyReadings)
   expectSeries(body, press.series);
   EXPECT_LT(worstRelaxation(body, UnitModulus, press.series), 0.01);
 }
+} // namespace relaxation_identification

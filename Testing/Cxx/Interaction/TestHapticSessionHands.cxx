@@ -5,6 +5,7 @@
 #include "Haptics/Servo/ServoStep.h"
 
 #include "vtkTable.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,13 +18,13 @@
 namespace
 {
 using namespace palpate::testing;
+using palpate::Pi;
 using Session = vtkSmartPointer<vtkHapticSession>;
 
-constexpr double Circle = 3.14159265358979323846;
 constexpr double Modulus = 0.5 / (1.0 - 0.45 * 0.45); // E*, MPa
 constexpr double Spring = 2.0 * 2.0 * Modulus;        // of the flat end, N/mm
 constexpr double Apart = 6.0;                         // mm
-constexpr double Mutual = 1.0 / (Circle * Modulus * Apart);
+constexpr double Mutual = 1.0 / (Pi * Modulus * Apart);
 
 Body flatOn(bool isCoupled)
 {

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <utility>
 
+namespace regime_law
+{
 using namespace palpate;
 using palpate::testing::Paraboloid;
 
@@ -151,3 +153,4 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   // Shallower than a hundredth of the range nothing is compared.
   EXPECT_EQ(regime(*tool, material, { 1.0, 0.01 }, 1.0, &given, spans), "");
 }
+} // namespace regime_law

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace validity_rule
+{
 using namespace palpate;
 using palpate::testing::Paraboloid;
 
@@ -74,3 +76,4 @@ TEST_F(Validity, WithinTheRangeNothingBreaks)
   EXPECT_EQ(answer.limit, ResponseLimit::None);
   EXPECT_EQ(answer.depth, 0.5);
 }
+} // namespace validity_rule

@@ -6,8 +6,8 @@
 #include "Quadrature.h"
 #include "TestTools.h"
 
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::tool;
 
 namespace

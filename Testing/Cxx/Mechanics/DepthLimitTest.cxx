@@ -8,8 +8,8 @@
 #include "Quadrature.h"
 #include "TestTools.h"
 
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::Quadrature;
 using palpate::testing::tool;
 

@@ -8,8 +8,8 @@
 #include "TestTools.h"
 
 using palpate::GeneralTool;
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 
 namespace
 {

@@ -6,8 +6,8 @@
 
 #include <string>
 
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::Quadrature;
 using palpate::testing::Rubber;
 

@@ -14,8 +14,8 @@
 using palpate::LayerBase;
 using palpate::LayerContact;
 using palpate::LayerKernel;
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::Quadrature;
 using palpate::testing::tool;
 

@@ -17,9 +17,9 @@ using palpate::LayerBase;
 using palpate::LayerContact;
 using palpate::LayerKernel;
 using palpate::LayerStack;
+using palpate::Pi;
 using palpate::StackLayer;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::ReferenceTable;
 using palpate::testing::tool;
 

@@ -13,13 +13,13 @@ using palpate::LayerBase;
 using palpate::LayerContact;
 using palpate::LayerKernel;
 using palpate::LayerSurface;
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::tool;
 
 namespace
 {
-std::shared_ptr<const LayerKernel> kernelOf(double nu, LayerBase base)
+std::shared_ptr<const LayerKernel> freshKernel(double nu, LayerBase base)
 {
   return std::make_shared<const LayerKernel>(nu, base);
 }
@@ -69,7 +69,7 @@ TEST(LayerSurface, DisplacedVolume)
   {
     SCOPED_TRACE(given.tool);
     const auto pressed = tool(given.tool);
-    const LayerContact contact(*pressed, kernelOf(given.nu, given.base), Thickness);
+    const LayerContact contact(*pressed, freshKernel(given.nu, given.base), Thickness);
     const LayerSurface surface(contact, given.depth);
     const double a = contact.contactRadius(given.depth);
     const auto ring = [&](double r) { return 2.0 * Pi * r * surface.at(r).normal; };
@@ -98,7 +98,7 @@ TEST(LayerSurface, RadialMoment)
     }
     SCOPED_TRACE(given.tool);
     const auto pressed = tool(given.tool);
-    const LayerContact contact(*pressed, kernelOf(given.nu, given.base), Thickness);
+    const LayerContact contact(*pressed, freshKernel(given.nu, given.base), Thickness);
     const LayerSurface surface(contact, given.depth);
     const double a = contact.contactRadius(given.depth);
     const double k = 3.0 - 4.0 * given.nu;
@@ -122,7 +122,7 @@ TEST(LayerSurface, HankelIntegral)
   {
     const double a = 2.0;
     const auto flat = tool("flat:2");
-    const auto kernel = kernelOf(nu, LayerBase::Bonded);
+    const auto kernel = freshKernel(nu, LayerBase::Bonded);
     const LayerContact contact(*flat, kernel, Thickness);
     const LayerSurface surface(contact, 1.0);
     const auto y = kernel->solve(a / Thickness).flat;
@@ -147,7 +147,7 @@ TEST(LayerSurface, HankelIntegral)
 TEST(LayerSurface, ThickLayerIsAHalfSpace)
 {
   const auto sphere = tool("sphere:5");
-  const LayerContact contact(*sphere, kernelOf(0.3, LayerBase::Bonded), 1e5);
+  const LayerContact contact(*sphere, freshKernel(0.3, LayerBase::Bonded), 1e5);
   const LayerSurface surface(contact, 0.5);
   for (const double r : { 0.0, 0.3, 1.0, 1.5, 1.6, 2.0, 5.0, 30.0 })
   {
@@ -162,7 +162,7 @@ TEST(LayerSurface, ThickLayerIsAHalfSpace)
 TEST(LayerSurface, NoContactNoDisplacement)
 {
   const auto flat = tool("flat:30");
-  const LayerContact contact(*flat, kernelOf(0.3, LayerBase::Bonded), 2.0);
+  const LayerContact contact(*flat, freshKernel(0.3, LayerBase::Bonded), 2.0);
   for (const double depth : { 0.0, -1.0, 0.5 }) // the last: 15 thicknesses wide, not answered
   {
     EXPECT_EQ(LayerSurface(contact, depth).at(1.0).normal, 0.0);

@@ -90,7 +90,7 @@ TEST(LayerTable, BondedSphere)
 TEST(LayerTable, BondedCone)
 {
   const ReferenceTable table("layer_bonded_cone_ratio.csv");
-  const double tangent = std::tan(palpate::testing::Pi / 3.0);
+  const double tangent = std::tan(palpate::Pi / 3.0);
   forEachRatio(table, "nu\\eta=delta*tan(alpha)/h",
     [&](std::size_t row, const std::shared_ptr<const LayerKernel>& kernel)
     {

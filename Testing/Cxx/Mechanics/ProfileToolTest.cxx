@@ -5,10 +5,11 @@
 #include "Agreement.h"
 #include "ScratchFile.h"
 #include "TestTools.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <fstream>
-#include <limits>
 
+using palpate::Infinity;
 using palpate::ProfilePoint;
 using palpate::ProfileTool;
 using palpate::testing::agrees;
@@ -16,8 +17,6 @@ using palpate::testing::tool;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 std::vector<ProfilePoint> sampled(
   const palpate::AxisymmetricTool& shape, double outer, int segments)
 {

@@ -9,8 +9,8 @@
 #include <map>
 #include <vector>
 
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::ReferenceTable;
 using palpate::testing::Rubber;
 
@@ -73,7 +73,7 @@ void forEachRow(const ReferenceTable& table, Check&& check)
 }
 
 // The table prints 14 digits; its own quadratures agree with closed forms to 3e-11.
-constexpr double Tolerance = 1e-10;
+constexpr double ClosedFormTolerance = 1e-10;
 } // namespace
 
 TEST(PunchTable, ContactRadiusForceAndStiffness)
@@ -82,11 +82,11 @@ TEST(PunchTable, ContactRadiusForceAndStiffness)
   forEachRow(table,
     [&](const Row& row)
     {
-      EXPECT_TRUE(agrees(row.tool->contactRadius(row.depth), row.a, Tolerance));
-      EXPECT_TRUE(agrees(
-        row.tool->force(row.depth, Rubber), table.number(row.index, "F_N(E*=3.45MPa)"), Tolerance));
+      EXPECT_TRUE(agrees(row.tool->contactRadius(row.depth), row.a, ClosedFormTolerance));
+      EXPECT_TRUE(agrees(row.tool->force(row.depth, Rubber),
+        table.number(row.index, "F_N(E*=3.45MPa)"), ClosedFormTolerance));
       EXPECT_TRUE(agrees(row.tool->stiffness(row.depth, Rubber),
-        table.number(row.index, "dFddelta=2E*a_N/mm"), Tolerance));
+        table.number(row.index, "dFddelta=2E*a_N/mm"), ClosedFormTolerance));
     });
 }
 
@@ -114,7 +114,8 @@ TEST(PunchTable, PressureHalfWayToTheRim)
         ASSERT_NE(depth, depths.end());
         expected = exact->second[static_cast<std::size_t>(depth - depths.begin())];
       }
-      EXPECT_TRUE(agrees(row.tool->pressure(0.5 * row.a, row.depth, Rubber), expected, Tolerance));
+      EXPECT_TRUE(
+        agrees(row.tool->pressure(0.5 * row.a, row.depth, Rubber), expected, ClosedFormTolerance));
     });
 }
 
@@ -125,7 +126,7 @@ TEST(PunchTable, NormalDisplacementOutside)
     [&](const Row& row)
     {
       EXPECT_TRUE(agrees(row.tool->surfaceDisplacement(2.0 * row.a, row.depth, 0.3).normal,
-        table.number(row.index, "uz(2a)_mm"), Tolerance));
+        table.number(row.index, "uz(2a)_mm"), ClosedFormTolerance));
     });
 }
 
@@ -138,9 +139,9 @@ TEST(PunchTable, RadialDisplacementAndLoadInside)
     {
       const double r = 0.5 * row.a;
       const double radial = row.tool->surfaceDisplacement(r, row.depth, nu).radial;
-      EXPECT_TRUE(agrees(radial, table.number(row.index, "ur(a/2)_mm_nu0.3"), Tolerance));
+      EXPECT_TRUE(agrees(radial, table.number(row.index, "ur(a/2)_mm_nu0.3"), ClosedFormTolerance));
       // u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r, solved for the load inside r.
       const double load = -radial * 2.0 * Pi * (1.0 - nu) * Rubber * r / (1.0 - 2.0 * nu);
-      EXPECT_TRUE(agrees(load, table.number(row.index, "Fin(a/2)_N"), Tolerance));
+      EXPECT_TRUE(agrees(load, table.number(row.index, "Fin(a/2)_N"), ClosedFormTolerance));
     });
 }

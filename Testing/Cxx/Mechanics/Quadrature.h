@@ -2,13 +2,14 @@
 #ifndef palpate_testing_Quadrature_h
 #define palpate_testing_Quadrature_h
 
+#include "Mechanics/Numerics/Constants.h"
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace palpate::testing
 {
-constexpr double Pi = 3.14159265358979323846;
 
 /**
  * The tests' own Gauss-Legendre rule: nodes by Newton's method on the three-term recurrence of the

@@ -2,17 +2,14 @@
 #include "Mechanics/ReducedModulus.h"
 
 #include "Agreement.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <limits>
 
+using palpate::Infinity;
+using palpate::NotANumber;
 using palpate::reducedModulus;
 using palpate::testing::agrees;
-
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
 
 TEST(ReducedModulus, Values)
 {
@@ -24,12 +21,12 @@ TEST(ReducedModulus, Values)
 
 TEST(ReducedModulus, InvalidIsNaN)
 {
-  for (const double modulus : { 0.0, -1.0, Infinity, NaN })
+  for (const double modulus : { 0.0, -1.0, Infinity, NotANumber })
   {
     EXPECT_FALSE(palpate::isYoungsModulus(modulus)) << modulus;
     EXPECT_TRUE(std::isnan(reducedModulus(modulus, 0.3))) << modulus;
   }
-  for (const double ratio : { -1e-9, std::nextafter(0.5, 1.0), 1.0, -1.0, Infinity, NaN })
+  for (const double ratio : { -1e-9, std::nextafter(0.5, 1.0), 1.0, -1.0, Infinity, NotANumber })
   {
     EXPECT_FALSE(palpate::isPoissonsRatio(ratio)) << ratio;
     EXPECT_TRUE(std::isnan(reducedModulus(1.0, ratio))) << ratio;

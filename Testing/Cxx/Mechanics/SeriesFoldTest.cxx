@@ -10,9 +10,9 @@
 #include "Quadrature.h"
 #include "TestTools.h"
 
+using palpate::Pi;
 using palpate::seriesResponse;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::Rubber;
 using palpate::testing::tool;
 

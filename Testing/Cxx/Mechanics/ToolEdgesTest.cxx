@@ -3,19 +3,16 @@
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"
+#include "Mechanics/Numerics/Constants.h"
 
-#include <limits>
 #include <string>
 
+using palpate::Pi;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::tool;
 
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-} // namespace
+using palpate::Infinity;
+using palpate::NotANumber;
 
 class ToolEdges : public ::testing::TestWithParam<const char*>
 {
@@ -42,20 +39,20 @@ TEST_P(ToolEdges, NoContactIsZero)
 TEST_P(ToolEdges, NaNGivesNaN)
 {
   const auto& t = *this->Tool;
-  EXPECT_TRUE(std::isnan(t.force(NaN, 3.0)));
-  EXPECT_TRUE(std::isnan(t.force(1.0, NaN)));
-  EXPECT_TRUE(std::isnan(t.stiffness(NaN, 3.0)));
-  EXPECT_TRUE(std::isnan(t.stiffness(1.0, NaN)));
-  EXPECT_TRUE(std::isnan(t.contactRadius(NaN)));
-  EXPECT_TRUE(std::isnan(t.pressure(0.1, NaN, 3.0)));
-  EXPECT_TRUE(std::isnan(t.pressure(NaN, 1.0, 3.0)));
-  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(0.1, NaN, 0.3).normal));
-  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(0.1, NaN, 0.3).radial));
-  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(NaN, 1.0, 0.3).normal));
-  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(0.1, 1.0, NaN).radial));
-  EXPECT_TRUE(std::isnan(t.profile(NaN)));
-  EXPECT_TRUE(std::isnan(t.depthAtStrain(NaN)));
-  EXPECT_TRUE(std::isnan(t.depthAtContactRadius(NaN)));
+  EXPECT_TRUE(std::isnan(t.force(NotANumber, 3.0)));
+  EXPECT_TRUE(std::isnan(t.force(1.0, NotANumber)));
+  EXPECT_TRUE(std::isnan(t.stiffness(NotANumber, 3.0)));
+  EXPECT_TRUE(std::isnan(t.stiffness(1.0, NotANumber)));
+  EXPECT_TRUE(std::isnan(t.contactRadius(NotANumber)));
+  EXPECT_TRUE(std::isnan(t.pressure(0.1, NotANumber, 3.0)));
+  EXPECT_TRUE(std::isnan(t.pressure(NotANumber, 1.0, 3.0)));
+  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(0.1, NotANumber, 0.3).normal));
+  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(0.1, NotANumber, 0.3).radial));
+  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(NotANumber, 1.0, 0.3).normal));
+  EXPECT_TRUE(std::isnan(t.surfaceDisplacement(0.1, 1.0, NotANumber).radial));
+  EXPECT_TRUE(std::isnan(t.profile(NotANumber)));
+  EXPECT_TRUE(std::isnan(t.depthAtStrain(NotANumber)));
+  EXPECT_TRUE(std::isnan(t.depthAtContactRadius(NotANumber)));
 }
 
 TEST_P(ToolEdges, NegativeDistanceIsNaN)

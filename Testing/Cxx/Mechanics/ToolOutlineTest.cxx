@@ -13,8 +13,8 @@
 #include <random>
 
 using Eigen::Vector2d;
+using palpate::Pi;
 using palpate::ToolOutline;
-using palpate::testing::Pi;
 using palpate::testing::tool;
 
 namespace

@@ -4,9 +4,9 @@
 #include "Quadrature.h"
 #include "TestTools.h"
 
+using palpate::Pi;
 using palpate::scaledTool;
 using palpate::testing::agrees;
-using palpate::testing::Pi;
 using palpate::testing::tool;
 
 TEST(ToolScaling, LengthsGrowByTheFactor)

@@ -8,15 +8,14 @@
 #include "vtkIntArray.h"
 #include "vtkToolContactProbe.h"
 #include "vtkUnsignedCharArray.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <functional>
-#include <limits>
 
 namespace
 {
 using namespace palpate::testing;
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+using palpate::NotANumber;
 
 using Spoil = std::function<void(vtkPolyData*)>;
 
@@ -119,7 +118,8 @@ void checkFieldArrays(const Body& good)
 {
   expectError(good, dropField("ResponseExponent"), { "'ResponseExponent'", "missing" });
   expectError(good, dropField("ResponseSamples"), { "'ResponseSamples'", "missing" });
-  for (const auto& [value, text] : { std::pair{ 0.0, "is 0" }, { 50.0, "50" }, { NaN, "nan" } })
+  for (const auto& [value, text] :
+    { std::pair{ 0.0, "is 0" }, { 50.0, "50" }, { NotANumber, "nan" } })
   {
     expectError(good, setNumber("ResponseExponent", value), { "'ResponseExponent'", text });
   }

@@ -5,9 +5,11 @@
 
 #include "vtkContactTool.h"
 #include "vtkNew.h"
+#include "Mechanics/Numerics/Constants.h"
 
-#include <limits>
 #include <map>
+
+using palpate::NotANumber;
 
 namespace
 {
@@ -15,7 +17,6 @@ using palpate::testing::Messages;
 using palpate::testing::ReferenceTable;
 
 constexpr double Modulus = 3.45; // E* of all the tables
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 // The tables are printed with 12 to 14 digits; columns from quadrature hold 10.
 constexpr double Closed = 1e-11;
@@ -97,7 +98,8 @@ void checkLimits()
     PALPATE_CHECK(tool->GetForce(depth, 1.0) == 0.0 && tool->GetStiffness(depth, 1.0) == 0.0);
     PALPATE_CHECK(tool->GetContactRadius(depth) == 0.0 && tool->GetPressure(0, depth, 1.0) == 0.0);
   }
-  PALPATE_CHECK(std::isnan(tool->GetForce(NaN, 1.0)) && std::isnan(tool->GetContactRadius(NaN)));
+  PALPATE_CHECK(
+    std::isnan(tool->GetForce(NotANumber, 1.0)) && std::isnan(tool->GetContactRadius(NotANumber)));
   PALPATE_CHECK(tool->GetPressure(100.0, 1.0, 1.0) == 0.0);
   tool->SetShapeToFlat();
   PALPATE_CHECK(std::isinf(tool->GetPressure(5.0, 1.0, 1.0)));
@@ -174,7 +176,7 @@ void checkErrors()
   Messages messages(tool.Get());
   tool->SetRadius(-1.5);
   checkInvalid(tool, messages, "radius", "-1.5");
-  tool->SetRadius(NaN);
+  tool->SetRadius(NotANumber);
   checkInvalid(tool, messages, "radius", "nan");
   tool->SetRadius(5.0);
   tool->SetShape(9);
@@ -196,7 +198,7 @@ void checkErrors()
   tool->SetShapeToSphere();
   PALPATE_CHECK(tool->GetForce(1.0, 1.0) > 0.0 && messages.none()); // mended
 
-  for (const double modulus : { 0.0, -2.5, NaN })
+  for (const double modulus : { 0.0, -2.5, NotANumber })
   {
     PALPATE_CHECK(std::isnan(tool->GetForce(1.0, modulus)));
     PALPATE_CHECK_TEXT(messages.errors(), "reduced modulus");

@@ -9,21 +9,21 @@
 #include "Response/FlatBodyConversion.h"
 #include "vtkFieldData.h"
 #include "vtkToolContactProbe.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace
 {
 using namespace palpate::testing;
+using palpate::NotANumber;
+using palpate::Pi;
 
-constexpr double Circle = 3.14159265358979323846;
 constexpr double Modulus = 0.5 / (1.0 - 0.45 * 0.45); // E* of the plane
 constexpr double Flat = 2.0;
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 using Response = vtkSmartPointer<vtkToolContactResponse>;
 
@@ -93,7 +93,7 @@ double forceOf(vtkToolContactProbe* probe, vtkIdType tip)
 double firstOfTwo(double r, double d1, double d2)
 {
   const double own = 1.0 / (2.0 * Modulus * Flat);
-  const double other = 1.0 / (Circle * Modulus * r);
+  const double other = 1.0 / (Pi * Modulus * r);
   return (own * d1 - other * d2) / (own * own - other * other);
 }
 
@@ -102,7 +102,7 @@ void checkSinglePoints()
   Response response = coupledResponse(planeBody(30.0, 12));
   response->Update();
   const std::vector<Tip> tips = { { 1.1, 2.3, 0.5, 0.0 }, { 7.1, 2.3, 0.4, 0.0 },
-    { 1.1, 2.3, 0.3, 2.5 }, { 9.1, 2.3, 0.5, 2.5 }, { 5.0, 5.2, 0.25, NaN } };
+    { 1.1, 2.3, 0.3, 2.5 }, { 9.1, 2.3, 0.5, 2.5 }, { 5.0, 5.2, 0.25, NotANumber } };
   {
     // Without Time all of two press at once; floats.
     const auto probe = probeOf(response->GetOutput(), tipsOf({ tips[0], tips[1] }));
@@ -342,7 +342,7 @@ void checkAxes()
     PALPATE_CHECK(forceOf(probe, 0) > 0.0);
   }
   Messages messages(probe.Get());
-  for (const double bad : { 0.0, NaN })
+  for (const double bad : { 0.0, NotANumber })
   {
     axes->SetTuple3(1, 0.0, 0.0, bad);
     tips->Modified();

@@ -6,14 +6,15 @@
 #include "FilterChecks.h"
 #include "Solids/FiniteElements/PatchCompliance.h"
 #include "ReferenceTable.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <vector>
 
 namespace
 {
 using namespace palpate;
+using palpate::Pi;
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Height = 10.0;
 
 /// Its error at the centre of the top, relative; `layers` points through the height.

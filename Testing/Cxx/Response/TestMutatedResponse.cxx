@@ -21,12 +21,12 @@
 #include "vtkToolContactProbe.h"
 #include "vtkToolTouch.h"
 #include "vtkUnsignedCharArray.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -34,9 +34,8 @@
 namespace
 {
 using namespace palpate::testing;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+using palpate::Infinity;
+using palpate::NotANumber;
 
 /// What is decided at random for one body.
 class Dice
@@ -55,8 +54,8 @@ public:
   double number()
   {
     return this->of({ 0.0, -0.0, 1.0, -1.0, 2.0, 7.0, 8.0, 9.0, 256.0, 257.0, 1e-40, 1e-30, 1e-3,
-      1e9, 2147483648.0, -2147483649.0, 4294967296.0, 1e19, 3.4e38, -3.4e38, 1e300, NaN, Infinity,
-      -Infinity });
+      1e9, 2147483648.0, -2147483649.0, 4294967296.0, 1e19, 3.4e38, -3.4e38, 1e300, NotANumber,
+      Infinity, -Infinity });
   }
 
 private:

@@ -6,15 +6,15 @@
 
 #include "vtkIdTypeArray.h"
 #include "vtkToolContactProbe.h"
+#include "Mechanics/Numerics/Constants.h"
 
-#include <limits>
 #include <vector>
 
 namespace
 {
 using namespace palpate::testing;
+using palpate::NotANumber;
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Young = 3.45; // of withResponse
 
 using Points = std::vector<std::array<double, 3>>;
@@ -101,7 +101,7 @@ void checkLines()
 {
   const Body body = slab();
   const auto tips =
-    makeTips({ { 0.3, 0.2, -0.4 }, { 0.3, 0.2, 0.4 }, { 0.3, 0.2, -0.4 }, { NaN, 0.2, 0.0 },
+    makeTips({ { 0.3, 0.2, -0.4 }, { 0.3, 0.2, 0.4 }, { 0.3, 0.2, -0.4 }, { NotANumber, 0.2, 0.0 },
       { 0.3, 0.2, -0.4 }, { 1.3, 0.2, 0.4 }, { 1.3, 0.2, -0.4 }, { 0.3, 0.2, -0.4 } });
   addLine(tips, { 1, 0 });       // downward, against the order of the points
   addLine(tips, { 2 });          // begins below the middle
@@ -178,7 +178,7 @@ void checkIndentation()
   PALPATE_CHECK_NEAR(flat.get("Deflection", 0), 0.5, 1e-15);
   PALPATE_CHECK_NEAR(flat.get("Deflection", 1), 0.25, 1e-15);
   Messages messages(flat.filter);
-  flat.filter->SetIndentation(NaN);
+  flat.filter->SetIndentation(NotANumber);
   flat.filter->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Indentation", "nan");
 

@@ -7,16 +7,15 @@
 
 #include "vtkStringArray.h"
 #include "vtkToolContactProbe.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <functional>
-#include <limits>
 
 namespace
 {
 using namespace palpate::testing;
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+using palpate::Infinity;
+using palpate::NotANumber;
 
 /// A polyline of `count` tips, from above a plate into it; a `Time` of 0.1 s each.
 Body pressingLine(int count)
@@ -93,16 +92,18 @@ void checkWrongSettings()
     { "FrictionModel", "2 (ShapeDerived)", "256", [](Probe p) { p->SetFrictionModel(256); } },
     { "FrictionCoefficient", "not negative", "-0.5",
       [](Probe p) { p->SetFrictionCoefficient(-0.5); } },
-    { "FrictionCoefficient", "finite", "nan", [](Probe p) { p->SetFrictionCoefficient(NaN); } },
+    { "FrictionCoefficient", "finite", "nan",
+      [](Probe p) { p->SetFrictionCoefficient(NotANumber); } },
     { "FrictionCoefficient", "finite", "inf",
       [](Probe p) { p->SetFrictionCoefficient(Infinity); } },
     { "TangentialStiffness", "positive", "0", [](Probe p) { p->SetTangentialStiffness(0.0); } },
-    { "TangentialStiffness", "N/mm", "nan", [](Probe p) { p->SetTangentialStiffness(NaN); } },
+    { "TangentialStiffness", "N/mm", "nan",
+      [](Probe p) { p->SetTangentialStiffness(NotANumber); } },
     { "FrictionBreakaway", "between 0 and 1", "1.5",
       [](Probe p) { p->SetFrictionBreakaway(1.5); } },
     { "FrictionStickRadius", "breakaway", "0.5", [](Probe p) { p->SetFrictionStickRadius(0.5); } },
     { "PoissonRatio", "between 0 and 0.5", "0.6", [](Probe p) { p->SetPoissonRatio(0.6); } },
-    { "PoissonRatio", "between 0 and 0.5", "nan", [](Probe p) { p->SetPoissonRatio(NaN); } },
+    { "PoissonRatio", "between 0 and 0.5", "nan", [](Probe p) { p->SetPoissonRatio(NotANumber); } },
   };
   const Body body = withResponse(planeBody(5.0, 4), "flat:1");
   for (const WrongSetting& setting : wrong)
@@ -142,7 +143,7 @@ void checkTimes()
   tips->Modified();
   PALPATE_CHECK_TEXT(update(tips), "'Time'", "0.25 at point 4", "0.3 at point 3", "polyline 0");
   PALPATE_CHECK(probe->GetOutput()->GetNumberOfPoints() == 0);
-  for (const double wrong : { NaN, Infinity })
+  for (const double wrong : { NotANumber, Infinity })
   {
     time->SetTuple1(4, 0.4);
     time->SetTuple1(7, wrong);
@@ -156,7 +157,7 @@ void checkTimes()
   lines->InsertNextCell({ vtkIdType(3), vtkIdType(4) });
   lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
   loose->SetLines(lines);
-  loose->GetPointData()->GetArray("Time")->SetTuple1(5, NaN);
+  loose->GetPointData()->GetArray("Time")->SetTuple1(5, NotANumber);
   PALPATE_CHECK(update(loose).empty());
   loose->GetPointData()->GetArray("Time")->SetTuple1(0, 0.2);
   loose->Modified();

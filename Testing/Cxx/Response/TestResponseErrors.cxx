@@ -8,16 +8,15 @@
 #include "vtkIdTypeArray.h"
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <functional>
-#include <limits>
 
 namespace
 {
 using namespace palpate::testing;
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+using palpate::Infinity;
+using palpate::NotANumber;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 using Words = std::initializer_list<const char*>;
@@ -52,7 +51,7 @@ void expectError(
 void checkProperties()
 {
   for (const auto& [value, text] :
-    { std::pair{ 0.0, "0" }, { -2.5, "-2.5" }, { NaN, "nan" }, { Infinity, "inf" } })
+    { std::pair{ 0.0, "0" }, { -2.5, "-2.5" }, { NotANumber, "nan" }, { Infinity, "inf" } })
   {
     const double wrong = value;
     expectError([=](Filter& f) { f->SetYoungsModulus(wrong); },
@@ -62,7 +61,8 @@ void checkProperties()
   }
   expectError([](Filter& f) { f->SetMaximumDeflection(1e-50); }, // not a float
     [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "MaximumDeflection", "1e-50" });
-  for (const auto& [value, text] : { std::pair{ 0.6, "0.6" }, { -0.1, "-0.1" }, { NaN, "nan" } })
+  for (const auto& [value, text] :
+    { std::pair{ 0.6, "0.6" }, { -0.1, "-0.1" }, { NotANumber, "nan" } })
   {
     const double wrong = value;
     expectError([=](Filter& f) { f->SetPoissonRatio(wrong); },
@@ -124,7 +124,7 @@ void checkArrays()
       },
       mend, { "'Given'", "1 component", "3" });
     for (const auto& [value, text] : { std::pair{ 0.0, "is 0" }, { -0.7, "-0.7" }, { 0.6, "0.6" },
-           { NaN, "nan" }, { Infinity, "inf" } })
+           { NotANumber, "nan" }, { Infinity, "inf" } })
     {
       const bool positive = value > 0.0 && std::isfinite(value);
       const bool allowed = index == 0 ? positive
@@ -187,7 +187,7 @@ void checkBadPoints(bool givenNormals)
 {
   Body body = planeBody(10.0, 3); // points 0..15
   vtkPoints* points = body->GetPoints();
-  points->SetPoint(0, NaN, 0.0, 0.0);
+  points->SetPoint(0, NotANumber, 0.0, 0.0);
   points->SetPoint(15, 0.0, Infinity, 0.0);
   const vtkIdType unused = points->InsertNextPoint(0.0, 0.0, 5.0);
   const vtkIdType sliver = points->InsertNextPoint(1.0, 0.0, 5.0);
@@ -202,7 +202,7 @@ void checkBadPoints(bool givenNormals)
     normals->SetNumberOfComponents(3);
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {
-      normals->InsertNextTuple3(0.0, 0.0, i == 6 ? 0.0 : i == 9 ? NaN : 1.0);
+      normals->InsertNextTuple3(0.0, 0.0, i == 6 ? 0.0 : i == 9 ? NotANumber : 1.0);
     }
     body->GetPointData()->SetNormals(normals);
     expected[6] = 1;

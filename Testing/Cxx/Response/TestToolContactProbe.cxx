@@ -9,14 +9,15 @@
 #include "vtkIntArray.h"
 #include "vtkToolContactProbe.h"
 #include "vtkTriangle.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <limits>
 
 namespace
 {
 using namespace palpate::testing;
+using palpate::NotANumber;
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Range = 1.5;
 
 /// A sphere of 10 mm with bumps of 1 mm, a different modulus at each point.

@@ -13,6 +13,8 @@
 #include <functional>
 #include <numeric>
 
+namespace compliance_error
+{
 namespace
 {
 using namespace palpate;
@@ -231,3 +233,4 @@ TEST(EnergyError, OfALinearFieldIsNothingAndOfAStepItsSlopes)
   EXPECT_NEAR(found[0], 0.0, 1e-12); // the modes bend without error
   EXPECT_NEAR(found[1], 2.0 * section * 0.25 * jump * jump / 3.0 / 3.0, 1e-12);
 }
+} // namespace compliance_error

@@ -13,6 +13,8 @@
 #include <memory>
 #include <vector>
 
+namespace direct_curve
+{
 namespace
 {
 using namespace palpate;
@@ -191,3 +193,4 @@ TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
   EXPECT_EQ(this->Force, force);
 }
 } // namespace
+} // namespace direct_curve

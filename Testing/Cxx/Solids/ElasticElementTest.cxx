@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace elastic_element
+{
 namespace
 {
 using namespace palpate;
@@ -148,3 +150,4 @@ TEST(ElasticElement, HexahedraBend)
   const double beam = 4.0 * length * length * length + 2.4 * length;
   EXPECT_TRUE(agrees(moved, beam, 0.01)); // of a beam of 16 cubes, one thick
 }
+} // namespace elastic_element

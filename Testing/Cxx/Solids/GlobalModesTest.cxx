@@ -6,6 +6,7 @@
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/GlobalModes.h"
 #include "Solids/FiniteElements/RegularField.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,9 @@
 namespace
 {
 using namespace palpate;
+using palpate::Pi;
 using palpate::testing::agrees;
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Poisson = 0.3;
 constexpr int Length = 40; // of the bar, mm
 constexpr int Side = 4;

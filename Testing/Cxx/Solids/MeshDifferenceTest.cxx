@@ -8,6 +8,8 @@
 
 #include <random>
 
+namespace mesh_difference
+{
 namespace
 {
 using namespace palpate;
@@ -198,3 +200,4 @@ TEST(MeshDifference, StandsBesideAnotherEstimate)
   EXPECT_NEAR(told.beside(1e9, 1.0), std::sqrt(2.0) * 3.5, 1e-6);
   EXPECT_FALSE(MissedCompliance{}.isKnown());
 }
+} // namespace mesh_difference

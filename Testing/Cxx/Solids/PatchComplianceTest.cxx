@@ -5,15 +5,17 @@
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/PatchCompliance.h"
 #include "Solids/FiniteElements/PatchSelfTerm.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <cmath>
 
+namespace patch_compliance
+{
 namespace
 {
 using namespace palpate;
+using palpate::Pi;
 using palpate::testing::agrees;
-
-constexpr double Pi = 3.14159265358979323846;
 
 bool always(double)
 {
@@ -210,3 +212,4 @@ TEST(ElasticBody, NamesWhatIsWrong)
   EXPECT_TRUE(
     has(fault({ mesh, { { 1.0, 0.3 } }, std::vector<unsigned char>(27, 7) }), "every point"));
 }
+} // namespace patch_compliance

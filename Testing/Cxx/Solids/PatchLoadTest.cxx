@@ -4,15 +4,15 @@
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/HalfSpaceField.h"
 #include "Solids/FiniteElements/PatchLoad.h"
+#include "Mechanics/Numerics/Constants.h"
 
 #include <cmath>
 
 namespace
 {
 using namespace palpate;
+using palpate::Pi;
 using palpate::testing::agrees;
-
-constexpr double Pi = 3.14159265358979323846;
 
 struct Block
 {

@@ -10,6 +10,8 @@
 
 #include <cstring>
 
+namespace regular_green
+{
 namespace
 {
 using namespace palpate;
@@ -367,3 +369,4 @@ TEST(RegularGreen, ForecastsItsMemory)
   EXPECT_LT(small, 6.0 * block);
   EXPECT_GT(green.memoryForecast({ point }, 4.0), small);
 }
+} // namespace regular_green

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace stiffness_factor
+{
 namespace
 {
 using namespace palpate;
@@ -196,3 +198,4 @@ TEST(MeshTopology, WhatHangsByAnEdgeIsNotHeld)
   std::fill(held.begin(), held.end(), 0);
   EXPECT_TRUE(kept().empty());
 }
+} // namespace stiffness_factor
