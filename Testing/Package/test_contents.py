@@ -18,6 +18,7 @@ ALLOWED = {
         r"bin/palpate",
         *(rf"{LIBDIR}/libpalpate{name}\.so\.({re.escape(VERSION)}|{re.escape(soversion())})" for name in LIBRARIES),
         rf"{LIBDIR}/libpalpateMesher\.so",
+        rf"{LIBDIR}/libpalpatePieces\.so",
         rf"{LIBDIR}/libpalpateViewer(Solids|Identification|Comparison|Trials)\.so",
         r"lib/udev/rules\.d/70-palpate\.rules",
         r"share/applications/palpate\.desktop",

@@ -6,6 +6,7 @@
                       '--------------> Haptics (devices, servo) ------'
     modules: Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
              Mechanics --> Identification --> MeasuredResponse (VTK) --> Plugin/*
+             Response --> Pieces (VTK), which Response loads
              Mechanics --> Trials --> Plugin/*
              Interaction --> Comparison (VTK) --> Plugin/*
 
@@ -19,6 +20,7 @@ A room may include any room to its left along the arrows, never one to its right
     Filters/Response          Mechanics, Contact, Laws
     Filters/SolidResponse     Mechanics, Contact, Laws, Solids, Response
     Filters/MeasuredResponse  Mechanics, Contact, Laws, Identification, Response
+    Filters/Pieces            Mechanics, Contact, Laws, Response
     Interactors/Haptics       Mechanics, Contact
     Interactors/Trials        Mechanics
     Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
@@ -46,7 +48,7 @@ from pathlib import Path
 
 CORE = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
 MODULES = {"Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse",
-           "Interactors/Trials", "Interactors/Comparison"}
+           "Filters/Pieces", "Interactors/Trials", "Interactors/Comparison"}
 KERNELS = CORE | {"Filters/Solids", "Filters/Identification", "Interactors/Trials"}
 
 MAY_INCLUDE = {
@@ -59,6 +61,7 @@ MAY_INCLUDE = {
     "Filters/SolidResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids", "Filters/Response"},
     "Filters/MeasuredResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Identification",
                                  "Filters/Response"},
+    "Filters/Pieces": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Response"},
     "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
     "Interactors/Trials": {"Filters/Mechanics"},
     "Interactors/Interaction": CORE | {"Filters/Response"},
@@ -201,6 +204,7 @@ SOUND_TREE = {
     "Filters/MeasuredResponse/vtkReadings.h": '#include "vtkTool.h"\n#include "Identification/Fit.h"\n',
     "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Contact/Tick.h"\n',
     "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Mechanics/Hertz.h"\n',
+    "Filters/Pieces/Seam.h": '#include "vtkTool.h"\n#include "Contact/Tick.h"\n',
     "Interactors/Haptics/Device.h": '#include "Contact/Tick.h"\n#include "Mechanics/Hertz.h"\n#include <thread>\n',
     "Interactors/Trials/Plan.h": '#include "Mechanics/Hertz.h"\n',
     "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Haptics/Device.h"\n',
@@ -243,6 +247,8 @@ BREAKS = [
     ("Interactors/Interaction/Wrong.h", '#include "vtkMap.h"\n'),
     ("Interactors/Comparison/Wrong.h", '#include "vtkSolid.h"\n'),
     ("Filters/SolidResponse/Wrong.h", '#include "vtkMap.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "Pieces/Seam.h"\n'),
+    ("Filters/Pieces/Wrong.h", '#include "vtkSession.h"\n'),
     ("Filters/Response/Wrong.h", '#include "Haptics/Device.h"\n'),
     ("Filters/Response/Wrong.h", '#include "vtkSession.h"\n'),
     ("Filters/Response/Wrong.h", "#include <vtkSMProxy.h>\n"),

@@ -71,7 +71,7 @@ write_groups()
       write_group "${name//\//_}_$i" "${files[@]:i:12}"
     done
     count=$((count + ${#files[@]}))
-  done < <(find "$source"/Filters/{Response,SolidResponse,MeasuredResponse} "$source"/Interactors/Interaction \
+  done < <(find "$source"/Filters/{Response,SolidResponse,MeasuredResponse,Pieces} "$source"/Interactors/{Interaction,Comparison} \
     "$source"/Plugin/{Viewer,ParaView/ServerManager} -name '*.cxx' -not -path '*/Mesher/Cgal/*' -printf '%h\n' | sort -u)
   while read -r folder; do
     write_group "cgal_$(basename "$folder" .cxx)" "$folder"

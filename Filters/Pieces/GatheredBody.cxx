@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Pieces/GatheredBody.h"
+#include "Pieces/GatheredBody.h"
 
-#include "Response/Pieces/BodyPiece.h"
+#include "Pieces/BodyPiece.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Pieces/BodyPiece.h"
+#include "Pieces/BodyPiece.h"
 
 #include "Response/BodyConversion.h"
 

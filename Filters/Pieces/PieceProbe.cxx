@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Pieces/PieceProbe.h"
+#include "Pieces/PieceProbe.h"
 
 #include "Response/BodyConversion.h"
 #include "Contact/ContactBody.h"
-#include "Response/Pieces/GatheredBody.h"
-#include "Response/Touch/CoupledTips.h"
-#include "Response/Touch/TipContacts.h"
+#include "Pieces/GatheredBody.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
@@ -120,17 +118,15 @@ std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentatio
   return balls;
 }
 
-std::string PieceProbe::touch(vtkPolyData* tips, const ContactSettings& settings,
-  double indentation, bool areTogether, std::vector<Touch>& touched)
+std::string PieceProbe::touch(const PressedTips& pressed, std::vector<PieceTouch>& touched)
 {
-  const double margin =
-    this->LongestEdge * (settings.surface == ContactSurface::Smooth ? SmoothRings : FacetRings);
-  std::vector<TipBall> balls = this->firstBalls(tips, indentation);
+  const bool isSmooth = pressed.settings.surface == ContactSurface::Smooth;
+  const double margin = this->LongestEdge * (isSmooth ? SmoothRings : FacetRings);
+  std::vector<TipBall> balls = this->firstBalls(pressed.tips, pressed.indentation);
   for (int round = 0;; ++round)
   {
     std::vector<double> needed;
-    const std::string fault =
-      this->touchPart(balls, margin, tips, settings, indentation, areTogether, needed, touched);
+    const std::string fault = this->touchPart(balls, margin, pressed, needed, touched);
     if (!fault.empty())
     {
       return fault;
@@ -152,8 +148,7 @@ std::string PieceProbe::touch(vtkPolyData* tips, const ContactSettings& settings
 }
 
 std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double margin,
-  vtkPolyData* tips, const ContactSettings& settings, double indentation, bool areTogether,
-  std::vector<double>& needed, std::vector<Touch>& touched)
+  const PressedTips& pressed, std::vector<double>& needed, std::vector<PieceTouch>& touched)
 {
   std::vector<TipBall> finite;
   std::copy_if(balls.begin(), balls.end(), std::back_inserter(finite),
@@ -177,14 +172,14 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
   }
 
   needed.assign(balls.size(), 0.0);
-  touched.assign(balls.size(), Touch{});
+  touched.assign(balls.size(), PieceTouch{});
   std::string fault;
   if (!balls.empty())
   {
     const GatheredBody gathered(parts, this->Name);
     if (gathered.body()->GetNumberOfPolys() == 0)
     {
-      for (Touch& each : touched) // no tip is finite, or no triangle
+      for (PieceTouch& each : touched) // no tip is finite, or no triangle
       {
         each.contact.state = ContactState::Invalid;
       }
@@ -192,14 +187,12 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     else if (const auto body = makeContactBody(gathered.body(), this->Name, fault))
     {
       this->Defects = describeDefects(*body);
-      const auto touch = [areTogether](const auto&... with)
-      { areTogether ? touchTogether(with...) : touchWithTips(with...); };
-      touch(*body, tips, settings, indentation,
+      pressed.press(*body,
         [&touched](vtkIdType tip, const Contact& contact, const Vector3& at) {
           touched[static_cast<std::size_t>(tip)] = { at, contact };
         });
-      needed = neededRadii(*body, tips, touched);
-      for (Touch& each : touched)
+      needed = neededRadii(*body, pressed.tips, touched);
+      for (PieceTouch& each : touched)
       {
         if (each.contact.triangle >= 0)
         {
@@ -215,7 +208,7 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
 }
 
 std::vector<double> PieceProbe::neededRadii(
-  const ContactBody& body, vtkPolyData* tips, const std::vector<Touch>& touched)
+  const ContactBody& body, vtkPolyData* tips, const std::vector<PieceTouch>& touched)
 {
   std::vector<double> needed(touched.size(), 0.0);
   for (std::size_t i = 0; i < touched.size(); ++i)
@@ -237,7 +230,7 @@ std::vector<double> PieceProbe::neededRadii(
       for (vtkIdType i = 0; i < size; ++i)
       {
         const auto now = static_cast<std::size_t>(points[i]);
-        const Touch& tip = touched[now];
+        const PieceTouch& tip = touched[now];
         if (!tip.at.allFinite())
         {
           held = 0.0;

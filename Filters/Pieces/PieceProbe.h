@@ -2,12 +2,9 @@
 #ifndef PieceProbe_h
 #define PieceProbe_h
 
-#include "Response/Pieces/BodyPiece.h"
-#include "Contact/ContactSettings.h"
-#include "Response/Pieces/Ranks.h"
-#include "Contact/ToolContact.h"
+#include "Pieces/BodyPiece.h"
+#include "Response/Pieces/LoadedPieces.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,31 +30,21 @@ namespace palpate
 class PieceProbe
 {
 public:
-  struct Touch
-  {
-    Vector3 at = Vector3::Zero(); ///< where the tip was after the indentation
-    Contact contact;              ///< its triangle: the cell of that rank's piece
-    int rank = -1;                ///< that has the touched cell; -1: none
-  };
-
   /// `piece` has the response `name`, or is empty.
   PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::string& name);
 
-  /// The contacts of the own tips, which have passed checkTips; the same error on all ranks, or "".
-  /// If they feel one another, they have passed checkCoupledTips.
-  std::string touch(vtkPolyData* tips, const ContactSettings& settings, double indentation,
-    bool areTogether, std::vector<Touch>& touched);
+  /// The contacts of the own tips; the same error on all ranks, or "".
+  std::string touch(const PressedTips& pressed, std::vector<PieceTouch>& touched);
 
   /// What is wrong with the mesh around the own tips (describeDefects).
   const std::string& defects() const noexcept { return this->Defects; }
 
 private:
   std::vector<TipBall> firstBalls(vtkPolyData* tips, double indentation) const;
-  std::string touchPart(const std::vector<TipBall>& balls, double margin, vtkPolyData* tips,
-    const ContactSettings& settings, double indentation, bool areTogether,
-    std::vector<double>& needed, std::vector<Touch>& touched);
+  std::string touchPart(const std::vector<TipBall>& balls, double margin,
+    const PressedTips& pressed, std::vector<double>& needed, std::vector<PieceTouch>& touched);
   static std::vector<double> neededRadii(
-    const ContactBody& body, vtkPolyData* tips, const std::vector<Touch>& touched);
+    const ContactBody& body, vtkPolyData* tips, const std::vector<PieceTouch>& touched);
 
   const Ranks& Among;
   const BodyPiece& Piece;
