@@ -3,7 +3,7 @@
 
 #include "Response/BodyConversion.h"
 #include "Response/FilterThreads.h"
-#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/LoadedPieces.h"
 #include "Response/Pieces/Ranks.h"
 #include "Response/Pieces/SeamNormals.h"
 #include "Response/Pieces/TriangleNumbers.h"
@@ -267,6 +267,11 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
   if (contact.cell < 0 || !(contact.deflection > 0.0))
   {
     return {};
+  }
+  const std::string fault = missingPieces(ranks);
+  if (!fault.empty())
+  {
+    return fault;
   }
   const bool isHere = rank == ranks.own();
   const std::string& name = request.responseName;

@@ -14,7 +14,7 @@
 #include "Response/Curves/ResponseStorage.h"
 #include "Response/Curves/TiltRequest.h"
 #include "Response/FilterThreads.h"
-#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/LoadedPieces.h"
 #include "Response/ReplacedCurves.h"
 #include "Response/ResponseTool.h"
 #include "vtkContactTool.h"
@@ -128,7 +128,12 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   {
     return {};
   }
-  std::string fault = ranks.firstFault(hasPiece ? checkTriangles(body) : std::string());
+  std::string fault = missingPieces(ranks);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  fault = ranks.firstFault(hasPiece ? checkTriangles(body) : std::string());
   if (!fault.empty())
   {
     return "Wrong input: " + fault;

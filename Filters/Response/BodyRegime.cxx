@@ -7,7 +7,7 @@
 #include "Response/BodyConversion.h"
 #include "Response/Curves/BodyShape.h"
 #include "Response/FilterThreads.h"
-#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/LoadedPieces.h"
 #include "Response/ResponseTool.h"
 #include "vtkContactTool.h"
 
@@ -90,9 +90,13 @@ std::string attachRegime(
   {
     return {};
   }
+  std::string fault = missingPieces(ranks);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   // Once no rank has a fault, a rank without a piece only takes part in the collective calls.
   const std::string& name = request.responseName;
-  std::string fault;
   vtkSmartPointer<vtkContactTool> tool;
   std::vector<double> depths;
   BodyMaterial material(request.material);

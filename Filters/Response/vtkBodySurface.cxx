@@ -3,7 +3,7 @@
 
 #include "Response/Bodies/BodyBlocks.h"
 #include "Response/BodyConversion.h"
-#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/LoadedPieces.h"
 #include "Response/Bodies/InnerWalls.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/Pieces/Ranks.h"
@@ -158,6 +158,13 @@ int vtkBodySurface::RequestData(
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong input: " << fault << ".");
+    output->Initialize();
+    return 0;
+  }
+  fault = palpate::missingPieces(ranks);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
     output->Initialize();
     return 0;
   }

@@ -3,12 +3,10 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
-#include "Response/Pieces/BodyPiece.h"
-#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/LoadedPieces.h"
 #include "Response/ContactArrays.h"
 #include "Response/Curves/StoredError.h"
 #include "Response/Pieces/OwnPiece.h"
-#include "Response/Pieces/PieceProbe.h"
 #include "Response/Pieces/Ranks.h"
 #include "Response/Touch/CoupledTips.h"
 #include "Response/Touch/TipContacts.h"
@@ -273,7 +271,13 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
   const auto tips = palpate::ownPiece(givenTips, ranks);
   bool isSlow = true;
   bool isCoupled = false;
-  std::string fault = checkPieces(ranks, own, this->ResponseName, isSlow, isCoupled);
+  std::string fault = palpate::missingPieces(ranks);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return false;
+  }
+  fault = checkPieces(ranks, own, this->ResponseName, isSlow, isCoupled);
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong body: " << fault << ".");
@@ -288,29 +292,34 @@ bool vtkToolContactProbe::TouchPieces(const palpate::Ranks& ranks, vtkPolyData* 
       return false;
     }
   }
+  const palpate::PiecesModule& module = *palpate::loadedPieces().module;
   const vtkMTimeType time = body ? body->GetMTime() : 0;
   const bool isNew = ranks.any(!this->Piece || this->BodySource != body || this->BodyTime != time);
   if (isNew)
   {
-    const palpate::BodySeam seam(ranks, own);
-    this->Piece = std::make_unique<palpate::BodyPiece>(own, seam);
+    this->Piece = module.makePiece(own, palpate::BodySeam(ranks, own));
     this->BodySource = body;
     this->BodyTime = time;
     this->BodyResponse.clear();
     this->Body.reset();
   }
-  palpate::PieceProbe probe(ranks, *this->Piece, this->ResponseName);
-  std::vector<palpate::PieceProbe::Touch> touched;
-  fault = probe.touch(tips, settings, this->Indentation, this->Coupled, touched);
+  const auto press = [&](const palpate::ContactBody& part, const palpate::TipVisitor& visit)
+  {
+    this->Coupled ? palpate::touchTogether(part, tips, settings, this->Indentation, visit)
+                  : palpate::touchWithTips(part, tips, settings, this->Indentation, visit);
+  };
+  std::vector<palpate::PieceTouch> touched;
+  std::string defects;
+  fault = module.touch(ranks, *this->Piece, this->ResponseName,
+    { tips, settings, this->Indentation, press }, touched, defects);
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong body: " << fault << ".");
     return false;
   }
-  if (isNew && !probe.defects().empty())
+  if (isNew && !defects.empty())
   {
-    vtkWarningMacro(<< "The mesh of the body around the tips is not sound: " << probe.defects()
-                    << ".");
+    vtkWarningMacro(<< "The mesh of the body around the tips is not sound: " << defects << ".");
   }
   palpate::ContactArrays arrays(tips->GetNumberOfPoints(), !isSlow, palpate::haveAxes(tips));
   vtkNew<vtkIntArray> rankOf;

@@ -241,7 +241,7 @@ private:
   // The kernel's copy of the body, or of the piece here, and which state of which body it was made
   // from.
   std::shared_ptr<const palpate::ContactBody> Body;
-  std::unique_ptr<const palpate::BodyPiece> Piece;
+  std::shared_ptr<const palpate::BodyPiece> Piece;
   vtkPolyData* BodySource = nullptr;
   vtkMTimeType BodyTime = 0;
   std::string BodyResponse;

@@ -49,6 +49,9 @@ endif()
 if(NOT PALPATE_WITH_IDENTIFICATION)
   list(APPEND palpate_left_out Palpate::MeasuredResponse)
 endif()
+if(NOT PALPATE_WITH_COMPARISON)
+  list(APPEND palpate_left_out Palpate::Comparison)
+endif()
 vtk_module_scan(
   MODULE_FILES ${palpate_module_files}
   REJECT_MODULES ${palpate_left_out}

@@ -33,12 +33,15 @@ declare -rA packages=(
   [docs]='doxygen graphviz'
 )
 
-# job: groups of packages : targets of the release build
-declare -rA needs=(
+# job: groups of packages : targets of the release build. The jobs demo-… are parts of a demo, by the modules that it uses.
+declare -A needs=(
   [demo]='core vtk head display:palpate'
-  [demo-solid]='core elements mesher vtk head display:palpate palpateViewerSolids palpateMesher'
-  [demo-elements]='core elements vtk head display:palpate palpateViewerSolids'
-  [demo-measured]='core vtk head display:palpate palpateViewerIdentification'
+  [demo-solid]='elements mesher:palpateViewerSolids palpateMesher'
+  [demo-elements]='elements:palpateViewerSolids'
+  [demo-compare]='elements:palpateViewerSolids palpateViewerComparison'
+  [demo-map]=':palpateViewerComparison'
+  [demo-measured]=':palpateViewerIdentification'
+  [demo-trial]=':palpateViewerTrials'
   [python]='core elements mesher vtk python display:palpatePython'
   [pvpython]='core elements mesher vtk python plugin display:palpatePython Palpate'
   [paraview]='core elements mesher vtk python plugin display:palpatePython Palpate'
@@ -56,6 +59,9 @@ declare -rA needs=(
   [test-all]='core elements mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
   [build]='core elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
 )
+
+# add_needs JOB OTHER: the job also needs what the other one does.
+add_needs() { needs[$1]="${needs[$1]%%:*} ${needs[$2]%%:*}:${needs[$1]#*:} ${needs[$2]#*:}"; }
 
 # What a job can do without, and what is lost then; all else it needs.
 declare -rA optional_packages=(

@@ -29,4 +29,16 @@ const IdentificationModule* identificationModule(const std::string& option, std:
   static const LoadedModule loaded = loadModule("palpateViewerIdentification");
   return useModule<IdentificationModule>(loaded, "Identification", option, fault);
 }
+
+const ComparisonModule* comparisonModule(const std::string& option, std::string& fault)
+{
+  static const LoadedModule loaded = loadModule("palpateViewerComparison");
+  return useModule<ComparisonModule>(loaded, "Comparison", option, fault);
+}
+
+const TrialsModule* trialsModule(const std::string& option, std::string& fault)
+{
+  static const LoadedModule loaded = loadModule("palpateViewerTrials");
+  return useModule<TrialsModule>(loaded, "Trials", option, fault);
+}
 } // namespace palpate

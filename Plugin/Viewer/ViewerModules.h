@@ -5,7 +5,11 @@
 #include "MeasuredBody.h"
 #include "Mechanics/Files/ModuleFile.h"
 #include "ComparisonBodies.h"
+#include "ComparisonPictures.h"
+#include "ComparisonWindow.h"
+#include "RegimeMap.h"
 #include "SolidBody.h"
+#include "TrialRuns.h"
 #include "VoxelCompliance.h"
 #include "ViewerScene.h"
 
@@ -28,10 +32,28 @@ struct IdentificationModule : ModuleTable
   decltype(&attachMeasured) identify;
 };
 
+/// What libpalpateViewerComparison.so adds: --compare, of bodies that SolidsModule makes, and
+/// --map.
+struct ComparisonModule : ModuleTable
+{
+  decltype(&runComparison) drawComparison;
+  decltype(&runComparisonWindow) compareInWindow;
+  decltype(&runRegimeMap) mapRegime;
+};
+
+/// What libpalpateViewerTrials.so adds: --trial.
+struct TrialsModule : ModuleTable
+{
+  decltype(&runTrialWindow) askInWindow;
+  decltype(&runTrialConsole) askInConsole;
+};
+
 /// A loaded module, or null and a sentence that names the option, the module and how to get it.
 /// Loaded at the first call.
 const SolidsModule* solidsModule(const std::string& option, std::string& fault);
 const IdentificationModule* identificationModule(const std::string& option, std::string& fault);
+const ComparisonModule* comparisonModule(const std::string& option, std::string& fault);
+const TrialsModule* trialsModule(const std::string& option, std::string& fault);
 } // namespace palpate
 
 #endif

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // palpate: press a tool against a body, see and feel the force. See --help.
-#include "BlindTrial.h"
-#include "ComparisonPictures.h"
-#include "ComparisonWindow.h"
 #include "DisplayServer.h"
 #include "Haptics/Safety/ForceRelease.h"
 #include "LiveWindow.h"
 #include "OffscreenSession.h"
 #include "OutputCheck.h"
-#include "RegimeMap.h"
 #include "Mechanics/ThreadCount.h"
+#include "ViewerModules.h"
 #include "ViewerScene.h"
 #include "ViewerOptions.h"
 
@@ -30,17 +27,40 @@ int fail(const std::string& error)
   return Failure;
 }
 
-/// Runs the chosen way to touch or show a scene. Returns an error, or "".
-std::string run(const palpate::ViewerOptions& options, const palpate::ViewerScene& scene)
+/// The modules by which the options show and ask; null where they need none.
+struct NeededModules
 {
-  if (options.map)
+  const palpate::ComparisonModule* comparison = nullptr; ///< --compare, --map
+  const palpate::TrialsModule* trials = nullptr;         ///< --trial
+};
+
+/// Returns an error that names the module which cannot be loaded, or "".
+std::string loadModules(const palpate::ViewerOptions& options, NeededModules& modules)
+{
+  std::string fault;
+  if (options.compare || options.map)
   {
-    return palpate::runRegimeMap(options, scene);
+    modules.comparison = palpate::comparisonModule(options.compare ? "--compare" : "--map", fault);
   }
-  if (!options.trial.empty())
+  if (fault.empty() && !options.trial.empty())
   {
-    return options.window ? palpate::runTrialWindow(options, scene)
-                          : palpate::runTrialConsole(options, scene);
+    modules.trials = palpate::trialsModule("--trial", fault);
+  }
+  return fault;
+}
+
+/// Runs the chosen way to touch or show a scene. Returns an error, or "".
+std::string run(const palpate::ViewerOptions& options, const palpate::ViewerScene& scene,
+  const NeededModules& modules)
+{
+  if (modules.comparison)
+  {
+    return modules.comparison->mapRegime(options, scene);
+  }
+  if (modules.trials)
+  {
+    return options.window ? modules.trials->askInWindow(options, scene)
+                          : modules.trials->askInConsole(options, scene);
   }
   return options.window ? palpate::runLive(options, scene) : palpate::runOffscreen(options, scene);
 }
@@ -54,13 +74,19 @@ std::string run(const palpate::ViewerOptions& options)
   {
     error = palpate::displayProblem();
   }
+  NeededModules modules;
+  if (error.empty())
+  {
+    error = loadModules(options, modules);
+  }
   if (!error.empty())
   {
     return error;
   }
   if (options.compare)
   {
-    return options.window ? palpate::runComparisonWindow(options) : palpate::runComparison(options);
+    return options.window ? modules.comparison->compareInWindow(options)
+                          : modules.comparison->drawComparison(options);
   }
   palpate::ViewerScene scene;
   error = palpate::makeViewerScene(options, scene);
@@ -68,7 +94,7 @@ std::string run(const palpate::ViewerOptions& options)
   {
     std::fprintf(stderr, "palpate: %s\n", note.c_str());
   }
-  return error.empty() ? run(options, scene) : error;
+  return error.empty() ? run(options, scene, modules) : error;
 }
 } // namespace
 

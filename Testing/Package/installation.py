@@ -8,8 +8,8 @@ BUILD = os.environ["PALPATE_BUILD"]
 SOURCE = os.environ["PALPATE_SOURCE"]
 VERSION = os.environ["PALPATE_VERSION"]
 LIBDIR = os.environ["PALPATE_LIBDIR"]
-KERNELS = ("Mechanics", "Contact", "Laws", "Solids", "Identification", "Haptics")
-LIBRARIES = KERNELS + ("Response", "SolidResponse", "MeasuredResponse", "Interaction")
+KERNELS = ("Mechanics", "Contact", "Laws", "Solids", "Identification", "Trials", "Haptics")
+LIBRARIES = KERNELS + ("Response", "SolidResponse", "MeasuredResponse", "Interaction", "Comparison")
 
 
 def soversion():

@@ -18,7 +18,8 @@ ALLOWED = {
         r"bin/palpate",
         *(rf"{LIBDIR}/libpalpate{name}\.so\.({re.escape(VERSION)}|{re.escape(soversion())})" for name in LIBRARIES),
         rf"{LIBDIR}/libpalpateMesher\.so",
-        rf"{LIBDIR}/libpalpateViewer(Solids|Identification)\.so",
+        rf"{LIBDIR}/libpalpatePieces\.so",
+        rf"{LIBDIR}/libpalpateViewer(Solids|Identification|Comparison|Trials)\.so",
         r"lib/udev/rules\.d/70-palpate\.rules",
         r"share/applications/palpate\.desktop",
         r"share/bash-completion/completions/palpate",
@@ -29,7 +30,7 @@ ALLOWED = {
         r"lib.*/palpate/__init__\.py",
         r"lib.*/palpate/\w+\.pyi?",
         r"lib.*/palpate/py\.typed",
-        r"lib.*/palpate/palpate((|Solid|Measured)Response|Interaction)(\.[\w-]+)?\.so",
+        r"lib.*/palpate/palpate((|Solid|Measured)Response|Interaction|Comparison)(\.[\w-]+)?\.so",
     ],
     "plugin": [
         rf"{LIBDIR}/paraview-[\d.]+/plugins/Palpate/Palpate\.so",

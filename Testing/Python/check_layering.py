@@ -6,6 +6,9 @@
                       '--------------> Haptics (devices, servo) ------'
     modules: Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
              Mechanics --> Identification --> MeasuredResponse (VTK) --> Plugin/*
+             Response --> Pieces (VTK), which Response loads
+             Mechanics --> Trials --> Plugin/*
+             Interaction --> Comparison (VTK) --> Plugin/*
 
 A room may include any room to its left along the arrows, never one to its right or beside it:
 
@@ -17,11 +20,14 @@ A room may include any room to its left along the arrows, never one to its right
     Filters/Response          Mechanics, Contact, Laws
     Filters/SolidResponse     Mechanics, Contact, Laws, Solids, Response
     Filters/MeasuredResponse  Mechanics, Contact, Laws, Identification, Response
+    Filters/Pieces            Mechanics, Contact, Laws, Response
     Interactors/Haptics       Mechanics, Contact
+    Interactors/Trials        Mechanics
     Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
+    Interactors/Comparison    Mechanics, Contact, Laws, Response, Haptics, Interaction
     Plugin/NAME               all of the above, no other Plugin room
 
-Mechanics, Contact, Laws, Solids, Identification and Haptics include no header of VTK, ParaView or Qt: they build without them.
+Mechanics, Contact, Laws, Solids, Identification, Haptics and Trials include no header of VTK, ParaView or Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
 An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
@@ -41,8 +47,9 @@ import tempfile
 from pathlib import Path
 
 CORE = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
-MODULES = {"Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse"}
-KERNELS = CORE | {"Filters/Solids", "Filters/Identification"}
+MODULES = {"Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse",
+           "Filters/Pieces", "Interactors/Trials", "Interactors/Comparison"}
+KERNELS = CORE | {"Filters/Solids", "Filters/Identification", "Interactors/Trials"}
 
 MAY_INCLUDE = {
     "Filters/Mechanics": set(),
@@ -54,8 +61,11 @@ MAY_INCLUDE = {
     "Filters/SolidResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids", "Filters/Response"},
     "Filters/MeasuredResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Identification",
                                  "Filters/Response"},
+    "Filters/Pieces": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Response"},
     "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
+    "Interactors/Trials": {"Filters/Mechanics"},
     "Interactors/Interaction": CORE | {"Filters/Response"},
+    "Interactors/Comparison": CORE | {"Filters/Response", "Interactors/Interaction"},
 }
 for plugin_room in ("Plugin/ParaView", "Plugin/Python", "Plugin/Viewer"):
     MAY_INCLUDE[plugin_room] = CORE | MODULES | {"Filters/Response", "Interactors/Interaction"}
@@ -194,9 +204,12 @@ SOUND_TREE = {
     "Filters/MeasuredResponse/vtkReadings.h": '#include "vtkTool.h"\n#include "Identification/Fit.h"\n',
     "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Contact/Tick.h"\n',
     "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Mechanics/Hertz.h"\n',
+    "Filters/Pieces/Seam.h": '#include "vtkTool.h"\n#include "Contact/Tick.h"\n',
     "Interactors/Haptics/Device.h": '#include "Contact/Tick.h"\n#include "Mechanics/Hertz.h"\n#include <thread>\n',
+    "Interactors/Trials/Plan.h": '#include "Mechanics/Hertz.h"\n',
     "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Haptics/Device.h"\n',
-    "Plugin/Viewer/main.cxx": '#include "vtkSession.h"\n#include "Mechanics/Hertz.h"\n',
+    "Interactors/Comparison/vtkMap.h": '#include "vtkSession.h"\n#include "vtkTool.h"\n',
+    "Plugin/Viewer/main.cxx": '#include "vtkSession.h"\n#include "Mechanics/Hertz.h"\n#include "Trials/Plan.h"\n',
     "Plugin/ParaView/pqPanel.h": '#include "pqView.h"\n#include <vtkSMProxy.h>\n',
 }
 
@@ -227,6 +240,15 @@ BREAKS = [
     ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
     ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),
     ("Interactors/Haptics/Wrong.h", '#include "vtkSession.h"\n'),
+    ("Interactors/Haptics/Wrong.h", '#include "Trials/Plan.h"\n'),
+    ("Interactors/Trials/Wrong.h", '#include "Haptics/Device.h"\n'),
+    ("Interactors/Trials/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Interactors/Interaction/Wrong.h", '#include "Trials/Plan.h"\n'),
+    ("Interactors/Interaction/Wrong.h", '#include "vtkMap.h"\n'),
+    ("Interactors/Comparison/Wrong.h", '#include "vtkSolid.h"\n'),
+    ("Filters/SolidResponse/Wrong.h", '#include "vtkMap.h"\n'),
+    ("Filters/Response/Wrong.h", '#include "Pieces/Seam.h"\n'),
+    ("Filters/Pieces/Wrong.h", '#include "vtkSession.h"\n'),
     ("Filters/Response/Wrong.h", '#include "Haptics/Device.h"\n'),
     ("Filters/Response/Wrong.h", '#include "vtkSession.h"\n'),
     ("Filters/Response/Wrong.h", "#include <vtkSMProxy.h>\n"),

@@ -71,7 +71,7 @@ write_groups()
       write_group "${name//\//_}_$i" "${files[@]:i:12}"
     done
     count=$((count + ${#files[@]}))
-  done < <(find "$source"/Filters/{Response,SolidResponse,MeasuredResponse} "$source"/Interactors/Interaction \
+  done < <(find "$source"/Filters/{Response,SolidResponse,MeasuredResponse,Pieces} "$source"/Interactors/{Interaction,Comparison} \
     "$source"/Plugin/{Viewer,ParaView/ServerManager} -name '*.cxx' -not -path '*/Mesher/Cgal/*' -printf '%h\n' | sort -u)
   while read -r folder; do
     write_group "cgal_$(basename "$folder" .cxx)" "$folder"
@@ -84,7 +84,8 @@ write_export_headers()
 {
   local module
   mkdir -p "$place/include" || exit 1
-  for module in palpateResponse palpateSolidResponse palpateMeasuredResponse palpateInteraction palpateServerManager; do
+  for module in palpateResponse palpateSolidResponse palpateMeasuredResponse palpateInteraction palpateComparison \
+    palpateServerManager; do
     printf '#define %s_EXPORT\n#define %s_NO_EXPORT\n' "${module^^}" "${module^^}" >"$place/include/${module}Module.h"
   done
 }
@@ -97,7 +98,7 @@ compile_group()
   g++ -std=c++17 -fsyntax-only -w -DPALPATE_VERSION='"0"' -DPALPATE_PROJECT_VERSION='"0"' "${flags[@]}" \
     -I"$place/include" -I"$source/Filters" -I"$source/Interactors" \
     -I"$source"/Filters/{Response,SolidResponse,MeasuredResponse} \
-    -I"$source/Interactors/Interaction" -I"$source"/Plugin/Viewer{,/CommandLine,/Solids,/Identification} \
+    -I"$source"/Interactors/{Interaction,Comparison} -I"$source"/Plugin/Viewer{,/CommandLine,/Solids,/Identification,/Comparison,/Trials} \
     -I"$source/Plugin/ParaView/ServerManager" \
     -isystem "$vtk" -isystem "$vtk/vtkprotobuf/src" -isystem "$place/root/usr/include/eigen3" \
     -isystem "$place/root/usr/include/freetype2" -isystem "$place/root/usr/include" \

@@ -9,6 +9,7 @@ import bodies
 from session import SessionCase
 
 MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its own folder
+COMPARISON = Path(os.environ.get("PALPATE_COMPARISON", ""))  # the viewer's module of that name
 CURVES = Path(os.environ.get("PALPATE_DATA", "")) / "Examples" / "cylinder_sphere_curves.csv"
 
 
@@ -31,9 +32,17 @@ class Modules(SessionCase):
             self.refuse(self.ball, *arguments, environment=self.environment,
                         words=(arguments[0], "module Solids", "libpalpateViewerSolids.so", "./run build"))
         self.refuse("--scene", "phantom", environment=self.environment, words=("--scene phantom", "module Solids"))
-        self.refuse("--compare", environment=self.environment, words=("--compare", "module Solids"))
+        for arguments in (("--compare",), (self.ball, "--map")):
+            self.refuse(*arguments, environment=self.environment,
+                        words=(arguments[-1], "module Comparison", "libpalpateViewerComparison.so"))
         self.refuse("--scene", "cylinder", "--measured", CURVES, environment=self.environment,
                     words=("--measured", "module Identification", "libpalpateViewerIdentification.so"))
+        self.refuse(self.ball, "--trial", "sphere:3,flat:1", environment=self.environment,
+                    words=("--trial", "module Trials", "libpalpateViewerTrials.so"))
+
+    def test_a_module_that_needs_another_names_it(self):
+        shutil.copy(COMPARISON, self.libraries)
+        self.refuse("--compare", environment=self.environment, words=("--compare", "module Solids"))
 
     def test_all_else_works_without_modules(self):
         self.succeed(self.ball, "--tool", "sphere:3", environment=self.environment)

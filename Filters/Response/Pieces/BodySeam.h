@@ -33,14 +33,25 @@ public:
     std::int32_t seam;
   };
 
-  /// `body` is the own piece, of triangles alone; may be empty.
+  /// The seam points of all ranks, as the module Pieces finds them.
+  struct Points
+  {
+    std::size_t size = 0;
+    std::vector<Place> places;                    ///< own, in rising order of the points
+    std::vector<std::vector<std::int32_t>> seams; ///< of the places of each rank
+    /// Border edges that coincide with one of another piece in the opposite direction.
+    std::size_t joinedEdges = 0;
+  };
+
+  /// `body` is the own piece, of triangles alone; may be empty. Of several ranks missingPieces has
+  /// been asked before.
   BodySeam(const Ranks& ranks, vtkPolyData* body);
 
   const Ranks& ranks() const noexcept { return this->Among; }
   /// In rising order of the points.
-  const std::vector<Place>& places() const noexcept { return this->Places; }
+  const std::vector<Place>& places() const noexcept { return this->Found.places; }
   /// Border edges, of all ranks, that coincide with one of another piece in the opposite direction.
-  std::size_t joinedEdges() const noexcept { return this->JoinedEdges; }
+  std::size_t joinedEdges() const noexcept { return this->Found.joinedEdges; }
 
   /**
    * Combines values of the seam points over all ranks: `own` has a value for each of places(), and
@@ -51,18 +62,18 @@ public:
   std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const
   {
     const std::vector<std::vector<T>> all = this->Among.gather(own);
-    std::vector<T> bySeam(this->Size, start);
+    std::vector<T> bySeam(this->Found.size, start);
     for (std::size_t rank = 0; rank < all.size(); ++rank)
     {
       for (std::size_t i = 0; i < all[rank].size(); ++i)
       {
-        T& value = bySeam[static_cast<std::size_t>(this->Seams[rank][i])];
+        T& value = bySeam[static_cast<std::size_t>(this->Found.seams[rank][i])];
         value = combine(value, all[rank][i]);
       }
     }
     std::vector<T> result;
-    result.reserve(this->Places.size());
-    for (const Place& place : this->Places)
+    result.reserve(this->Found.places.size());
+    for (const Place& place : this->Found.places)
     {
       result.push_back(bySeam[static_cast<std::size_t>(place.seam)]);
     }
@@ -71,10 +82,7 @@ public:
 
 private:
   Ranks Among;
-  std::size_t Size = 0; ///< seam points of all ranks
-  std::vector<Place> Places;
-  std::vector<std::vector<std::int32_t>> Seams; ///< of the places of each rank
-  std::size_t JoinedEdges = 0;
+  Points Found;
 };
 } // namespace palpate
 

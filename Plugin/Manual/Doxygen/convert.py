@@ -12,7 +12,8 @@ CONTENTS = {"manual", "house"}
 ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids",
                                  "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
                                  "Filters/MeasuredResponse",
-                                 "Interactors/Haptics", "Interactors/Interaction")]
+                                 "Interactors/Haptics", "Interactors/Trials", "Interactors/Interaction",
+                                 "Interactors/Comparison")]
 
 
 def private_headers():

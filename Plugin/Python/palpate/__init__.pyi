@@ -4,6 +4,7 @@ from . import contract as contract, tilts as tilts
 from ._curves import Curves as Curves, curves as curves
 from ._probe import CoupledProbe as CoupledProbe, Probe as Probe, probe as probe
 from ._response import Regime as Regime, regime as regime, response as response
+from .palpateComparison import *
 from .palpateInteraction import *
 from .palpateMeasuredResponse import *
 from .palpateResponse import *

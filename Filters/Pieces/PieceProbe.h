@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PieceProbe_h
+#define PieceProbe_h
+
+#include "Pieces/BodyPiece.h"
+#include "Response/Pieces/LoadedPieces.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/**
+ * Touches a body whose pieces lie on several ranks with tips on any of them: each rank gathers the
+ * part of the body around its own tips, and the one-rank kernel runs on that.
+ *
+ * The kernel reads only triangles no farther from a tip than its nearest or its last contact, a few
+ * rings of neighbours around them, and the box of the body for its frame. So the part consists of
+ * all triangles within a ball around each tip, grown by a few longest edges, and of those that
+ * reach the box. The distances found tell afterwards whether a ball was large enough; if not (a
+ * contact followed into a thin body), a larger part is gathered. The result is therefore that of
+ * the whole body, except for the order in which normals around a point are summed. The search on
+ * smooth patches has no such bound; it gets a wider margin.
+ *
+ * Memory: each rank holds the parts around its own tips; at worst, for tips all over the body or
+ * triangles as long as it, the whole. All calls are collective.
+ */
+class PieceProbe
+{
+public:
+  /// `piece` has the response `name`, or is empty.
+  PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::string& name);
+
+  /// The contacts of the own tips; the same error on all ranks, or "".
+  std::string touch(const PressedTips& pressed, std::vector<PieceTouch>& touched);
+
+  /// What is wrong with the mesh around the own tips (describeDefects).
+  const std::string& defects() const noexcept { return this->Defects; }
+
+private:
+  std::vector<TipBall> firstBalls(vtkPolyData* tips, double indentation) const;
+  std::string touchPart(const std::vector<TipBall>& balls, double margin,
+    const PressedTips& pressed, std::vector<double>& needed, std::vector<PieceTouch>& touched);
+  static std::vector<double> neededRadii(
+    const ContactBody& body, vtkPolyData* tips, const std::vector<PieceTouch>& touched);
+
+  const Ranks& Among;
+  const BodyPiece& Piece;
+  std::string Name;
+  Eigen::AlignedBox3d Whole;
+  double LongestEdge;
+  std::string Defects;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SeamSearch_h
+#define palpate_SeamSearch_h
+
+#include "Response/Pieces/BodySeam.h"
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// The seam points of a body's pieces, of which `body` is the own one: see BodySeam. Collective.
+BodySeam::Points findSeam(const Ranks& ranks, vtkPolyData* body);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ComparisonColumn_h
+#define ComparisonColumn_h
+
+#include "Comparison/ComparisonChart.h"
+#include "Comparison/RegimeStatement.h"
+#include "Comparison/VerdictPanel.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkContactScene;
+class vtkHapticSession;
+class vtkPolyData;
+class vtkRegimeMap;
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace palpate
+{
+/// One of the bodies that are compared, from top to bottom: title, the body under the tool or its
+/// regime map, the curves of all tools at the contact, the verdict. Functions that return text say
+/// what is wrong, or "".
+class ComparisonColumn
+{
+public:
+  ComparisonColumn();
+  ~ComparisonColumn();
+  ComparisonColumn(const ComparisonColumn&) = delete;
+  ComparisonColumn& operator=(const ComparisonColumn&) = delete;
+
+  /// Occupies the part of the window between two fractions of its width.
+  void addTo(vtkRenderWindow* window, double left, double right);
+
+  // Sets the body; it is judged when something is shown.
+  void setBody(vtkPolyData* body, const std::string& title);
+  void setTools(const std::vector<ComparedTool>& tools);
+  void setMaterial(const ComparedMaterial& material);
+  void setDeflection(double deflection);
+  void setShownTool(std::size_t tool);
+
+  std::string showTip(vtkPolyData* probed, vtkIdType index);
+  std::string showSession(vtkHapticSession* session);
+  /// Shows curves and verdict at the point of the body next to a place.
+  std::string showPlace(const double place[3]);
+  /// -1: by displacement; otherwise a vtkRegimeMap::MapQuantity of the shown tool.
+  std::string colorBy(int quantity);
+
+  vtkPolyData* body();
+  vtkRenderer* renderer();
+  vtkContactScene* scene();
+  vtkRegimeMap* map();
+  ComparisonChart& chart() { return this->Chart; }
+  const RegimeStatement& statement() const { return this->Statement; }
+
+private:
+  std::string followContact(
+    vtkIdType cell, const double contact[3], double deflection, double normalForce);
+  std::string judge(vtkIdType point);
+  std::string makeMap();
+  void fitArrow();
+
+  vtkSmartPointer<vtkPolyData> Body;
+  std::vector<ComparedTool> Tools;
+  ComparedMaterial Material;
+  double Deflection = 1.0;
+  std::size_t ShownTool = 0;
+  vtkIdType JudgedPoint = -1; ///< -1: none, or outdated
+  RegimeStatement Statement;
+  double ArrowForce = 0.0; ///< N, that the scale of the arrow was chosen for
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkContactScene> Scene;
+  vtkSmartPointer<vtkRegimeMap> Map;
+  bool MapIsMade = false;
+  vtkSmartPointer<vtkTextActor> Title;
+  ComparisonChart Chart;
+  VerdictPanel Panel;
+};
+} // namespace palpate
+
+#endif

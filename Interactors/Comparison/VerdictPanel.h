@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VerdictPanel_h
+#define VerdictPanel_h
+
+#include "Comparison/RegimeStatement.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace palpate
+{
+/// A statement in words, beside a patch of the verdict's colour.
+class VerdictPanel
+{
+public:
+  VerdictPanel();
+  ~VerdictPanel();
+  VerdictPanel(const VerdictPanel&) = delete;
+  VerdictPanel& operator=(const VerdictPanel&) = delete;
+
+  /// Adds it to a part of the window: left, bottom, right, top as fractions.
+  void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
+
+  void show(const RegimeStatement& statement);
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderer> Patch;
+  vtkSmartPointer<vtkTextActor> Verdict;
+  vtkSmartPointer<vtkTextActor> Numbers;
+  vtkSmartPointer<vtkTextActor> Explanation; ///< of the terms
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRegimeMap
+ * @brief a body coloured by where the shape of the tool matters, with a legend, in a renderer
+ *
+ * Give it a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
+ * - Index, λ: orange where deformation is global (1), white where it is local (0), violet where a
+ *   near base stiffens the body (-1 and below);
+ * - Sensitivity, S = dlnF/dln(size): from yellow (0: a point force suffices) to dark blue (1.5 and
+ *   above);
+ * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices. Grey where there
+ * is no stable contact. A colour means the same number in every picture: the ranges do not follow
+ * the data. Sensitivity and verdicts differ in lightness, for grey and for the colour-blind; the
+ * index in violet and orange (ColorBrewer's PuOr).
+ *
+ * Cost: the arrays are uploaded once, and again when the quantity changes.
+ *
+ * @sa vtkContactRegime vtkBodyComparison
+ */
+#ifndef vtkRegimeMap_h
+#define vtkRegimeMap_h
+
+#include "palpateComparisonModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkScalarBarActor;
+
+class PALPATECOMPARISON_EXPORT vtkRegimeMap : public vtkObject
+{
+public:
+  static vtkRegimeMap* New();
+  vtkTypeMacro(vtkRegimeMap, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of Quantity.
+  enum MapQuantity
+  {
+    Index = 0,
+    Sensitivity = 1,
+    Verdict = 2
+  };
+
+  /** The renderer; the body and its legend are added. Call once. */
+  void SetRenderer(vtkRenderer* renderer);
+
+  /**
+   * The body, with the arrays of vtkContactRegime. Returns false, after an error that names the
+   * array, if one is missing; the display is then unchanged.
+   */
+  bool SetBody(vtkPolyData* body);
+
+  ///@{
+  /** The quantity shown by the colours. Default Index. */
+  void SetQuantity(int quantity);
+  vtkGetMacro(Quantity, int);
+  void SetQuantityToIndex() { this->SetQuantity(Index); }
+  void SetQuantityToSensitivity() { this->SetQuantity(Sensitivity); }
+  void SetQuantityToVerdict() { this->SetQuantity(Verdict); }
+  ///@}
+
+  ///@{
+  /** Whether body and legend are drawn. Default on. */
+  void SetVisibility(bool visible);
+  bool GetVisibility();
+  ///@}
+
+  ///@{
+  /** The parts, to restyle or place them; the legend is at the right edge. */
+  vtkActor* GetBodyActor();
+  vtkScalarBarActor* GetLegend();
+  ///@}
+
+protected:
+  vtkRegimeMap();
+  ~vtkRegimeMap() override;
+
+private:
+  vtkRegimeMap(const vtkRegimeMap&) = delete;
+  void operator=(const vtkRegimeMap&) = delete;
+
+  void PlaceLegend();
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkPolyDataMapper> Mapper;
+  vtkSmartPointer<vtkActor> Actor;
+  vtkSmartPointer<vtkScalarBarActor> Legend;
+  int Quantity = Index;
+};
+
+#endif

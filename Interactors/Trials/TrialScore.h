@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TrialScore_h
+#define palpate_TrialScore_h
+
+#include "Mechanics/PalpateExport.h"
+#include "Trials/Proportion.h"
+#include "Trials/TrialLog.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The result for two alternatives. Intervals are those of proportionOf, 95 %.
+struct PairScore
+{
+  int first = 0; ///< number of an alternative
+  int second = 0;
+  Proportion firstChosen; ///< how often the first was the answer
+  bool hasRightAnswer = false;
+  Proportion correct; ///< how often the stronger was the answer
+  /// Difference of the two intensities relative to their mean; 0 if no answer is right.
+  double difference = 0.0;
+  /// The relative difference that would be recognised in 75 % of the trials, by the estimate and by
+  /// both ends of the interval. Infinite if answers are no better than guesses, 0 if all are right.
+  double justNoticeable = 0.0;
+  double justNoticeableLower = 0.0;
+  double justNoticeableUpper = 0.0;
+};
+
+/// The result of a blind comparison.
+struct TrialScore
+{
+  Proportion xChosen;           ///< a bias for the first of two, if its interval excludes 0.5
+  std::vector<PairScore> pairs; ///< the pairs that were asked
+};
+
+/**
+ * Scores a record.
+ *
+ * The just-noticeable difference follows from the model of two noisy impressions of equal variance
+ * (Thurstone 1927; Green and Swets 1966, two-alternative forced choice): the fraction of right
+ * answers is p = Φ(d′/√2), and d′ is proportional to the difference D, so that 75 % are right at D
+ * Φ⁻¹(0.75) / Φ⁻¹(p).
+ */
+PALPATE_EXPORT TrialScore scoreTrials(const TrialRecord& record);
+
+/// In words, a line each, for a person.
+PALPATE_EXPORT std::vector<std::string> describeScore(
+  const TrialHead& head, const TrialScore& score);
+} // namespace palpate
+
+#endif

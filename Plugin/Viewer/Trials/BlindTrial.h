@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BlindTrial_h
+#define palpate_BlindTrial_h
+
+#include "ResponseSet.h"
+#include "ViewerScene.h"
+#include "Trials/TrialLog.h"
+#include "Trials/TrialPlan.h"
+#include "ViewerOptions.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+class vtkHapticSession;
+
+namespace palpate
+{
+/**
+ * A running blind comparison: what X and Y are at present, which of them the session renders, and
+ * the log. Window and console only see X and Y, not which alternative is which.
+ *
+ * The alternatives share body, device and force factor, so that their ratios are those of the
+ * computed forces.
+ */
+class BlindTrial
+{
+public:
+  /// Plans the trials, and attaches the responses of the alternatives that the scene does not have.
+  /// Returns an error that names the alternative, or "".
+  std::string prepare(
+    const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
+  /// Once the session has its device: opens the log. Returns an error, or "".
+  std::string open(const ViewerOptions& options, const ViewerScene& scene,
+    const ResponseSet& responses, vtkHapticSession* session);
+
+  std::size_t numberOfTrials() const { return this->Plan.size(); }
+  bool isOver() const { return this->Asked >= this->Plan.size(); }
+  bool showsX() const { return this->ShowsX; }
+  /// "trial 3 of 20".
+  std::string title() const;
+  const std::string& question() const { return this->Head.question; }
+
+  /// Begins the current trial, with X.
+  void begin();
+  /// Gives the session X or Y; a running one changes to it.
+  void show(bool x);
+  void switchOver();
+  /// Logs the answer; then call begin() for the next trial. Returns an error, or "".
+  std::string answer(bool choseX);
+
+  /// The result of all answers so far, in lines.
+  std::vector<std::string> summary() const;
+
+private:
+  /// Finds or makes the response of an alternative.
+  std::string chooseResponse(const ViewerScene& scene, const TrialChoice& choice,
+    double maximumDeflection, ResponseSet& responses);
+  void apply(std::size_t alternative);
+
+  std::vector<TrialChoice> Choices;
+  std::vector<std::string> ResponseNames; ///< of the choices
+  std::vector<Trial> Plan;
+  TrialHead Head;
+  TrialLog Log;
+  TrialRecord Record;
+  vtkHapticSession* Session = nullptr;
+  std::size_t Asked = 0;
+  bool ShowsX = true;
+  int Switches = 0;
+  std::chrono::steady_clock::time_point Begun;
+};
+} // namespace palpate
+
+#endif
