@@ -105,9 +105,9 @@ build()
   ((SECONDS - start < 3)) || done_with "built $preset in $(minutes $((SECONDS - start))) (log: $log)"
 }
 
-# What every job starts with. All of this talks on the error stream: the output is the job's alone.
+# What every job starts with: build_release JOB [ADDITION...]. All of this talks on the error stream: the output is the job's alone.
 build_release()
 {
-  prepare_system "$1"
-  build release "${needs[$1]#*:}" || exit 1
+  prepare_system "$@"
+  build release "$(targets_of "$@" | tr '\n' ' ')" || exit 1
 }

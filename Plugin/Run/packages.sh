@@ -33,12 +33,13 @@ declare -rA packages=(
   [docs]='doxygen graphviz'
 )
 
-# job: groups of packages : targets of the release build
+# job, or what the arguments of a job add to it: groups of packages : targets of the release build
 declare -rA needs=(
   [demo]='core vtk head display:palpate'
   [demo-solid]='core elements mesher vtk head display:palpate palpateViewerSolids palpateMesher'
   [demo-elements]='core elements vtk head display:palpate palpateViewerSolids'
   [demo-measured]='core vtk head display:palpate palpateViewerIdentification'
+  [strain]=':palpateStrain'
   [python]='core elements mesher vtk python display:palpatePython'
   [pvpython]='core elements mesher vtk python plugin display:palpatePython Palpate'
   [paraview]='core elements mesher vtk python plugin display:palpatePython Palpate'
@@ -177,7 +178,20 @@ unmet()
   done | sort -u
 }
 
-# Sorts what a job lacks into the caller's missing_needed and missing_optional.
+# groups_of JOB..., targets_of JOB...
+groups_of()
+{
+  local job
+  for job in "$@"; do echo "${needs[$job]%%:*}"; done
+}
+
+targets_of()
+{
+  local job
+  for job in "$@"; do echo "${needs[$job]#*:}"; done
+}
+
+# Sorts what jobs lack into the caller's missing_needed and missing_optional.
 find_missing()
 {
   missing_needed=() missing_optional=()
@@ -188,10 +202,10 @@ find_missing()
     else
       missing_needed+=("$entry")
     fi
-  done < <(unmet ${needs[$1]%%:*})
+  done < <(unmet $(groups_of "$@"))
 }
 
-# install_missing JOB: what find_missing found.
+# install_missing JOB...: what find_missing found.
 install_missing()
 {
   local start=$SECONDS entry needed=() optional=() depends_of_paraview
@@ -203,7 +217,7 @@ install_missing()
   # Since 6 it is built on the system's VTK, whose headers paraview-dev does not bring.
   if [[ $depends_of_paraview == *'Depends: libvtk9'* ]]; then
     needed+=(libvtk9-dev)
-    [[ ${needs[$1]%%:*} != *plugin* ]] || needed+=(libvtk9-qt-dev)
+    [[ $(groups_of "$@") != *plugin* ]] || needed+=(libvtk9-qt-dev)
   fi
   for entry in "${missing_optional[@]}"; do
     entry=$(choose "$entry")
@@ -259,25 +273,25 @@ report_missing()
 list_packages()
 {
   say "this system has no apt: nothing is installed. The build needs, by Debian's names:"
-  unmet ${needs[$1]%%:*} 2>/dev/null | tr '\n' ' ' | fold -s -w 96 | sed 's/^/  /' >&2
+  unmet $(groups_of "$@") 2>/dev/null | tr '\n' ' ' | fold -s -w 96 | sed 's/^/  /' >&2
   echo >&2
 }
 
-# prepare_system JOB
+# prepare_system JOB...
 prepare_system()
 {
   if is_debian_like; then
     local missing_needed missing_optional
-    find_missing "$1"
+    find_missing "$@"
     if [ $((${#missing_needed[@]} + ${#missing_optional[@]})) -gt 0 ]; then
       if may_install; then
-        install_missing "$1"
-        find_missing "$1"
+        install_missing "$@"
+        find_missing "$@"
       fi
       report_missing
     fi
   elif [ ! -e "$release_dir/build.ninja" ]; then
-    list_packages "$1"
+    list_packages "$@"
   fi
   local tool
   for tool in cmake ninja; do

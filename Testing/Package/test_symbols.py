@@ -53,6 +53,8 @@ class Symbols(unittest.TestCase):
             for kind, name in symbols:
                 scopes = re.split(r"[(<\[]", name)[0].split(" ")[-1].split("::")
                 owner = scopes[1] if scopes[0] == "palpate" else scopes[0]
+                if scopes == [f"palpate{library}Module"]: # by which the core loads it
+                    continue
                 if scopes[0].startswith("palpate") or f"{owner}.h" in self.sources:
                     self.assertTrue(re.search(rf"\b{owner}\b", self.headers), f"{library} exports {name}")
                 else: # inline functions of VTK, templates of the standard library

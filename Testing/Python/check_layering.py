@@ -4,7 +4,8 @@
 
     Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
                       '--------------> Haptics (devices, servo) ------'
-    modules: Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
+    modules: Mechanics --> Strain --> Plugin/*
+             Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
              Mechanics --> Identification --> MeasuredResponse (VTK) --> Plugin/*
 
 A room may include any room to its left along the arrows, never one to its right or beside it:
@@ -12,6 +13,7 @@ A room may include any room to its left along the arrows, never one to its right
     Filters/Mechanics         nothing of ours
     Filters/Contact           Mechanics
     Filters/Laws              Mechanics, Contact
+    Filters/Strain            Mechanics
     Filters/Solids            Mechanics, Contact, Laws
     Filters/Identification    Mechanics
     Filters/Response          Mechanics, Contact, Laws
@@ -21,7 +23,8 @@ A room may include any room to its left along the arrows, never one to its right
     Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
     Plugin/NAME               all of the above, no other Plugin room
 
-Mechanics, Contact, Laws, Solids, Identification and Haptics include no header of VTK, ParaView or Qt: they build without them.
+Mechanics, Contact, Laws, Strain, Solids, Identification and Haptics include no header of VTK, ParaView or Qt: they build
+without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
 An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
@@ -41,13 +44,14 @@ import tempfile
 from pathlib import Path
 
 CORE = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
-MODULES = {"Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse"}
-KERNELS = CORE | {"Filters/Solids", "Filters/Identification"}
+MODULES = {"Filters/Strain", "Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse"}
+KERNELS = CORE | {"Filters/Strain", "Filters/Solids", "Filters/Identification"}
 
 MAY_INCLUDE = {
     "Filters/Mechanics": set(),
     "Filters/Contact": {"Filters/Mechanics"},
     "Filters/Laws": {"Filters/Mechanics", "Filters/Contact"},
+    "Filters/Strain": {"Filters/Mechanics"},
     "Filters/Solids": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
     "Filters/Identification": {"Filters/Mechanics"},
     "Filters/Response": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
@@ -188,6 +192,7 @@ SOUND_TREE = {
     "Filters/Mechanics/Hertz.h": "#include <Eigen/Core>\n#include <cmath>\n",
     "Filters/Contact/Tick.h": '#include "Mechanics/Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
     "Filters/Laws/Law.h": '#include "Mechanics/Hertz.h"\n#include "Contact/Tick.h"\n',
+    "Filters/Strain/Solver.h": '#include "Mechanics/Hertz.h"\n',
     "Filters/Solids/Element.h": '#include "Laws/Law.h"\n',
     "Filters/Identification/Fit.h": '#include "Mechanics/Hertz.h"\n',
     "Filters/SolidResponse/vtkSolid.h": '#include "vtkTool.h"\n#include "Solids/Element.h"\n',
@@ -214,6 +219,11 @@ BREAKS = [
     ("Filters/Laws/Wrong.h", '#include "vtkTool.h"\n'),
     ("Filters/Laws/Wrong.h", "#include <vtkMath.h>\n"),
     ("Filters/Laws/Wrong.h", '#include "Solids/Element.h"\n'),
+    ("Filters/Mechanics/Wrong.h", '#include "Strain/Solver.h"\n'),
+    ("Filters/Laws/Wrong.h", '#include "Strain/Solver.h"\n'),
+    ("Filters/Strain/Wrong.h", '#include "Contact/Tick.h"\n'),
+    ("Filters/Strain/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Filters/Solids/Wrong.h", '#include "Strain/Solver.h"\n'),
     ("Filters/Solids/Wrong.h", '#include "vtkTool.h"\n'),
     ("Filters/Solids/Wrong.h", '#include "Identification/Fit.h"\n'),
     ("Filters/Identification/Wrong.h", '#include "Contact/Tick.h"\n'),

@@ -35,6 +35,12 @@ class Modules(SessionCase):
         self.refuse("--scene", "cylinder", "--measured", CURVES, environment=self.environment,
                     words=("--measured", "module Identification", "libpalpateViewerIdentification.so"))
 
+    def test_finite_strain_is_solved_for_by_its_module_alone(self):
+        stored = (self.ball, "--tool", "sphere:3", "--strain", "neo-hooke", "--maximum-deflection", "1")
+        self.succeed(*stored, environment=self.environment)
+        self.refuse(self.ball, "--tool", "sphere:3", "--strain", "ogden:9", environment={**self.environment, "PALPATE_CACHE": ""},
+                    words=("Ogden, alpha = 9", "sphere:3", "module Strain", "libpalpateStrain.so", "./run build"))
+
     def test_all_else_works_without_modules(self):
         self.succeed(self.ball, "--tool", "sphere:3", environment=self.environment)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/FiniteOverSmall.h"
+#include "Strain/FiniteOverSmall.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Strain energies against their textbook forms in long double, and their derivatives against
 // differences.
-#include "Mechanics/FiniteStrain/StrainEnergy.h"
+#include "Strain/StrainEnergy.h"
 
 #include "Agreement.h"
 

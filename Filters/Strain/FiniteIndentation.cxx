@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Strain/FiniteIndentation.h"
 
-#include "Mechanics/FiniteStrain/FiniteBody.h"
+#include "Strain/FiniteBody.h"
 #include "Mechanics/JoinedText.h"
 
 #include <Eigen/SparseCholesky>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Indentation at finite strain: against the exact laws where the strain is small, against tables of
 // another code where it is not (Data/Reference/deep), and by what must hold.
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
-#include "Mechanics/FiniteStrain/GradedMesh.h"
+#include "Strain/FiniteIndentation.h"
+#include "Strain/GradedMesh.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
 

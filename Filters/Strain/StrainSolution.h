@@ -2,10 +2,11 @@
 #ifndef StrainSolution_h
 #define StrainSolution_h
 
-#include "Mechanics/FiniteStrain/StrainEnergy.h"
+#include "Mechanics/FiniteStrain/StrainLaw.h"
 #include "Mechanics/FiniteStrain/StrainTable.h"
 #include "Mechanics/Layers/LayerStack.h"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct StrainProblem
   /// axes of the table. Without layers: a half-space.
   LayerStack stack;
   StrainReach reach;
+  std::size_t threads;
 };
 
 /// Radius of the fillets of corners, relative to the contact radius.
@@ -31,7 +33,7 @@ constexpr double SolvedFillet = 0.1;
  * c = F_finite/F_small of the solver, on one mesh, at the nodes of a table, as for StrainTable; 0
  * where it found no equilibrium. From the cache (StrainCache.h) if it has them.
  *
- * Row by row on threadCount() threads, 50 to 100 MB each, with the same bits for any number of
+ * Row by row on `threads` threads, 50 to 100 MB each, with the same bits for any number of
  * them. `goOn(fraction)` is called on the calling thread, some ten times a second; returning false
  * ends it without factors.
  */

@@ -2,7 +2,7 @@
 #ifndef FiniteOverSmall_h
 #define FiniteOverSmall_h
 
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/ToolOutline.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 // What finite strain does to a force: tables and solver against another code (Data/Reference/deep,
 // Data/Studies/calculix), Long et al. 2011, and by what must hold.
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
 #include "Identification/CurvesFile.h"
 #include "Mechanics/Layers/LayerContact.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/StrainSolution.h"
+#include "Strain/StrainSolution.h"
 
 #include "Mechanics/Files/NumberText.h"
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
-#include "Mechanics/FiniteStrain/FiniteOverSmall.h"
-#include "Mechanics/FiniteStrain/StrainCache.h"
+#include "Strain/FiniteIndentation.h"
+#include "Strain/FiniteOverSmall.h"
+#include "Strain/StrainCache.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Layers/LayerContact.h"
-#include "Mechanics/ThreadCount.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 
 #include <algorithm>
@@ -145,17 +144,17 @@ std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
   return key;
 }
 
-/// All rows on all threads; false where `goOn` ended it.
+/// All rows; false where `goOn` ended it.
 bool solveRows(std::size_t rows,
   const std::function<void(std::size_t, const std::function<bool(double)>&)>& solve,
-  const std::function<bool(double)>& goOn)
+  std::size_t threadsAtMost, const std::function<bool(double)>& goOn)
 {
   std::vector<std::atomic<double>> done(rows);
   std::atomic<std::size_t> next{ 0 };
   std::atomic<bool> ended{ false };
   std::mutex mutex;
   std::condition_variable left;
-  const std::size_t count = std::min(threadCount(), rows);
+  const std::size_t count = std::min(threadsAtMost, rows);
   std::size_t working = count;
   const auto work = [&]
   {
@@ -220,7 +219,7 @@ std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable:
       const std::vector<double> own = factorsOf(problem, rowOf(problem, axes, i), axes.roots, tell);
       std::copy(own.begin(), own.end(), factors.begin() + static_cast<std::ptrdiff_t>(i * columns));
     },
-    goOn);
+    problem.threads, goOn);
   if (!complete)
   {
     return {};

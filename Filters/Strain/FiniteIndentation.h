@@ -2,7 +2,7 @@
 #ifndef palpate_FiniteIndentation_h
 #define palpate_FiniteIndentation_h
 
-#include "Mechanics/FiniteStrain/StrainEnergy.h"
+#include "Strain/StrainEnergy.h"
 #include "Mechanics/FiniteStrain/ToolOutline.h"
 #include "Mechanics/PalpateExport.h"
 

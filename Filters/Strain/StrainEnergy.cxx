@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/StrainEnergy.h"
-
-#include "Mechanics/JoinedText.h"
+#include "Strain/StrainEnergy.h"
 
 #include <cmath>
 
@@ -160,40 +158,10 @@ Number StrainEnergy::isochoric(const Gradient<Number>& h, const Number& volumeCh
     (a * a + d * d + e * e + 0.5 * (shear * shear) - 1.0 / 3.0 * (volumeChange * volumeChange));
 }
 
-std::string checkStrainEnergy(StrainModel model, double parameter)
-{
-  if (model == StrainModel::Ogden &&
-    !(parameter != 0.0 && std::abs(parameter) <= 50.0 && std::abs(parameter) >= 1e-3))
-  {
-    return joined(
-      "Ogden's exponent must lie between 0.001 and 50, or their negatives, but is ", parameter);
-  }
-  if (model == StrainModel::Demiray && !(parameter > 0.0 && parameter <= 50.0))
-  {
-    return joined("Demiray's coefficient must be positive and at most 50, but is ", parameter);
-  }
-  return {};
-}
-
 using Dual = SecondOrder<5>;
 template PALPATE_EXPORT double StrainEnergy::volumeChange(const Gradient<double>&) const;
 template PALPATE_EXPORT Dual StrainEnergy::volumeChange(const Gradient<Dual>&) const;
 template PALPATE_EXPORT double StrainEnergy::isochoric(
   const Gradient<double>&, const double&) const;
 template PALPATE_EXPORT Dual StrainEnergy::isochoric(const Gradient<Dual>&, const Dual&) const;
-
-std::string describe(const StrainLaw& law)
-{
-  switch (law.model)
-  {
-    case StrainModel::NeoHooke:
-      return "finite strain (Neo-Hooke)";
-    case StrainModel::Ogden:
-      return joined("finite strain (Ogden, alpha = ", law.parameter, ")");
-    case StrainModel::Demiray:
-      return joined("finite strain (Demiray, b = ", law.parameter, ")");
-    default:
-      return "small strain";
-  }
-}
 } // namespace palpate

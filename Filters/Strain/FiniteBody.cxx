@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/FiniteBody.h"
+#include "Strain/FiniteBody.h"
 
-#include "Mechanics/FiniteStrain/QuadraticLine.h"
+#include "Strain/QuadraticLine.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <Eigen/Cholesky>

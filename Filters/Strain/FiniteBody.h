@@ -2,7 +2,7 @@
 #ifndef palpate_FiniteBody_h
 #define palpate_FiniteBody_h
 
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Strain/FiniteIndentation.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/StrainCache.h"
+#include "Strain/StrainCache.h"
 
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/Files/WholeFile.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a FiniteBody is divided into elements, held, and numbered.
-#include "Mechanics/FiniteStrain/FiniteBody.h"
+#include "Strain/FiniteBody.h"
 
-#include "Mechanics/FiniteStrain/GradedMesh.h"
-#include "Mechanics/FiniteStrain/QuadraticLine.h"
+#include "Strain/GradedMesh.h"
+#include "Strain/QuadraticLine.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/ReducedModulus.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mechanics/FiniteStrain/GradedMesh.h"
+#include "Strain/GradedMesh.h"
 
 #include <algorithm>
 #include <cmath>
