@@ -75,7 +75,7 @@ foreach(palpate_module IN LISTS palpate_modules)
 endforeach()
 
 add_custom_target(palpatePython) # the package, as far as this VTK allows
-foreach(target IN ITEMS palpateMesher palpateStrain)
+foreach(target IN ITEMS palpateMesher palpateStrain palpateTransports)
   if(TARGET ${target})
     add_dependencies(palpatePython ${target})
   endif()

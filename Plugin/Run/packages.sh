@@ -6,8 +6,8 @@
 # ParaView's CMake package does not depend on all that it looks for: vtk lists what its VTK wants for the
 # viewer and Python, plugin what the rest of it wants (tried out on bare systems).
 declare -rA packages=(
-  [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache
-    libhidapi-dev'
+  [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache'
+  [devices]='libhidapi-dev'
   [elements]='libsuitesparse-dev libopenblas0-pthread'
   [mesher]='libcgal-dev'
   [vtk]='paraview-dev python3-paraview libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl-dev
@@ -40,22 +40,23 @@ declare -rA needs=(
   [demo-elements]='core elements vtk head display:palpate palpateViewerSolids'
   [demo-measured]='core vtk head display:palpate palpateViewerIdentification'
   [strain]=':palpateStrain'
-  [python]='core elements mesher vtk python display:palpatePython'
-  [pvpython]='core elements mesher vtk python plugin display:palpatePython Palpate'
-  [paraview]='core elements mesher vtk python plugin display:palpatePython Palpate'
-  [bench]='core elements mesher vtk gtest benchmarks pictures display:palpateMesher palpateLongBenchmarks'
-  [bench-python]='core elements mesher vtk python display head:palpatePython'
-  [bench-plugin]='core elements mesher vtk python plugin display:palpatePython Palpate'
-  [bench-all]='core elements mesher vtk python plugin gtest benchmarks pictures display head:palpatePython Palpate palpateLongBenchmarks'
-  [study]='core elements mesher vtk python pictures display gtest:palpatePython palpate palpateModules palpateLongStudies'
-  [study-calculix]='core elements mesher vtk python pictures display calculix:palpatePython palpate palpateModules'
-  [endurance]='core elements mesher vtk tests sanitizers pictures display head:all palpateLong'
-  [package]='core elements mesher vtk python plugin deb:palpatePacked'
-  [docs]='core elements mesher vtk python pictures docs display:palpatePython'
-  [test]='core elements mesher vtk python plugin tests head display:all'
-  [test-ci]='core elements mesher vtk python plugin tests head display style sanitizers plain docs deb:all'
-  [test-all]='core elements mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
-  [build]='core elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
+  [device]='devices:palpateTransports'
+  [python]='core devices elements mesher vtk python display:palpatePython'
+  [pvpython]='core devices elements mesher vtk python plugin display:palpatePython Palpate'
+  [paraview]='core devices elements mesher vtk python plugin display:palpatePython Palpate'
+  [bench]='core devices elements mesher vtk gtest benchmarks pictures display:palpateMesher palpateLongBenchmarks'
+  [bench-python]='core devices elements mesher vtk python display head:palpatePython'
+  [bench-plugin]='core devices elements mesher vtk python plugin display:palpatePython Palpate'
+  [bench-all]='core devices elements mesher vtk python plugin gtest benchmarks pictures display head:palpatePython Palpate palpateLongBenchmarks'
+  [study]='core devices elements mesher vtk python pictures display gtest:palpatePython palpate palpateModules palpateLongStudies'
+  [study-calculix]='core devices elements mesher vtk python pictures display calculix:palpatePython palpate palpateModules'
+  [endurance]='core devices elements mesher vtk tests sanitizers pictures display head:all palpateLong'
+  [package]='core devices elements mesher vtk python plugin deb:palpatePacked'
+  [docs]='core devices elements mesher vtk python pictures docs display:palpatePython'
+  [test]='core devices elements mesher vtk python plugin tests head display:all'
+  [test-ci]='core devices elements mesher vtk python plugin tests head display style sanitizers plain docs deb:all'
+  [test-all]='core devices elements mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
+  [build]='core devices elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
 )
 
 # What a job can do without, and what is lost then; all else it needs.

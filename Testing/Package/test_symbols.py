@@ -77,7 +77,7 @@ class Symbols(unittest.TestCase):
     def test_c_functions_are_those_listed(self):
         exported = sorted(name for _, name in self.exported("Haptics") if re.fullmatch(r"palpate_\w+", name))
         self.assertEqual(exported, [line.split()[0] for line in self.listed()])
-        for library in KERNELS[:-1]:
+        for library in set(KERNELS) - {"Haptics"}:
             self.assertFalse([name for _, name in self.exported(library) if re.fullmatch(r"palpate_\w+", name)])
 
     def test_the_list_is_that_of_the_header(self):

@@ -5,6 +5,7 @@
     Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
                       '--------------> Haptics (devices, servo) ------'
     modules: Mechanics --> Strain --> Plugin/*
+             Haptics --> Transports --> Plugin/*
              Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
              Mechanics --> Identification --> MeasuredResponse (VTK) --> Plugin/*
 
@@ -20,11 +21,12 @@ A room may include any room to its left along the arrows, never one to its right
     Filters/SolidResponse     Mechanics, Contact, Laws, Solids, Response
     Filters/MeasuredResponse  Mechanics, Contact, Laws, Identification, Response
     Interactors/Haptics       Mechanics, Contact
+    Interactors/Transports    Mechanics, Contact, Haptics
     Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
     Plugin/NAME               all of the above, no other Plugin room
 
-Mechanics, Contact, Laws, Strain, Solids, Identification and Haptics include no header of VTK, ParaView or Qt: they build
-without them.
+Mechanics, Contact, Laws, Strain, Solids, Identification, Haptics and Transports include no header of VTK, ParaView or Qt:
+they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
 An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
@@ -44,8 +46,9 @@ import tempfile
 from pathlib import Path
 
 CORE = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
-MODULES = {"Filters/Strain", "Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse"}
-KERNELS = CORE | {"Filters/Strain", "Filters/Solids", "Filters/Identification"}
+KERNEL_MODULES = {"Filters/Strain", "Filters/Solids", "Filters/Identification", "Interactors/Transports"}
+MODULES = KERNEL_MODULES | {"Filters/SolidResponse", "Filters/MeasuredResponse"}
+KERNELS = CORE | KERNEL_MODULES
 
 MAY_INCLUDE = {
     "Filters/Mechanics": set(),
@@ -59,6 +62,7 @@ MAY_INCLUDE = {
     "Filters/MeasuredResponse": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Identification",
                                  "Filters/Response"},
     "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
+    "Interactors/Transports": {"Filters/Mechanics", "Filters/Contact", "Interactors/Haptics"},
     "Interactors/Interaction": CORE | {"Filters/Response"},
 }
 for plugin_room in ("Plugin/ParaView", "Plugin/Python", "Plugin/Viewer"):
@@ -200,6 +204,7 @@ SOUND_TREE = {
     "Filters/Response/vtkTool.h": '#include <vtkSMPTools.h>\n#include "Contact/Tick.h"\n',
     "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Mechanics/Hertz.h"\n',
     "Interactors/Haptics/Device.h": '#include "Contact/Tick.h"\n#include "Mechanics/Hertz.h"\n#include <thread>\n',
+    "Interactors/Transports/Socket.h": '#include "Haptics/Device.h"\n',
     "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Haptics/Device.h"\n',
     "Plugin/Viewer/main.cxx": '#include "vtkSession.h"\n#include "Mechanics/Hertz.h"\n',
     "Plugin/ParaView/pqPanel.h": '#include "pqView.h"\n#include <vtkSMProxy.h>\n',
@@ -233,6 +238,10 @@ BREAKS = [
     ("Filters/SolidResponse/Wrong.h", '#include "vtkReadings.h"\n'),
     ("Filters/MeasuredResponse/Wrong.h", '#include "Solids/Element.h"\n'),
     ("Interactors/Interaction/Wrong.h", '#include "vtkSolid.h"\n'),
+    ("Interactors/Haptics/Wrong.h", '#include "Transports/Socket.h"\n'),
+    ("Interactors/Transports/Wrong.h", '#include "Laws/Law.h"\n'),
+    ("Interactors/Transports/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Interactors/Interaction/Wrong.h", '#include "Transports/Socket.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "Laws/Law.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
     ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 import bodies
-from session import SessionCase
+from session import SessionCase, run
 
 MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its own folder
 CURVES = Path(os.environ.get("PALPATE_DATA", "")) / "Examples" / "cylinder_sphere_curves.csv"
@@ -35,8 +35,16 @@ class Modules(SessionCase):
         self.refuse("--scene", "cylinder", "--measured", CURVES, environment=self.environment,
                     words=("--measured", "module Identification", "libpalpateViewerIdentification.so"))
 
+    def test_a_device_is_reached_by_its_module_alone(self):
+        for device in ("hid:/dev/hidraw0", "bridge:udp:50000"):
+            self.refuse(self.ball, "--device", device, environment=self.environment,
+                        words=(device, "module Transports", "libpalpateTransports.so", "./run build"))
+        listed = run("--list-devices", environment=self.environment)
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertIn("module Transports", listed.stdout)
+
     def test_finite_strain_is_solved_for_by_its_module_alone(self):
-        stored = (self.ball, "--tool", "sphere:3", "--strain", "neo-hooke", "--maximum-deflection", "1")
+        stored = (self.ball, "--tool", "sphere:3", "--strain", "neo-hooke")
         self.succeed(*stored, environment=self.environment)
         self.refuse(self.ball, "--tool", "sphere:3", "--strain", "ogden:9", environment={**self.environment, "PALPATE_CACHE": ""},
                     words=("Ogden, alpha = 9", "sphere:3", "module Strain", "libpalpateStrain.so", "./run build"))

@@ -12,7 +12,7 @@ CONTENTS = {"manual", "house"}
 ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids",
                                  "Filters/Strain", "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
                                  "Filters/MeasuredResponse",
-                                 "Interactors/Haptics", "Interactors/Interaction")]
+                                 "Interactors/Haptics", "Interactors/Transports", "Interactors/Interaction")]
 
 
 def private_headers():
