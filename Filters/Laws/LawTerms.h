@@ -2,7 +2,7 @@
 #ifndef palpate_LawTerms_h
 #define palpate_LawTerms_h
 
-#include "Mechanics/FiniteStrain/StrainEnergy.h"
+#include "Mechanics/FiniteStrain/StrainLaw.h"
 
 namespace palpate
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
-#include "Haptics/Devices/DeviceList.h"
+#include "Haptics/Devices/DeviceTransports.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Haptics/Devices/WorkspaceMapping.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -85,7 +85,7 @@ void vtkHapticDevice::Use(std::unique_ptr<palpate::HapticDevice> device)
 
 std::string vtkHapticDevice::ListDevices()
 {
-  return palpate::listDevices().describe();
+  return palpate::pluggedDevices().text;
 }
 
 std::string vtkHapticDevice::GetStatus()

@@ -84,12 +84,12 @@ endfunction()
 
 # The name programs ask for (soname) has the part of the version that changes when they must be built again:
 # the first two numbers before 1.0, the first from then on.
+set(PALPATE_SOVERSION ${PROJECT_VERSION_MAJOR})
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  string(APPEND PALPATE_SOVERSION ".${PROJECT_VERSION_MINOR}")
+endif()
 function(palpate_version_library target)
-  set(soversion ${PROJECT_VERSION_MAJOR})
-  if(PROJECT_VERSION_MAJOR EQUAL 0)
-    string(APPEND soversion ".${PROJECT_VERSION_MINOR}")
-  endif()
-  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${soversion})
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PALPATE_SOVERSION})
 endfunction()
 
 # Where the rooms stand, in each of which a header is found by its room and folder.
@@ -121,10 +121,12 @@ endfunction()
 # what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
 # FUZZED: a fuzzer tests it. READS_BYTES: it reads bytes as numbers, so that a sanitizer checks their alignment; elsewhere Eigen
 # checks, and a sanitizer that does so too takes a fifth of the time.
+# LOADED: the core loads it by loadModule ("Mechanics/Files/ModuleFile.h") where a program does not link it; it is a shared
+# library in any case, and knows the version it tells as PALPATE_VERSION.
 # FORMER: pairs of a header that was, and the one which holds its content now; programs of before go on to include it.
 # FORMER_FOLDERS: pairs of a folder in which headers were, and the one in which they are now. Both from the room.
 function(palpate_add_kernel name)
-  cmake_parse_arguments(arg "FUZZED;READS_BYTES" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;FORMER_FOLDERS;LINK" ${ARGN})
+  cmake_parse_arguments(arg "FUZZED;READS_BYTES;LOADED" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;FORMER_FOLDERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
   set(private_headers ${arg_PRIVATE_HEADERS})
   set(sources ${arg_SOURCES})
@@ -142,7 +144,14 @@ function(palpate_add_kernel name)
     list(APPEND folders "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate/${folder}>")
   endforeach()
   list(REMOVE_DUPLICATES folders)
-  add_library(palpate${name} ${sources} ${headers} ${private_headers})
+  set(type)
+  if(arg_LOADED)
+    set(type SHARED)
+  endif()
+  add_library(palpate${name} ${type} ${sources} ${headers} ${private_headers})
+  if(arg_LOADED)
+    target_compile_definitions(palpate${name} PRIVATE PALPATE_VERSION="${PROJECT_VERSION}")
+  endif()
   add_library(Palpate::${name} ALIAS palpate${name})
   target_include_directories(palpate${name} PUBLIC
     "$<BUILD_INTERFACE:${PALPATE_ROOMS}>"
@@ -162,6 +171,9 @@ function(palpate_add_kernel name)
     ${PALPATE_DIRECT_CALLS})
   if(arg_FUZZED)
     palpate_trace_branches(palpate${name})
+  endif()
+  if(PALPATE_SANITIZE STREQUAL "thread") # only what its tests link
+    set_target_properties(palpate${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
   if(PALPATE_SANITIZE AND NOT arg_READS_BYTES)
     target_compile_options(palpate${name} PRIVATE -fno-sanitize=alignment)

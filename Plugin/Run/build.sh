@@ -36,7 +36,7 @@ cmake_options()
   # kernels alone, which release and plain-vtk share.
   echo "-DPALPATE_CACHE_TESTS=$(is_ci && echo OFF || echo ON)"
   # The thread sanitizer takes three minutes to compile the solids, for the tests of five files: these are among the long ones.
-  [ "$1" != tsan ] || echo "-DPALPATE_WITH_SOLIDS=$(on_if is_long)"
+  [ "$1" != tsan ] || echo "-DPALPATE_TEST_THREADS_OF_SOLIDS=$(on_if is_long)"
   if have ccache && ! { is_ci && [[ $1 == [at]san ]]; }; then
     printf -- '-DCMAKE_%s_COMPILER_LAUNCHER=ccache\n' C CXX
   fi
@@ -107,9 +107,9 @@ build()
   ((SECONDS - start < 3)) || done_with "built $preset in $(minutes $((SECONDS - start))) (log: $log)"
 }
 
-# What every job starts with. All of this talks on the error stream: the output is the job's alone.
+# What every job starts with: build_release JOB [ADDITION...]. All of this talks on the error stream: the output is the job's alone.
 build_release()
 {
-  prepare_system "$1"
-  build release "${needs[$1]#*:}" || exit 1
+  prepare_system "$@"
+  build release "$(targets_of "$@" | tr '\n' ' ')" || exit 1
 }

@@ -6,8 +6,8 @@
 # ParaView's CMake package does not depend on all that it looks for: vtk lists what its VTK wants for the
 # viewer and Python, plugin what the rest of it wants (tried out on bare systems).
 declare -rA packages=(
-  [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache
-    libhidapi-dev'
+  [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache'
+  [devices]='libhidapi-dev'
   [elements]='libsuitesparse-dev libopenblas0-pthread'
   [mesher]='libcgal-dev'
   [vtk]='paraview-dev python3-paraview libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl-dev
@@ -33,8 +33,8 @@ declare -rA packages=(
   [docs]='doxygen graphviz'
 )
 
-# job: groups of packages : targets of the release build. The jobs demo-… are parts of a demo, by the modules that it uses.
-declare -A needs=(
+# job: groups of packages : targets of the release build. The jobs demo-… are additions to a demo, for the modules that it uses.
+declare -rA needs=(
   [demo]='core vtk head display:palpate'
   [demo-solid]='elements mesher:palpateViewerSolids palpateMesher'
   [demo-elements]='elements:palpateViewerSolids'
@@ -42,26 +42,25 @@ declare -A needs=(
   [demo-map]=':palpateViewerComparison'
   [demo-measured]=':palpateViewerIdentification'
   [demo-trial]=':palpateViewerTrials'
-  [python]='core elements mesher vtk python display:palpatePython'
-  [pvpython]='core elements mesher vtk python plugin display:palpatePython Palpate'
-  [paraview]='core elements mesher vtk python plugin display:palpatePython Palpate'
-  [bench]='core elements mesher vtk gtest benchmarks pictures display:palpateMesher palpateLongBenchmarks'
-  [bench-python]='core elements mesher vtk python display head:palpatePython'
-  [bench-plugin]='core elements mesher vtk python plugin display:palpatePython Palpate'
-  [bench-all]='core elements mesher vtk python plugin gtest benchmarks pictures display head:palpatePython Palpate palpateLongBenchmarks'
-  [study]='core elements mesher vtk python pictures display gtest:palpatePython palpate palpateModules palpateLongStudies'
-  [study-calculix]='core elements mesher vtk python pictures display calculix:palpatePython palpate palpateModules'
-  [endurance]='core elements mesher vtk tests sanitizers pictures display head:all palpateLong'
-  [package]='core elements mesher vtk python plugin deb:palpatePacked'
-  [docs]='core elements mesher vtk python pictures docs display:palpatePython'
-  [test]='core elements mesher vtk python plugin tests head display:all'
-  [test-ci]='core elements mesher vtk python plugin tests head display style sanitizers plain docs deb:all'
-  [test-all]='core elements mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
-  [build]='core elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
+  [demo-strain]=':palpateStrain'
+  [demo-device]='devices:palpateTransports'
+  [python]='core devices elements mesher vtk python display:palpatePython'
+  [pvpython]='core devices elements mesher vtk python plugin display:palpatePython Palpate'
+  [paraview]='core devices elements mesher vtk python plugin display:palpatePython Palpate'
+  [bench]='core devices elements mesher vtk gtest benchmarks pictures display:palpateMesher palpateLongBenchmarks'
+  [bench-python]='core devices elements mesher vtk python display head:palpatePython'
+  [bench-plugin]='core devices elements mesher vtk python plugin display:palpatePython Palpate'
+  [bench-all]='core devices elements mesher vtk python plugin gtest benchmarks pictures display head:palpatePython Palpate palpateLongBenchmarks'
+  [study]='core devices elements mesher vtk python pictures display gtest:palpatePython palpate palpateModules palpateLongStudies'
+  [study-calculix]='core devices elements mesher vtk python pictures display calculix:palpatePython palpate palpateModules'
+  [endurance]='core devices elements mesher vtk tests sanitizers pictures display head:all palpateLong'
+  [package]='core devices elements mesher vtk python plugin deb:palpatePacked'
+  [docs]='core devices elements mesher vtk python pictures docs display:palpatePython'
+  [test]='core devices elements mesher vtk python plugin tests head display:all'
+  [test-ci]='core devices elements mesher vtk python plugin tests head display style sanitizers plain docs deb:all'
+  [test-all]='core devices elements mesher vtk python plugin tests head display benchmarks style sanitizers plain kernel docs deb:all palpateLong'
+  [build]='core devices elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
 )
-
-# add_needs JOB OTHER: the job also needs what the other one does.
-add_needs() { needs[$1]="${needs[$1]%%:*} ${needs[$2]%%:*}:${needs[$1]#*:} ${needs[$2]#*:}"; }
 
 # What a job can do without, and what is lost then; all else it needs.
 declare -rA optional_packages=(
@@ -183,7 +182,20 @@ unmet()
   done | sort -u
 }
 
-# Sorts what a job lacks into the caller's missing_needed and missing_optional.
+# groups_of JOB..., targets_of JOB...
+groups_of()
+{
+  local job
+  for job in "$@"; do echo "${needs[$job]%%:*}"; done
+}
+
+targets_of()
+{
+  local job
+  for job in "$@"; do echo "${needs[$job]#*:}"; done
+}
+
+# Sorts what jobs lack into the caller's missing_needed and missing_optional.
 find_missing()
 {
   missing_needed=() missing_optional=()
@@ -194,10 +206,10 @@ find_missing()
     else
       missing_needed+=("$entry")
     fi
-  done < <(unmet ${needs[$1]%%:*})
+  done < <(unmet $(groups_of "$@"))
 }
 
-# install_missing JOB: what find_missing found.
+# install_missing JOB...: what find_missing found.
 install_missing()
 {
   local start=$SECONDS entry needed=() optional=() depends_of_paraview
@@ -209,7 +221,7 @@ install_missing()
   # Since 6 it is built on the system's VTK, whose headers paraview-dev does not bring.
   if [[ $depends_of_paraview == *'Depends: libvtk9'* ]]; then
     needed+=(libvtk9-dev)
-    [[ ${needs[$1]%%:*} != *plugin* ]] || needed+=(libvtk9-qt-dev)
+    [[ $(groups_of "$@") != *plugin* ]] || needed+=(libvtk9-qt-dev)
   fi
   for entry in "${missing_optional[@]}"; do
     entry=$(choose "$entry")
@@ -265,25 +277,25 @@ report_missing()
 list_packages()
 {
   say "this system has no apt: nothing is installed. The build needs, by Debian's names:"
-  unmet ${needs[$1]%%:*} 2>/dev/null | tr '\n' ' ' | fold -s -w 96 | sed 's/^/  /' >&2
+  unmet $(groups_of "$@") 2>/dev/null | tr '\n' ' ' | fold -s -w 96 | sed 's/^/  /' >&2
   echo >&2
 }
 
-# prepare_system JOB
+# prepare_system JOB...
 prepare_system()
 {
   if is_debian_like; then
     local missing_needed missing_optional
-    find_missing "$1"
+    find_missing "$@"
     if [ $((${#missing_needed[@]} + ${#missing_optional[@]})) -gt 0 ]; then
       if may_install; then
-        install_missing "$1"
-        find_missing "$1"
+        install_missing "$@"
+        find_missing "$@"
       fi
       report_missing
     fi
   elif [ ! -e "$release_dir/build.ninja" ]; then
-    list_packages "$1"
+    list_packages "$@"
   fi
   local tool
   for tool in cmake ninja; do

@@ -2,7 +2,7 @@
 // What a bridge adds: from a force written to the first state that acknowledges it, at 1 kHz, by
 // BridgeDevice and a program that answers at once, over a Unix and a UDP socket; beside 64 bytes
 // sent and returned over the same kind of bare socket, in the same run. See README.md.
-#include "Haptics/Devices/BridgeDevice.h"
+#include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/RealTimeGrant.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is plugged in, as the real hidapi tells it, and what stands against opening it.
-#include "Haptics/Devices/DeviceList.h"
+#include "Transports/DeviceList.h"
 
 #include "Firmware.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plug is pulled while the tool presses: the first tick after the device has reported its loss
 // sends no force, every time. And it returns.
-#include "Haptics/Hid/HidDevice.h"
+#include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
 #include "Firmware.h"

@@ -3,7 +3,7 @@
 #define palpate_testing_PressingServo_h
 
 #include "Contact/ContactBody.h"
-#include "Haptics/Hid/HidDevice.h"
+#include "Transports/Hid/HidDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A SpaceMouse through the real hidapi, in the classic and in the wireless layout.
-#include "Haptics/Hid/SpaceMouseDevice.h"
+#include "Transports/Hid/SpaceMouseDevice.h"
 
 #include "EmulatedHid.h"
 #include "FakeHidBus.h"

@@ -25,7 +25,7 @@ import xml.etree.ElementTree as ElementTree
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-ROOMS = ("Mechanics", "Contact", "Laws", "Solids", "Identification", "Haptics", "Trials")
+ROOMS = ("Mechanics", "Contact", "Laws", "Strain", "Solids", "Identification", "Haptics", "Transports", "Trials")
 QUICK = {"palpateTickTests": "*"}
 SUPPRESSIONS = Path(__file__).with_name("memcheck.supp")
 CHUNK = 12  # tests per valgrind: it takes a second to start, and the last chunks should end together

@@ -2,7 +2,7 @@
 // A program on the bridge's other end that sends anything: what the device then reads is not valid,
 // or finite and no older than the time-out; no force leaves for a program that has not described
 // itself. Input: chunks; the first byte of each says what happens, see step().
-#include "Haptics/Devices/BridgeDevice.h"
+#include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"
 #include "Require.h"
 

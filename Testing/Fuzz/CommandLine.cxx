@@ -2,7 +2,7 @@
 // Any words as the viewer's command line: the program ends and says why, or goes on with options
 // that it can use. Input: the words, a line each. Files and devices are named, not opened.
 #include "Contact/SettingTable.h"
-#include "Haptics/Devices/BridgeSocket.h"
+#include "Transports/Bridge/BridgeSocket.h"
 #include "Haptics/Simulation/SimulatedPlant.h"
 #include "Require.h"
 #include "Mechanics/Tools/ToolSpecification.h"

@@ -2,9 +2,9 @@
 // Whatever 64 bytes a device sends: refused, or whole and finite.
 // Input: a choice (bit 0: mend mark, version and check sum, so that the content is reached), a
 // report.
-#include "Haptics/Hid/HapticReport.h"
+#include "Transports/Hid/HapticReport.h"
 #include "Require.h"
-#include "Haptics/Hid/SpaceMouseReport.h"
+#include "Transports/Hid/SpaceMouseReport.h"
 
 #include <cmath>
 #include <limits>

@@ -8,7 +8,7 @@ BUILD = os.environ["PALPATE_BUILD"]
 SOURCE = os.environ["PALPATE_SOURCE"]
 VERSION = os.environ["PALPATE_VERSION"]
 LIBDIR = os.environ["PALPATE_LIBDIR"]
-KERNELS = ("Mechanics", "Contact", "Laws", "Solids", "Identification", "Trials", "Haptics")
+KERNELS = ("Mechanics", "Contact", "Laws", "Strain", "Solids", "Identification", "Haptics", "Transports", "Trials")
 LIBRARIES = KERNELS + ("Response", "SolidResponse", "MeasuredResponse", "Interaction", "Comparison")
 
 

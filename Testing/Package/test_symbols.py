@@ -53,6 +53,8 @@ class Symbols(unittest.TestCase):
             for kind, name in symbols:
                 scopes = re.split(r"[(<\[]", name)[0].split(" ")[-1].split("::")
                 owner = scopes[1] if scopes[0] == "palpate" else scopes[0]
+                if scopes == [f"palpate{library}Module"]: # by which the core loads it
+                    continue
                 if scopes[0].startswith("palpate") or f"{owner}.h" in self.sources:
                     self.assertTrue(re.search(rf"\b{owner}\b", self.headers), f"{library} exports {name}")
                 else: # inline functions of VTK, templates of the standard library
@@ -75,7 +77,7 @@ class Symbols(unittest.TestCase):
     def test_c_functions_are_those_listed(self):
         exported = sorted(name for _, name in self.exported("Haptics") if re.fullmatch(r"palpate_\w+", name))
         self.assertEqual(exported, [line.split()[0] for line in self.listed()])
-        for library in KERNELS[:-1]:
+        for library in set(KERNELS) - {"Haptics"}:
             self.assertFalse([name for _, name in self.exported(library) if re.fullmatch(r"palpate_\w+", name)])
 
     def test_the_list_is_that_of_the_header(self):

@@ -3,7 +3,7 @@
 
     pvpython live.py PARAVIEW FOLDER-OF-EVENTS FOLDER [NAME...]      needs an X server
 
-The device is this script: the 64-byte reports (Interactors/Haptics/PROTOCOL.md) over a local socket. It moves into
+The device is this script: the 64-byte reports (Interactors/Transports/PROTOCOL.md) over a local socket. It moves into
 the body and keeps every force it is sent.
 """
 import binascii

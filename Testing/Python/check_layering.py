@@ -4,7 +4,9 @@
 
     Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
                       '--------------> Haptics (devices, servo) ------'
-    modules: Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
+    modules: Mechanics --> Strain --> Plugin/*
+             Haptics --> Transports --> Plugin/*
+             Laws --> Solids --> SolidResponse (VTK) --> Plugin/*
              Mechanics --> Identification --> MeasuredResponse (VTK) --> Plugin/*
              Response --> Pieces (VTK), which Response loads
              Mechanics --> Trials --> Plugin/*
@@ -15,6 +17,7 @@ A room may include any room to its left along the arrows, never one to its right
     Filters/Mechanics         nothing of ours
     Filters/Contact           Mechanics
     Filters/Laws              Mechanics, Contact
+    Filters/Strain            Mechanics
     Filters/Solids            Mechanics, Contact, Laws
     Filters/Identification    Mechanics
     Filters/Response          Mechanics, Contact, Laws
@@ -22,12 +25,14 @@ A room may include any room to its left along the arrows, never one to its right
     Filters/MeasuredResponse  Mechanics, Contact, Laws, Identification, Response
     Filters/Pieces            Mechanics, Contact, Laws, Response
     Interactors/Haptics       Mechanics, Contact
+    Interactors/Transports    Mechanics, Contact, Haptics
     Interactors/Trials        Mechanics
     Interactors/Interaction   Mechanics, Contact, Laws, Response, Haptics
     Interactors/Comparison    Mechanics, Contact, Laws, Response, Haptics, Interaction
     Plugin/NAME               all of the above, no other Plugin room
 
-Mechanics, Contact, Laws, Solids, Identification, Haptics and Trials include no header of VTK, ParaView or Qt: they build without them.
+Mechanics, Contact, Laws, Strain, Solids, Identification, Haptics, Transports and Trials include no header of VTK, ParaView or
+Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
 An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
@@ -47,14 +52,15 @@ import tempfile
 from pathlib import Path
 
 CORE = {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Interactors/Haptics"}
-MODULES = {"Filters/Solids", "Filters/Identification", "Filters/SolidResponse", "Filters/MeasuredResponse",
-           "Filters/Pieces", "Interactors/Trials", "Interactors/Comparison"}
-KERNELS = CORE | {"Filters/Solids", "Filters/Identification", "Interactors/Trials"}
+KERNEL_MODULES = {"Filters/Strain", "Filters/Solids", "Filters/Identification", "Interactors/Transports", "Interactors/Trials"}
+MODULES = KERNEL_MODULES | {"Filters/SolidResponse", "Filters/MeasuredResponse", "Filters/Pieces", "Interactors/Comparison"}
+KERNELS = CORE | KERNEL_MODULES
 
 MAY_INCLUDE = {
     "Filters/Mechanics": set(),
     "Filters/Contact": {"Filters/Mechanics"},
     "Filters/Laws": {"Filters/Mechanics", "Filters/Contact"},
+    "Filters/Strain": {"Filters/Mechanics"},
     "Filters/Solids": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
     "Filters/Identification": {"Filters/Mechanics"},
     "Filters/Response": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws"},
@@ -63,6 +69,7 @@ MAY_INCLUDE = {
                                  "Filters/Response"},
     "Filters/Pieces": {"Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Response"},
     "Interactors/Haptics": {"Filters/Mechanics", "Filters/Contact"},
+    "Interactors/Transports": {"Filters/Mechanics", "Filters/Contact", "Interactors/Haptics"},
     "Interactors/Trials": {"Filters/Mechanics"},
     "Interactors/Interaction": CORE | {"Filters/Response"},
     "Interactors/Comparison": CORE | {"Filters/Response", "Interactors/Interaction"},
@@ -198,6 +205,7 @@ SOUND_TREE = {
     "Filters/Mechanics/Hertz.h": "#include <Eigen/Core>\n#include <cmath>\n",
     "Filters/Contact/Tick.h": '#include "Mechanics/Hertz.h"\n/*\n#include "vtkObject.h"\n*/\n',
     "Filters/Laws/Law.h": '#include "Mechanics/Hertz.h"\n#include "Contact/Tick.h"\n',
+    "Filters/Strain/Solver.h": '#include "Mechanics/Hertz.h"\n',
     "Filters/Solids/Element.h": '#include "Laws/Law.h"\n',
     "Filters/Identification/Fit.h": '#include "Mechanics/Hertz.h"\n',
     "Filters/SolidResponse/vtkSolid.h": '#include "vtkTool.h"\n#include "Solids/Element.h"\n',
@@ -206,6 +214,7 @@ SOUND_TREE = {
     "Filters/Response/vtkTool.cxx": '#include "vtkTool.h"\n#include "Mechanics/Hertz.h"\n',
     "Filters/Pieces/Seam.h": '#include "vtkTool.h"\n#include "Contact/Tick.h"\n',
     "Interactors/Haptics/Device.h": '#include "Contact/Tick.h"\n#include "Mechanics/Hertz.h"\n#include <thread>\n',
+    "Interactors/Transports/Socket.h": '#include "Haptics/Device.h"\n',
     "Interactors/Trials/Plan.h": '#include "Mechanics/Hertz.h"\n',
     "Interactors/Interaction/vtkSession.h": '#include "vtkTool.h"\n#include "Haptics/Device.h"\n',
     "Interactors/Comparison/vtkMap.h": '#include "vtkSession.h"\n#include "vtkTool.h"\n',
@@ -227,6 +236,11 @@ BREAKS = [
     ("Filters/Laws/Wrong.h", '#include "vtkTool.h"\n'),
     ("Filters/Laws/Wrong.h", "#include <vtkMath.h>\n"),
     ("Filters/Laws/Wrong.h", '#include "Solids/Element.h"\n'),
+    ("Filters/Mechanics/Wrong.h", '#include "Strain/Solver.h"\n'),
+    ("Filters/Laws/Wrong.h", '#include "Strain/Solver.h"\n'),
+    ("Filters/Strain/Wrong.h", '#include "Contact/Tick.h"\n'),
+    ("Filters/Strain/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Filters/Solids/Wrong.h", '#include "Strain/Solver.h"\n'),
     ("Filters/Solids/Wrong.h", '#include "vtkTool.h"\n'),
     ("Filters/Solids/Wrong.h", '#include "Identification/Fit.h"\n'),
     ("Filters/Identification/Wrong.h", '#include "Contact/Tick.h"\n'),
@@ -236,6 +250,10 @@ BREAKS = [
     ("Filters/SolidResponse/Wrong.h", '#include "vtkReadings.h"\n'),
     ("Filters/MeasuredResponse/Wrong.h", '#include "Solids/Element.h"\n'),
     ("Interactors/Interaction/Wrong.h", '#include "vtkSolid.h"\n'),
+    ("Interactors/Haptics/Wrong.h", '#include "Transports/Socket.h"\n'),
+    ("Interactors/Transports/Wrong.h", '#include "Laws/Law.h"\n'),
+    ("Interactors/Transports/Wrong.h", "#include <vtkMath.h>\n"),
+    ("Interactors/Interaction/Wrong.h", '#include "Transports/Socket.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "Laws/Law.h"\n'),
     ("Interactors/Haptics/Wrong.h", '#include "vtkTool.h"\n'),
     ("Interactors/Haptics/Wrong.h", "#include <vtkSmartPointer.h>\n"),

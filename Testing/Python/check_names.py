@@ -18,7 +18,8 @@ from pathlib import Path
 
 from check_layering import HEADERS, code_files, main, room_of
 
-SAME_THING = {"palpate::makeContactBody"}    # of a file's body, of a vtkPolyData
+SAME_THING = {"palpate::makeContactBody",    # of a file's body, of a vtkPolyData
+              "palpate::specificationOf"}    # of a simulated plant, of a device that describes itself
 
 # What is no code, and preprocessor lines with what they go on to.
 SILENT = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|'

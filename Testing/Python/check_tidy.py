@@ -4,7 +4,7 @@
 
     check_tidy.py BUILD_DIR [NAME ...]    with NAMEs: only files whose path contains one of them
 
-Kernels: Filters/{Mechanics,Contact,Laws,Solids,Identification}, Interactors/{Haptics,Trials}. Their *.cxx are compiled with the flags
+Kernels: Filters/{Mechanics,Contact,Laws,Strain,Solids,Identification}, Interactors/{Haptics,Transports,Trials}. Their *.cxx are compiled with the flags
 of BUILD_DIR/compile_commands.json, several of them as one, since nearly all the time goes into Eigen's
 headers and the standard library's; their headers are checked where they are included.
 
@@ -21,8 +21,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 VERSION = 14
-KERNELS = ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids", "Filters/Identification",
-           "Interactors/Haptics", "Interactors/Trials")
+KERNELS = ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Strain", "Filters/Solids",
+           "Filters/Identification", "Interactors/Haptics", "Interactors/Transports", "Interactors/Trials")
 PARALLEL = 2
 GROUP = 24 # files that are read as one: 0.9 GB
 

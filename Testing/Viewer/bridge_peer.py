@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A force device as a program of its own, for `palpate --device bridge:unix:PATH`: 64-byte reports as
-Interactors/Haptics/PROTOCOL.md has them, byte by byte. SI units.
+Interactors/Transports/PROTOCOL.md has them, byte by byte. SI units.
 
     with BridgePeer(path) as peer:
         peer.position = (0, 0, -0.011)     where the hand is sent, m; it goes there at 30 mm/s

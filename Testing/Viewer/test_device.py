@@ -45,6 +45,7 @@ class Device(SessionCase):
         result = run("--list-devices", environment={"DISPLAY": None})
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stdout, r"\S")  # what there is, or that there is nothing
+        self.assertNotIn("cannot be loaded", result.stdout)
         self.assertEqual(self.files(), {})
 
     def test_devices_that_are_not_there_are_named(self):
@@ -64,6 +65,7 @@ class Device(SessionCase):
         result = run(path, "--device", device, "--output", self.output)
         self.assertTrue(0 < result.returncode < 128, result.stderr)
         self.assertIn(word, result.stderr)
+        self.assertNotIn("cannot be loaded", result.stderr)
         self.assertFalse([name for name in self.files() if re.search("png|csv", name)])
 
 

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 import bodies
-from session import SessionCase
+from session import SessionCase, run
 
 MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its own folder
 COMPARISON = Path(os.environ.get("PALPATE_COMPARISON", ""))  # the viewer's module of that name
@@ -43,6 +43,20 @@ class Modules(SessionCase):
     def test_a_module_that_needs_another_names_it(self):
         shutil.copy(COMPARISON, self.libraries)
         self.refuse("--compare", environment=self.environment, words=("--compare", "module Solids"))
+
+    def test_a_device_is_reached_by_its_module_alone(self):
+        for device in ("hid:/dev/hidraw0", "bridge:udp:50000"):
+            self.refuse(self.ball, "--device", device, environment=self.environment,
+                        words=(device, "module Transports", "libpalpateTransports.so", "./run build"))
+        listed = run("--list-devices", environment=self.environment)
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertIn("module Transports", listed.stdout)
+
+    def test_finite_strain_is_solved_for_by_its_module_alone(self):
+        stored = (self.ball, "--tool", "sphere:3", "--strain", "neo-hooke")
+        self.succeed(*stored, environment=self.environment)
+        self.refuse(self.ball, "--tool", "sphere:3", "--strain", "ogden:9", environment={**self.environment, "PALPATE_CACHE": ""},
+                    words=("Ogden, alpha = 9", "sphere:3", "module Strain", "libpalpateStrain.so", "./run build"))
 
     def test_all_else_works_without_modules(self):
         self.succeed(self.ball, "--tool", "sphere:3", environment=self.environment)

@@ -5,14 +5,22 @@
 
 #include <dlfcn.h>
 
+#include <array>
 #include <filesystem>
 
 namespace palpate
 {
 namespace
 {
+/// The names of a module's file: with the version that its programs ask for, if they link it, too.
+std::array<std::string, 2> namesOf(const std::string& module)
+{
+  const std::string name = "lib" + module + ".so";
+  return { name + "." + PALPATE_SOVERSION, name };
+}
+
 /// The file of a module in the folder of this library; "" where that is not known.
-std::string fileOfModule(const std::string& name)
+std::string fileOfModule(const std::string& module)
 {
   Dl_info own{};
   if (dladdr(reinterpret_cast<const void*>(&loadModule), &own) == 0 || !own.dli_fname)
@@ -21,16 +29,37 @@ std::string fileOfModule(const std::string& name)
   }
   std::error_code ignored;
   const auto folder = std::filesystem::canonical(own.dli_fname, ignored).parent_path();
-  const auto file = folder / ("lib" + name + ".so");
-  return std::filesystem::exists(file, ignored) ? file.string() : std::string();
+  for (const std::string& name : namesOf(module))
+  {
+    const auto file = folder / name;
+    if (std::filesystem::exists(file, ignored))
+    {
+      return file.string();
+    }
+  }
+  return {};
+}
+
+void* open(const std::string& module)
+{
+  const std::string found = fileOfModule(module);
+  if (!found.empty())
+  {
+    return dlopen(found.c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
+  void* library = nullptr;
+  for (const std::string& name : namesOf(module))
+  {
+    library = library ? library : dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
+  return library;
 }
 } // namespace
 
 LoadedModule loadModule(const std::string& name)
 {
   const std::string fileName = "lib" + name + ".so";
-  const std::string found = fileOfModule(name);
-  void* library = dlopen((found.empty() ? fileName : found).c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = open(name);
   if (!library)
   {
     const char* reason = dlerror();

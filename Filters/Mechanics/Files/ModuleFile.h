@@ -9,8 +9,8 @@
 namespace palpate
 {
 /**
- * The functions of a module: a library that no other links, since most scenes need none of it. A
- * module has its own table of functions, derived from this one, and defines
+ * The functions of a module: a library that the core does not link, since most scenes need none of
+ * it. A module has its own table of functions, derived from this one, and defines
  *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
@@ -26,9 +26,10 @@ struct LoadedModule
 };
 
 /**
- * Loads lib`name`.so from the folder of Palpate's libraries or, where it is not there, from where
- * the system looks for libraries. Refuses a file without `name`Module, and a module of another
- * version. A module stays loaded. Any thread may call it; not from the servo tick.
+ * Loads lib`name`.so, with or without the version behind it, from the folder of Palpate's libraries
+ * or, where it is not there, from where the system looks for libraries. Refuses a file without
+ * `name`Module, and a module of another version. A module stays loaded. Any thread may call it; not
+ * from the servo tick.
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);
 } // namespace palpate

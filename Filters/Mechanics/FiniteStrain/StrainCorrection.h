@@ -2,7 +2,7 @@
 #ifndef palpate_StrainCorrection_h
 #define palpate_StrainCorrection_h
 
-#include "Mechanics/FiniteStrain/StrainEnergy.h"
+#include "Mechanics/FiniteStrain/StrainLaw.h"
 #include "Mechanics/FiniteStrain/StrainTable.h"
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/Layers/StackKernels.h"

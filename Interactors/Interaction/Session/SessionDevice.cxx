@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Session/SessionDevice.h"
 
-#include "Haptics/Devices/BridgeDevice.h"
-#include "Haptics/Devices/DeviceList.h"
+#include "Haptics/Devices/DeviceTransports.h"
 #include "Haptics/Devices/TrajectoryFile.h"
 
 #include <limits>
@@ -61,14 +60,9 @@ std::string openSessionDevice(const std::string& name, SessionDevice& device)
   {
     return openReplay(rest, device);
   }
-  if (kind == "hid" && !rest.empty())
+  if (isTransported(name))
   {
-    auto opened = openHidDevice(rest, error);
-    return use(std::move(opened), error, device);
-  }
-  if (kind == "bridge" && !rest.empty())
-  {
-    auto opened = BridgeDevice::open(rest, error);
+    auto opened = openTransported(name, error);
     return use(std::move(opened), error, device);
   }
   return "is none of \"simulated\", \"plant:SETTINGS\", \"replay:FILE\", \"hid:PATH\", "

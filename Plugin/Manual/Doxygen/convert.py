@@ -10,9 +10,9 @@ from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, pag
 # Pages whose links make the tree of contents: what they name stands below them.
 CONTENTS = {"manual", "house"}
 ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids",
-                                 "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
+                                 "Filters/Strain", "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
                                  "Filters/MeasuredResponse",
-                                 "Interactors/Haptics", "Interactors/Trials", "Interactors/Interaction",
+                                 "Interactors/Haptics", "Interactors/Transports", "Interactors/Trials", "Interactors/Interaction",
                                  "Interactors/Comparison")]
 
 

@@ -2,7 +2,7 @@
 #include "LiveTouchForm.h"
 
 #include "Contact/ResponseContract.h"
-#include "Haptics/Devices/DeviceList.h"
+#include "Haptics/Devices/DeviceTransports.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Interaction/Display/MemoryText.h"
 #include "Response/Curves/StoredError.h"
@@ -149,17 +149,17 @@ LiveTouchForm::LiveTouchForm(QWidget* contents)
 void LiveTouchForm::listDevices()
 {
   const QString typed = this->device->currentText();
-  const DeviceList found = palpate::listDevices();
+  const PluggedDevices found = pluggedDevices();
   this->device->clear();
   this->device->addItems({ "simulated", "plant" });
-  for (const ListedDevice& one : found.devices)
+  for (const PluggedDevice& one : found.devices)
   {
-    const std::string name = one.entry.name.empty() ? one.address : one.entry.name;
+    const std::string name = one.name.empty() ? one.address : one.name;
     this->device->addItem(
       text(name + (one.obstacle.empty() ? "" : " (" + one.obstacle + ")")), text(one.address));
   }
   this->device->setEditText(typed);
-  this->device->lineEdit()->setToolTip(text(found.describe()));
+  this->device->lineEdit()->setToolTip(text(found.text));
 }
 
 QString LiveTouchForm::chosenDevice() const

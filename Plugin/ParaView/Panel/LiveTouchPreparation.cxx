@@ -2,9 +2,8 @@
 #include "LiveTouchPreparation.h"
 
 #include "Response/BodyConversion.h"
-#include "Haptics/Devices/BridgeDevice.h"
 #include "Haptics/Devices/DeviceFit.h"
-#include "Haptics/Devices/DeviceList.h"
+#include "Haptics/Devices/DeviceTransports.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -16,23 +15,11 @@ namespace palpate
 {
 namespace
 {
-/// The rest of the text after `kind`, or "".
-std::string after(const std::string& kind, const std::string& text)
-{
-  return text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : std::string();
-}
-
 void openDevice(PreparedLiveTouch& made)
 {
-  const std::string bridge = after("bridge:", made.request.device);
-  const std::string hid = after("hid:", made.request.device);
-  if (!bridge.empty())
+  if (isTransported(made.request.device))
   {
-    made.device = BridgeDevice::open(bridge, made.error);
-  }
-  else if (!hid.empty())
-  {
-    made.device = openHidDevice(hid, made.error);
+    made.device = openTransported(made.request.device, made.error);
   }
   if (!made.error.empty())
   {

@@ -3,7 +3,7 @@
 
 #include "Laws/BodyMaterial.h"
 #include "Laws/ResponseFiller.h"
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"

@@ -160,14 +160,18 @@ Stored store(const Truth& truth, const StudyTool& tool, std::size_t points, cons
 {
   BodyMaterial material(
     { 1.0 - truth.ratio * truth.ratio, truth.ratio, truth.thickness, LayerBase::Bonded, false });
-  const std::string fault = material.take({}, points);
+  std::string fault = material.take({}, points);
   std::unique_ptr<StrainCorrection> correction;
   if (terms.strain)
   {
-    makeStrainCorrection(*tool.shape, { StrainModel::NeoHooke, 0.0 },
+    fault = makeStrainCorrection(*tool.shape, { StrainModel::NeoHooke, 0.0 },
       { truth.ratio, truth.ratio, truth.thickness == 0.0, truth.thickness, truth.thickness,
         LayerBase::Bonded },
       tool.range, {}, correction);
+    if (!fault.empty())
+    {
+      throw std::runtime_error(fault);
+    }
   }
   const double curvature = truth.ball > 0.0 ? 1.0 / truth.ball : 0.0;
   SurfaceShape shape;

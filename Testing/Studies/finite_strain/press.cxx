@@ -10,7 +10,7 @@
  * depth (mm), F/E* (mm²), radius of the contact in the deformed body (mm), least J, iterations of
  * Newton's method. Ends where no equilibrium was found, and says so on the standard error.
  */
-#include "Mechanics/FiniteStrain/FiniteIndentation.h"
+#include "Strain/FiniteIndentation.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 

@@ -11,7 +11,7 @@
  * column a root of the depth over the deepest, 0.3 to 1. Where the solver did not come so far: 0.
  * Cost: some 15 minutes a table on a half-space, one minute a layer.
  */
-#include "Mechanics/FiniteStrain/FiniteOverSmall.h"
+#include "Strain/FiniteOverSmall.h"
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 

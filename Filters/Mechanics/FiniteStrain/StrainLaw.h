@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_StrainLaw_h
+#define palpate_StrainLaw_h
+
+#include "Mechanics/PalpateExport.h"
+
+#include <string>
+
+namespace palpate
+{
+/// Models of the stress of a soft body over strain.
+enum class StrainModel
+{
+  Linear,   ///< small strain
+  NeoHooke, ///< W = μ/2 (Ī₁-3)
+  Ogden, ///< one term: W = 2μ/α² (Σ λ̄^α - 3); α = 2 is Neo-Hooke; large α > 0 stiffens in tension,
+         ///< α < 0 in compression
+  Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as for skin and arteries
+};
+
+/// Which parameter of the model is out of its range, or "": α not 0 and |α| ≤ 50, 0 < b ≤ 50.
+PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
+
+/// How a body resists large strain, with the parameter of the model: α of Ogden, b of Demiray.
+struct StrainLaw
+{
+  StrainModel model = StrainModel::Linear;
+  double parameter = 0.0;
+};
+
+/// "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small strain" of Linear.
+PALPATE_EXPORT std::string describe(const StrainLaw& law);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef StrainModule_h
+#define StrainModule_h
+
+#include "Mechanics/Files/ModuleFile.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace palpate
+{
+class AxisymmetricTool;
+
+/// A tool, and bodies that no stored table of finite strain holds.
+struct SolvedStrain
+{
+  const AxisymmetricTool& tool;
+  StrainLaw law;
+  const StrainBodies& bodies;
+  double deepest;      ///< mm
+  std::size_t threads; ///< for the solver
+};
+
+/// The largest Poisson's ratio that is solved for, and the error of c from there to 0.5 at δ = R.
+constexpr double LargestSolvedRatio = 0.495;
+constexpr double BeyondSolvedRatio = 0.006;
+
+/**
+ * What libpalpateStrain.so (room Strain) adds: tables of the solver, to which StrainCorrection.h
+ * goes where no stored one answers. Null where `goOn(fraction)` ended it.
+ */
+struct StrainModule : ModuleTable
+{
+  using Solver = std::unique_ptr<StrainTable> (*)(
+    const SolvedStrain& asked, const std::function<bool(double)>& goOn);
+  Solver onHalfSpace;
+  Solver onLayers;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FiniteBody_h
+#define palpate_FiniteBody_h
+
+#include "Strain/FiniteIndentation.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/**
+ * The potential of a layered body and a tool in it, by the displacements of its nodes: see
+ * FiniteIndentation.h. z grows out of the body, whose surface lies at z = 0; the tool's tip is at
+ * -depth.
+ */
+class FiniteBody
+{
+public:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Vector = Eigen::VectorXd;
+  using Solver = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
+
+  FiniteBody(const ToolOutline& tool, const FiniteProblem& problem);
+
+  Eigen::Index unknowns() const { return this->Unknowns; }
+  /// The tangent, its lower half, of the last linearize.
+  const Matrix& pattern() const { return this->Tangent; }
+
+  /// N mm; +inf where the body has turned inside out.
+  double energy(const Vector& u, double depth) const;
+  /// Its gradient and tangent.
+  void linearize(const Vector& u, double depth, Vector& gradient);
+  /// Must be called with each step made from the last linearization.
+  void follow(const Vector& step);
+  /// Forgets the pressures, for u that was not reached by steps.
+  void restart() { this->Pressures.clear(); }
+  /// All values but the iterations. The force is that of the penalty.
+  FinitePoint evaluate(const Vector& u, double depth) const;
+  /// At an equilibrium whose tangent `solver` holds: its derivative by the depth, and that of the
+  /// penalty's energy, N.
+  struct Course
+  {
+    Vector motion;
+    double penaltySlope;
+  };
+  Course course(const Vector& u, double depth, const Solver& solver) const;
+
+private:
+  static constexpr int ElementUnknowns = 18; ///< u_r and u_z of nine nodes
+  using ElementVector = Eigen::Matrix<double, ElementUnknowns, 1>;
+  using ElementMatrix = Eigen::Matrix<double, ElementUnknowns, ElementUnknowns>;
+
+  struct Element
+  {
+    std::array<int, 9> nodes;
+    std::size_t layer;
+    Eigen::Matrix<double, 2, 9> places; ///< (r, z) of the nodes, mm
+  };
+  struct Material
+  {
+    StrainEnergy energy;
+    double bulkModulus;
+  };
+  /// A Gauss point of an edge of the surface.
+  struct SurfacePoint
+  {
+    std::array<int, 3> nodes;
+    std::array<double, 3> shape;
+    Eigen::Vector2d place; ///< (r, z), mm, undeformed
+    double weight;         ///< mm²
+  };
+  struct Gap
+  {
+    double value;             ///< mm, > 0 outside
+    Eigen::Vector2d gradient; ///< by the displacement
+    Eigen::Matrix2d hessian;
+    double byDepth;
+    Eigen::Vector2d gradientByDepth;
+  };
+
+  /// The change of an element's pressure by a step of Newton's method, to first order.
+  struct PressureStep
+  {
+    Eigen::Vector3d now;
+    Eigen::Matrix<double, 3, ElementUnknowns> byUnknown;
+  };
+
+  ElementVector gather(const Element& element, const Vector& u) const;
+  double energyOf(const Element& element, const ElementVector& u, double* leastVolume) const;
+  /// With the pressure that the last step has followed, or null.
+  void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* followed,
+    ElementVector& gradient, ElementMatrix& tangent, PressureStep& step) const;
+  Eigen::Vector2d displacementAt(const SurfacePoint& point, const Vector& u) const;
+  Gap gapAt(const SurfacePoint& point, const Eigen::Vector2d& displacement, double depth) const;
+  void addContact(std::size_t p, Vector& gradient);
+  int unknownOf(const Element& element, int i) const;
+  void makePattern();
+
+  const ToolOutline& Tool;
+  bool IsLinear = false;
+  double Penalty = 0.0; ///< MPa/mm
+  std::vector<Material> Materials;
+  std::vector<Element> Elements;
+  std::vector<SurfacePoint> Surface;
+  std::vector<int> UnknownOf; ///< per node u_r, u_z; -1: held
+  Eigen::Index Unknowns = 0;
+  Matrix Tangent;
+  // The pressures of elements and contact are separate unknowns, eliminated from each step: with
+  // those that follow from a volume change or a gap out of equilibrium, the tangent would be far
+  // from that at the solution.
+  std::vector<Eigen::Vector3d> Pressures; ///< empty: those of the displacements
+  std::vector<double> ContactPressures;   ///< MPa, < 0
+  std::vector<PressureStep> Steps;
+  std::vector<Gap> Gaps;
+  std::vector<int> ValueOf; ///< per element, row and column <= row: index in the tangent, -1: none
+};
+} // namespace palpate
+
+#endif

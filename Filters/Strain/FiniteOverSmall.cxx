@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strain/FiniteOverSmall.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace palpate
+{
+namespace
+{
+constexpr double ForSmallStrain = 0.3; // fraction of the time
+constexpr double ReachOfOutline = 3.0; // contact radii
+/// The continuation of a rim: factor of its fillet, and factor of its elements' length.
+struct Round
+{
+  double fillet;
+  double edge;
+};
+constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
+/// In radii of a rim's fillet: deeper, the surface creases next to it and c is up to 1.5 % too low.
+constexpr double TrustedDepth = 6.5;
+constexpr double TimeLeft = 0.3; // fraction of the remaining time for continuing with a rounder rim
+
+/// c with one fillet, as deep as there is an equilibrium.
+std::vector<double> factorsWith(
+  const ToolOutline& outline, FiniteProblem problem, const std::function<bool(double)>& goOn)
+{
+  const auto forces = [&](double from, double width)
+  {
+    return pressTool(
+      outline, problem, [&](double fraction) { return goOn(from + width * fraction); });
+  };
+  const FiniteCurve finite = forces(ForSmallStrain, 1.0 - ForSmallStrain);
+  problem.depths.resize(finite.points.size());
+  for (FiniteLayer& layer : problem.layers)
+  {
+    layer.model = StrainModel::Linear;
+  }
+  const FiniteCurve small = forces(0.0, ForSmallStrain);
+  std::vector<double> factors;
+  for (std::size_t k = 0; k < small.points.size(); ++k)
+  {
+    // The fillet of an apex has no contact at first.
+    const double force = small.points[k].force;
+    factors.push_back(force > 0.0 ? finite.points[k].force / force : 0.0);
+  }
+  return factors;
+}
+} // namespace
+
+ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius, double fillet)
+{
+  return { tool, ReachOfOutline * contactRadius, fillet };
+}
+
+std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FiniteProblem& problem,
+  double fillet, const std::function<bool(double)>& goOn)
+{
+  std::vector<double> factors;
+  double from = 0.0;
+  bool isEnded = false;
+  const bool hasRim = tool.smallestContactRadius() > 0.0;
+  for (const Round& round : Rounds)
+  {
+    const double roundness = round.fillet * fillet;
+    const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
+    // The last known depth is solved again to compare both rims; the first depth leads there, as
+    // before.
+    const std::size_t again = std::min<std::size_t>(factors.size(), 2);
+    FiniteProblem rest = problem;
+    rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);
+    rest.depths.erase(rest.depths.begin(),
+      rest.depths.begin() + static_cast<std::ptrdiff_t>(factors.size() - again));
+    if (again > 1)
+    {
+      rest.depths.front() = problem.depths.front();
+    }
+    if (hasRim && &round != std::end(Rounds) - 1)
+    {
+      rest.depths.erase(
+        std::upper_bound(rest.depths.begin(), rest.depths.end(), TrustedDepth * roundness),
+        rest.depths.end());
+    }
+    if (rest.depths.size() <= again)
+    {
+      continue;
+    }
+    const double width = (1.0 - from) * (1.0 - TimeLeft);
+    const std::vector<double> found = factorsWith(outline, rest,
+      [&](double fraction)
+      {
+        isEnded = isEnded || (goOn && !goOn(from + width * fraction));
+        return !isEnded;
+      });
+    from += width;
+    const bool isCompared = again > 0 && found.size() >= again && found[again - 1] > 0.0;
+    const double ratio = isCompared ? factors.back() / found[again - 1] : 1.0;
+    for (std::size_t k = again; k < found.size(); ++k)
+    {
+      factors.push_back(ratio * found[k]);
+    }
+    if (isEnded || factors.size() == problem.depths.size() || outline.fillets().empty())
+    {
+      break;
+    }
+  }
+  factors.resize(problem.depths.size(), 0.0);
+  return factors;
+}
+} // namespace palpate

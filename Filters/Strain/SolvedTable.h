@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SolvedTable_h
+#define SolvedTable_h
+
+#include "Mechanics/FiniteStrain/StrainModule.h"
+
+#include <functional>
+#include <memory>
+
+namespace palpate
+{
+/// Tables of c by solveStrain, for a half-space and for layers: their nodes, and their errors. Null
+/// where `goOn(fraction)` ended it.
+std::unique_ptr<StrainTable> solveOnHalfSpace(
+  const SolvedStrain& asked, const std::function<bool(double)>& goOn);
+std::unique_ptr<StrainTable> solveOnLayers(
+  const SolvedStrain& asked, const std::function<bool(double)>& goOn);
+} // namespace palpate
+
+#endif

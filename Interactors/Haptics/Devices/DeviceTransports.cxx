@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Haptics/Devices/DeviceTransports.h"
+
+#include "Haptics/Devices/TransportsModule.h"
+#include "Mechanics/JoinedText.h"
+
+namespace palpate
+{
+namespace
+{
+/// The kinds of devices that the module opens.
+struct Transport
+{
+  const char* prefix;
+  TransportsModule::Open TransportsModule::*open;
+};
+constexpr Transport Transports[] = { { "hid:", &TransportsModule::openHid },
+  { "bridge:", &TransportsModule::openBridge } };
+
+/// What follows the prefix; "" for another device.
+std::string addressOf(const std::string& device, const Transport& transport)
+{
+  const std::string prefix = transport.prefix;
+  return device.rfind(prefix, 0) == 0 ? device.substr(prefix.size()) : std::string();
+}
+
+/// The module, or null and a verb and what is missing, for a sentence on what needs it.
+const TransportsModule* transportsModule(std::string& fault)
+{
+  static const LoadedModule loaded = loadModule("palpateTransports");
+  fault = loaded.table ? std::string()
+                       : joined("needs the module Transports, which cannot be loaded (",
+                           loaded.fault, "): ./run build makes it, and so do Palpate's packages");
+  return static_cast<const TransportsModule*>(loaded.table);
+}
+} // namespace
+
+bool isTransported(const std::string& device)
+{
+  for (const Transport& transport : Transports)
+  {
+    if (!addressOf(device, transport).empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::unique_ptr<HapticDevice> openTransported(const std::string& device, std::string& error)
+{
+  for (const Transport& transport : Transports)
+  {
+    const std::string address = addressOf(device, transport);
+    if (!address.empty())
+    {
+      const TransportsModule* module = transportsModule(error);
+      return module ? (module->*transport.open)(address, error) : nullptr;
+    }
+  }
+  error = "is neither \"hid:PATH\" nor \"bridge:ADDRESS\"";
+  return nullptr;
+}
+
+PluggedDevices pluggedDevices()
+{
+  std::string fault;
+  const TransportsModule* module = transportsModule(fault);
+  return module ? module->list() : PluggedDevices{ {}, "A list of devices " + fault + "\n" };
+}
+} // namespace palpate

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_BridgeDevice_h
+#define palpate_BridgeDevice_h
+
+#include "Transports/Bridge/BridgeSocket.h"
+#include "Haptics/Devices/HapticDevice.h"
+#include "Transports/Hid/HapticReport.h"
+#include "Mechanics/PalpateExport.h"
+#include "Transports/Hid/ReportSequence.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/**
+ * A device that another program drives: the 64-byte force reports (PROTOCOL.md) as datagrams on a
+ * local socket (BridgeSocket). So any vendor's SDK becomes a device; device/bridge_device.c is such
+ * a program.
+ *
+ * No threads: read receives the datagrams that have arrived, at most ReadsPerTick, and uses the
+ * newest state; write sends. Each takes a few system calls and never waits. Only datagrams from the
+ * program's own address are used. Without a new state for longer than the specification's
+ * sampleTimeOut (by the time passed to read), or when the program has restarted, it counts as lost:
+ * read is not valid, write sends no force and returns false. It is then greeted four times a
+ * second, and used again when it describes itself as before and a valid state has arrived.
+ *
+ * Destroying it sends "amplifiers off, zero force". read and write belong to one thread; status and
+ * the counters may be called from another.
+ */
+class PALPATE_EXPORT BridgeDevice final : public HapticDevice
+{
+public:
+  static constexpr int ReadsPerTick = 64;
+
+  /// Greets the program at `address` ("unix:/PATH", "udp:PORT") until it describes itself, for at
+  /// most `patience` seconds. Null, and why in words, if it does not.
+  static std::unique_ptr<BridgeDevice> open(
+    const std::string& address, std::string& error, double patience = 2.0);
+  ~BridgeDevice() override;
+
+  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
+  const DescriptionReport& description() const noexcept { return this->Description; }
+
+  DeviceSample read(double time) noexcept override;
+  /// Limited to the maximum force of the specification; one that is not finite is sent as zero.
+  /// Likewise the torque, which is not sent to a device without torque.
+  bool write(const Eigen::Vector3d& force) noexcept override
+  {
+    return this->writeWrench({ force, Eigen::Vector3d::Zero() });
+  }
+  bool writeWrench(const Wrench& wrench) noexcept override;
+  void holdFor(double seconds) noexcept override;
+
+  std::string status() const override;
+  DeviceErrors errors() const noexcept override;
+  /// Number of datagrams from other senders, which are ignored.
+  std::uint64_t foreign() const noexcept { return this->Foreign; }
+
+private:
+  enum class Stage : std::uint8_t
+  {
+    Greeting,  ///< waiting for its description
+    Described, ///< waiting for its first state
+    Alive
+  };
+  BridgeDevice(std::unique_ptr<BridgeSocket> socket, std::string address, std::uint32_t nonce);
+  bool greetFirst(double patience);
+  void receiveAll(double time) noexcept;
+  void take(const std::uint8_t* bytes, std::size_t size, double time) noexcept;
+  void takeState(const StateReport& state, double time) noexcept;
+  void takeDescription(const DescriptionReport& description) noexcept;
+  void lose() noexcept;
+  void greet() noexcept;
+  bool send(const Wrench& wrench, bool enable) noexcept;
+
+  std::unique_ptr<BridgeSocket> Socket;
+  std::string Address;
+  std::string Remark; ///< which parts of the description were not credible
+  DeviceSpecification Limits;
+  DescriptionReport Description;
+  std::uint32_t Watchdog = 0; ///< µs
+  bool Known = false;         ///< it has described itself once
+
+  std::uint32_t Nonce;
+  bool Started = false;   ///< read has been called
+  double GreetedAt = 0.0; ///< s
+  ReportSequence Sequence;
+  StateReport Newest;
+  double NewsAt = 0.0; ///< s, when Newest came
+  bool Fresh = false;
+  std::uint32_t ForceSequence = 0;
+
+  std::atomic<Stage> Now{ Stage::Greeting };
+  std::atomic<bool> Stranger{ false }; ///< the program that answers describes itself differently
+  std::atomic<bool> Faulty{ false };
+  std::atomic<bool> Amplified{ false };
+  std::atomic<std::uint64_t> Malformed{ 0 };
+  std::atomic<std::uint64_t> Stale{ 0 };
+  std::atomic<std::uint64_t> Lost{ 0 };
+  std::atomic<std::uint64_t> Unsent{ 0 };
+  std::atomic<std::uint64_t> Disconnections{ 0 };
+  std::atomic<std::uint64_t> Foreign{ 0 };
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_HidReader_h
+#define palpate_HidReader_h
+
+#include "Haptics/Servo/BoundedThread.h"
+#include "Transports/Hid/HidBus.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/// Is notified by a HidReader, in its thread.
+class PALPATE_EXPORT HidListener
+{
+public:
+  virtual ~HidListener() = default;
+  /// A device has returned and is open on `port`. Returns why it must not be used, in words; empty:
+  /// it may.
+  virtual std::string returned(HidPort& port, const HidEntry& entry) = 0;
+  virtual void received(const std::uint8_t* report, std::size_t size) noexcept = 0;
+  virtual void lost() noexcept = 0;
+};
+
+/**
+ * Reads a HID device in its own thread, and waits for its return after it has been unplugged.
+ *
+ * The device may return with another path: it is recognised by vendor, product and serial number
+ * (without one, by vendor and product; the old path is preferred). Searched four times a second.
+ * Destroying it waits at most a second, even if the driver hangs.
+ */
+class PALPATE_EXPORT HidReader
+{
+public:
+  /// `port` is open on `entry`. Reports are read as `reportSize` bytes at most.
+  HidReader(HidBus& bus, HidEntry entry, std::unique_ptr<HidPort> port,
+    std::shared_ptr<HidListener> listener, std::size_t reportSize);
+  ~HidReader();
+  HidReader(const HidReader&) = delete;
+  HidReader& operator=(const HidReader&) = delete;
+
+  bool connected() const noexcept;
+  std::uint64_t disconnections() const noexcept;
+  /// In words: "connected", "unplugged, waiting for it to return", or why it is not used again.
+  std::string status() const;
+
+private:
+  struct Shared;
+  std::shared_ptr<Shared> Work;
+  BoundedThread Thread;
+};
+
+/// The entry of the bus that is the same device as `entry`, or one with an empty path.
+PALPATE_EXPORT HidEntry findAgain(HidBus& bus, const HidEntry& entry);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SpaceMouseDevice_h
+#define palpate_SpaceMouseDevice_h
+
+#include "Haptics/Devices/HapticDevice.h"
+#include "Transports/Hid/HidBus.h"
+#include "Transports/Hid/HidReader.h"
+#include "Mechanics/PalpateExport.h"
+#include "Transports/Hid/SpaceMouseReport.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+enum class SpaceMouseMode : std::uint8_t
+{
+  Rate,    ///< pushing the cap moves the tip, the farther the faster; letting go leaves it there
+  Position ///< the tip stands where the cap is; letting go brings it back to 0
+};
+
+/// How the cap of a SpaceMouse moves the tip.
+struct SpaceMouseSettings
+{
+  double fullSpeed = 0.05; ///< m/s at full deflection, in rate mode
+  double halfExtent =
+    0.05; ///< m: limit of the tip, which it reaches at full deflection in position mode
+  double deadZone = 0.05;   ///< fraction of full deflection within which the cap counts as at rest
+  double filterTime = 0.02; ///< s, of the low-pass between reports, which come at 60 to 125 Hz
+  /// A pushed cap reports all the time; without a report for this time (s) the tip stands still. At
+  /// rest the device sends nothing.
+  double longestSilence = 0.25;
+};
+
+/**
+ * A 3Dconnexion SpaceMouse: input only. Classic and wireless layouts; see SpaceMouseReport.h.
+ *
+ * The device's frame: x right, y up, z towards the user. A reader thread decouples the tick from
+ * the driver. Silence is not a fault: sampleTimeOut is infinite, and every reading counts as fresh.
+ * Unplugged, read is not valid from the next call on; when it returns, the tip continues from where
+ * it stood.
+ */
+class PALPATE_EXPORT SpaceMouseDevice final : public HapticDevice
+{
+public:
+  /// Opens the device at `path`, such as "/dev/hidraw0". Null, and why in words, if that fails.
+  static std::unique_ptr<SpaceMouseDevice> open(const std::string& path, SpaceMouseMode mode,
+    std::string& error, HidBus& bus = systemHidBus(), const SpaceMouseSettings& settings = {});
+  ~SpaceMouseDevice() override;
+
+  const DeviceSpecification& specification() const noexcept override { return this->Limits; }
+  DeviceSample read(double time) noexcept override;
+  /// Accepts any force, without effect.
+  bool write(const Eigen::Vector3d&) noexcept override { return true; }
+
+  std::string status() const override { return this->Reader->status(); }
+  DeviceErrors errors() const noexcept override;
+
+private:
+  class Link;
+  SpaceMouseDevice(HidBus& bus, const HidEntry& entry, std::unique_ptr<HidPort> port,
+    SpaceMouseMode mode, const SpaceMouseSettings& settings);
+  Eigen::Vector3d pushed(double time) noexcept;
+  void move(const Eigen::Vector3d& push, double elapsed) noexcept;
+
+  SpaceMouseMode Mode;
+  SpaceMouseSettings Settings;
+  DeviceSpecification Limits;
+  std::shared_ptr<Link> Connection;
+  std::unique_ptr<HidReader> Reader;
+
+  std::uint64_t Seen = 0; ///< number of the last report read
+  double SeenTime = 0.0;  ///< s, when it was
+  double LastTime = std::numeric_limits<double>::quiet_NaN();
+  Eigen::Vector3d Position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Velocity = Eigen::Vector3d::Zero();
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_testing_FakeHidBus_h
+#define palpate_testing_FakeHidBus_h
+
+#include "Transports/Hid/HapticReport.h"
+#include "Transports/Hid/HidBus.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace palpate::testing
+{
+/// The far side of a made-up HID device: what it sends, what it was sent, how it misbehaves.
+class FakeHidDevice
+{
+public:
+  explicit FakeHidDevice(const HidEntry& entry)
+    : Entry(entry)
+  {
+  }
+
+  HidEntry Entry;
+  std::vector<std::uint8_t> Feature; ///< empty: it has none
+
+  void send(const std::uint8_t* bytes, std::size_t size);
+  template <class Report>
+  void send(const Report& report)
+  {
+    HapticReportBytes bytes;
+    pack(report, bytes);
+    this->send(bytes.data(), bytes.size());
+  }
+
+  /// Reads and writes fail from now on.
+  void unplug();
+  /// Each write takes so long.
+  void setWriteTime(std::chrono::milliseconds time);
+  /// Writes do not return until released.
+  void hang(bool yes);
+  /// Writes fail, though it is plugged in.
+  void refuse(bool yes);
+
+  /// Every report sent to it so far.
+  std::vector<std::vector<std::uint8_t>> written() const;
+  ForceReport lastForce() const; ///< a default one if there is none, or if the last is not sound
+  int openPorts() const;
+
+private:
+  class Port;
+  friend class FakeHidBus;
+
+  mutable std::mutex Mutex;
+  std::condition_variable Changed;
+  std::deque<std::vector<std::uint8_t>> Sent;
+  std::vector<std::vector<std::uint8_t>> Written;
+  std::chrono::milliseconds WriteTime{ 0 };
+  bool Plugged = true;
+  bool Hanging = false;
+  bool Refusing = false;
+  int Ports = 0;
+};
+
+/// A bus to which such devices are plugged. Must outlive what uses it.
+class FakeHidBus final : public HidBus
+{
+public:
+  void plug(std::shared_ptr<FakeHidDevice> device);
+  /// Takes it off the list, too.
+  void unplug(const std::string& path);
+  void setObstacle(const std::string& path, const std::string& words);
+
+  std::vector<HidEntry> entries() override;
+  std::unique_ptr<HidPort> open(const std::string& path, std::string& error) override;
+  std::string obstacle(const std::string& path) override;
+
+private:
+  std::mutex Mutex;
+  std::vector<std::shared_ptr<FakeHidDevice>> Devices;
+  std::string ObstaclePath;
+  std::string Obstacle;
+};
+
+/// Waits until it is so, a minute at most; for what another thread does, which takes milliseconds
+/// unless the machine is busy.
+template <class Condition>
+bool eventually(const Condition& condition)
+{
+  for (int i = 0; i < 60000; ++i)
+  {
+    if (condition())
+    {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+} // namespace palpate::testing
+
+#endif
