@@ -11,9 +11,8 @@ template <class Module>
 const Module* useModule(
   const LoadedModule& loaded, const char* name, const std::string& option, std::string& fault)
 {
-  fault = loaded.table ? std::string()
-                       : joined(option, " needs the module ", name, ", which cannot be loaded (",
-                           loaded.fault, "): ./run build makes it, and so do Palpate's packages");
+  fault =
+    loaded.table ? std::string() : joined(option, " needs ", missingModule(name, loaded.fault));
   return static_cast<const Module*>(loaded.table);
 }
 } // namespace

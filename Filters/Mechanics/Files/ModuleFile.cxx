@@ -80,4 +80,10 @@ LoadedModule loadModule(const std::string& name)
   }
   return { table, {} };
 }
+
+std::string missingModule(const std::string& name, const std::string& fault)
+{
+  return joined("the module ", name, ", which cannot be loaded (", fault,
+    "): ./run build makes it, and so do Palpate's packages");
+}
 } // namespace palpate

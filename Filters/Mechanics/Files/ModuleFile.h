@@ -32,6 +32,10 @@ struct LoadedModule
  * from the servo tick.
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);
+
+/// For a sentence "… needs ": the module by its name, the fault of loadModule, and what makes the
+/// module.
+PALPATE_EXPORT std::string missingModule(const std::string& name, const std::string& fault);
 } // namespace palpate
 
 #endif

@@ -47,8 +47,7 @@ std::string solve(StrainModule::Solver StrainModule::*where, const SolvedStrain&
   if (!loaded.table)
   {
     return joined("No stored table holds ", describe(asked.law), " of ", asked.tool.specification(),
-      " on this body, and the module Strain, which solves for it, ", "cannot be loaded (",
-      loaded.fault, "): ./run build makes it, and so do Palpate's packages");
+      " on this body. The solution needs ", missingModule("Strain", loaded.fault));
   }
   table = (static_cast<const StrainModule*>(loaded.table)->*where)(asked, goOn);
   return {};

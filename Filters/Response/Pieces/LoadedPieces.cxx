@@ -29,8 +29,6 @@ std::string missingPieces(const Ranks& ranks)
   const std::string& fault = loadedPieces().fault;
   return ranks.firstFault(fault.empty()
       ? fault
-      : joined("a body on ", ranks.count(),
-          " processes needs the module Pieces, which cannot be loaded (", fault,
-          "): ./run build makes it, and so do Palpate's packages"));
+      : joined("a body on ", ranks.count(), " processes needs ", missingModule("Pieces", fault)));
 }
 } // namespace palpate

@@ -2,7 +2,6 @@
 #include "Haptics/Devices/DeviceTransports.h"
 
 #include "Haptics/Devices/TransportsModule.h"
-#include "Mechanics/JoinedText.h"
 
 namespace palpate
 {
@@ -28,9 +27,7 @@ std::string addressOf(const std::string& device, const Transport& transport)
 const TransportsModule* transportsModule(std::string& fault)
 {
   static const LoadedModule loaded = loadModule("palpateTransports");
-  fault = loaded.table ? std::string()
-                       : joined("needs the module Transports, which cannot be loaded (",
-                           loaded.fault, "): ./run build makes it, and so do Palpate's packages");
+  fault = loaded.table ? std::string() : "needs " + missingModule("Transports", loaded.fault);
   return static_cast<const TransportsModule*>(loaded.table);
 }
 } // namespace
