@@ -20,6 +20,7 @@ namespace palpate
 class GatheredBody
 {
 public:
+  /// Where a triangle comes from.
   struct Origin
   {
     int rank;

@@ -23,6 +23,7 @@ struct PluggedDevice
   std::string obstacle; ///< in words why it cannot be opened; empty: it can
 };
 
+/// What a search for devices found.
 struct PluggedDevices
 {
   std::vector<PluggedDevice> devices; ///< by path
