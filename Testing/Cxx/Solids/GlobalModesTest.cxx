@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace global_modes
+{
 namespace
 {
 using namespace palpate;
@@ -348,3 +350,4 @@ TEST(GlobalModes, StopWhenToldTo)
   EXPECT_TRUE(modes.fields.empty());
   EXPECT_EQ(calls, 3);
 }
+} // namespace global_modes
