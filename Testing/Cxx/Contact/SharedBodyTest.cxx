@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+namespace shared_body
+{
 using namespace palpate::testing;
 using palpate::Contact;
 using palpate::ToolContact;
@@ -84,3 +86,4 @@ TEST(SharedBody, FourThreadsGiveTheBitsOfOne)
     EXPECT_LT(touching, Ticks);
   }
 }
+} // namespace shared_body
