@@ -25,6 +25,38 @@ double angleBetween(const Vector3& u, const Vector3& v)
 {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
+
+Vector3 placeOf(const double* points, std::int32_t index)
+{
+  return Eigen::Map<const Vector3>(points + 3 * static_cast<std::size_t>(index));
+}
+
+/// Adds a triangle's normal at its corners, weighted by the angle there.
+void addNormal(const double* points, const TriangleCorners& corner, std::vector<double>& normals)
+{
+  const std::array<Vector3, 3> place{ placeOf(points, corner[0]), placeOf(points, corner[1]),
+    placeOf(points, corner[2]) };
+  const Vector3 normal = (place[1] - place[0]).cross(place[2] - place[0]).normalized();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double angle = angleBetween(place[(k + 1) % 3] - place[k], place[(k + 2) % 3] - place[k]);
+    Eigen::Map<Vector3>(normals.data() + 3 * static_cast<std::size_t>(corner[k])) += angle * normal;
+  }
+}
+
+/// Where there is a direction.
+void normalize(std::vector<double>& normals)
+{
+  for (std::size_t i = 0; i < normals.size(); i += 3)
+  {
+    Eigen::Map<Vector3> normal(normals.data() + i);
+    const double length = normal.norm();
+    if (length > 0.0)
+    {
+      normal /= length;
+    }
+  }
+}
 } // namespace
 
 BodyMesh::BodyMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
@@ -88,33 +120,31 @@ void BodyMesh::computePointNormals()
   this->PointNormals.assign(this->Points.size(), 0.0);
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    const auto triangle = static_cast<std::int32_t>(t);
-    if (!this->isUsable(triangle))
+    if (this->Usable[t])
     {
-      continue;
-    }
-    const auto& corner = this->Triangles[t];
-    const Vector3 a = this->point(corner[0]);
-    const Vector3 normal =
-      (this->point(corner[1]) - a).cross(this->point(corner[2]) - a).normalized();
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Vector3 at = this->point(corner[k]);
-      const double angle =
-        angleBetween(this->point(corner[(k + 1) % 3]) - at, this->point(corner[(k + 2) % 3]) - at);
-      Eigen::Map<Vector3>(this->PointNormals.data() + 3 * static_cast<std::size_t>(corner[k])) +=
-        angle * normal;
+      addNormal(this->Points.data(), this->Triangles[t], this->PointNormals);
     }
   }
-  for (std::size_t i = 0; i < this->pointCount(); ++i)
+  normalize(this->PointNormals);
+}
+
+std::vector<double> angleWeightedNormals(const double* points, std::size_t pointCount,
+  const std::int32_t* triangles, std::size_t triangleCount)
+{
+  std::vector<double> normals(3 * pointCount, 0.0);
+  for (std::size_t t = 0; t < triangleCount; ++t)
   {
-    Eigen::Map<Vector3> normal(this->PointNormals.data() + 3 * i);
-    const double length = normal.norm();
-    if (length > 0.0)
+    const TriangleCorners corner{ triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2] };
+    const Vector3 a = placeOf(points, corner[0]);
+    const Vector3 b = placeOf(points, corner[1]);
+    const Vector3 c = placeOf(points, corner[2]);
+    if (a.allFinite() && b.allFinite() && c.allFinite() && hasArea(a, b, c))
     {
-      normal /= length;
+      addNormal(points, corner, normals);
     }
   }
+  normalize(normals);
+  return normals;
 }
 
 bool BodyMesh::isClosed() const noexcept

@@ -100,6 +100,11 @@ private:
   std::vector<double> PointNormals;
   Defects Found;
 };
+
+/// The normals of a BodyMesh without the mesh, x, y, z of each point: for triangles whose corners are
+/// points.
+PALPATE_EXPORT std::vector<double> angleWeightedNormals(const double* points,
+  std::size_t pointCount, const std::int32_t* triangles, std::size_t triangleCount);
 } // namespace palpate
 
 #endif

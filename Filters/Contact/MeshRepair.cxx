@@ -155,8 +155,8 @@ std::vector<std::int32_t> findTwins(
   return first;
 }
 
-void joinEmptyEdges(const float* coordinates, const TriangleCorners* begin,
-  const TriangleCorners* end, std::vector<std::int32_t>& first)
+void joinEmptyEdges(
+  const float* coordinates, const TriangleCorners& corners, std::vector<std::int32_t>& first)
 {
   const auto firstOf = [&first](std::int32_t point)
   {
@@ -171,21 +171,22 @@ void joinEmptyEdges(const float* coordinates, const TriangleCorners* begin,
     const float* p = coordinates + 3 * static_cast<std::size_t>(a);
     return std::equal(p, p + 3, coordinates + 3 * static_cast<std::size_t>(b));
   };
-  for (const TriangleCorners* corners = begin; corners != end; ++corners)
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    for (std::size_t k = 0; k < 3; ++k)
+    if (atOnePlace(corners[k], corners[(k + 1) % 3]))
     {
-      if (atOnePlace((*corners)[k], (*corners)[(k + 1) % 3]))
-      {
-        const std::int32_t a = firstOf((*corners)[k]);
-        const std::int32_t b = firstOf((*corners)[(k + 1) % 3]);
-        first[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-      }
+      const std::int32_t a = firstOf(corners[k]);
+      const std::int32_t b = firstOf(corners[(k + 1) % 3]);
+      first[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
     }
   }
-  for (std::int32_t& point : first)
+}
+
+void followJoints(std::vector<std::int32_t>& first)
+{
+  for (std::int32_t& point : first) // the first of each is done before it
   {
-    point = firstOf(point);
+    point = first[static_cast<std::size_t>(point)];
   }
 }
 } // namespace palpate

@@ -27,12 +27,15 @@ std::vector<std::int32_t> findTwins(
   const float* coordinates, std::size_t pointCount, const TriangleLinks& links);
 
 /**
- * Adds to such a list the ends of edges without length, of triangles from `begin` to `end`: a
- * contour through a grid point has a separate point from each cell around, connected to the others
- * by triangles without area.
+ * Adds to such a list the ends of a triangle's edges without length: a contour through a grid point
+ * has a separate point from each cell around, connected to the others by triangles without area.
+ * The list may lead to the first point in several steps then, until followJoints.
  */
-void joinEmptyEdges(const float* coordinates, const TriangleCorners* begin,
-  const TriangleCorners* end, std::vector<std::int32_t>& first);
+void joinEmptyEdges(
+  const float* coordinates, const TriangleCorners& corners, std::vector<std::int32_t>& first);
+
+/// Makes each point of such a list lead to the first one in a single step.
+void followJoints(std::vector<std::int32_t>& first);
 } // namespace palpate
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Contact/Contact.h"
 #include "Contact/LargePages.h"
+#include "Contact/SoundMesh.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace palpate
@@ -36,12 +38,9 @@ using BuildProgress = std::function<void(double)>;
  * feature - face, edge or corner - which is right for the closest point of any closed 2-manifold
  * (Baerentzen and Aanaes 2005).
  *
- * What is wrong with the input is counted. Triangles with a point that is not finite or beyond
- * LargestCoordinate, an index out of range or a corner twice take no part; neither do those without
- * area, but their neighbours are not left with a border. Triangles that wind against their
- * neighbours are turned over, the fewer to agree with the more; open borders whose points have the
- * same coordinates are joined, and so are the ends of edges without length. An edge of more than
- * two triangles has no neighbour across and counts as border.
+ * The triangles are those of a SoundMesh. Triangles without area take no part in contact, but their
+ * neighbours are not left with a border. An edge of more than two triangles has no neighbour across
+ * and counts as border.
  *
  * On demand the surface is cut along its sharp convex edges (creases), so that a contact followed
  * from triangle to triangle stays on its face: triangles at a crease are no neighbours, and a point
@@ -56,20 +55,7 @@ using BuildProgress = std::function<void(double)>;
 class PALPATE_EXPORT PackedMesh
 {
 public:
-  /// What was wrong with the triangles, counted.
-  struct Defects
-  {
-    std::size_t notFinite = 0;        ///< triangles left out: a coordinate not finite or too large
-    std::size_t badIndex = 0;         ///< triangles left out: a corner is no point
-    std::size_t degenerate = 0;       ///< triangles left out: no area
-    std::size_t nonManifoldEdges = 0; ///< of more than two triangles, or that cannot be oriented
-    std::size_t borderEdges = 0;
-    std::size_t turnedTriangles = 0; ///< wound against their neighbours
-    std::size_t joinedPoints = 0;    ///< at the place of another, see above
-  };
-
-  /// Of points in the body's frame, mm: squared distances from TriangleTree's horizon fit a float.
-  static constexpr double LargestCoordinate = 1e14;
+  using Defects = MeshDefects;
 
   static constexpr std::int32_t Border = -1; ///< no triangle across an edge
   static constexpr std::int32_t Seam = -2;   ///< one without area across an edge
@@ -224,6 +210,8 @@ public:
   }
 
   const Defects& defects() const noexcept { return this->Found; }
+  /// Why the surface is no body (SoundMesh), or "".
+  const std::string& fault() const noexcept { return this->Fault; }
   /// Bytes held.
   std::size_t memory() const noexcept;
 
@@ -266,6 +254,7 @@ private:
   LargeVector<std::int32_t> InputPoints;
   std::vector<CreaseSide> Creases;
   Defects Found;
+  std::string Fault;
 };
 } // namespace palpate
 

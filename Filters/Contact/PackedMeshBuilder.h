@@ -3,6 +3,7 @@
 #define palpate_PackedMeshBuilder_h
 
 #include "Contact/PackedMesh.h"
+#include "Contact/SoundMesh.h"
 #include "Contact/TriangleLinks.h"
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace palpate
 /// the triangle.
 float steepnessOf(const PackedMesh& mesh, std::int32_t triangle);
 
-/// Builds a PackedMesh, step by step: classify the triangles, sort them along the curve, number the
-/// points in that order, find neighbours, repair, cut, pack. Not installed.
+/// Builds a PackedMesh, step by step: repair the triangles, sort them along the curve, number the
+/// points in that order, find neighbours, cut, pack. Not installed.
 class PackedMesh::Builder
 {
 public:
@@ -30,22 +31,11 @@ public:
     std::size_t triangleCount);
 
 private:
-  enum class Part : std::uint8_t
-  {
-    Usable,
-    WithoutArea, ///< connects its neighbours, but has no contact itself
-    None
-  };
-
   void report(double done) const;
-  void placeCentre(const double* points, const std::int32_t* triangles, std::vector<Part>& parts);
-  void roundPoints(const double* points);
-  void findParts(const double* points, const std::int32_t* triangles, std::vector<Part>& parts);
-  void orderTriangles(const std::int32_t* triangles, const std::vector<Part>& parts);
-  void numberPoints(const std::int32_t* triangles);
-  void findNeighbours();
-  void joinPoints();
-  void turnTriangles();
+  void orderTriangles(const SoundMesh& sound);
+  void numberPoints(const SoundMesh& sound);
+  void findNeighbours(const SoundMesh& sound);
+  void joinPoints(const SoundMesh& sound);
   void cutCreases();
   void packRings();
   void packRecords();
@@ -66,13 +56,13 @@ private:
   const BuildProgress& Progress;
   double CreaseTurn;
   std::size_t PointCount = 0;
-  std::vector<float> Coordinates;         ///< local; by input point, then by packed point
+  std::vector<float> Coordinates;         ///< local; by packed point
   std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area
   std::size_t Usable = 0;                 ///< how many of them
   std::vector<TriangleCorners> Triangles; ///< in that order; packed points
-  std::vector<std::int32_t> Twins;        ///< see findTwins; empty: every point is its own
-  std::vector<TriangleCorners> Joined;    ///< Triangles with twins as one point, if there are any
-  std::unique_ptr<TriangleLinks> Links;   ///< of joined()
+  std::vector<std::int32_t> Twins; ///< the first at the same place; empty: every point is its own
+  std::vector<TriangleCorners> Joined;  ///< Triangles with twins as one point, if there are any
+  std::unique_ptr<TriangleLinks> Links; ///< of joined()
 };
 } // namespace palpate
 

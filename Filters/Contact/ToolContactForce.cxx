@@ -28,6 +28,21 @@ double inverseRoot(double x) noexcept
   const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);
   return low + e2 * e2 * high;
 }
+
+/// A direction without its part into the body: the face's normal if nothing is left. `area` is
+/// along that normal. On a thin fin the normals of the vertices can point away from that of the
+/// face.
+Vector3 outward(const Vector3& direction, const Vector3& area) noexcept
+{
+  const double along = direction.dot(area);
+  if (!(along < 0.0))
+  {
+    return direction;
+  }
+  const Vector3 beyond = direction - along / area.squaredNorm() * area;
+  constexpr double rounding = 1e-12; // of the square
+  return beyond.squaredNorm() > rounding * direction.squaredNorm() ? beyond : area.normalized();
+}
 } // namespace
 
 ResponseValue ToolContact::slowResponse(const Pressed& pressed, double depth) const noexcept
@@ -80,15 +95,17 @@ Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const no
       this->weightGradients(place), this->energies(response, result.deflection));
     return result.force.allFinite();
   }
+  const Vector3 face = this->Body.surface.areaNormal(place.triangle);
   Vector3 direction = place.normal; // a smooth surface has one of its own
   if (!place.isSmooth)
   {
-    direction = this->sumOfNormals(place, Vector3::Ones());
+    direction = outward(this->sumOfNormals(place, Vector3::Ones()), face);
   }
   if (this->Settings.form == ForceForm::Paper)
   {
     const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
-    const Vector3 sum = this->sumOfNormals(place, { each[0].force, each[1].force, each[2].force });
+    const Vector3 forces(each[0].force, each[1].force, each[2].force);
+    const Vector3 sum = outward(this->sumOfNormals(place, forces), face);
     const double more = upright.force > 0.0 ? result.normalForce / upright.force : 1.0;
     result.normalForce = more * sum.norm();
     direction = result.normalForce > 0.0 ? sum : direction;

@@ -38,17 +38,21 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
 }
 
 /// The middle one of the three lengths of a surface's box, mm.
-double widthOf(const TriangleSpans& surface)
+double widthOf(const LinkedSurface& surface)
 {
   std::array<double, 3> length{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     double least = Infinity;
     double most = -Infinity;
-    for (std::size_t i = 0; i < surface.pointCount; ++i)
+    for (const TriangleCorners& corners : surface.corners)
     {
-      least = std::min(least, surface.points[3 * i + axis]);
-      most = std::max(most, surface.points[3 * i + axis]);
+      for (std::size_t k = 0; corners[0] >= 0 && k < 3; ++k)
+      {
+        const double at = surface.place(corners[k])[static_cast<Eigen::Index>(axis)];
+        least = std::min(least, at);
+        most = std::max(most, at);
+      }
     }
     length[axis] = most - least;
   }
@@ -143,7 +147,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
 {
   const LinkedSurface linked(surface);
   const SideSpread spread(linked);
-  const double width = widthOf(surface);
+  const double width = widthOf(linked);
   double inner = 0.0; // mm: nearer edges were searched with finer cells
   double radius = contactRadius;
   for (bool isLast = false; !isLast;)

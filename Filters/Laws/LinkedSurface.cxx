@@ -75,6 +75,17 @@ const std::vector<TriangleCorners>& LinkedSurface::findCorners()
   return this->corners;
 }
 
+std::size_t LinkedSurface::usedPoints() const
+{
+  std::size_t count = 0;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(this->spans.pointCount); ++i)
+  {
+    const auto around = this->links.around(i);
+    count += around[0] != around[1];
+  }
+  return count;
+}
+
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius)
 {
   // Sides of a single facet, by position: those of duplicate points occur twice.

@@ -42,6 +42,9 @@ struct LinkedSurface
       this->spans.points + 3 * static_cast<std::size_t>(point));
   }
 
+  /// How many points have a facet.
+  std::size_t usedPoints() const;
+
   TriangleSpans spans;
   std::vector<TriangleCorners> corners;
   std::vector<Eigen::Vector3d> areas; ///< mm², along the normals

@@ -65,8 +65,8 @@ private:
     {
       area += facet.norm();
     }
-    const double spacing =
-      std::sqrt(area / std::max<double>(1.0, static_cast<double>(this->Surface.spans.pointCount)));
+    const auto points = static_cast<double>(this->Surface.usedPoints());
+    const double spacing = std::sqrt(area / std::max(1.0, points));
     this->Cell = std::max(this->Radius, SpacingsPerCell * spacing);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredContactResponse.h"
 
+#include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Identification/CurvesFile.h"
 #include "Laws/ResponseFiller.h"
@@ -119,18 +120,20 @@ int vtkMeasuredContactResponse::FillOutputPortInformation(int port, vtkInformati
 int vtkMeasuredContactResponse::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!body || body->GetNumberOfPoints() == 0)
+  if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
   }
-  std::string fault = palpate::checkTriangles(body);
+  const palpate::SoundBody sound(input);
+  std::string fault = sound.fault();
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong input: " << fault << ".");
     return 0;
   }
+  vtkPolyData* body = sound.body();
   palpate::SiteMeasurement measurement;
   fault = this->CheckProperties();
   if (fault.empty())
@@ -165,6 +168,7 @@ int vtkMeasuredContactResponse::RequestData(
   {
     palpate::limitToData(measurement, this->ResponseName, this->MaximumDeflection, output);
     palpate::attachMeasuredRelaxation(measurement, this->ResponseName, output);
+    sound.giveBack(output);
     palpate::tabulateSites(measurement.Sites, vtkTable::GetData(outputVector, 1));
     palpate::tabulateCurves(
       measurement.Sites, measurement.Identification->kernel(), vtkTable::GetData(outputVector, 2));

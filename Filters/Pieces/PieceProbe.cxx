@@ -2,6 +2,7 @@
 #include "Pieces/PieceProbe.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Contact/ContactBody.h"
 #include "Pieces/GatheredBody.h"
 
@@ -186,7 +187,7 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     }
     else if (const auto body = makeContactBody(gathered.body(), this->Name, fault))
     {
-      this->Defects = describeDefects(*body);
+      this->Defects = describeDefects(body->surface.defects());
       pressed.press(*body,
         [&touched](vtkIdType tip, const Contact& contact, const Vector3& at) {
           touched[static_cast<std::size_t>(tip)] = { at, contact };

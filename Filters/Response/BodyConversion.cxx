@@ -298,8 +298,10 @@ std::shared_ptr<const ContactBody> makeContactBody(
   const std::vector<std::int32_t> triangles = copyTriangles(body);
   const std::vector<double> points = copyPoints(body);
   const FilterThreads threads;
-  return std::make_shared<const ContactBody>(
+  auto made = std::make_shared<const ContactBody>(
     points.data(), points.size() / 3, triangles.data(), triangles.size() / 3, arrays, progress);
+  error = made->surface.fault();
+  return error.empty() ? made : nullptr;
 }
 
 std::shared_ptr<const ContactBody> makeContactBody(
@@ -323,30 +325,6 @@ std::shared_ptr<const ContactBody> makeContactBody(
   }
   const FilterThreads threads;
   return std::make_shared<const ContactBody>(same, arrays);
-}
-
-std::string describeDefects(const ContactBody& body)
-{
-  const PackedMesh::Defects& found = body.surface.defects();
-  std::string text;
-  const auto add = [&text](std::size_t count, const char* one, const char* many, const char* fate)
-  {
-    if (count > 0)
-    {
-      text += (text.empty() ? "" : "; ") + std::to_string(count) + ' ' + (count == 1 ? one : many) +
-        ": " + fate;
-    }
-  };
-  add(found.turnedTriangles, "triangle wound against its neighbours",
-    "triangles wound against their neighbours", "turned over");
-  add(found.joinedPoints, "point at the place of another on an open border",
-    "points at the place of others on open borders", "joined");
-  add(found.degenerate, "triangle without area", "triangles without area", "left out");
-  add(found.notFinite, "triangle with a coordinate that is not finite or beyond 1e14 mm",
-    "triangles with a coordinate that is not finite or beyond 1e14 mm", "left out");
-  add(found.nonManifoldEdges, "edge of more than two triangles or of two that cannot wind alike",
-    "edges of more than two triangles or of two that cannot wind alike", "taken for open borders");
-  return text;
 }
 
 void describeResponse(

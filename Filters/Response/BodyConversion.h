@@ -69,10 +69,6 @@ PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPol
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
   vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same);
 
-/// The defects of the mesh and how each was handled, with their numbers; "" for a sound mesh. Open
-/// borders are no fault.
-PALPATERESPONSE_EXPORT std::string describeDefects(const ContactBody& body);
-
 /// The description of a response in its field arrays.
 struct ResponseDescription
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyField.h"
 
+#include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/LoadedPieces.h"
@@ -230,7 +231,8 @@ class BodyField::LinkedPiece
 {
 public:
   LinkedPiece(const Ranks& ranks, vtkPolyData* body)
-    : Mesh(makeBodyMesh(body))
+    : Sound(body, extentOn(ranks))
+    , Mesh(makeBodyMesh(this->Sound.body() ? this->Sound.body() : body))
     , Seam(ranks, body)
     , SeamNormals(seamNormals(this->Mesh, this->Seam))
     , PointsTime(body->GetPoints()->GetMTime())
@@ -244,6 +246,7 @@ public:
       this->PolysTime == body->GetPolys()->GetMTime();
   }
 
+  const SoundBody Sound; ///< without a body if it has a fault: the field ends at its defects then
   const BodyMesh Mesh;
   const BodySeam Seam;
   const std::vector<Vector3> SeamNormals;
@@ -301,6 +304,7 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
   }
   const BodyMesh& mesh = this->Piece->Mesh;
   const BodySeam& seam = this->Piece->Seam;
+  const SoundBody& sound = this->Piece->Sound;
   SurfacePatch patch(mesh, contact.point, contact.normal, request.settings.reach);
   for (std::size_t i = 0; i < seam.places().size(); ++i)
   {
@@ -308,10 +312,11 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
   }
   if (isHere)
   {
-    const auto id = static_cast<std::int32_t>(contact.cell - firstTriangle(body));
-    for (const std::int32_t corner : mesh.corners(id))
+    vtkNew<vtkIdList> corners;
+    body->GetPolys()->GetCellAtId(contact.cell - firstTriangle(body), corners);
+    for (const vtkIdType corner : *corners)
     {
-      patch.enter(corner);
+      patch.enter(static_cast<std::int32_t>(sound.firstAt(corner)));
     }
   }
   const auto cross = [&ranks, &seam](SurfacePatch& pending)
@@ -336,6 +341,10 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
   const FilterThreads threads;
   const bool isFinite = contactField(
     field, contact.normal, modes, patch, mesh.pointCount(), displacement->GetPointer(0), cross);
+  for (vtkIdType i = 0; sound.joinedPoints() > 0 && i < displacement->GetNumberOfTuples(); ++i)
+  {
+    displacement->SetTuple(i, sound.firstAt(i), displacement);
+  }
   return ranks.firstFault(isFinite
       ? std::string()
       : "The global modes are too large: they displace the body to infinity");

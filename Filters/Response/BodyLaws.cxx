@@ -6,6 +6,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
 #include "Response/Curves/BodyShape.h"
@@ -120,10 +121,10 @@ std::string checkRequest(const LawRequest& request)
   return request.responseName.empty() ? "ResponseName must not be empty" : "";
 }
 
-std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
+std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequest& request,
   const std::function<bool(double)>& goOn, vtkPolyData* output, std::string& warning)
 {
-  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  const bool hasPiece = input->GetNumberOfPoints() > 0;
   if (!ranks.any(hasPiece))
   {
     return {};
@@ -133,11 +134,13 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   {
     return fault;
   }
-  fault = ranks.firstFault(hasPiece ? checkTriangles(body) : std::string());
+  const SoundBody sound(input, extentOn(ranks));
+  fault = ranks.firstFault(sound.fault());
   if (!fault.empty())
   {
     return "Wrong input: " + fault;
   }
+  vtkPolyData* body = sound.body();
   fault = checkRequest(request);
   BodyMaterial material(request.material);
   if (fault.empty())
@@ -230,10 +233,12 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
     output->Initialize();
     return {};
   }
-  if (made.without > 0)
+  // A joined point has no triangle of its own, and gets the response of the first one at its place.
+  const vtkIdType without = static_cast<vtkIdType>(made.without) - sound.joinedPoints();
+  if (without > 0)
   {
     warning =
-      joined(made.without, " of ", count, " points have no response: see array '", name, "Status'");
+      joined(without, " of ", count, " points have no response: see array '", name, "Status'");
   }
   copyWithOwnFields(body, output);
   storage.attach(output);
@@ -262,6 +267,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* body, const LawReque
   {
     output->Initialize();
   }
+  sound.giveBack(output);
   return fault;
 }
 } // namespace palpate

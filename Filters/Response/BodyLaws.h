@@ -46,8 +46,9 @@ struct LawRequest
 PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 
 /// The body with its response, see vtkToolContactResponse; nothing if `goOn(fraction)` ends it.
-/// Also a warning, or "". Collective; `body` is the own piece.
-PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* body,
+/// Also a warning, or "". Collective; `input` is the own piece. The laws use the repaired body
+/// (SoundBody).
+PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* input,
   const LawRequest& request, const std::function<bool(double)>& goOn, vtkPolyData* output,
   std::string& warning);
 } // namespace palpate

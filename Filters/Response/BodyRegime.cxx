@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyRegime.h"
 
+#include "Response/Bodies/SoundBody.h"
 #include "Laws/RegimeLaw.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
@@ -83,9 +84,9 @@ std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector
 } // namespace
 
 std::string attachRegime(
-  const Ranks& ranks, vtkPolyData* body, const LawRequest& request, vtkPolyData* output)
+  const Ranks& ranks, vtkPolyData* input, const LawRequest& request, vtkPolyData* output)
 {
-  const bool hasPiece = body->GetNumberOfPoints() > 0;
+  const bool hasPiece = input->GetNumberOfPoints() > 0;
   if (!ranks.any(hasPiece))
   {
     return {};
@@ -95,6 +96,13 @@ std::string attachRegime(
   {
     return fault;
   }
+  const SoundBody sound(input, extentOn(ranks));
+  fault = ranks.firstFault(sound.fault());
+  if (!fault.empty())
+  {
+    return "Wrong input: " + fault;
+  }
+  vtkPolyData* body = sound.body();
   // Once no rank has a fault, a rank without a piece only takes part in the collective calls.
   const std::string& name = request.responseName;
   vtkSmartPointer<vtkContactTool> tool;
@@ -171,6 +179,7 @@ std::string attachRegime(
   at->SetName("RegimeDeflection");
   at->InsertNextValue(deepest);
   output->GetFieldData()->AddArray(at);
+  sound.giveBack(output);
   return {};
 }
 } // namespace palpate

@@ -187,7 +187,11 @@ std::string vtkBodySurface::Gather(
   const int* wholeExtent =
     input->Has(Pipeline::WHOLE_EXTENT()) ? input->Get(Pipeline::WHOLE_EXTENT()) : nullptr;
 
-  const std::vector<palpate::BodyBlock>& blocks = found.blocks();
+  std::vector<palpate::BodyBlock> blocks = found.blocks();
+  if (ranks.any(palpate::countVolumes(blocks) > 1))
+  {
+    palpate::joinVolumes(blocks);
+  }
   std::vector<palpate::SurfaceTriangles> parts;
   std::vector<std::string> places;
   std::string fault;
@@ -208,13 +212,12 @@ std::string vtkBodySurface::Gather(
   palpate::removeInnerWalls(parts, names(blocks), ranks);
 
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  std::vector<std::string> kept;
   std::vector<vtkDataSet*> all;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     palpate::SurfaceTriangles& made = parts[i];
     const std::string& where = places[i];
-    palpate::cutSurface(made, blocks[i].pieces);
+    palpate::cutSurface(made, blocks[i].pieces, palpate::extentOn(ranks));
     for (const std::string& note : made.notes)
     {
       this->Notes.push_back(where + note);
@@ -222,9 +225,12 @@ std::string vtkBodySurface::Gather(
     if (made.surface)
     {
       surfaces.push_back(made.surface);
-      kept.push_back(where);
       all.insert(all.end(), blocks[i].pieces.begin(), blocks[i].pieces.end());
       continue;
+    }
+    if (!made.isEmpty)
+    {
+      return where + made.fault;
     }
     missing = missing.empty() ? where + made.fault : missing;
     this->Notes.push_back(palpate::joined("left out: ", where, made.fault));
@@ -236,17 +242,6 @@ std::string vtkBodySurface::Gather(
                     << ".");
   }
 
-  const bool normals = std::all_of(surfaces.begin(), surfaces.end(),
-    [](const vtkSmartPointer<vtkPolyData>& surface)
-    { return surface->GetPointData()->GetNormals() != nullptr; });
-  for (std::size_t i = 0; i < surfaces.size() && !normals; ++i)
-  {
-    if (palpate::isInsideOut(surfaces[i]))
-    {
-      surfaces[i] = turned(surfaces[i]);
-      this->Notes.push_back(kept[i] + "it was inside out: triangles turned");
-    }
-  }
   if (surfaces.size() == 1)
   {
     output->ShallowCopy(surfaces.front());
@@ -268,7 +263,7 @@ std::string vtkBodySurface::Gather(
 //------------------------------------------------------------------------------
 void vtkBodySurface::TurnPieces(vtkPolyData* body, const palpate::Ranks& ranks)
 {
-  if (ranks.areAlone() || ranks.any(body->GetPointData()->GetNormals() != nullptr))
+  if (ranks.areAlone())
   {
     return;
   }
@@ -289,9 +284,9 @@ void vtkBodySurface::Measure(vtkPolyData* body, const palpate::Ranks& ranks)
 {
   constexpr double None = std::numeric_limits<double>::infinity();
   double box[6] = { None, -None, None, -None, None, -None };
-  if (body->GetNumberOfPoints() > 0)
+  if (body->GetNumberOfPolys() > 0)
   {
-    body->GetBounds(box);
+    body->GetCellsBounds(box);
   }
   for (int i = 0; i < 6; i += 2)
   {

@@ -2,7 +2,8 @@
 #include "vtkLayerThickness.h"
 
 #include "Response/Bodies/BaseDepth.h"
-#include "Response/BodyConversion.h"
+#include "Contact/ResponseContract.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/FilterStage.h"
 #include "Response/Curves/PointNormals.h"
 
@@ -256,19 +257,20 @@ std::string vtkLayerThickness::Problem(vtkImageData* scan, vtkDataArray* grey) c
 int vtkLayerThickness::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* outputVector)
 {
-  vtkPolyData* body = vtkPolyData::GetData(input[0]);
+  vtkPolyData* given = vtkPolyData::GetData(input[0]);
   vtkImageData* scan = vtkImageData::GetData(input[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!body || body->GetNumberOfPoints() == 0)
+  if (!given || given->GetNumberOfPoints() == 0)
   {
     return 1;
   }
-  const std::string fault = palpate::checkTriangles(body);
-  if (!fault.empty())
+  const palpate::SoundBody sound(given);
+  if (!sound.fault().empty())
   {
-    vtkErrorMacro(<< "Wrong input: " << fault << ".");
+    vtkErrorMacro(<< "Wrong input: " << sound.fault() << ".");
     return 0;
   }
+  vtkPolyData* body = sound.body();
   vtkDataArray* grey = this->GetInputArrayToProcess(0, input);
   const std::string problem =
     scan ? this->Problem(scan, grey) : std::string("a scan is required on port 1.");
@@ -364,6 +366,7 @@ int vtkLayerThickness::RequestData(
   {
     output->ShallowCopy(body);
     output->GetPointData()->AddArray(thickness);
+    sound.giveBack(output);
   }
   return 1;
 }

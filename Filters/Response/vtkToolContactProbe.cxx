@@ -3,6 +3,7 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/Pieces/LoadedPieces.h"
 #include "Response/ContactArrays.h"
 #include "Response/Curves/StoredError.h"
@@ -154,7 +155,7 @@ bool vtkToolContactProbe::PrepareBody(vtkPolyData* body)
     return false;
   }
   const bool isNew = this->BodySource != body || this->BodyTime != body->GetMTime();
-  const std::string defects = palpate::describeDefects(*this->Body);
+  const std::string defects = palpate::describeDefects(this->Body->surface.defects());
   if (isNew && !defects.empty())
   {
     vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");

@@ -59,10 +59,11 @@
  * vtkHapticSession and the C interface (palpate.h) have the same settings and give the same bits
  * for the same tips.
  *
- * One warning for each state of the body tells what the kernel finds wrong with the mesh: triangles
- * that wound against their neighbours and were turned, points of open borders that were joined
- * because they coincide, triangles without area or with a coordinate that is not finite (they take
- * no part), edges of more than two triangles (they count as border). Open borders are allowed.
+ * One warning for each state of the body names the defects of the mesh: triangles that wound inward
+ * or against their neighbours and were turned, triangles that occur twice, have no area or a
+ * coordinate that is not finite (they take no part), edges of more than two triangles (they count
+ * as border). Open borders are allowed. Points of open borders that coincide are joined. A surface
+ * that is no body, such as a sheet with two sides, is an error.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *

@@ -47,10 +47,17 @@
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
  * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global
  * compliance where there is one: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 where that
- * stores the curve better. The active point normals are used if present, otherwise angle-weighted
- * ones are computed; a closed surface that is then found inside out is an error.
+ * stores the curve better. Normals are computed, angle-weighted; those that the input stores are
+ * not used.
  *
- * Cost: the law is evaluated once and scaled; with normals given and no compliance the filter is
+ * **Unsound meshes** are repaired first (palpate/SoundMesh.h): points of open borders that coincide
+ * are one point for the law, whatever their texture coordinates; triangles that occur twice or have
+ * a coordinate that is not finite are left out; each connected part winds outward, and inside
+ * another one it is a cavity if it winds inward. A second body inside another one and a sheet with
+ * two sides are errors that name the part. The output has the points, triangles and arrays of the
+ * input.
+ *
+ * Cost: the law is evaluated once and scaled; without compliance the filter is
  * limited by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs
  * per point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool;
  * CurvatureCorrection and ErrorTolerance another 0.7 µs on a half-space, a StrainModel 3 µs, and

@@ -3,6 +3,7 @@
 
 #include "Response/Touch/CoupledTips.h"
 #include "Response/BodyConversion.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/BodyField.h"
 #include "Response/ContactArrays.h"
 #include "Response/Pieces/Ranks.h"
@@ -197,7 +198,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
     vtkErrorMacro(<< "Wrong body: " << fault << ".");
     return false;
   }
-  const std::string defects = palpate::describeDefects(*this->Contact);
+  const std::string defects = palpate::describeDefects(this->Contact->surface.defects());
   if (!defects.empty())
   {
     vtkWarningMacro(<< "The mesh of the body is not sound: " << defects << ".");

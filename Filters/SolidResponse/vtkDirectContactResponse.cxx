@@ -4,6 +4,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/ArrayFetch.h"
 #include "SolidResponse/Bodies/CoarserBody.h"
 #include "SolidResponse/Bodies/DirectPresses.h"
@@ -116,29 +117,36 @@ void vtkDirectContactResponse::SetShapeData(vtkPolyData* shape)
 int vtkDirectContactResponse::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfPresses = 0;
   this->NumberOfReplaced = 0;
-  if (!surface || surface->GetNumberOfPoints() == 0)
+  if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
   }
+  const palpate::SoundBody sound(input);
+  vtkPolyData* surface = sound.body();
   const palpate::FilterThreads threads;
   vtkUnstructuredGrid* body = vtkUnstructuredGrid::GetData(inputVector[1]);
   vtkUnstructuredGrid* coarser = vtkUnstructuredGrid::GetData(inputVector[2]);
   vtkPolyData* shape = vtkPolyData::GetData(inputVector[3]);
   std::string fault = this->CheckProperties();
+  fault = fault.empty() && !surface ? "Wrong input: " + sound.fault() : fault;
   fault = fault.empty() ? this->CheckResponse(surface, body, coarser) : fault;
   if (fault.empty())
   {
     palpate::copyWithOwnFields(surface, output);
-    const std::vector<vtkIdType> points = this->FindPoints(surface);
+    std::vector<vtkIdType> points = this->FindPoints(surface);
+    points.erase(std::remove_if(points.begin(), points.end(),
+                   [&sound](vtkIdType point) { return sound.firstAt(point) != point; }),
+      points.end());
     Bodies bodies;
     bool isEnded = false;
     fault = points.empty() ? std::string()
                            : this->Prepare(shape ? shape : surface, body, coarser, bodies, isEnded);
     fault = fault.empty() && !isEnded ? this->Press(points, bodies, output) : fault;
+    sound.giveBack(output);
   }
   if (!fault.empty() || palpate::isAborted(this))
   {
@@ -183,7 +191,6 @@ std::string vtkDirectContactResponse::CheckResponse(
     return palpate::joined("Wrong input: ", isEmpty(body) ? "Body" : "Coarser", " has no cells");
   }
   std::string fault = palpate::checkCoarser(body, coarser);
-  fault = fault.empty() ? palpate::checkTriangles(surface) : fault;
   palpate::ResponseArrays arrays;
   if (fault.empty() && !palpate::viewResponse(surface, this->ResponseName, arrays, fault))
   {

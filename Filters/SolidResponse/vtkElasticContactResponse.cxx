@@ -13,6 +13,7 @@
 #include "Response/BodyLaws.h"
 #include "Response/Curves/TiltRequest.h"
 #include "Response/Curves/AutomaticTerms.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/FilterThreads.h"
 #include "Response/ReplacedCurves.h"
 #include "vtkContactTool.h"
@@ -29,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace
 {
@@ -111,16 +113,26 @@ int vtkElasticContactResponse::RequestData(
   bool isEnded = false;
   vtkPolyData* finer = vtkPolyData::GetData(inputVector[1]);
   vtkUnstructuredGrid* coarser = vtkUnstructuredGrid::GetData(inputVector[2]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
   std::string fault = this->CheckProperties();
-  fault = fault.empty() && finer ? this->CheckSurface(finer) : fault;
+  std::unique_ptr<palpate::SoundBody> sound;
+  if (fault.empty() && finer)
+  {
+    sound = std::make_unique<palpate::SoundBody>(finer);
+    fault = this->CheckSurface(*sound);
+  }
   fault = fault.empty() && coarser ? palpate::checkCoarser(grid, coarser) : fault;
   fault = fault.empty() ? this->Solve(grid, coarser, isEnded) : fault;
-  fault = fault.empty() && !isEnded ? this->Respond(grid, finer, vtkPolyData::GetData(outputVector))
+  fault = fault.empty() && !isEnded ? this->Respond(grid, sound ? sound->body() : nullptr, output)
                                     : fault;
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
     return 0;
+  }
+  if (sound)
+  {
+    sound->giveBack(output);
   }
   return 1;
 }
@@ -149,14 +161,13 @@ std::string vtkElasticContactResponse::CheckProperties()
   return fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
 }
 
-std::string vtkElasticContactResponse::CheckSurface(vtkPolyData* finer) const
+std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& finer) const
 {
   if (this->AutomaticTerms)
   {
     return "AutomaticTerms compares at the points of the solid: not with a Surface";
   }
-  const std::string fault = palpate::checkTriangles(finer);
-  return fault.empty() ? fault : "Wrong input: Surface: " + fault;
+  return finer.fault().empty() ? "" : "Wrong input: Surface: " + finer.fault();
 }
 
 /// The settings of a solution, with the arrays of this grid.

@@ -65,6 +65,7 @@ namespace palpate
 {
 class CoarserBody;
 class SolvedBody;
+class SoundBody;
 struct SolveRequest;
 struct ResponseStorage;
 } // namespace palpate
@@ -296,7 +297,7 @@ private:
   std::string Solve(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended);
   void WarnOfSurface(vtkFloatArray* error);
   std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
-  std::string CheckSurface(vtkPolyData* finer) const;
+  std::string CheckSurface(const palpate::SoundBody& finer) const;
   std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;

@@ -6,6 +6,7 @@
 #include "Haptics/Safety/SafetySettings.h"
 #include "Interaction/Session/HapticSessionState.h"
 #include "Response/BodyConversion.h"
+#include "Response/Bodies/SoundBody.h"
 
 #include "vtkPolyData.h"
 
@@ -150,7 +151,7 @@ std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
     vtkErrorMacro(<< "Wrong body: " << error << ".");
     return nullptr;
   }
-  const std::string defects = palpate::describeDefects(*kernel);
+  const std::string defects = palpate::describeDefects(kernel->surface.defects());
   const bool isKnown = this->Unsound == this->Body && this->UnsoundTime == this->Body->GetMTime();
   if (!defects.empty() && !isKnown)
   {

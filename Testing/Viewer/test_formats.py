@@ -46,7 +46,7 @@ class Formats(SessionCase):
         turned.SetInputData(bodies.sphere())
         turned.Update()
         result = self.press(turned.GetOutput(), "inside out.stl")
-        self.assertIn("inside out", result.stderr)
+        self.assertIn("wound inward", result.stderr)
         self.assertGreater(peak_force(result), 0.1)
 
 

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/BodyBlocks.h"
 
+#include "vtkCell.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace palpate
 {
@@ -44,7 +52,54 @@ std::string advice(vtkDataObject* data)
     "apply a filter first that makes a surface of it, such as Extract Surface "
     "(vtkDataSetSurfaceFilter)";
 }
+
+bool isVolume(vtkDataSet* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid)
+  {
+    return data->GetNumberOfCells() > 0 && data->GetCell(0)->GetCellDimension() == 3;
+  }
+  vtkUnsignedCharArray* types = grid->GetDistinctCellTypesArray();
+  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+  {
+    vtkNew<vtkGenericCell> cell;
+    cell->SetCellType(types->GetValue(i));
+    if (cell->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool isVolumeBlock(const BodyBlock& block)
+{
+  return std::any_of(block.pieces.begin(), block.pieces.end(), isVolume);
+}
 } // namespace
+
+std::size_t countVolumes(const std::vector<BodyBlock>& blocks)
+{
+  return static_cast<std::size_t>(std::count_if(blocks.begin(), blocks.end(), isVolumeBlock));
+}
+
+void joinVolumes(std::vector<BodyBlock>& blocks)
+{
+  BodyBlock all{ "of volumes", {} };
+  for (const BodyBlock& block : blocks)
+  {
+    if (isVolumeBlock(block))
+    {
+      all.pieces.insert(all.pieces.end(), block.pieces.begin(), block.pieces.end());
+    }
+  }
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isVolumeBlock), blocks.end());
+  if (!all.pieces.empty())
+  {
+    blocks.insert(blocks.begin(), std::move(all));
+  }
+}
 
 BodyBlocks::BodyBlocks(vtkDataObject* input)
 {

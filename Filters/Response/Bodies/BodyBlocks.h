@@ -6,6 +6,7 @@
 #ifndef BodyBlocks_h
 #define BodyBlocks_h
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct BodyBlock
   std::string name; // as the composite names it, or its number
   std::vector<vtkDataSet*> pieces;
 };
+
+/// How many blocks have three-dimensional cells.
+std::size_t countVolumes(const std::vector<BodyBlock>& blocks);
+
+/// Makes one block of those with three-dimensional cells, so that faces between them are inner
+/// ones. It has the same name on all ranks.
+void joinVolumes(std::vector<BodyBlock>& blocks);
 
 class BodyBlocks
 {

@@ -2,7 +2,8 @@
 #include "Response/Bodies/SurfaceTriangles.h"
 
 #include "Response/BodyConversion.h"
-#include "Response/Bodies/SurfaceFlaps.h"
+#include "Response/Bodies/OuterFaces.h"
+#include "Response/Bodies/PolygonCut.h"
 #include "Mechanics/JoinedText.h"
 
 #include "vtkAppendFilter.h"
@@ -10,19 +11,12 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDataSetSurfaceFilter.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStaticCleanPolyData.h"
-#include "vtkStructuredGrid.h"
-#include "vtkTriangleFilter.h"
-#include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace palpate
@@ -59,36 +53,6 @@ std::string cellFault(vtkDataSet* data)
   return "";
 }
 
-/** How many coordinates are not finite, and where; "" if none. */
-std::string coordinateFault(vtkDataSet* data)
-{
-  if (vtkImageData::SafeDownCast(data))
-  {
-    return ""; // an image has no coordinates but origin and spacing
-  }
-  vtkIdType count = 0;
-  vtkIdType first = -1;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    data->GetPoint(i, p);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    {
-      first = count++ == 0 ? i : first;
-    }
-  }
-  return count == 0
-    ? ""
-    : joined(count, " of ", data->GetNumberOfPoints(),
-        " points have a coordinate that is not a finite number, the first is point ", first);
-}
-
-bool isStructured(vtkDataSet* data)
-{
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkStructuredGrid::SafeDownCast(data);
-}
-
 /** Merges exactly coincident points. */
 vtkSmartPointer<vtkPolyData> mergedPoints(vtkPolyData* surface)
 {
@@ -98,56 +62,6 @@ vtkSmartPointer<vtkPolyData> mergedPoints(vtkPolyData* surface)
   clean->SetAbsoluteTolerance(0.0);
   clean->Update();
   return clean->GetOutput();
-}
-
-/** The outer surface of a volume; the faces of a shell. */
-vtkSmartPointer<vtkPolyData> outerSurface(vtkDataSet* data, const int* wholeExtent)
-{
-  vtkNew<vtkTrivialProducer> source;
-  source->SetOutput(data);
-  if (wholeExtent)
-  {
-    source->SetWholeExtent(wholeExtent[0], wholeExtent[1], wholeExtent[2], wholeExtent[3],
-      wholeExtent[4], wholeExtent[5]);
-  }
-  vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputConnection(source->GetOutputPort());
-  surface->DelegationOff(); // the delegate's order of points depends on the number of threads
-  surface->Update();
-  // The six sides of a structured grid have their own points along the edges where they meet.
-  if (isStructured(data))
-  {
-    return mergedPoints(surface->GetOutput());
-  }
-  return surface->GetOutput();
-}
-
-/** Cuts a surface into triangles; one of triangles alone is returned itself. */
-vtkSmartPointer<vtkPolyData> cut(vtkPolyData* surface, std::vector<std::string>& notes)
-{
-  const vtkIdType strips = surface->GetNumberOfStrips();
-  const vtkIdType others = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  const bool polygons =
-    surface->GetNumberOfPolys() > 0 && surface->GetPolys()->IsHomogeneous() != 3;
-  if (!polygons && strips + others == 0)
-  {
-    return surface;
-  }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  if (polygons || strips > 0)
-  {
-    notes.push_back(joined(surface->GetNumberOfPolys(), " polygons and ", strips,
-      " strips cut into ", triangles->GetOutput()->GetNumberOfPolys(), " triangles"));
-  }
-  if (others > 0)
-  {
-    notes.push_back(joined(others, " vertices and lines left out"));
-  }
-  return triangles->GetOutput();
 }
 
 /** Appends surfaces, without ghost cells. */
@@ -215,10 +129,6 @@ SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const in
   for (vtkDataSet* piece : pieces)
   {
     result.fault = cellFault(piece);
-    if (result.fault.empty())
-    {
-      result.fault = coordinateFault(piece);
-    }
     if (!result.fault.empty())
     {
       return result;
@@ -246,32 +156,38 @@ SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const in
     volume = appendVolumes(pieces);
     wholeExtent = nullptr;
   }
-  result.surface = outerSurface(volume, wholeExtent);
-  result.notes.push_back(joined("surface extracted from ", volume->GetNumberOfCells(), " cells"));
+  result.surface = outerFaces(volume, wholeExtent, result.notes, result.fault);
   return result;
 }
 
 //------------------------------------------------------------------------------
-void cutSurface(SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces)
+void cutSurface(
+  SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces, SoundBody::Extent extent)
 {
-  made.surface = cut(made.surface, made.notes);
-  if (made.surface->GetNumberOfPolys() == 0)
+  made.surface = cutPolygons(made.surface, made.notes, made.fault);
+  if (!made.surface)
   {
-    made.surface = nullptr;
-    made.fault = withoutTriangles(pieces);
-    made.isEmpty = true;
     return;
   }
-  if (!made.isOfVolume)
+  if (made.surface->GetNumberOfPolys() > 0)
   {
-    const vtkIdType all = made.surface->GetNumberOfPolys();
-    made.surface = withoutFlaps(made.surface);
-    const vtkIdType leftOut = all - made.surface->GetNumberOfPolys();
-    if (leftOut > 0)
+    MeshDefects found;
+    made.fault = orientSurface(made.surface, extent, found);
+    found.degenerate = found.nonManifoldEdges = 0; // as they were
+    const std::string changes = describeDefects(found);
+    if (!changes.empty())
     {
-      made.notes.push_back(
-        joined(leftOut, " triangles that occur twice, or with their reverse, left out"));
+      made.notes.push_back(changes);
     }
+  }
+  if (made.fault.empty() && made.surface->GetNumberOfPolys() == 0)
+  {
+    made.fault = withoutTriangles(pieces);
+    made.isEmpty = true;
+  }
+  if (!made.fault.empty())
+  {
+    made.surface = nullptr;
   }
 }
 
@@ -298,12 +214,5 @@ std::string arraysNotShared(const std::vector<vtkDataSet*>& pieces)
     }
   }
   return list;
-}
-
-//------------------------------------------------------------------------------
-bool isInsideOut(vtkPolyData* surface)
-{
-  const BodyMesh mesh = makeBodyMesh(surface);
-  return mesh.isClosed() && mesh.enclosedVolume() < 0.0;
 }
 } // namespace palpate

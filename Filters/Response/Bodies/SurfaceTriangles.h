@@ -2,12 +2,14 @@
 /** @file
  * One data set, whole or in partitions, as triangles.
  *
- * A surface of triangles alone comes out unchanged, but for flaps. Polygons and strips are cut,
- * vertices and lines left out; of a volume the outer surface is taken. Partitions are joined where
+ * A surface of triangles alone comes out unchanged if it is sound. Polygons and strips are cut,
+ * vertices and lines left out. Of a volume the outer faces are taken. Partitions are joined where
  * their points coincide exactly, and ghost cells are left out.
  */
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
+
+#include "Response/Bodies/SoundBody.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -33,16 +35,13 @@ struct SurfaceTriangles
 /// points.
 SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const int* wholeExtent);
 
-/// Cuts it into triangles, and leaves out those of a surface that enclose nothing (withoutFlaps); a
-/// fault if there are none.
-void cutSurface(SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces);
+/// Cuts it into triangles, and orients them (SoundMesh); a fault if there are none, or no body.
+void cutSurface(
+  SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces, SoundBody::Extent extent);
 
 /// Names of point arrays that some of the data sets have and others lack, comma-separated: those
 /// lost by appending.
 std::string arraysNotShared(const std::vector<vtkDataSet*>& pieces);
-
-/// Whether a closed surface is wound so that it encloses a negative volume.
-bool isInsideOut(vtkPolyData* surface);
 } // namespace palpate
 
 #endif

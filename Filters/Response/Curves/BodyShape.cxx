@@ -208,7 +208,7 @@ std::shared_ptr<const BodyShape> findShape(
 BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks)
 {
   std::array<double, 6> bounds{};
-  body->GetBounds(bounds.data());
+  body->GetCellsBounds(bounds.data());
   const bool hasBounds = vtkMath::AreBoundsInitialized(bounds.data()) != 0;
   constexpr double none = std::numeric_limits<double>::infinity();
   std::array<double, 3> length{};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Curves/PointNormals.h"
 
+#include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/Pieces/SeamNormals.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkDataArrayRange.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -14,8 +14,11 @@
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <cstdint>
 #include <vector>
 
 namespace palpate
@@ -25,6 +28,8 @@ namespace
 /// A vector that differs from unit length by float rounding alone is kept to the bit, so that
 /// normals read from a file are those that were written.
 constexpr double UnitTolerance = 3e-7;
+
+constexpr double NormalTolerance = 0.035; // rad, 2 degrees
 
 /// Writes the unit vector along (x, y, z), or zero if there is none; returns the status.
 ResponseStatus storeUnit(double x, double y, double z, float* normal)
@@ -45,56 +50,61 @@ ResponseStatus storeUnit(double x, double y, double z, float* normal)
   return length == 0.0 ? ResponseStatus::Degenerate : ResponseStatus::NotFinite;
 }
 
-struct Normalise
+double angleBetween(const Vector3& one, const Vector3& other)
 {
-  template <class Array>
-  void operator()(Array* given, float* normals, unsigned char* status) const
-  {
-    const auto source = vtk::DataArrayTupleRange<3>(given);
-    vtkSMPTools::For(0, given->GetNumberOfTuples(),
-      [&source, normals, status](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          const auto n = source[i];
-          status[i] = static_cast<unsigned char>(storeUnit(static_cast<double>(n[0]),
-            static_cast<double>(n[1]), static_cast<double>(n[2]), normals + 3 * i));
-        }
-      });
-  }
-};
+  return std::atan2(one.cross(other).norm(), one.dot(other));
+}
 
-struct MarkNotFinite
+/// Whether the stored normals are those of the triangles: each within 2 degrees, and the largest
+/// angle to a neighbour's normal, of the computed one. That they are more exact than these can be.
+bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* computed)
 {
-  template <class Array>
-  void operator()(Array* given, float* normals, unsigned char* status) const
+  const auto at = [computed](std::int32_t i)
+  { return Vector3(Eigen::Map<const Eigen::Vector3f>(computed + 3 * i).cast<double>()); };
+  const auto count = static_cast<std::int32_t>(body->GetNumberOfPoints());
+  std::vector<float> allowed(static_cast<std::size_t>(count), 0.0F);
+  const std::vector<std::int32_t> corners = copyTriangles(body);
+  for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    const auto points = vtk::DataArrayTupleRange<3>(given);
-    vtkSMPTools::For(0, given->GetNumberOfTuples(),
-      [&points, normals, status](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          const auto p = points[i];
-          if (!std::isfinite(
-                static_cast<double>(p[0]) + static_cast<double>(p[1]) + static_cast<double>(p[2])))
-          {
-            status[i] = static_cast<unsigned char>(ResponseStatus::NotFinite);
-            normals[3 * i] = normals[3 * i + 1] = normals[3 * i + 2] = 0.0F;
-          }
-        }
-      });
+    const std::int32_t from = corners[i];
+    const std::int32_t to = corners[i % 3 == 2 ? i - 2 : i + 1];
+    const auto turn = static_cast<float>(angleBetween(at(from), at(to)));
+    for (const std::int32_t end : { from, to })
+    {
+      float& most = allowed[static_cast<std::size_t>(end)];
+      most = std::max(most, turn);
+    }
   }
-};
+  for (std::int32_t i = 0; i < count; ++i)
+  {
+    Vector3 given;
+    stored->GetTuple(i, given.data());
+    const double most = NormalTolerance + static_cast<double>(allowed[static_cast<std::size_t>(i)]);
+    if (!at(i).isZero(0.0) && !(given.norm() > 0.0 && angleBetween(at(i), given) <= most))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
-template <class Worker>
-void forReals(vtkDataArray* array, const Worker& worker, float* normals, unsigned char* status)
+/// Points that are not finite have no normal.
+void markNotFinite(vtkPoints* points, float* normals, unsigned char* status)
 {
-  using Dispatcher = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-  if (!Dispatcher::Execute(array, worker, normals, status))
-  {
-    worker(array, normals, status);
-  }
+  vtkSMPTools::For(0, points->GetNumberOfPoints(),
+    [=](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double p[3];
+        points->GetPoint(i, p);
+        if (!std::isfinite(p[0] + p[1] + p[2]))
+        {
+          status[i] = static_cast<unsigned char>(ResponseStatus::NotFinite);
+          normals[3 * i] = normals[3 * i + 1] = normals[3 * i + 2] = 0.0F;
+        }
+      }
+    });
 }
 
 unsigned char storeNormal(const Vector3& normal, float* at)
@@ -102,27 +112,29 @@ unsigned char storeNormal(const Vector3& normal, float* at)
   return static_cast<unsigned char>(storeUnit(normal.x(), normal.y(), normal.z(), at));
 }
 
-/// Angle-weighted normals; an error for a closed surface inside out.
+void computeNormals(vtkPolyData* body, float* normals, unsigned char* status)
+{
+  const std::vector<std::int32_t> triangles = copyTriangles(body);
+  const std::vector<double> points = copyPoints(body);
+  const std::vector<double> found =
+    angleWeightedNormals(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3);
+  for (std::size_t i = 0; i < found.size(); i += 3)
+  {
+    status[i / 3] = storeNormal(Eigen::Map<const Vector3>(found.data() + i), normals + i);
+  }
+}
+
+/// The same over a seam; an error for a closed surface inside out.
 std::string computeNormals(
   vtkPolyData* body, const BodySeam& seam, float* normals, unsigned char* status)
 {
   const BodyMesh mesh = makeBodyMesh(body);
-  SeamClosure closure;
-  if (!seam.ranks().areAlone())
-  {
-    closure = closureOf(mesh, seam);
-  }
-  else if (mesh.isClosed())
-  {
-    closure = { true, mesh.enclosedVolume() };
-  }
+  const SeamClosure closure = closureOf(mesh, seam);
   if (closure.isClosed && closure.enclosedVolume < 0.0)
   {
-    std::ostringstream text;
-    text << "the closed surface is inside out (it encloses " << closure.enclosedVolume
-         << " mm^3): its triangles must wind counter-clockwise seen from outside; "
-            "vtkReverseSense turns them";
-    return text.str();
+    return joined("the closed surface is inside out (it encloses ", closure.enclosedVolume,
+      " mm^3): its triangles must wind counter-clockwise seen from outside; vtkReverseSense turns "
+      "them");
   }
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
@@ -143,33 +155,36 @@ std::string fillPointNormals(
 {
   float* normal = normals->GetPointer(0);
   unsigned char* state = status->GetPointer(0);
-  vtkDataArray* given = body->GetPointData()->GetNormals();
-  const Ranks& ranks = seam.ranks();
-  const bool isEmpty = body->GetNumberOfPoints() == 0;
-  if (ranks.any(given && !isEmpty))
+  std::string wrongSide;
+  if (seam.ranks().areAlone())
   {
-    const std::string without = ranks.firstFault(
-      given || isEmpty ? "" : "a piece of the body has no point normals, others have");
-    if (!without.empty())
-    {
-      return without;
-    }
-    if (!isEmpty)
-    {
-      forReals(given, Normalise{}, normal, state);
-    }
+    computeNormals(body, normal, state); // a SoundBody has no other side
   }
   else
   {
-    const std::string wrongSide = computeNormals(body, seam, normal, state);
-    if (!wrongSide.empty())
+    wrongSide = computeNormals(body, seam, normal, state);
+  }
+  if (!wrongSide.empty())
+  {
+    return wrongSide;
+  }
+  vtkDataArray* stored = body->GetPointData()->GetNormals();
+  const bool isEmpty = body->GetNumberOfPoints() == 0;
+  if (!seam.ranks().any(!isEmpty && !(stored && areOfTriangles(body, stored, normal))))
+  {
+    for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
     {
-      return wrongSide;
+      double given[3];
+      stored->GetTuple(i, given);
+      if (state[i] == static_cast<unsigned char>(ResponseStatus::Valid))
+      {
+        storeUnit(given[0], given[1], given[2], normal + 3 * i);
+      }
     }
   }
   if (!isEmpty)
   {
-    forReals(body->GetPoints()->GetData(), MarkNotFinite{}, normal, state);
+    markNotFinite(body->GetPoints(), normal, state);
   }
   return {};
 }

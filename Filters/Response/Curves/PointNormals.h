@@ -17,10 +17,11 @@ class BodySeam;
 /**
  * Unit outward normals of the points of a body, and which points cannot have a response.
  *
- * The active point normals, normalised, if the body has them; otherwise angle-weighted ones. Sets
- * status NotFinite where the coordinates or the normal are not finite, Degenerate where the normal
- * is zero, and Valid elsewhere; the normal is (0,0,0) where the status is not Valid. Returns an
- * error, or "": a closed surface without normals that winds inward.
+ * They are angle-weighted. The active point normals are used instead, since they can be more exact,
+ * if each of them is within 2 degrees, and the turn to the next points, of the angle-weighted one.
+ * Sets status NotFinite where the coordinates are not finite, Degenerate where no triangle with an
+ * area meets, and Valid elsewhere; the normal is (0,0,0) where the status is not Valid. Returns an
+ * error, or "": a closed surface in pieces that winds inward.
  *
  * `body` may be a piece: at the seam the triangles of all pieces count. Collective then, and the
  * same error comes back on all ranks.

@@ -2,6 +2,7 @@
 #include "SolidResponse/Bodies/ClosedSurface.h"
 
 #include "Mechanics/JoinedText.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 
 #include "vtkCleanPolyData.h"
@@ -34,12 +35,12 @@ vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
 
 std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed)
 {
-  const std::string fault = checkTriangles(body);
-  if (!fault.empty())
+  const SoundBody sound(body);
+  if (!sound.fault().empty())
   {
-    return "Wrong input: " + fault;
+    return "Wrong input: " + sound.fault();
   }
-  closed.surface = mergePoints(body);
+  closed.surface = mergePoints(sound.body());
   const BodyMesh mesh = makeBodyMesh(closed.surface);
   closed.volume = mesh.enclosedVolume();
   closed.isOpen = !mesh.isClosed();

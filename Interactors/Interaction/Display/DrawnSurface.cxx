@@ -2,6 +2,7 @@
 #include "Interaction/Display/DrawnSurface.h"
 
 #include "Contact/BodyMesh.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 
 #include "vtkCellArray.h"
@@ -99,9 +100,11 @@ Vector3 turnAt(const BodyMesh& mesh, vtkDataArray* mode, std::int32_t point)
 void DrawnSurface::give(
   vtkPolyData* body, const std::vector<vtkDataArray*>& modes, vtkPolyDataMapper* mapper)
 {
+  const SoundBody sound(body);
   vtkNew<vtkPolyData> drawn;
-  drawn->CopyStructure(body);
-  const BodyMesh mesh = makeBodyMesh(body);
+  vtkPolyData* surface = sound.fault().empty() ? sound.body() : body;
+  drawn->CopyStructure(surface);
+  const BodyMesh mesh = makeBodyMesh(surface);
   drawn->GetPointData()->SetNormals(normalsOf(mesh));
   vtkNew<vtkFloatArray> none; // needed for the mapper to make a texture of the colours
   none->SetName(Displacement);

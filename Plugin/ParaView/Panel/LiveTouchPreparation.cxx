@@ -2,6 +2,7 @@
 #include "LiveTouchPreparation.h"
 
 #include "Response/BodyConversion.h"
+#include "Response/Bodies/SoundBody.h"
 #include "Haptics/Devices/DeviceFit.h"
 #include "Haptics/Devices/DeviceTransports.h"
 
@@ -37,7 +38,7 @@ void makeKernel(PreparedLiveTouch& made)
     made.error = "Wrong body: " + made.error;
     return;
   }
-  made.warning = describeDefects(*kernel);
+  made.warning = describeDefects(kernel->surface.defects());
   // makeContactBody has checked that the array exists and has this type.
   auto* range = vtkFloatArray::SafeDownCast(body->GetPointData()->GetArray(
     palpate::arrayName(name, palpate::ResponseArray::Range).c_str()));

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace palpate::testing;
 using palpate::ForceForm;
 using palpate::ToolContact;
@@ -109,4 +111,37 @@ TEST(ForceForm, DirectionsDifferWhenResponsesDo)
   // (1+1+10)/3 times the single force.
   ResponseStore single(1);
   EXPECT_NEAR(whole.normalForce, 4.0 * single.curveOf(0).evaluate(0.5).force, 1e-5);
+}
+
+/// On a fin whose vertex normals point away from its faces, and under normals that point inward, no
+/// form presses the tool into the body.
+TEST(ForceForm, NoneIsDirectedIntoTheBody)
+{
+  const Surface ball = icosphere(20.0, 1);
+  std::mt19937 random(4);
+  std::normal_distribution<double> any;
+  for (const bool inward : { true, false })
+  {
+    ResponseStore store(ball.points.size());
+    store.normalsFromPoints(ball);
+    for (std::size_t i = 0; i < ball.points.size(); ++i)
+    {
+      const Vector3 normal = inward ? Vector3(-ball.points[i].normalized())
+                                    : Vector3(any(random), any(random), any(random)).normalized();
+      Eigen::Map<Eigen::Vector3f>(store.normal.data() + 3 * i) = normal.cast<float>();
+    }
+    const auto body = contactBody(ball, store);
+    for (const ForceForm form :
+      { ForceForm::Paper, ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
+    {
+      for (std::int32_t t = 0; t < 80; ++t)
+      {
+        const Facet facet = facetOf(ball, t);
+        const auto felt = ToolContact(*body, { form }).update(facet.centroid - 0.5 * facet.normal);
+        // Normals are float32.
+        EXPECT_GE(felt.force.dot(facet.normal), -1e-6 * felt.force.norm());
+        EXPECT_GT(felt.force.norm(), 0.0);
+      }
+    }
+  }
 }

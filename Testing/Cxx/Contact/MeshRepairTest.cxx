@@ -219,12 +219,17 @@ TEST(MeshRepair, EndsOfEmptyEdgesAreJoined)
   // ties 3, nor 6, which is elsewhere.
   const std::vector<float> at{ 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0 };
   const std::vector<TriangleCorners> empty{ { 4, 2, 3 }, { 2, 0, 6 }, { 5, 1, 6 } };
-  std::vector<std::int32_t> first{ 0, 1, 2, 3, 4, 5, 6 };
-  joinEmptyEdges(at.data(), empty.data(), empty.data() + empty.size(), first);
-  EXPECT_EQ(first, (std::vector<std::int32_t>{ 0, 1, 0, 3, 0, 1, 6 }));
+  const auto joinAll = [&](std::vector<std::int32_t> first)
+  {
+    for (const TriangleCorners& corners : empty)
+    {
+      joinEmptyEdges(at.data(), corners, first);
+    }
+    followJoints(first);
+    return first;
+  };
+  EXPECT_EQ(joinAll({ 0, 1, 2, 3, 4, 5, 6 }), (std::vector<std::int32_t>{ 0, 1, 0, 3, 0, 1, 6 }));
   // On top of what was joined before.
-  first = { 0, 1, 2, 1, 4, 5, 6 };
-  joinEmptyEdges(at.data(), empty.data(), empty.data() + empty.size(), first);
-  EXPECT_EQ(first, (std::vector<std::int32_t>{ 0, 1, 0, 1, 0, 1, 6 }));
+  EXPECT_EQ(joinAll({ 0, 1, 2, 1, 4, 5, 6 }), (std::vector<std::int32_t>{ 0, 1, 0, 1, 0, 1, 6 }));
 }
 } // namespace palpate::testing

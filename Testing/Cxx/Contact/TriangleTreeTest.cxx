@@ -104,7 +104,7 @@ TEST(TriangleTree, ATriangleForEveryFiniteTip)
 {
   // Squared distances of so far off that a float would not hold them, and differences of so near
   // that their squares vanish.
-  constexpr double far = PackedMesh::LargestCoordinate;
+  constexpr double far = palpate::SoundMesh::LargestCoordinate;
   for (const double size : { 1e-40, 1e-20, 1.0, 1e10, 0.9 * far })
   {
     Surface body = icosphere(size, 1);

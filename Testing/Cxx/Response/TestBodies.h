@@ -59,6 +59,44 @@ inline Body sphereBody(double radius, int level)
   return body;
 }
 
+/// The lower half of such a sphere, wound inward: a bowl that is touched from above. Its points are
+/// those of its triangles.
+inline Body hollowBody(double radius, int level)
+{
+  const Body ball = sphereBody(radius, level);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  std::map<vtkIdType, vtkIdType> ids;
+  for (vtkIdType cell = 0; cell < ball->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    ball->GetPolys()->GetCellAtId(cell, size, corners);
+    std::array<vtkIdType, 3> own{};
+    double height = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      height += ball->GetPoint(corners[k])[2];
+    }
+    for (std::size_t k = 0; k < 3 && height < 0.0; ++k)
+    {
+      const auto found = ids.find(corners[k]);
+      own[k] =
+        found != ids.end() ? found->second : points->InsertNextPoint(ball->GetPoint(corners[k]));
+      ids.emplace(corners[k], own[k]);
+    }
+    if (height < 0.0)
+    {
+      triangles->InsertNextCell({ own[0], own[2], own[1] });
+    }
+  }
+  auto body = Body::New();
+  body->SetPoints(points);
+  body->SetPolys(triangles);
+  return body;
+}
+
 /// Moves the points to multiples of 2^-16 mm, which the kernel's float coordinates hold exactly on
 /// bodies of less than 128 mm: for oracles that take the body as it is.
 inline void snapPoints(vtkPolyData* body)

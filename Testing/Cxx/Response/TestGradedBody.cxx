@@ -15,7 +15,6 @@
 #include "vtkMassProperties.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
@@ -522,10 +521,6 @@ void checkErrors()
   fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, 9, 1e-3); }, { "FineBalls", "MiB" });
   fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-3); }, { "SurfaceSpacing", "MiB" });
   fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-200); }, { "SurfaceSpacing", "many" });
-  vtkNew<vtkReverseSense> reverse;
-  reverse->SetInputData(solid);
-  reverse->Update();
-  fails(reverse->GetOutput(), nothing, { "inside out" });
   vtkNew<vtkSphereSource> open;
   open->SetEndTheta(200.0);
   open->Update();

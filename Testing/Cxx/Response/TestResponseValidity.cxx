@@ -4,7 +4,6 @@
 #include "TestBodies.h"
 
 #include "vtkDataObject.h"
-#include "vtkReverseSense.h"
 
 namespace
 {
@@ -71,49 +70,51 @@ void checkCurvature()
   }
 }
 
-/// Each point takes the larger curvature of the edges that meet there. Cone 80: depth ∝ radius.
+/// Each point takes the larger curvature of the edges that meet there. Cone 80: depth ∝ radius. Two
+/// cylinders of 2 and 1 mm that meet in a line with the same normal.
 void checkLargestEdge()
 {
+  constexpr int Lines = 5;
   Body body = Body::New();
   vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0.0, 0.0, 0.0);
-  points->InsertNextPoint(1.0, 0.0, 0.0);
-  points->InsertNextPoint(0.0, 1.0, 0.0);
-  vtkNew<vtkCellArray> triangle;
-  triangle->InsertNextCell({ 0, 1, 2 });
-  body->SetPoints(points);
-  body->SetPolys(triangle);
-  // Normals that lean outward by 0.3 along x at point 1 and by 0.5 along y at point 2.
-  const double lean[3][3] = { { 0.0, 0.0, 1.0 }, { 0.3, 0.0, std::sqrt(0.91) },
-    { 0.0, 0.5, std::sqrt(0.75) } };
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
-  for (const auto& n : lean)
+  for (int i = 0; i < Lines; ++i)
   {
-    normals->InsertNextTuple(n);
+    const double angle = 0.2 * (i - Lines / 2);
+    const double radius = angle < 0.0 ? 2.0 : 1.0;
+    for (const double y : { 0.0, 1.0 })
+    {
+      points->InsertNextPoint(radius * std::sin(angle), y, radius * (std::cos(angle) - 1.0));
+      normals->InsertNextTuple3(std::sin(angle), 0.0, std::cos(angle));
+    }
+    if (i > 0)
+    {
+      const vtkIdType at = 2 * static_cast<vtkIdType>(i);
+      triangles->InsertNextCell({ at - 2, at, at + 1 });
+      triangles->InsertNextCell({ at - 2, at + 1, at - 1 });
+    }
   }
+  body->SetPoints(points);
+  body->SetPolys(triangles);
   body->GetPointData()->SetNormals(normals);
-  // Edges 0-1, 1-2 and 2-0: 0.3, (0.3 + 0.5)/2 and 0.5 per mm.
-  const double curvature[3] = { 0.5, 0.4, 0.5 };
   const Body output = withResponse(body, "cone:80", 2.0);
   const double slope = 0.5 * vtkMath::Pi() / std::tan(vtkMath::RadiansFromDegrees(80.0));
-  for (vtkIdType i = 0; i < 3; ++i)
+  for (vtkIdType i = 0; i < 2 * Lines; ++i)
   {
-    const double depth = slope * 0.2 / curvature[i];
+    const double curvature = i < Lines - 1 ? 0.5 : 1.0; // the line between them: the larger one
+    const double depth = slope * 0.2 / curvature;
     vtkDataArray* depths = output->GetPointData()->GetArray("ResponseValidity");
-    PALPATE_CHECK_NEAR(depths->GetTuple1(i), depth, DepthRounding * depth);
+    PALPATE_CHECK_NEAR(depths->GetTuple1(i), depth, 2.0 * DepthRounding * depth); // and normals
   }
 }
 
-/// A hollow limits as a bump does: the same sphere from inside.
+/// A hollow limits as a bump does: half of the same sphere from inside.
 void checkHollow()
 {
-  Body body = sphereBody(10.0, 2);
-  vtkNew<vtkReverseSense> turn;
-  turn->SetInputData(body);
-  turn->Update();
-  Body hollow = Body::New();
-  hollow->ShallowCopy(turn->GetOutput());
+  Body hollow = hollowBody(10.0, 2);
   addRadialNormals(hollow, -1.0);
   expect(hollow, "sphere:6", 2.0, sphereDepth(2.0, 6.0), Curvature);
 }

@@ -10,7 +10,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
@@ -161,10 +160,6 @@ void checkErrors()
   fails(solid, [](auto* f) { f->SetSpacing(0.0); }, { "Spacing", "0" });
   fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "FixedFaces", "w+" });
   fails(solid, [](auto* f) { f->SetSpacing(1e-4); }, { "Spacing", "too many" });
-  vtkNew<vtkReverseSense> reverse;
-  reverse->SetInputData(solid);
-  reverse->Update();
-  fails(reverse->GetOutput(), nothing, { "inside out" });
   vtkNew<vtkSphereSource> open;
   open->SetEndTheta(200.0);
   open->Update();

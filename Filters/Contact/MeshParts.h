@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MeshParts_h
+#define palpate_MeshParts_h
+
+#include "Contact/TriangleLinks.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// What orientParts has done.
+struct OrientedParts
+{
+  std::size_t turned = 0;  ///< triangles reversed
+  std::size_t leftOut = 0; ///< triangles of small parts that enclose nothing; first corner -1 now
+  std::string fault;       ///< names the part that is no body; "" if there is none
+};
+
+/**
+ * Reverses the parts of a surface that wind inward. A part is connected across edges of two
+ * triangles; neighbours wind alike (makeWindingConsistent).
+ *
+ * - A part is a solid if it is closed, or if caps over its holes have at most a quarter of its
+ * area. Its enclosed volume tells inside from outside.
+ * - A solid that winds inward inside another one is a cavity, and stays as it is.
+ * - A solid that winds outward inside another one is a second body in the same place: a fault.
+ * - A solid without volume has its two sides at one place. It is left out if it has at most
+ *   a tenth of the whole area, and otherwise a fault.
+ * - Other open parts stay as they are.
+ *
+ * `coordinates`: 3 floats per point. O(n); solids inside the box of another one cost a ray each.
+ */
+OrientedParts orientParts(
+  const float* coordinates, std::vector<TriangleCorners>& triangles, const TriangleLinks& links);
+} // namespace palpate
+
+#endif

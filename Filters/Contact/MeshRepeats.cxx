@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contact/MeshRepeats.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+struct Entry
+{
+  TriangleCorners ascending;
+  std::int32_t triangle;
+  bool isEven; ///< an even permutation leads from the triangle to the ascending corners
+
+  bool operator<(const Entry& other) const
+  {
+    return std::tie(this->ascending, this->triangle) < std::tie(other.ascending, other.triangle);
+  }
+};
+
+Entry entryOf(const TriangleCorners& corners, std::size_t triangle)
+{
+  Entry made{ corners, static_cast<std::int32_t>(triangle), true };
+  for (const auto& [low, high] : { std::pair(0U, 1U), std::pair(1U, 2U), std::pair(0U, 1U) })
+  {
+    if (made.ascending[low] > made.ascending[high])
+    {
+      std::swap(made.ascending[low], made.ascending[high]);
+      made.isEven = !made.isEven;
+    }
+  }
+  return made;
+}
+
+/// Triangles at an edge of more than two, and pairs that share all three edges: copies are among
+/// them.
+std::vector<Entry> candidates(
+  const std::vector<TriangleCorners>& triangles, const TriangleLinks& links)
+{
+  std::vector<Entry> found;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const auto& three = links.neighbours(t);
+    const bool isPair = three[0] >= 0 && three[0] == three[1] && three[1] == three[2];
+    if (triangles[t][0] >= 0 &&
+      (isPair || std::find(three.begin(), three.end(), TriangleLinks::NonManifold) != three.end()))
+    {
+      found.push_back(entryOf(triangles[t], t));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+using Edge = std::pair<std::int32_t, std::int32_t>;
+Edge edgeOf(const TriangleCorners& corners, std::size_t e)
+{
+  return std::minmax(corners[e], corners[(e + 1) % 3]);
+}
+
+/// Patches of triangles that occur with their reverse too; one of each is in `doubtful`.
+class Patches
+{
+public:
+  Patches(std::vector<TriangleCorners>& triangles, const TriangleLinks& links,
+    const std::set<std::int32_t>& doubtful)
+    : Triangles(triangles)
+    , Links(links)
+    , Doubtful(doubtful)
+  {
+    for (const std::int32_t t : doubtful)
+    {
+      for (std::size_t e = 0; e < 3; ++e)
+      {
+        this->AtEdge[edgeOf(this->corners(t), e)].push_back(t);
+      }
+    }
+  }
+
+  /// Drops those that fill no hole; returns how many.
+  std::size_t dropFlaps()
+  {
+    std::size_t dropped = 0;
+    std::set<std::int32_t> seen;
+    for (const std::int32_t seed : this->Doubtful)
+    {
+      if (!seen.insert(seed).second)
+      {
+        continue;
+      }
+      std::vector<std::int32_t> patch{ seed };
+      int filled = 0; // edges at which the patch has one neighbour, minus the others
+      for (std::size_t i = 0; i < patch.size(); ++i)
+      {
+        const TriangleCorners corners = this->corners(patch[i]);
+        for (std::size_t e = 0; e < 3; ++e)
+        {
+          const std::vector<std::int32_t>& own = this->AtEdge[edgeOf(corners, e)];
+          if (own.size() == 1)
+          {
+            filled += this->othersAt(edgeOf(corners, e)) == 1 ? 1 : -1;
+          }
+          std::copy_if(own.begin(), own.end(), std::back_inserter(patch),
+            [&seen](std::int32_t t) { return seen.insert(t).second; });
+        }
+      }
+      for (const std::int32_t t : patch)
+      {
+        this->Triangles[static_cast<std::size_t>(t)][0] = filled > 0 ? this->corners(t)[0] : -1;
+      }
+      dropped += filled > 0 ? 0 : patch.size();
+    }
+    return dropped;
+  }
+
+private:
+  const TriangleCorners& corners(std::int32_t triangle) const
+  {
+    return this->Triangles[static_cast<std::size_t>(triangle)];
+  }
+  /// Triangles at an edge that occur once.
+  std::ptrdiff_t othersAt(const Edge& edge) const
+  {
+    const auto around = this->Links.around(edge.first);
+    return std::count_if(around[0], around[1],
+      [&](std::int32_t t)
+      {
+        const TriangleCorners& corners = this->corners(t);
+        return corners[0] >= 0 && this->Doubtful.count(t) == 0 &&
+          std::find(corners.begin(), corners.end(), edge.second) != corners.end();
+      });
+  }
+
+  std::vector<TriangleCorners>& Triangles;
+  const TriangleLinks& Links;
+  const std::set<std::int32_t>& Doubtful;
+  std::map<Edge, std::vector<std::int32_t>> AtEdge;
+};
+} // namespace
+
+void mergeRepeats(
+  std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats)
+{
+  const std::vector<Entry> all = candidates(triangles, links);
+  for (auto first = all.begin(); first != all.end();)
+  {
+    const auto last = std::find_if(first, all.end(),
+      [&first](const Entry& other) { return other.ascending != first->ascending; });
+    for (auto copy = first + 1; copy != last; ++copy)
+    {
+      triangles[static_cast<std::size_t>(copy->triangle)][0] = -1;
+      ++repeats.copies;
+      if (copy->isEven != first->isEven || repeats.doubtful.count(copy->triangle) > 0)
+      {
+        repeats.doubtful.insert(first->triangle);
+      }
+      repeats.doubtful.erase(copy->triangle);
+    }
+    first = last;
+  }
+}
+
+void dropFlaps(
+  std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats)
+{
+  if (!repeats.doubtful.empty())
+  {
+    repeats.flaps = Patches(triangles, links, repeats.doubtful).dropFlaps();
+  }
+}
+} // namespace palpate

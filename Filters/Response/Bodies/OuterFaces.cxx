@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Bodies/OuterFaces.h"
+
+#include "Mechanics/JoinedText.h"
+
+#include "vtkCell.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkExtractCells.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStaticCleanPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <Eigen/Geometry>
+
+namespace palpate
+{
+namespace
+{
+using Eigen::Vector3d;
+
+bool isStructured(vtkDataSet* data)
+{
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkStructuredGrid::SafeDownCast(data);
+}
+
+Vector3d placeOf(vtkPoints* points, vtkIdType id)
+{
+  Vector3d place;
+  points->GetPoint(id, place.data());
+  return place;
+}
+
+/// Six times the volume that the faces of a cell enclose, by fans over their corners: negative if
+/// the cell winds inward.
+double sixfoldVolume(vtkCell* cell)
+{
+  const Vector3d origin = placeOf(cell->GetPoints(), 0);
+  double sum = 0.0;
+  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  {
+    vtkCell* face = cell->GetFace(i);
+    const int corners = face->GetNumberOfEdges(); // middles of edges come after them
+    const Vector3d first = placeOf(face->GetPoints(), 0) - origin;
+    for (int k = 1; k + 1 < corners; ++k)
+    {
+      sum += first.dot(
+        (placeOf(face->GetPoints(), k) - origin).cross(placeOf(face->GetPoints(), k + 1) - origin));
+    }
+  }
+  return sum;
+}
+
+/// Cells of three dimensions, and which of them wind which way.
+struct SolidCells
+{
+  vtkNew<vtkIdList> all;
+  vtkIdType positive = 0;
+  vtkIdType firstPositive = -1;
+  vtkIdType negative = 0;
+  vtkIdType firstNegative = -1;
+
+  explicit SolidCells(vtkUnstructuredGrid* grid)
+  {
+    vtkNew<vtkGenericCell> cell;
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      grid->GetCell(i, cell);
+      if (cell->GetCellDimension() != 3)
+      {
+        continue;
+      }
+      this->all->InsertNextId(i);
+      const double volume = sixfoldVolume(cell);
+      vtkIdType& count = volume > 0.0 ? this->positive : this->negative;
+      vtkIdType& first = volume > 0.0 ? this->firstPositive : this->firstNegative;
+      count += volume != 0.0;
+      first = first < 0 && volume != 0.0 ? i : first;
+    }
+  }
+
+  std::string fault() const
+  {
+    if (this->positive == 0 || this->negative == 0)
+    {
+      return "";
+    }
+    const bool fewAreNegative = this->negative <= this->positive;
+    return joined(fewAreNegative ? this->negative : this->positive, " of ",
+      this->positive + this->negative, " cells are inverted, the first is cell ",
+      fewAreNegative ? this->firstNegative : this->firstPositive);
+  }
+};
+} // namespace
+
+vtkSmartPointer<vtkPolyData> outerFaces(
+  vtkDataSet* data, const int* wholeExtent, std::vector<std::string>& notes, std::string& fault)
+{
+  vtkSmartPointer<vtkDataSet> volume = data;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    const SolidCells solid(grid);
+    fault = solid.fault();
+    if (!fault.empty())
+    {
+      return nullptr;
+    }
+    const vtkIdType others = grid->GetNumberOfCells() - solid.all->GetNumberOfIds();
+    if (solid.all->GetNumberOfIds() > 0 && others > 0)
+    {
+      vtkNew<vtkExtractCells> extract;
+      extract->SetInputData(grid);
+      extract->SetCellList(solid.all);
+      extract->Update();
+      volume = extract->GetOutput();
+      notes.push_back(joined(others, " cells of fewer than three dimensions left out"));
+    }
+  }
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(volume);
+  if (wholeExtent)
+  {
+    source->SetWholeExtent(wholeExtent[0], wholeExtent[1], wholeExtent[2], wholeExtent[3],
+      wholeExtent[4], wholeExtent[5]);
+  }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputConnection(source->GetOutputPort());
+  surface->DelegationOff(); // the delegate's order of points depends on the number of threads
+  surface->Update();
+  notes.push_back(joined("surface extracted from ", volume->GetNumberOfCells(), " cells"));
+  if (!isStructured(data))
+  {
+    return surface->GetOutput();
+  }
+  // The six sides of a structured grid have their own points along the edges where they meet.
+  vtkNew<vtkStaticCleanPolyData> clean;
+  clean->SetInputData(surface->GetOutput());
+  clean->ToleranceIsAbsoluteOn();
+  clean->SetAbsoluteTolerance(0.0);
+  clean->Update();
+  return clean->GetOutput();
+}
+} // namespace palpate

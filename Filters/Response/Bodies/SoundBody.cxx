@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Bodies/SoundBody.h"
+
+#include "Response/BodyConversion.h"
+#include "Response/FilterThreads.h"
+#include "Response/Pieces/Ranks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+SoundMesh soundMesh(vtkPolyData* surface, SoundBody::Extent extent)
+{
+  const std::vector<std::int32_t> triangles = copyTriangles(surface);
+  const std::vector<double> points = copyPoints(surface);
+  const FilterThreads threads;
+  return SoundMesh(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3,
+    extent == SoundBody::Extent::Piece);
+}
+
+/// The used triangles with their cell arrays; their corners are moved by firstOf.
+template <class First>
+vtkSmartPointer<vtkPolyData> withTriangles(
+  vtkPolyData* surface, const std::vector<TriangleCorners>& triangles, const First& firstOf)
+{
+  const vtkIdType before = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  auto made = vtkSmartPointer<vtkPolyData>::New();
+  made->GetCellData()->CopyAllocate(
+    surface->GetCellData(), static_cast<vtkIdType>(triangles.size()));
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(
+    static_cast<vtkIdType>(triangles.size()), 3 * static_cast<vtkIdType>(triangles.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const TriangleCorners& corners = triangles[t];
+    if (corners[0] >= 0)
+    {
+      made->GetCellData()->CopyData(
+        surface->GetCellData(), before + static_cast<vtkIdType>(t), cells->GetNumberOfCells());
+      cells->InsertNextCell({ static_cast<vtkIdType>(firstOf(corners[0])),
+        static_cast<vtkIdType>(firstOf(corners[1])), static_cast<vtkIdType>(firstOf(corners[2])) });
+    }
+  }
+  made->SetPoints(surface->GetPoints());
+  made->SetPolys(cells);
+  made->GetPointData()->ShallowCopy(surface->GetPointData());
+  made->SetFieldData(surface->GetFieldData());
+  return made;
+}
+
+/// Whether triangles of the input are left out or reversed.
+bool changesTriangles(const MeshDefects& found)
+{
+  return found.turnedTriangles + found.repeatedTriangles + found.notFinite > 0;
+}
+} // namespace
+
+SoundBody::SoundBody(vtkPolyData* input, Extent extent)
+  : Input(input)
+{
+  if (input->GetNumberOfPoints() == 0)
+  {
+    this->Body = input;
+    return;
+  }
+  this->Fault = checkTriangles(input);
+  if (!this->Fault.empty())
+  {
+    return;
+  }
+  const SoundMesh mesh = soundMesh(input, extent);
+  this->Fault = mesh.fault();
+  this->Found = mesh.defects();
+  if (!this->Fault.empty())
+  {
+    return;
+  }
+  if (!mesh.hasJoinedPoints() && !changesTriangles(this->Found))
+  {
+    this->Body = input;
+    return;
+  }
+  if (mesh.hasJoinedPoints())
+  {
+    const auto count = static_cast<std::int32_t>(input->GetNumberOfPoints());
+    for (std::int32_t i = 0; i < count; ++i)
+    {
+      this->First.push_back(mesh.firstAt(i));
+    }
+  }
+  this->Body = withTriangles(
+    input, mesh.triangles(), [&mesh](std::int32_t point) { return mesh.firstAt(point); });
+}
+
+void SoundBody::giveBack(vtkPolyData* output) const
+{
+  if (this->Body == this->Input || output->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  output->SetVerts(this->Input->GetVerts());
+  output->SetLines(this->Input->GetLines());
+  output->SetPolys(this->Input->GetPolys());
+  output->GetCellData()->ShallowCopy(this->Input->GetCellData());
+  vtkPointData* made = output->GetPointData();
+  vtkPointData* given = this->Input->GetPointData();
+  for (int k = 0; k < made->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = made->GetAbstractArray(k);
+    const char* name = array->GetName();
+    if (name && given->GetAbstractArray(name) == array)
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < this->First.size(); ++i)
+    {
+      const auto first = static_cast<vtkIdType>(this->First[i]);
+      if (first != static_cast<vtkIdType>(i))
+      {
+        array->SetTuple(static_cast<vtkIdType>(i), first, array);
+      }
+    }
+  }
+}
+
+SoundBody::Extent extentOn(const Ranks& ranks)
+{
+  return ranks.areAlone() ? SoundBody::Extent::Whole : SoundBody::Extent::Piece;
+}
+
+std::string orientSurface(
+  vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found)
+{
+  const SoundMesh mesh = soundMesh(surface, extent);
+  found = mesh.defects();
+  if (mesh.fault().empty() && changesTriangles(found))
+  {
+    surface = withTriangles(surface, mesh.triangles(), [](std::int32_t point) { return point; });
+  }
+  return mesh.fault();
+}
+
+std::string describeDefects(const MeshDefects& found)
+{
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* one, const char* many, const char* fate)
+  {
+    if (count > 0)
+    {
+      text += (text.empty() ? "" : "; ") + std::to_string(count) + ' ' + (count == 1 ? one : many) +
+        ": " + fate;
+    }
+  };
+  add(found.turnedTriangles, "triangle wound inward or against its neighbours",
+    "triangles wound inward or against their neighbours", "turned over");
+  add(found.repeatedTriangles, "triangle that occurs twice, or with its reverse",
+    "triangles that occur twice, or with their reverse", "left out");
+  add(found.degenerate, "triangle without area", "triangles without area", "left out");
+  add(found.notFinite, "triangle with a coordinate that is not finite or beyond 1e14 mm",
+    "triangles with a coordinate that is not finite or beyond 1e14 mm", "left out");
+  add(found.nonManifoldEdges, "edge of more than two triangles or of two that cannot wind alike",
+    "edges of more than two triangles or of two that cannot wind alike", "taken for open borders");
+  return text;
+}
+} // namespace palpate

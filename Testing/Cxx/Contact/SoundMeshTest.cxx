@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which side of each part is outside, cavities, second bodies, sheets and repeats; and random
+// breakage, after which the distances are those of the sound body.
+#include "BumpySphere.h"
+#include "Contact/SoundMesh.h"
+#include "Contact/TriangleTree.h"
+#include "SampleBodies.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace palpate::testing
+{
+namespace SoundMeshTest
+{
+SoundMesh repaired(const Surface& body)
+{
+  return SoundMesh(body.points.front().data(), body.points.size(), body.triangles.front().data(),
+    body.triangles.size());
+}
+
+Surface reversed(Surface body)
+{
+  for (auto& corners : body.triangles)
+  {
+    std::swap(corners[1], corners[2]);
+  }
+  return body;
+}
+
+Surface together(Surface one, const Surface& other, const Vector3& by)
+{
+  const auto shift = static_cast<std::int32_t>(one.points.size());
+  for (const Vector3& p : other.points)
+  {
+    one.points.push_back(p + by);
+  }
+  for (const auto& t : other.triangles)
+  {
+    one.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
+  }
+  return one;
+}
+
+/// Without the triangles whose corners all lie above a height.
+Surface cutAbove(Surface body, double height)
+{
+  const Surface given = body;
+  body.triangles.erase(std::remove_if(body.triangles.begin(), body.triangles.end(),
+                         [&](const auto& corners)
+                         {
+                           return std::all_of(corners.begin(), corners.end(),
+                             [&](std::int32_t i)
+                             { return given.points[static_cast<std::size_t>(i)].z() > height; });
+                         }),
+    body.triangles.end());
+  return body;
+}
+
+double signedDistance(const Surface& body, const Vector3& tip)
+{
+  const PackedMesh mesh = body.packed();
+  return TriangleTree(mesh).closest(tip).signedDistance;
+}
+} // namespace SoundMeshTest
+using namespace SoundMeshTest;
+
+TEST(SoundMesh, ASoundBodyStaysAsItIs)
+{
+  const Surface body = torus(20.0, 6.0, 24, 12);
+  const SoundMesh mesh = repaired(body);
+  EXPECT_EQ(mesh.fault(), "");
+  EXPECT_FALSE(mesh.hasJoinedPoints());
+  EXPECT_EQ(mesh.defects().turnedTriangles + mesh.defects().repeatedTriangles, 0U);
+  EXPECT_TRUE(std::equal(body.triangles.begin(), body.triangles.end(), mesh.triangles().begin()));
+}
+
+TEST(SoundMesh, PartsWindOutward)
+{
+  const Surface ball = icosphere(10.0, 3);
+  // A ball inside out, next to a sound one; and one with a hole of 45 degrees.
+  const Surface pair = together(ball, reversed(ball), { 30, 0, 0 });
+  EXPECT_EQ(repaired(pair).defects().turnedTriangles, ball.triangles.size());
+  EXPECT_NEAR(signedDistance(pair, { 30, 0, 9 }), -1.0, 0.1); // facets: 0.06 mm below the ball
+  EXPECT_NEAR(signedDistance(pair, { 0, 0, 9 }), -1.0, 0.1);
+  const Surface open = cutAbove(reversed(ball), 7.1);
+  EXPECT_EQ(repaired(open).defects().turnedTriangles, open.triangles.size());
+  EXPECT_NEAR(signedDistance(open, { 9, 0, 0 }), -1.0, 0.1);
+  // Half a ball may be a bowl: it stays as it is.
+  EXPECT_EQ(repaired(cutAbove(reversed(ball), -0.5)).defects().turnedTriangles, 0U);
+  EXPECT_EQ(repaired(openPlate(10.0, 4)).defects().turnedTriangles, 0U);
+}
+
+TEST(SoundMesh, CavitiesAndSecondBodies)
+{
+  const Surface outer = icosphere(20.0, 3);
+  const Surface inner = icosphere(5.0, 2);
+  const Surface hollow = together(outer, reversed(inner), { 0.3, 0.2, 0.1 });
+  EXPECT_EQ(repaired(hollow).fault(), "");
+  EXPECT_EQ(repaired(hollow).defects().turnedTriangles, 0U);
+  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // in the cavity: outside
+  EXPECT_NEAR(signedDistance(hollow, { 6.3, 0.2, 0.1 }), -1.0, 0.2);
+  // A grain in the cavity winds outward, and one that winds inward is turned.
+  for (const bool turn : { false, true })
+  {
+    const Surface grain = turn ? reversed(icosphere(1.0, 1)) : icosphere(1.0, 1);
+    const SoundMesh mesh = repaired(together(hollow, grain, { 0.3, 0.2, 0.1 }));
+    EXPECT_EQ(mesh.fault(), "");
+    EXPECT_EQ(mesh.defects().turnedTriangles, turn ? grain.triangles.size() : 0U);
+  }
+  EXPECT_THAT(repaired(together(outer, inner, { 0.3, 0.2, 0.1 })).fault(),
+    ::testing::AllOf(::testing::HasSubstr("part 2 of 2 (320 triangles, the first is 1280)"),
+      ::testing::HasSubstr("inside part 1 of 2"), ::testing::HasSubstr("second body")));
+  // Bodies that overlap are none inside another.
+  EXPECT_EQ(repaired(together(outer, inner, { 19, 0, 0 })).fault(), "");
+  // In the box of a ring, but not in the ring.
+  EXPECT_EQ(repaired(together(torus(20, 4, 30, 12), icosphere(2.0, 1), { 0, 0, 0 })).fault(), "");
+}
+
+TEST(SoundMesh, SheetsWithTwoSidesAreRefused)
+{
+  const Surface sheet = openPlate(10.0, 6);
+  const auto refuses = [](const Surface& body, const char* words)
+  { EXPECT_THAT(repaired(body).fault(), ::testing::HasSubstr(words)); };
+  // On points of their own, on the same points, and with corners of their own.
+  refuses(together(sheet, reversed(sheet), { 0, 0, 0 }), "encloses no volume");
+  Surface shared = sheet;
+  const Surface back = reversed(sheet);
+  shared.triangles.insert(shared.triangles.end(), back.triangles.begin(), back.triangles.end());
+  refuses(shared, "occur with their reverse");
+  refuses(triangleSoup(shared), "occur with their reverse");
+  // Next to a ball of 35 times as many triangles it is a scrap.
+  EXPECT_EQ(repaired(together(icosphere(20.0, 4), shared, { 30, 0, 0 })).fault(), "");
+}
+
+TEST(SoundMesh, CopiesAreLeftOut)
+{
+  const Surface ball = icosphere(10.0, 2);
+  Surface copied = ball;
+  copied.triangles.insert(
+    copied.triangles.end(), ball.triangles.begin(), ball.triangles.begin() + 50);
+  EXPECT_EQ(repaired(copied).defects().repeatedTriangles, 50U);
+  EXPECT_EQ(repaired(copied).defects().nonManifoldEdges, 0U);
+  // With their reverse: they fill holes of the ball, and stay.
+  Surface doubled = ball;
+  for (std::size_t t = 0; t < 20; ++t)
+  {
+    doubled.triangles.push_back(
+      { ball.triangles[t][0], ball.triangles[t][2], ball.triangles[t][1] });
+  }
+  const SoundMesh mended = repaired(doubled);
+  EXPECT_EQ(mended.fault(), "");
+  EXPECT_EQ(mended.defects().repeatedTriangles, 20U);
+  EXPECT_EQ(mended.defects().nonManifoldEdges, 0U);
+  // A flap: a triangle and its reverse at an edge of the ball.
+  Surface flapped = ball;
+  const auto tip = static_cast<std::int32_t>(flapped.points.size());
+  flapped.points.emplace_back(0, 0, 20);
+  const auto& at = ball.triangles.front();
+  flapped.triangles.push_back({ at[0], at[1], tip });
+  flapped.triangles.push_back({ at[1], at[0], tip });
+  EXPECT_EQ(repaired(flapped).defects().repeatedTriangles, 2U);
+  EXPECT_EQ(repaired(flapped).defects().nonManifoldEdges, 0U);
+}
+
+/// Flips, splits, copies, reversed copies and scraps at random.
+TEST(SoundMesh, RandomBreakageChangesNothing)
+{
+  std::mt19937 random(3);
+  const auto chance = [&random](double share)
+  { return std::uniform_real_distribution<double>(0.0, 1.0)(random) < share; };
+  for (const Surface& sound : { bumpySphere(20), torus(20.0, 6.0, 40, 20), icosphere(20.0, 3) })
+  {
+    const PackedMesh whole = sound.packed();
+    const TriangleTree wholeTree(whole);
+    for (int trial = 0; trial < 8; ++trial)
+    {
+      Surface broken = sound;
+      const double flips = trial % 2 == 0 ? 0.1 : 0.45;
+      for (std::size_t t = 0; t < sound.triangles.size(); ++t)
+      {
+        auto& corners = broken.triangles[t];
+        if (trial > 3 && chance(0.3)) // corners of its own
+        {
+          for (std::int32_t& corner : corners)
+          {
+            broken.points.push_back(sound.points[static_cast<std::size_t>(corner)]);
+            corner = static_cast<std::int32_t>(broken.points.size() - 1);
+          }
+        }
+        if (chance(flips))
+        {
+          std::swap(corners[0], corners[1]);
+        }
+      }
+      for (std::size_t t = 0; t < sound.triangles.size(); ++t)
+      {
+        const auto corners = broken.triangles[t];
+        if (chance(0.02))
+        {
+          broken.triangles.push_back(corners);
+        }
+        if (chance(0.02))
+        {
+          broken.triangles.push_back({ corners[0], corners[2], corners[1] });
+        }
+        if (chance(0.02))
+        {
+          broken.triangles.push_back({ corners[0], corners[2], corners[2] });
+        }
+      }
+      std::shuffle(broken.triangles.begin(), broken.triangles.end(), random);
+      const PackedMesh mended = broken.packed();
+      ASSERT_EQ(mended.fault(), "");
+      ASSERT_EQ(mended.triangleCount(), whole.triangleCount())
+        << trial << ' ' << mended.defects().repeatedTriangles << ' '
+        << mended.defects().nonManifoldEdges << ' ' << mended.defects().borderEdges;
+      const TriangleTree tree(mended);
+      std::uniform_real_distribution<double> place(-27.0, 27.0);
+      for (int i = 0; i < 200; ++i)
+      {
+        const Vector3 tip = whole.centre() + Vector3(place(random), place(random), place(random));
+        // Corners in another order round otherwise: 1e-13 of the distances.
+        ASSERT_NEAR(tree.closest(tip).signedDistance, wholeTree.closest(tip).signedDistance, 1e-11);
+      }
+    }
+  }
+}
+} // namespace palpate::testing
