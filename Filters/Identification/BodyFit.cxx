@@ -134,17 +134,15 @@ double BodyFit::residual() const
   return std::sqrt(this->sumOfSquares / std::max(1, this->degreesOfFreedom));
 }
 
-BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bool findContact,
-  const std::shared_ptr<const LayerKernel>& kernel)
+std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves, BodyModel model,
+  bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
   FitResiduals residuals(curves, model, findContact, kernel);
   BodyFit fit;
-  fit.body.model = model;
   fit.degreesOfFreedom = static_cast<int>(residuals.values() - residuals.inputs());
-  fit.sumOfSquares = std::numeric_limits<double>::infinity();
   if (fit.degreesOfFreedom < 1)
   {
-    return fit;
+    return std::nullopt;
   }
   std::vector<double> offsets;
   std::vector<IndentationCurve> few;
@@ -169,7 +167,7 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
   }
   if (best.size() == 0)
   {
-    return fit;
+    return std::nullopt;
   }
   best.tail(best.size() - residuals.materialCount()) *= coarse.depth() / residuals.depth();
   if (model == BodyModel::GlobalCompliance)
@@ -177,9 +175,9 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
     best[1] *= coarse.compliance() / residuals.compliance();
   }
   const Minimum minimum = minimize(residuals, best, 1e-11);
-  if (!best.allFinite())
+  if (!best.allFinite() || !PackedBody::isBody(minimum.squares))
   {
-    return fit;
+    return std::nullopt;
   }
   fit.sumOfSquares = minimum.squares * residuals.force() * residuals.force();
   fit.converged = minimum.converged;

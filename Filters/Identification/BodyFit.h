@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace palpate
@@ -73,10 +74,11 @@ struct PALPATE_EXPORT BodyFit
 
 /**
  * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, and the depth
- * of first contact of each curve, which is 0 unless `findContact`.
+ * of first contact of each curve, which is 0 unless `findContact`. Nothing where no start leads to
+ * a body of finite E*, or the readings are no more than the parameters.
  */
-PALPATE_EXPORT BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model,
-  bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
+PALPATE_EXPORT std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves,
+  BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
 /// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
 PALPATE_EXPORT double modulusErrorBesideCompliance(

@@ -136,7 +136,13 @@ std::string BodyIdentification::checkDetermined(
                               : std::string("the curves do not tell the parameters of a ") +
         nameOf(fit.body.model) + " apart";
   }
-  const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+  const double width = studentQuantile(fit.degreesOfFreedom) * noise;
+  std::string fault = checkCompliance(fit, width);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const double error = width * fit.errorPerNoise[0];
   if (!(error <= this->Options.largestUncertainty))
   {
     return "E* is known to " + shortly(100.0 * error) + " % only, where " +
@@ -146,41 +152,47 @@ std::string BodyIdentification::checkDetermined(
 }
 
 /// Returns why none can be chosen, or "".
-std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curves,
-  const ForceNoise& noise, BodyFit& chosen, bool& withinNoise) const
+std::string BodyIdentification::choose(
+  const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
   const IdentificationOptions& options = this->Options;
   const auto fitted = [&](BodyModel model)
   { return fitBody(curves, model, options.findContact, this->Kernel); };
+  std::optional<BodyFit>& chosen = judgement.fit;
+  const auto choose = [&](std::optional<BodyFit> fit)
+  {
+    chosen = std::move(fit);
+    judgement.withinNoise = chosen && leavesNoise(*chosen, noise);
+  };
+  choose(fitted(options.model.value_or(BodyModel::HalfSpace)));
   if (options.model)
   {
-    chosen = fitted(*options.model);
-    withinNoise = leavesNoise(chosen, noise);
-    return {};
+    return chosen ? std::string() : noBody(nameOf(*options.model));
   }
-
-  chosen = fitted(BodyModel::HalfSpace);
-  withinNoise = leavesNoise(chosen, noise);
   std::vector<BodyFit> richer;
   for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
   {
-    BodyFit fit = fitted(model);
-    const bool stiffens = model == BodyModel::GlobalCompliance && !(fit.body.compliance > 0.0);
-    if (fit.converged && fit.separation >= Inseparable && !stiffens)
+    std::optional<BodyFit> fit = fitted(model);
+    const bool isBody = fit && fit->converged && fit->separation >= Inseparable;
+    if (isBody && (model != BodyModel::GlobalCompliance || fit->body.compliance > 0.0))
     {
-      richer.push_back(std::move(fit));
+      richer.push_back(std::move(*fit));
     }
   }
   std::sort(richer.begin(), richer.end(),
     [](const BodyFit& a, const BodyFit& b) { return a.sumOfSquares < b.sumOfSquares; });
 
   const double significant = LikelihoodRatio * noise.deviation * noise.deviation;
-  const bool improved =
-    !richer.empty() && chosen.sumOfSquares - richer.front().sumOfSquares > significant;
+  const bool improved = !richer.empty() &&
+    (!chosen || chosen->sumOfSquares - richer.front().sumOfSquares > significant);
   if (!improved)
   {
-    const double error = studentQuantile(chosen.degreesOfFreedom) * noise.deviation *
-      modulusErrorBesideCompliance(curves, chosen, options.findContact);
+    if (!chosen)
+    {
+      return noBody(nameOf(BodyModel::HalfSpace));
+    }
+    const double error = studentQuantile(chosen->degreesOfFreedom) * noise.deviation *
+      modulusErrorBesideCompliance(curves, *chosen, options.findContact);
     return error <= options.largestUncertainty ? std::string()
       : isFlatOnly(curves)                     ? std::string(FlatAlone)
                            : "the curves do not tell E* from a global compliance";
@@ -190,8 +202,7 @@ std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curv
   {
     return "the curves do not tell a global compliance from a layer";
   }
-  chosen = richer.front();
-  withinNoise = leavesNoise(chosen, noise);
+  choose(richer.front());
   return {};
 }
 
@@ -212,18 +223,20 @@ std::string BodyIdentification::judge(
   judgement.largestForce = force;
   noise.deviation = std::max(noise.deviation, LeastNoise * force);
   judgement.noise = noise.deviation;
-  std::string fault = this->choose(curves, noise, judgement.fit, judgement.withinNoise);
-  const double misfit = judgement.fit.residual();
-  const double allowed = this->Options.largestMisfit * force;
-  if (fault.empty() && !judgement.withinNoise && !(misfit <= allowed))
+  std::string fault = this->choose(curves, noise, judgement);
+  if (!fault.empty())
   {
-    fault = "no model fits: the nearest, a " + std::string(nameOf(judgement.fit.body.model)) +
+    return fault;
+  }
+  const double misfit = judgement.fit->residual();
+  const double allowed = this->Options.largestMisfit * force;
+  if (!judgement.withinNoise && !(misfit <= allowed))
+  {
+    return "no model fits: the nearest, a " + std::string(nameOf(judgement.fit->body.model)) +
       ", leaves " + shortly(misfit) + " N, more than the noise of " + shortly(noise.deviation) +
       " N and the " + shortly(allowed) + " N allowed";
   }
-  return fault.empty()
-    ? this->checkDetermined(curves, judgement.fit, std::max(noise.deviation, misfit))
-    : fault;
+  return this->checkDetermined(curves, *judgement.fit, std::max(noise.deviation, misfit));
 }
 
 IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves) const
@@ -253,13 +266,13 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   Judgement judgement;
   std::vector<IndentationCurve> used = curves;
   result.refusal = this->judge(used, noise, judgement);
-  for (int pass = 0; pass < LargestPassCount && !judgement.fit.contactOffset.empty(); ++pass)
+  for (int pass = 0; pass < LargestPassCount && judgement.fit; ++pass)
   {
     bool changed = false;
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
-      IndentationCurve kept = readingsWithin(curves[i], judgement.fit.body,
-        judgement.fit.contactOffset[i], this->Kernel, this->Options.largestStrain);
+      IndentationCurve kept = readingsWithin(curves[i], judgement.fit->body,
+        judgement.fit->contactOffset[i], this->Kernel, this->Options.largestStrain);
       changed = changed || kept.force.size() != used[i].force.size();
       used[i] = std::move(kept);
     }
@@ -270,12 +283,15 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
     result.refusal = this->judge(used, noise, judgement);
   }
   result.noise = judgement.noise;
-  result.misfit = judgement.fit.residual();
   result.largestForce = judgement.largestForce;
-  result.withinNoise = judgement.withinNoise;
+  if (judgement.fit)
+  {
+    result.misfit = judgement.fit->residual();
+    result.withinNoise = judgement.withinNoise;
+  }
   if (result.refusal.empty())
   {
-    this->report(used, given, judgement.fit, result);
+    this->report(used, given, *judgement.fit, result);
   }
   return result;
 }

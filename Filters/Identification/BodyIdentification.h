@@ -102,15 +102,15 @@ public:
   const std::shared_ptr<const LayerKernel>& kernel() const noexcept { return this->Kernel; }
 
 private:
-  std::string choose(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
-    BodyFit& chosen, bool& withinNoise) const;
   struct Judgement
   {
-    BodyFit fit;
+    std::optional<BodyFit> fit;
     bool withinNoise = false;
     double noise = 0.0;
     double largestForce = 0.0;
   };
+  std::string choose(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
+    Judgement& judgement) const;
   std::string judge(
     const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const;
   void report(const std::vector<IndentationCurve>& curves, bool noiseGiven, const BodyFit& fit,

@@ -18,6 +18,11 @@ double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody
   return studentQuantile(fit.degreesOfFreedom) * std::max(found.misfit, least);
 }
 
+std::string noBody(const std::string& model)
+{
+  return "no " + model + " comes near the readings";
+}
+
 Eigen::Index reportBody(const BodyFit& fit, double width, bool findContact, IdentifiedBody& found)
 {
   Eigen::Index next = 0;

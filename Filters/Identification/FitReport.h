@@ -4,12 +4,17 @@
 
 #include "Identification/BodyIdentification.h"
 
+#include <string>
+
 namespace palpate
 {
 /// Ratio of half a 95 % interval to a standard error per newton of noise, N, for a body with noise,
 /// misfit and largest force set: Student's t where the noise is estimated from the data, or is less
 /// than the residual.
 double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody& found);
+
+/// Why there is no fit of a model.
+std::string noBody(const std::string& model);
 
 /// Stores the body of a fit, with intervals of this width. Returns the index of the fit's next
 /// error.

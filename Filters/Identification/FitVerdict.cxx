@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Identification/FitVerdict.h"
 
+#include "Mechanics/Files/NumberText.h"
+
 #include <Eigen/QR>
 
 #include <cmath>
@@ -45,6 +47,20 @@ bool leavesNoise(const BodyFit& fit, const ForceNoise& noise)
   const double ratio = fit.residual() / noise.deviation;
   const double spread = 2.0 / fit.degreesOfFreedom + 2.0 / noise.degreesOfFreedom;
   return ratio * ratio <= 1.0 + 3.0 * std::sqrt(spread);
+}
+
+std::string checkCompliance(const BodyFit& fit, double width)
+{
+  const double compliance = fit.body.compliance;
+  if (fit.body.model != BodyModel::GlobalCompliance || compliance > 0.0)
+  {
+    return {};
+  }
+  const double most = compliance + width * fit.errorPerNoise[1];
+  return "the global compliance comes out as " + shortly(compliance) +
+    " mm/N, and no body has less than 0: " +
+    (most > 0.0 ? "a half-space explains the readings as well"
+                : "the readings stiffen more than a half-space does");
 }
 
 bool isFlat(const AxisymmetricTool& tool)

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace palpate
 {
 /// Limits for judging the fits of bodies.
@@ -29,6 +31,10 @@ JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
 
 /// Whether the residual of a fit is within the noise: an F test at three standard deviations.
 bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
+
+/// Why a global compliance of 0 or less is no body; "" where there is none. `width`: of the
+/// interval, per standard error for a newton of noise, N.
+std::string checkCompliance(const BodyFit& fit, double width);
 
 /// Whether the contact of a tool has the same radius at every depth.
 bool isFlat(const AxisymmetricTool& tool);

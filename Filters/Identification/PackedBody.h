@@ -47,6 +47,9 @@ public:
       : 0.0;
   }
 
+  /// Whether a sum of squares is that of a body, and not of steps that led to none.
+  static bool isBody(double squares) { return squares < Astray * Astray; }
+
   /// Finds separation, spread, and errors of body and offsets from the Jacobian at the minimum;
   /// errors of further parameters stay packed.
   void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;

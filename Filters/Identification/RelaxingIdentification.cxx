@@ -102,17 +102,27 @@ private:
                                             : ForceNoise{ std::sqrt(squares / freedom), freedom };
     this->Noise.deviation =
       std::max(this->Noise.deviation, FitLimits::LeastNoise * this->LargestForce);
-    std::string fault = this->choose();
+    const std::string fault = this->choose();
+    if (!fault.empty())
+    {
+      return fault;
+    }
     const double misfit = this->Fit->residual();
     const double allowed = this->Options.largestMisfit * this->LargestForce;
-    if (fault.empty() && !this->WithinNoise && !(misfit <= allowed))
+    if (!this->WithinNoise && !(misfit <= allowed))
     {
-      fault = "no model fits: the nearest, a relaxing " +
+      return "no model fits: the nearest, a relaxing " +
         std::string(nameOf(this->Fit->body.model)) + ", leaves " + shortly(misfit) +
         " N, more than the noise of " + shortly(this->Noise.deviation) + " N and the " +
         shortly(allowed) + " N allowed";
     }
-    return fault.empty() ? this->checkDetermined(std::max(this->Noise.deviation, misfit)) : fault;
+    return this->checkDetermined(std::max(this->Noise.deviation, misfit));
+  }
+
+  void choose(std::optional<RelaxationFit> fit)
+  {
+    this->Fit = std::move(fit);
+    this->WithinNoise = this->Fit && leavesNoise(*this->Fit, this->Noise);
   }
 
   std::string choose()
@@ -122,28 +132,31 @@ private:
       return fitRelaxingBody(this->Used, model, this->Options.findContact,
         this->Identification.kernel(), this->Noise.deviation, this->Options.relaxation);
     };
+    const auto none = [](BodyModel model)
+    { return noBody(std::string("relaxing ") + nameOf(model)); };
+    this->choose(fitted(this->Options.model.value_or(BodyModel::HalfSpace)));
     if (this->Options.model)
     {
-      this->Fit = fitted(*this->Options.model);
-      this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
-      return {};
+      return this->Fit ? std::string() : none(*this->Options.model);
     }
-    this->Fit = fitted(BodyModel::HalfSpace);
-    this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
     std::vector<RelaxationFit> richer;
     for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
     {
-      RelaxationFit fit = fitted(model);
-      const bool stiffens = model == BodyModel::GlobalCompliance && !(fit.body.compliance > 0.0);
-      if (fit.converged && fit.separation >= FitLimits::Inseparable && !stiffens)
+      std::optional<RelaxationFit> fit = fitted(model);
+      const bool isBody = fit && fit->converged && fit->separation >= FitLimits::Inseparable;
+      if (isBody && (model != BodyModel::GlobalCompliance || fit->body.compliance > 0.0))
       {
-        richer.push_back(std::move(fit));
+        richer.push_back(std::move(*fit));
       }
     }
     std::sort(richer.begin(), richer.end(),
       [](const RelaxationFit& a, const RelaxationFit& b) { return a.score < b.score; });
-    if (richer.empty() || !(richer.front().score < this->Fit->score))
+    if (richer.empty() || (this->Fit && !(richer.front().score < this->Fit->score)))
     {
+      if (!this->Fit)
+      {
+        return none(BodyModel::HalfSpace);
+      }
       const double error = studentQuantile(this->Fit->degreesOfFreedom) * this->Noise.deviation *
         modulusErrorBesideCompliance(
           this->Used, *this->Fit, this->Options.findContact, this->isGiven());
@@ -157,18 +170,13 @@ private:
     {
       return "the curves do not tell a global compliance from a layer";
     }
-    this->Fit = richer.front();
-    this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
+    this->choose(richer.front());
     return {};
   }
 
   std::string checkDetermined(double noise) const
   {
     const RelaxationFit& fit = *this->Fit;
-    if (fit.contactOffset.size() != this->Used.size())
-    {
-      return "the readings are too few to tell how the body relaxes";
-    }
     const double longest = windowOf(this->Used, fit.contactOffset).longest;
     const bool goesOn = !this->isGiven() && fit.series.count > 0 &&
       fit.series.time[fit.series.count - 1] > 0.3 * longest;
@@ -186,7 +194,13 @@ private:
         ? std::string(FlatAlone)
         : "the curves do not tell the parameters of " + what + " apart" + advice;
     }
-    const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+    const double width = studentQuantile(fit.degreesOfFreedom) * noise;
+    const std::string fault = checkCompliance(fit, width);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    const double error = width * fit.errorPerNoise[0];
     if (!(error <= this->Options.largestUncertainty))
     {
       return "the slow E* is known to " + shortly(100.0 * error) + " % only, where " +
@@ -206,7 +220,7 @@ private:
   {
     bool changed = false;
     const BodyParameters& body = this->Fit->body;
-    for (std::size_t c = 0; c < this->All.size() && c < this->Fit->contactOffset.size(); ++c)
+    for (std::size_t c = 0; c < this->All.size(); ++c)
     {
       const PressHistory& all = this->All[c];
       const double local = smallStrainDepth(
@@ -229,7 +243,7 @@ private:
   /// Whether small strain ends before most of the test's time is compared.
   bool isHoldTooDeep() const
   {
-    return !this->isGiven() && this->Fit && this->Fit->contactOffset.size() == this->All.size() &&
+    return !this->isGiven() && this->Fit &&
       windowOf(this->Used, this->Fit->contactOffset).longest <
       0.5 * windowOf(this->All, this->Fit->contactOffset).longest;
   }
