@@ -4,6 +4,7 @@
 
 #include "Identification/BodyIdentification.h"
 
+#include <cstddef>
 #include <string>
 
 namespace palpate
@@ -15,6 +16,14 @@ double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody
 
 /// Why there is no fit of a model.
 std::string noBody(const std::string& model);
+
+/// Why so many readings of a curve do not suffice, and that small strain leaves out the others.
+std::string tooFew(std::size_t readings, std::size_t of, double largestStrain);
+/// What small strain leaves out; "" where that is nothing.
+std::string leftOut(std::size_t readings, std::size_t of, double largestStrain);
+/// What the readings before contact do not tell of a curve's baseline; "" where that is nothing, or
+/// contact is not to be found.
+std::string untoldBaseline(const BodyFit& fit, bool findContact);
 
 /// Stores the body of a fit, with intervals of this width. Returns the index of the fit's next
 /// error.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Identification/MeasuredSite.h"
 
+#include "Identification/CurveSigns.h"
 #include "Identification/RelaxingIdentification.h"
 
 #include <algorithm>
@@ -56,7 +57,8 @@ void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
   std::vector<PressHistory> histories;
   for (const SiteCurve& curve : site.curves)
   {
-    histories.push_back(makeHistory(*curve.tool, curve.curve, curve.prepared));
+    histories.push_back(
+      makeHistory(*curve.tool, curve.curve, curve.prepared, identification.options().findContact));
   }
   site.body = identifyRelaxing(identification, std::move(histories));
   site.refusal = site.body.refusal;
@@ -87,12 +89,14 @@ void identifySite(
   bool areTimed = true;
   for (SiteCurve& curve : site.curves)
   {
-    const std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
+    std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
+    const std::string doubt = doubtSigns(curve.curve);
+    fault = doubt.empty() ? fault : doubt;
     if (!fault.empty() && site.refusal.empty())
     {
       site.refusal = fault;
     }
-    isJudged = isJudged && (fault.empty() || relaxes(curve.prepared, limits));
+    isJudged = isJudged && doubt.empty() && (fault.empty() || relaxes(curve.prepared, limits));
     areTimed = areTimed && hasTimes(curve);
     IndentationCurve loading;
     loading.tool = curve.tool.get();
@@ -129,7 +133,8 @@ void identifySite(
     }
     if (given.count > 0)
     {
-      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones";
+      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones" +
+        std::string(site.body.remark.empty() ? "" : "; ") + site.body.remark;
     }
   }
 }

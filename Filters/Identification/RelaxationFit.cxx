@@ -51,7 +51,7 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
   {
     if (fit.body.reducedModulus > 0.0 && std::isfinite(fit.body.reducedModulus))
     {
-      starts.push_back({ fit.body, {}, fit.contactOffset });
+      starts.push_back({ fit.body, {}, fit.contactOffset, fit.baseline });
     }
   };
   std::optional<BodyFit> halfSpace = fitBody(loads, BodyModel::HalfSpace, findContact, kernel);
@@ -72,10 +72,12 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
   {
     const IndentationCurve& load = loads.front();
     const double depth = load.deflection.back() - halfSpace->contactOffset.front();
-    halfSpace->body.model = model;
     if (model == BodyModel::GlobalCompliance)
     {
-      halfSpace->body.compliance = 0.2 * depth / load.force.back();
+      halfSpace->body.compliance = 0.2 * depth /
+        bodyResponse(
+          { BodyModel::HalfSpace, halfSpace->body.reducedModulus }, *load.tool, kernel, depth)
+          .force;
       halfSpace->body.reducedModulus *= 1.5;
     }
     else
@@ -83,6 +85,7 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
       halfSpace->body.thickness = 3.0 * load.tool->contactRadius(depth);
       halfSpace->body.reducedModulus *= 0.6;
     }
+    halfSpace->body.model = model;
     add(*halfSpace);
   }
   return starts;
@@ -150,6 +153,11 @@ std::optional<RelaxationFit> fitFrom(const std::vector<PressHistory>& histories,
   fit.body = found.body;
   fit.series = found.series;
   fit.contactOffset = found.contactOffset;
+  fit.baseline = found.baseline;
+  for (const PressHistory& history : histories)
+  {
+    fit.terms.push_back(history.loading.start.terms);
+  }
   fit.sumOfSquares = minimum.squares * residuals.force() * residuals.force();
   fit.converged = minimum.converged;
   MatrixXd jacobian(residuals.values(), residuals.inputs());
@@ -214,7 +222,7 @@ std::optional<RelaxationFit> fitRelaxingBody(const std::vector<PressHistory>& hi
   {
     return std::nullopt;
   }
-  const RelaxingBody about{ best->body, best->series, best->contactOffset };
+  const RelaxingBody about{ best->body, best->series, best->contactOffset, best->baseline };
   if (given.count == 0)
   {
     // The number of branches: each added one must reduce the score.
@@ -242,7 +250,8 @@ std::optional<RelaxationFit> fitRelaxingBody(const std::vector<PressHistory>& hi
     problem.branches = best->series.count;
   }
   problem.blocks = RelaxationProblem().blocks;
-  best = fitFrom(histories, problem, { best->body, best->series, best->contactOffset }, Fine);
+  best = fitFrom(
+    histories, problem, { best->body, best->series, best->contactOffset, best->baseline }, Fine);
   if (best)
   {
     best->score = score(*best);
@@ -262,7 +271,9 @@ double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   BodyParameters body = halfSpace.body;
   body.model = BodyModel::GlobalCompliance;
-  residuals.df(residuals.pack({ body, halfSpace.series, halfSpace.contactOffset }), jacobian);
+  residuals.df(
+    residuals.pack({ body, halfSpace.series, halfSpace.contactOffset, halfSpace.baseline }),
+    jacobian);
   return residuals.modulusError(jacobian);
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace palpate
@@ -24,6 +25,13 @@ constexpr double WideInterval = 0.2; // of E*, relative: worth a remark
 std::string seconds(double time)
 {
   return shortly(time) + " s";
+}
+
+/// Number of readings that are compared.
+std::size_t countOf(const PressHistory& history)
+{
+  return static_cast<std::size_t>(
+    std::accumulate(history.readings.begin(), history.readings.end(), 0.0));
 }
 
 /// Identifies one site.
@@ -77,19 +85,23 @@ private:
     this->LargestForce = 0.0;
     double squares = 0.0;
     double freedom = 0.0;
-    for (const PressHistory& history : this->Used)
+    for (std::size_t c = 0; c < this->Used.size(); ++c)
     {
-      std::size_t count = 0;
+      const PressHistory& history = this->Used[c];
       for (std::size_t i = 0; i < history.size(); ++i)
       {
-        const bool counts = history.readings[i] > 0.0;
-        count += counts ? 1 : 0;
-        this->LargestForce = std::max(this->LargestForce, counts ? history.force[i] : 0.0);
+        this->LargestForce =
+          std::max(this->LargestForce, history.readings[i] > 0.0 ? history.netForce(i) : 0.0);
       }
-      if (count < BodyIdentification::FewestReadings || history.loading.force.size() < 2)
+      const std::size_t count = countOf(history);
+      if (count < BodyIdentification::FewestReadings)
       {
-        return "the curve has " + std::to_string(count) + " readings within small strain; " +
-          std::to_string(BodyIdentification::FewestReadings) + " are needed";
+        return tooFew(count, countOf(this->All[c]), this->Options.largestStrain);
+      }
+      std::string unusable = checkLoading(history.loading);
+      if (!unusable.empty())
+      {
+        return unusable;
       }
       squares += history.noise.degreesOfFreedom * history.noise.deviation * history.noise.deviation;
       freedom += history.noise.degreesOfFreedom;
@@ -100,7 +112,8 @@ private:
     }
     this->Noise = this->Options.noise > 0.0 ? ForceNoise{ this->Options.noise }
                                             : ForceNoise{ std::sqrt(squares / freedom), freedom };
-    this->Noise.deviation =
+    this->Coarse = this->Noise;
+    this->Coarse.deviation =
       std::max(this->Noise.deviation, FitLimits::LeastNoise * this->LargestForce);
     const std::string fault = this->choose();
     if (!fault.empty())
@@ -116,13 +129,18 @@ private:
         " N, more than the noise of " + shortly(this->Noise.deviation) + " N and the " +
         shortly(allowed) + " N allowed";
     }
-    return this->checkDetermined(std::max(this->Noise.deviation, misfit));
+    const double left =
+      std::max({ this->Noise.deviation, misfit, FitLimits::LeastError * this->LargestForce });
+    const std::string unclear = this->checkDetermined(left);
+    return unclear.empty() ? checkBaseline(this->loadings(), *this->Fit, this->Coarse,
+                               studentQuantile(this->Fit->degreesOfFreedom) * left, allowed)
+                           : unclear;
   }
 
   void choose(std::optional<RelaxationFit> fit)
   {
     this->Fit = std::move(fit);
-    this->WithinNoise = this->Fit && leavesNoise(*this->Fit, this->Noise);
+    this->WithinNoise = this->Fit && leavesNoise(*this->Fit, this->Coarse);
   }
 
   std::string choose()
@@ -130,7 +148,7 @@ private:
     const auto fitted = [&](BodyModel model)
     {
       return fitRelaxingBody(this->Used, model, this->Options.findContact,
-        this->Identification.kernel(), this->Noise.deviation, this->Options.relaxation);
+        this->Identification.kernel(), this->Coarse.deviation, this->Options.relaxation);
     };
     const auto none = [](BodyModel model)
     { return noBody(std::string("relaxing ") + nameOf(model)); };
@@ -157,15 +175,15 @@ private:
       {
         return none(BodyModel::HalfSpace);
       }
-      const double error = studentQuantile(this->Fit->degreesOfFreedom) * this->Noise.deviation *
+      const double error = studentQuantile(this->Fit->degreesOfFreedom) * this->Coarse.deviation *
         modulusErrorBesideCompliance(
           this->Used, *this->Fit, this->Options.findContact, this->isGiven());
       return error <= this->Options.largestUncertainty ? std::string()
         : this->isFlatOnly()                           ? std::string(FlatAlone)
                              : "the curves do not tell E* from a global compliance";
     }
-    if (richer.size() > 1 && leavesNoise(richer[0], this->Noise) &&
-      leavesNoise(richer[1], this->Noise) &&
+    if (richer.size() > 1 && leavesNoise(richer[0], this->Coarse) &&
+      leavesNoise(richer[1], this->Coarse) &&
       richer[1].score - richer[0].score < FitLimits::LikelihoodRatio)
     {
       return "the curves do not tell a global compliance from a layer";
@@ -207,6 +225,16 @@ private:
         shortly(100.0 * this->Options.largestUncertainty) + " % are asked for" + advice;
     }
     return {};
+  }
+
+  std::vector<IndentationCurve> loadings() const
+  {
+    std::vector<IndentationCurve> loadings;
+    for (const PressHistory& history : this->Used)
+    {
+      loadings.push_back(history.loading);
+    }
+    return loadings;
   }
 
   bool isFlatOnly() const
@@ -270,6 +298,18 @@ private:
     result.shortestTime = window.shortest;
     result.longestTime = window.longest;
     result.remark = this->isGiven() ? "relaxation given" : this->remarkOn(result, error(0));
+    std::size_t left = 0;
+    std::size_t total = 0;
+    for (std::size_t c = 0; c < this->Used.size(); ++c)
+    {
+      total += countOf(this->All[c]);
+      left += countOf(this->All[c]) - countOf(this->Used[c]);
+    }
+    for (const std::string& more : { leftOut(left, total, this->Options.largestStrain),
+           untoldBaseline(fit, this->Options.findContact) })
+    {
+      result.remark += (more.empty() ? "" : "; ") + more;
+    }
   }
 
   void findEnd(IdentifiedBody& result) const
@@ -322,6 +362,7 @@ private:
   std::vector<PressHistory> All;
   std::vector<PressHistory> Used;
   ForceNoise Noise;
+  ForceNoise Coarse; ///< not below the accuracy of a law
   std::optional<RelaxationFit> Fit;
   double LargestForce = 0.0;
   bool WithinNoise = false;
