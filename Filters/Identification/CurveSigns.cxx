@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Identification/CurveSigns.h"
 
+#include "Identification/ForceNoise.h"
 #include "Identification/StrainWindow.h"
 #include "Mechanics/Files/NumberText.h"
 
@@ -15,6 +16,7 @@ namespace palpate
 namespace
 {
 constexpr double Clearly = 3.0;       // times as much one way as the other
+constexpr double LeastInNoise = 8.0;  // a change of force that is none of its noise
 constexpr double AtRest = 0.25;       // of the change of force: less is no contact
 constexpr double SomeDepth = 0.1;     // of the range of deflection
 constexpr std::size_t MostFirst = 20; // readings that count as the first
@@ -26,6 +28,19 @@ double median(std::vector<double> values)
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// Of the forces, N, by their neighbours in depth.
+double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDepth)
+{
+  std::vector<double> depths;
+  std::vector<double> forces;
+  for (const std::size_t i : byDepth)
+  {
+    depths.push_back(curve.deflection[i]);
+    forces.push_back(curve.force[i]);
+  }
+  return estimateForceNoise(depths, forces).deviation;
 }
 
 std::string fromTo(double from, double to, const char* unit)
@@ -44,18 +59,24 @@ std::string doubtSigns(const MeasuredCurve& curve)
   const auto few = static_cast<std::ptrdiff_t>(std::min(MostFirst, 1 + count / 100));
   const double force = median({ curve.force.begin(), curve.force.begin() + few });
   const double depth = median({ curve.deflection.begin(), curve.deflection.begin() + few });
+  const auto [low, high] = std::minmax_element(curve.deflection.begin(), curve.deflection.end());
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b) { return curve.force[a] < curve.force[b]; });
+  const auto sortBy = [&order](const std::vector<double>& values)
+  {
+    std::stable_sort(order.begin(), order.end(),
+      [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  };
+  sortBy(curve.deflection);
+  const double noise = LeastInNoise * noiseOf(curve, order);
+  sortBy(curve.force);
   const std::size_t skipped = std::min<std::size_t>(2, count / 8); // they may be astray
   const std::size_t lowest = order[skipped];
   const std::size_t highest = order[count - 1 - skipped];
   const double fall = force - curve.force[lowest];
   const double rise = curve.force[highest] - force;
-  const auto [low, high] = std::minmax_element(curve.deflection.begin(), curve.deflection.end());
   const double some = SomeDepth * (*high - *low);
-  if (fall > Clearly * std::max(rise, 0.0))
+  if (fall > std::max(Clearly * rise, noise))
   {
     const double deepest = curve.deflection[lowest];
     const std::string forces = fromTo(force, curve.force[lowest], "N");
@@ -74,7 +95,7 @@ std::string doubtSigns(const MeasuredCurve& curve)
     }
   }
   const double deepest = curve.deflection[highest];
-  if (rise > Clearly * std::max(fall, 0.0) && deepest < depth - some)
+  if (rise > std::max(Clearly * fall, noise) && deepest < depth - some)
   {
     return "the deflection falls " + fromTo(depth, deepest, "mm") + " while forces rise " +
       fromTo(force, curve.force[highest], "N") +

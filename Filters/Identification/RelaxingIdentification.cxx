@@ -55,7 +55,15 @@ public:
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
     {
-      result.refusal = this->judge();
+      const std::optional<RelaxationFit> before = this->Fit;
+      const std::string fault = this->judge();
+      if (!this->Fit) // what is left tells no body
+      {
+        this->Fit = before;
+        result.refusal = result.refusal.empty() ? fault : result.refusal;
+        break;
+      }
+      result.refusal = fault;
     }
     if (this->Fit)
     {
