@@ -3,7 +3,6 @@
 #define palpate_testing_BaselineCurves_h
 
 #include "Identification/BodyFit.h"
-#include "Identification/Estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,11 +45,6 @@ struct Approach
     return curve;
   }
 };
-
-inline bool holds(const Estimate& estimate, double truth)
-{
-  return estimate.lower <= truth && truth <= estimate.upper;
-}
 } // namespace palpate::testing
 
 #endif

@@ -4,6 +4,7 @@
 #include "Identification/BodyIdentification.h"
 
 #include "BaselineCurves.h"
+#include "EstimateHolds.h"
 #include "TestTools.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "BaselineCurves.h"
+#include "EstimateHolds.h"
 #include "SyntheticCurves.h"
 #include "TestTools.h"
 
