@@ -88,10 +88,11 @@ TEST(ForceBaseline, IntervalsHoldTheTruth)
 TEST(ForceBaseline, ChangesTheModulusByLessThanItsInterval)
 {
   const auto tip = tool("paraboloid:3");
+  const BodyIdentification identification({});
   const auto identify = [&](const Approach& made)
   {
     std::mt19937 random(7);
-    return BodyIdentification({}).identify({ made.measure(*tip, random) });
+    return identification.identify({ made.measure(*tip, random) });
   };
   const IdentifiedBody plain = identify(approach(1.0, 200, 0.0, 0.0));
   ASSERT_EQ(plain.refusal, "");
@@ -146,13 +147,14 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
     crooked.force[i] +=
       0.1 * Approach::force(Approach::Depth) * std::sin(0.1 * static_cast<double>(i));
   }
-  const std::string refusal = halfSpace().identify({ crooked }).refusal;
+  const BodyIdentification identification = halfSpace();
+  const std::string refusal = identification.identify({ crooked }).refusal;
   EXPECT_NE(refusal.find("no model fits"), std::string::npos) << refusal;
   // A tenth of the largest force over the depth of contact is the most: 0.25 of it per mm.
   for (const double drift : { 0.2, 0.4 })
   {
     const IdentifiedBody body =
-      halfSpace().identify({ approach(1.0, 200, 0.0, drift).measure(*tip, random) });
+      identification.identify({ approach(1.0, 200, 0.0, drift).measure(*tip, random) });
     EXPECT_EQ(body.refusal.find("no baseline") != std::string::npos, drift > 0.25) << body.refusal;
   }
 }

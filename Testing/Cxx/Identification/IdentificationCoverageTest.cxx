@@ -134,6 +134,8 @@ TEST(IdentificationCoverage, Baselines)
   const auto tip = tool("paraboloid:3");
   IdentificationOptions options;
   options.model = BodyModel::HalfSpace;
+  const BodyIdentification halfSpace(options);
+  const BodyIdentification any({});
   for (const Approach& made :
     { Approach{ 5.0, 5000, 80, 0.0, 0.0 }, Approach{ 1.0, 200, 80, 0.02, 0.0 },
       Approach{ 1.0, 200, 80, 0.0, 0.02 }, Approach{ 1.0, 200, 80, 0.0, -0.02 },
@@ -143,7 +145,7 @@ TEST(IdentificationCoverage, Baselines)
     int held = 0;
     for (int i = 0; i < repeats; ++i)
     {
-      const auto found = BodyIdentification(options).identify({ made.measure(*tip, random) });
+      const auto found = halfSpace.identify({ made.measure(*tip, random) });
       ASSERT_EQ(found.refusal, "");
       held += holds(found.reducedModulus, Approach::Modulus) ? 1 : 0;
     }
@@ -151,7 +153,7 @@ TEST(IdentificationCoverage, Baselines)
     int chosen = 0;
     for (int i = 0; i < choices; ++i)
     {
-      const auto found = BodyIdentification({}).identify({ made.measure(*tip, random) });
+      const auto found = any.identify({ made.measure(*tip, random) });
       chosen += found.refusal.empty() && found.body.model == BodyModel::HalfSpace ? 1 : 0;
     }
     std::printf("  %d readings over %g mm before, drift %g: %.1f %%, chosen %d of %d\n",
