@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace palpate
 {
@@ -128,6 +129,27 @@ BaselineTerms baselineTerms(double readings, double range, double depth)
   return readings < fewest                                        ? BaselineTerms::None
     : readings < fewestForDrift || !(range >= leastRange * depth) ? BaselineTerms::Offset
                                                                   : BaselineTerms::OffsetAndDrift;
+}
+
+IndentationCurve loadsByDepth(const AxisymmetricTool& tool, const PreparedCurve& prepared)
+{
+  std::vector<std::pair<double, double>> readings;
+  for (const LoadingBranch& load : prepared.loads)
+  {
+    for (std::size_t i = 0; i < load.force.size(); ++i)
+    {
+      readings.emplace_back(load.deflection[i], load.force[i]);
+    }
+  }
+  std::stable_sort(readings.begin(), readings.end(),
+    [](const auto& a, const auto& b) { return a.first < b.first; });
+  IndentationCurve loading;
+  loading.tool = &tool;
+  for (const auto& [deflection, force] : readings)
+  {
+    loading.append(deflection, force, 1.0);
+  }
+  return loading;
 }
 
 FirstContact findFirstContact(const IndentationCurve& curve)

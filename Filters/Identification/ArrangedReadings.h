@@ -3,10 +3,14 @@
 #define palpate_ArrangedReadings_h
 
 #include "Identification/BodyFit.h"
+#include "Identification/CurvePreparation.h"
 #include "Identification/FirstContact.h"
 
 namespace palpate
 {
+/// All loads of a curve, by depth.
+IndentationCurve loadsByDepth(const AxisymmetricTool& tool, const PreparedCurve& prepared);
+
 /**
  * Estimates the first contact of a curve of ascending depths: the half-space on a straight line
  * with the least squares, from a scan. The scan closes in on the contact, so that a baseline a

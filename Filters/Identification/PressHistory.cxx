@@ -21,29 +21,6 @@ constexpr double RampShare = 1.0 / 15.0; // fraction of a press: faster times ar
 constexpr double ContactShare = 0.1; // of the depth: nearer to the estimated contact it may be one
 constexpr double LittleShare = 0.02; // of the depth: a smaller step back is noise
 
-/// The loads of a curve, by depth.
-IndentationCurve loadingOf(const AxisymmetricTool& tool, const PreparedCurve& prepared)
-{
-  std::vector<std::pair<double, double>> readings;
-  for (const LoadingBranch& load : prepared.loads)
-  {
-    for (std::size_t i = 0; i < load.force.size(); ++i)
-    {
-      readings.emplace_back(load.deflection[i], load.force[i]);
-    }
-  }
-  std::stable_sort(readings.begin(), readings.end(),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
-  IndentationCurve loading;
-  loading.tool = &tool;
-  for (const auto& [deflection, force] : readings)
-  {
-    loading.deflection.push_back(deflection);
-    loading.force.push_back(force);
-  }
-  return loading;
-}
-
 /// Where the groups of readings begin, and their end.
 std::vector<std::size_t> groupsOf(
   const MeasuredCurve& curve, const std::vector<std::size_t>& turns, double range, double slack)
@@ -100,7 +77,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
 {
   PressHistory history;
   history.tool = &tool;
-  history.loading = arrangeReadings(loadingOf(tool, prepared), findContact);
+  history.loading = arrangeReadings(loadsByDepth(tool, prepared), findContact);
   history.noise = estimateForceNoise(curve.time, curve.force);
   const double contact = history.loading.start.depth;
   const double range =

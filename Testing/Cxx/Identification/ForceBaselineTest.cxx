@@ -2,6 +2,7 @@
 // What precedes the contact: long, shifted, drifting, crooked. The truth is Hertz's closed form.
 #include "Identification/ArrangedReadings.h"
 #include "Identification/BodyIdentification.h"
+#include "Identification/MeasuredSite.h"
 
 #include "BaselineCurves.h"
 #include "EstimateHolds.h"
@@ -156,6 +157,33 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
     const IdentifiedBody body =
       identification.identify({ approach(1.0, 200, 0.0, drift).measure(*tip, random) });
     EXPECT_EQ(body.refusal.find("no baseline") != std::string::npos, drift > 0.25) << body.refusal;
+  }
+}
+
+/// The energy of a loop is that of the net force: one that keeps 5 % is elastic at any offset.
+TEST(ForceBaseline, DoesNotCountAsALoop)
+{
+  for (const double offset : { 0.0, -0.5, 0.5 })
+  {
+    std::mt19937 random(11);
+    palpate::MeasuredSite site;
+    palpate::MeasuredCurve curve;
+    const IndentationCurve load =
+      approach(1.0, 200, offset, 0.0).measure(*tool("paraboloid:3"), random);
+    curve.deflection = load.deflection;
+    curve.force = load.force;
+    for (std::size_t i = load.force.size() - 1; i-- > 0;)
+    {
+      const double kept = 0.05 * Approach::force(load.deflection[i] - 1.0);
+      curve.deflection.push_back(load.deflection[i]);
+      curve.force.push_back(load.force[i] - kept);
+    }
+    site.curves.push_back({ "paraboloid:3", tool("paraboloid:3"), curve, {} });
+    palpate::identifySite({}, halfSpace(), site);
+    ASSERT_EQ(site.refusal, "") << offset;
+    // The offset is known to 0.01 % of the largest force; a branch ends within 1 % of the turn.
+    EXPECT_NEAR(site.curves[0].prepared.hysteresis, 0.05, 0.005) << offset;
+    EXPECT_TRUE(holds(site.body.reducedModulus, Approach::Modulus));
   }
 }
 
