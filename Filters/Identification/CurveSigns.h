@@ -3,7 +3,6 @@
 #define palpate_CurveSigns_h
 
 #include "Identification/MeasuredCurve.h"
-#include "Mechanics/PalpateExport.h"
 
 #include <string>
 
@@ -18,11 +17,11 @@ namespace palpate
  * while forces rise; so are both where forces fall from nearly 0 with the deflection. A single
  * reading does not count.
  */
-PALPATE_EXPORT std::string doubtSigns(const MeasuredCurve& curve);
+std::string doubtSigns(const MeasuredCurve& curve);
 
 /// Why the deflections of a curve are in another unit than mm, as a question: pressed in by `depth`
 /// (mm) a tool would be a hundred times as deep as small strains reach. "" where they are not.
-PALPATE_EXPORT std::string doubtUnits(const AxisymmetricTool& tool, double depth);
+std::string doubtUnits(const AxisymmetricTool& tool, double depth);
 } // namespace palpate
 
 #endif
