@@ -17,57 +17,32 @@ namespace
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int OffsetCandidates = 41;
 constexpr std::size_t FewReadings = 16;
 
-/// The offset and E* of a half-space nearest to a curve, from a scan; E* by linear least squares.
-double scanOffset(const IndentationCurve& curve)
+/// The force at the end of a curve on the estimated half-space, which one reading does not spoil.
+double endForce(const IndentationCurve& curve)
 {
-  const double first = curve.deflection.front();
-  const double range = curve.deflection.back() - first;
-  double best = first;
-  double bestSquares = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < OffsetCandidates; ++k)
-  {
-    const double offset = first + range * (1.4 * k / (OffsetCandidates - 1) - 0.5);
-    double products = 0.0;
-    double squares = 0.0;
-    double total = 0.0;
-    for (std::size_t i = 0; i < curve.force.size(); ++i)
-    {
-      const double unit = curve.tool->force(curve.deflection[i] - offset, 1.0);
-      products += unit * curve.force[i];
-      squares += unit * unit;
-      total += curve.force[i] * curve.force[i];
-    }
-    const double left = squares > 0.0 ? total - products * products / squares : total;
-    if (left < bestSquares)
-    {
-      bestSquares = left;
-      best = offset;
-    }
-  }
-  return best;
+  return curve.tool->force(curve.deflection.back() - curve.start.depth, curve.start.modulus);
 }
 
-/// E* that matches the deepest reading of the first curve, with the other parameters given.
-double matchModulus(BodyParameters body, const IndentationCurve& curve, double offset,
+/// E* that gives the first curve its end, with the other parameters given.
+double matchModulus(BodyParameters body, const IndentationCurve& curve,
   const std::shared_ptr<const LayerKernel>& kernel)
 {
   body.reducedModulus = 1.0;
-  const double force = curve.force.back();
-  const double local = curve.deflection.back() - offset - body.compliance * force;
+  const double force = endForce(curve);
+  const double local = curve.deflection.back() - curve.start.depth - body.compliance * force;
   body.model = body.model == BodyModel::Layer ? body.model : BodyModel::HalfSpace;
   body.compliance = 0.0;
   return force / bodyResponse(body, *curve.tool, kernel, local).force;
 }
 
 /// Start values: from a nearly local to a nearly global body, from a thick to a thin layer.
-std::vector<BodyParameters> startingBodies(BodyModel model, const IndentationCurve& curve,
-  double offset, const std::shared_ptr<const LayerKernel>& kernel)
+std::vector<BodyParameters> startingBodies(
+  BodyModel model, const IndentationCurve& curve, const std::shared_ptr<const LayerKernel>& kernel)
 {
   std::vector<BodyParameters> starts;
-  const double depth = curve.deflection.back() - offset;
+  const double depth = curve.deflection.back() - curve.start.depth;
   const double radius = curve.tool->contactRadius(depth);
   for (const double share : { 0.1, 0.4, 0.8 })
   {
@@ -75,13 +50,13 @@ std::vector<BodyParameters> startingBodies(BodyModel model, const IndentationCur
     body.model = model;
     if (model == BodyModel::GlobalCompliance)
     {
-      body.compliance = share * depth / curve.force.back();
+      body.compliance = share * depth / endForce(curve);
     }
     if (model == BodyModel::Layer)
     {
       body.thickness = radius / share;
     }
-    body.reducedModulus = matchModulus(body, curve, offset, kernel);
+    body.reducedModulus = matchModulus(body, curve, kernel);
     if (body.reducedModulus > 0.0 && std::isfinite(body.reducedModulus))
     {
       starts.push_back(body);
@@ -99,12 +74,11 @@ IndentationCurve thin(const IndentationCurve& curve)
 {
   IndentationCurve few;
   few.tool = curve.tool;
-  few.readings = curve.readings;
+  few.start = curve.start;
   const std::size_t step = (curve.force.size() + FewReadings - 1) / FewReadings;
   for (std::size_t i = (curve.force.size() - 1) % step; i < curve.force.size(); i += step)
   {
-    few.deflection.push_back(curve.deflection[i]);
-    few.force.push_back(curve.force[i]);
+    few.append(curve.deflection[i], curve.force[i], curve.readings[i]);
   }
   return few;
 }
@@ -134,32 +108,32 @@ double BodyFit::residual() const
   return std::sqrt(this->sumOfSquares / std::max(1, this->degreesOfFreedom));
 }
 
-BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bool findContact,
-  const std::shared_ptr<const LayerKernel>& kernel)
+std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves, BodyModel model,
+  bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
   FitResiduals residuals(curves, model, findContact, kernel);
   BodyFit fit;
-  fit.body.model = model;
   fit.degreesOfFreedom = static_cast<int>(residuals.values() - residuals.inputs());
-  fit.sumOfSquares = std::numeric_limits<double>::infinity();
   if (fit.degreesOfFreedom < 1)
   {
-    return fit;
+    return std::nullopt;
   }
   std::vector<double> offsets;
+  std::vector<ForceBaseline> baselines;
   std::vector<IndentationCurve> few;
   for (const IndentationCurve& curve : curves)
   {
-    offsets.push_back(findContact ? scanOffset(curve) : 0.0);
+    offsets.push_back(curve.start.depth);
+    baselines.push_back(curve.start.baseline);
     few.push_back(thin(curve));
   }
   // Every start is fitted to few readings, the best result to all.
   FitResiduals coarse(few, model, findContact, kernel);
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();
-  for (const BodyParameters& start : startingBodies(model, curves.front(), offsets.front(), kernel))
+  for (const BodyParameters& start : startingBodies(model, curves.front(), kernel))
   {
-    VectorXd p = coarse.pack(start, offsets);
+    VectorXd p = coarse.pack(start, offsets, baselines);
     const double squares = minimize(coarse, p, 1e-6).squares;
     if (squares < least && p.allFinite())
     {
@@ -169,17 +143,18 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
   }
   if (best.size() == 0)
   {
-    return fit;
+    return std::nullopt;
   }
-  best.tail(best.size() - residuals.materialCount()) *= coarse.depth() / residuals.depth();
-  if (model == BodyModel::GlobalCompliance)
+  for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    best[1] *= coarse.compliance() / residuals.compliance();
+    offsets[i] = coarse.offset(best, i);
+    baselines[i] = coarse.baseline(best, i);
   }
+  best = residuals.pack(coarse.body(best), offsets, baselines);
   const Minimum minimum = minimize(residuals, best, 1e-11);
-  if (!best.allFinite())
+  if (!best.allFinite() || !PackedBody::isBody(minimum.squares))
   {
-    return fit;
+    return std::nullopt;
   }
   fit.sumOfSquares = minimum.squares * residuals.force() * residuals.force();
   fit.converged = minimum.converged;
@@ -187,6 +162,8 @@ BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model, bo
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     fit.contactOffset.push_back(residuals.offset(best, i));
+    fit.baseline.push_back(residuals.baseline(best, i));
+    fit.terms.push_back(curves[i].start.terms);
   }
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(best, jacobian);
@@ -199,7 +176,8 @@ double modulusErrorBesideCompliance(
 {
   const FitResiduals residuals(curves, BodyModel::GlobalCompliance, findContact, nullptr);
   MatrixXd jacobian(residuals.values(), residuals.inputs());
-  residuals.df(residuals.pack(halfSpace.body, halfSpace.contactOffset), jacobian);
+  residuals.df(
+    residuals.pack(halfSpace.body, halfSpace.contactOffset, halfSpace.baseline), jacobian);
   return residuals.modulusError(jacobian);
 }
 } // namespace palpate

@@ -2,6 +2,7 @@
 #ifndef palpate_BodyFit_h
 #define palpate_BodyFit_h
 
+#include "Identification/FirstContact.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/Layers/LayerKernel.h"
 #include "Mechanics/PalpateExport.h"
@@ -9,7 +10,11 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace palpate
@@ -31,13 +36,37 @@ struct BodyParameters
   double thickness = 0.0;      ///< h, mm; 0 where there is no layer
 };
 
-/// Loading of one tool: readings of ascending depth, from any origin.
+/// Loading of one tool: readings of ascending depth, from any origin. For a fit arranged
+/// (ArrangedReadings.h), with an estimate of first contact.
 struct IndentationCurve
 {
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  double readings = 1.0;          ///< averaged in each value
+  std::vector<double> readings;   ///< averaged in each value; empty: one
+  FirstContact start;
+
+  void append(double depth, double value, double count)
+  {
+    this->deflection.push_back(depth);
+    this->force.push_back(value);
+    this->readings.push_back(count);
+  }
+  /// Of the net forces.
+  double largestForce() const
+  {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < this->force.size(); ++i)
+    {
+      largest = std::max(largest, this->netForce(i));
+    }
+    return largest;
+  }
+  /// The force of a reading without that of the baseline as estimated, N.
+  double netForce(std::size_t reading) const
+  {
+    return this->force[reading] - this->start.baseline.at(this->deflection[reading]);
+  }
 };
 
 /// The response of a body to a tool; `kernel` is needed for a layer only.
@@ -53,12 +82,14 @@ PALPATE_EXPORT IndentationPoint localContact(const BodyParameters& body,
 struct PALPATE_EXPORT BodyFit
 {
   BodyParameters body;
-  std::vector<double> contactOffset; ///< depth of first contact of each curve, mm
-  double sumOfSquares = 0.0;         ///< of residuals of force over all single readings, N²
+  std::vector<double> contactOffset;   ///< depth of first contact of each curve, mm
+  std::vector<ForceBaseline> baseline; ///< of each curve
+  std::vector<BaselineTerms> terms;    ///< that were fitted of it
+  double sumOfSquares = 0.0;           ///< of residuals of force over all single readings, N²
   int degreesOfFreedom = 0;
   bool converged = false;
-  /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the offsets; +inf where the
-  /// curves do not determine them.
+  /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the depths of contact, of
+  /// what is fitted of each baseline; +inf where the curves do not determine them.
   Eigen::VectorXd errorPerNoise;
   /// S, a row each for ln E* and for C_g or ln h: S Sᵀ is their covariance per square newton of
   /// noise. Empty where the curves do not determine them.
@@ -72,11 +103,13 @@ struct PALPATE_EXPORT BodyFit
 };
 
 /**
- * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, and the depth
- * of first contact of each curve, which is 0 unless `findContact`.
+ * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, and of each
+ * curve the depth of first contact, which is 0 unless `findContact`, and its baseline as far as its
+ * readings tell it. Nothing where no start leads to
+ * a body of finite E*, or the readings are no more than the parameters.
  */
-PALPATE_EXPORT BodyFit fitBody(const std::vector<IndentationCurve>& curves, BodyModel model,
-  bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
+PALPATE_EXPORT std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves,
+  BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
 /// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
 PALPATE_EXPORT double modulusErrorBesideCompliance(

@@ -2,6 +2,7 @@
 #include "Identification/BodyIdentification.h"
 
 #include "Mechanics/Files/NumberText.h"
+#include "Identification/ArrangedReadings.h"
 #include "Identification/FitReport.h"
 #include "Identification/FitVerdict.h"
 #include "Identification/StrainWindow.h"
@@ -18,10 +19,9 @@ namespace
 {
 using FitLimits::Inseparable;
 using FitLimits::LargestPassCount;
+using FitLimits::LeastError;
 using FitLimits::LeastNoise;
 using FitLimits::LikelihoodRatio;
-
-constexpr std::size_t LargestGroupCount = 200;
 
 void sortByDepth(IndentationCurve& curve)
 {
@@ -37,32 +37,6 @@ void sortByDepth(IndentationCurve& curve)
     sorted.force.push_back(curve.force[i]);
   }
   curve = std::move(sorted);
-}
-
-/// Averages neighbours: within one of 200 groups the curve is nearly linear. The deepest readings
-/// that do not fill a group are left out.
-void group(IndentationCurve& curve)
-{
-  const std::size_t size = (curve.force.size() + LargestGroupCount - 1) / LargestGroupCount;
-  if (size <= 1)
-  {
-    return;
-  }
-  IndentationCurve grouped;
-  grouped.tool = curve.tool;
-  grouped.readings = static_cast<double>(size);
-  for (std::size_t i = 0; i + size <= curve.force.size(); i += size)
-  {
-    const auto mean = [&](const std::vector<double>& values)
-    {
-      const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
-      return std::accumulate(first, first + static_cast<std::ptrdiff_t>(size), 0.0) /
-        static_cast<double>(size);
-    };
-    grouped.deflection.push_back(mean(curve.deflection));
-    grouped.force.push_back(mean(curve.force));
-  }
-  curve = std::move(grouped);
 }
 
 /// Noise of all curves together.
@@ -83,17 +57,19 @@ std::string checkCurve(const IndentationCurve& curve)
 {
   if (curve.force.size() < BodyIdentification::FewestReadings)
   {
-    return "the loading has " + std::to_string(curve.force.size()) + " readings; " +
-      std::to_string(BodyIdentification::FewestReadings) + " are needed";
+    return tooFew(curve.force.size(), curve.force.size(), 0.0);
   }
   const auto [low, high] = std::minmax_element(curve.deflection.begin(), curve.deflection.end());
   if (!(*high > *low))
   {
     return "the deflection stays at " + shortly(*low) + " mm";
   }
-  const double force = *std::max_element(curve.force.begin(), curve.force.end());
-  return force > 0.0 ? std::string()
-                     : "no force is above 0: the largest is " + shortly(force) + " N";
+  const auto [least, most] = std::minmax_element(curve.force.begin(), curve.force.end());
+  if (!(*most > *least))
+  {
+    return "the force stays at " + shortly(*least) + " N";
+  }
+  return {};
 }
 
 bool isFlatOnly(const std::vector<IndentationCurve>& curves)
@@ -136,7 +112,13 @@ std::string BodyIdentification::checkDetermined(
                               : std::string("the curves do not tell the parameters of a ") +
         nameOf(fit.body.model) + " apart";
   }
-  const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+  const double width = studentQuantile(fit.degreesOfFreedom) * noise;
+  std::string fault = checkCompliance(fit, width);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const double error = width * fit.errorPerNoise[0];
   if (!(error <= this->Options.largestUncertainty))
   {
     return "E* is known to " + shortly(100.0 * error) + " % only, where " +
@@ -146,41 +128,47 @@ std::string BodyIdentification::checkDetermined(
 }
 
 /// Returns why none can be chosen, or "".
-std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curves,
-  const ForceNoise& noise, BodyFit& chosen, bool& withinNoise) const
+std::string BodyIdentification::choose(
+  const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
   const IdentificationOptions& options = this->Options;
   const auto fitted = [&](BodyModel model)
   { return fitBody(curves, model, options.findContact, this->Kernel); };
+  std::optional<BodyFit>& chosen = judgement.fit;
+  const auto choose = [&](std::optional<BodyFit> fit)
+  {
+    chosen = std::move(fit);
+    judgement.withinNoise = chosen && leavesNoise(*chosen, noise);
+  };
+  choose(fitted(options.model.value_or(BodyModel::HalfSpace)));
   if (options.model)
   {
-    chosen = fitted(*options.model);
-    withinNoise = leavesNoise(chosen, noise);
-    return {};
+    return chosen ? std::string() : noBody(nameOf(*options.model));
   }
-
-  chosen = fitted(BodyModel::HalfSpace);
-  withinNoise = leavesNoise(chosen, noise);
   std::vector<BodyFit> richer;
   for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
   {
-    BodyFit fit = fitted(model);
-    const bool stiffens = model == BodyModel::GlobalCompliance && !(fit.body.compliance > 0.0);
-    if (fit.converged && fit.separation >= Inseparable && !stiffens)
+    std::optional<BodyFit> fit = fitted(model);
+    const bool isBody = fit && fit->converged && fit->separation >= Inseparable;
+    if (isBody && (model != BodyModel::GlobalCompliance || fit->body.compliance > 0.0))
     {
-      richer.push_back(std::move(fit));
+      richer.push_back(std::move(*fit));
     }
   }
   std::sort(richer.begin(), richer.end(),
     [](const BodyFit& a, const BodyFit& b) { return a.sumOfSquares < b.sumOfSquares; });
 
   const double significant = LikelihoodRatio * noise.deviation * noise.deviation;
-  const bool improved =
-    !richer.empty() && chosen.sumOfSquares - richer.front().sumOfSquares > significant;
+  const bool improved = !richer.empty() &&
+    (!chosen || chosen->sumOfSquares - richer.front().sumOfSquares > significant);
   if (!improved)
   {
-    const double error = studentQuantile(chosen.degreesOfFreedom) * noise.deviation *
-      modulusErrorBesideCompliance(curves, chosen, options.findContact);
+    if (!chosen)
+    {
+      return noBody(nameOf(BodyModel::HalfSpace));
+    }
+    const double error = studentQuantile(chosen->degreesOfFreedom) * noise.deviation *
+      modulusErrorBesideCompliance(curves, *chosen, options.findContact);
     return error <= options.largestUncertainty ? std::string()
       : isFlatOnly(curves)                     ? std::string(FlatAlone)
                            : "the curves do not tell E* from a global compliance";
@@ -190,49 +178,75 @@ std::string BodyIdentification::choose(const std::vector<IndentationCurve>& curv
   {
     return "the curves do not tell a global compliance from a layer";
   }
-  chosen = richer.front();
-  withinNoise = leavesNoise(chosen, noise);
+  choose(richer.front());
   return {};
 }
 
 /// Identifies from these readings unchanged; returns why not, or "".
 std::string BodyIdentification::judge(
-  const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const
+  const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
   double force = 0.0;
   for (const IndentationCurve& curve : curves)
   {
-    std::string unusable = checkCurve(curve);
+    std::string unusable = checkLoading(curve);
     if (!unusable.empty())
     {
       return unusable;
     }
-    force = std::max(force, *std::max_element(curve.force.begin(), curve.force.end()));
+    force = std::max(force, curve.largestForce());
   }
   judgement.largestForce = force;
-  noise.deviation = std::max(noise.deviation, LeastNoise * force);
-  judgement.noise = noise.deviation;
-  std::string fault = this->choose(curves, noise, judgement.fit, judgement.withinNoise);
-  const double misfit = judgement.fit.residual();
-  const double allowed = this->Options.largestMisfit * force;
-  if (fault.empty() && !judgement.withinNoise && !(misfit <= allowed))
+  const ForceNoise coarse{ std::max(noise.deviation, LeastNoise * force), noise.degreesOfFreedom };
+  const std::string fault = this->choose(curves, coarse, judgement);
+  if (!fault.empty())
   {
-    fault = "no model fits: the nearest, a " + std::string(nameOf(judgement.fit.body.model)) +
+    return fault;
+  }
+  const double misfit = judgement.fit->residual();
+  const double allowed = this->Options.largestMisfit * force;
+  if (!judgement.withinNoise && !(misfit <= allowed))
+  {
+    return "no model fits: the nearest, a " + std::string(nameOf(judgement.fit->body.model)) +
       ", leaves " + shortly(misfit) + " N, more than the noise of " + shortly(noise.deviation) +
       " N and the " + shortly(allowed) + " N allowed";
   }
-  return fault.empty()
-    ? this->checkDetermined(curves, judgement.fit, std::max(noise.deviation, misfit))
-    : fault;
+  const double left = std::max({ noise.deviation, misfit, LeastError * force });
+  const std::string unclear = this->checkDetermined(curves, *judgement.fit, left);
+  return unclear.empty() ? checkBaseline(curves, *judgement.fit, coarse,
+                             studentQuantile(judgement.fit->degreesOfFreedom) * left, allowed)
+                         : unclear;
+}
+
+/// The readings of all curves that lie within small strain, arranged, and their number; returns why
+/// they do not suffice, or "".
+std::string BodyIdentification::select(const std::vector<IndentationCurve>& all, const BodyFit& fit,
+  std::vector<IndentationCurve>& used, std::size_t& count) const
+{
+  count = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const IndentationCurve kept = readingsWithin(all[i], fit.body, fit.contactOffset[i],
+      fit.baseline[i], this->Kernel, this->Options.largestStrain);
+    if (kept.force.size() < FewestReadings)
+    {
+      return tooFew(kept.force.size(), all[i].force.size(), this->Options.largestStrain);
+    }
+    count += kept.force.size();
+    used[i] = arrangeReadings(kept, this->Options.findContact);
+  }
+  return {};
 }
 
 IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves) const
 {
   IdentifiedBody result;
   result.refusal = curves.empty() ? "there is no loading" : "";
+  std::size_t count = 0; // of the readings used
   for (IndentationCurve& curve : curves)
   {
     result.refusal = result.refusal.empty() ? checkCurve(curve) : result.refusal;
+    count += curve.force.size();
     if (result.refusal.empty())
     {
       sortByDepth(curve);
@@ -242,40 +256,42 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   {
     return result;
   }
+  const std::size_t total = count;
   const bool given = this->Options.noise > 0.0;
   const ForceNoise noise = given ? ForceNoise{ this->Options.noise } : poolNoise(curves);
-  for (IndentationCurve& curve : curves)
+  std::vector<IndentationCurve> used;
+  for (const IndentationCurve& curve : curves)
   {
-    group(curve);
+    used.push_back(arrangeReadings(curve, this->Options.findContact));
   }
 
   // Which readings lie within small strain depends on the body to be found.
   Judgement judgement;
-  std::vector<IndentationCurve> used = curves;
   result.refusal = this->judge(used, noise, judgement);
-  for (int pass = 0; pass < LargestPassCount && !judgement.fit.contactOffset.empty(); ++pass)
+  for (int pass = 0; pass < LargestPassCount && judgement.fit; ++pass)
   {
-    bool changed = false;
-    for (std::size_t i = 0; i < curves.size(); ++i)
+    const std::size_t before = count;
+    const std::string fault = this->select(curves, *judgement.fit, used, count);
+    if (!fault.empty() || count == before)
     {
-      IndentationCurve kept = readingsWithin(curves[i], judgement.fit.body,
-        judgement.fit.contactOffset[i], this->Kernel, this->Options.largestStrain);
-      changed = changed || kept.force.size() != used[i].force.size();
-      used[i] = std::move(kept);
-    }
-    if (!changed)
-    {
+      result.refusal = fault.empty() ? result.refusal : fault;
       break;
     }
     result.refusal = this->judge(used, noise, judgement);
   }
-  result.noise = judgement.noise;
-  result.misfit = judgement.fit.residual();
+  result.noise = noise.deviation;
   result.largestForce = judgement.largestForce;
-  result.withinNoise = judgement.withinNoise;
+  if (judgement.fit)
+  {
+    result.misfit = judgement.fit->residual();
+    result.withinNoise = judgement.withinNoise;
+  }
   if (result.refusal.empty())
   {
-    this->report(used, given, judgement.fit, result);
+    this->report(used, given, *judgement.fit, result);
+    const std::string left = leftOut(total - count, total, this->Options.largestStrain);
+    const std::string untold = untoldBaseline(*judgement.fit, this->Options.findContact);
+    result.remark = left + (left.empty() || untold.empty() ? "" : "; ") + untold;
   }
   return result;
 }

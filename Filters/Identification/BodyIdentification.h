@@ -42,14 +42,17 @@ struct IdentifiedBody
   Estimate reducedModulus;             ///< MPa
   Estimate compliance;                 ///< mm/N, of BodyModel::GlobalCompliance
   Estimate thickness;                  ///< mm, of BodyModel::Layer
-  std::vector<Estimate> contactOffset; ///< mm, of each curve
+  std::vector<Estimate> contactOffset; ///< depth of first contact of each curve, mm
+  std::vector<Estimate> forceOffset;   ///< of each curve, N, at first contact
+  std::vector<Estimate> forceDrift;    ///< of each curve, N/mm; 0 to 0: its readings do not tell it
+  std::vector<ForceBaseline> baseline; ///< of each curve, of these two
   /// How it relaxes; the numbers above are then the slow response. No branch: an elastic body.
   PronySeries relaxation;
   std::vector<Estimate> relaxationStrength;                       ///< p_i
   std::vector<Estimate> relaxationTime;                           ///< τ_i, s
   double shortestTime = std::numeric_limits<double>::quiet_NaN(); ///< that the test can resolve, s
   double longestTime = std::numeric_limits<double>::quiet_NaN();  ///< likewise
-  std::string remark; ///< what the test cannot resolve of a body that relaxes
+  std::string remark; ///< what was left out, and what the readings cannot tell
   /// A row each for ln E* and for C_g or ln h: S Sᵀ is their covariance, times the square of the
   /// factor from a standard error to half a 95 % interval.
   Eigen::MatrixXd spread;
@@ -77,15 +80,20 @@ struct IdentifiedBody
  * is below `largestMisfit`, and withinNoise is false.
  *
  * The laws are those of small strain. Readings deeper than `largestStrain` allows (StrainWindow.h)
- * are not used; since that depth depends on the body, fit and choice of readings alternate.
+ * are not used, which `remark` says; since that depth depends on the body, fit and choice of
+ * readings alternate.
  *
- * Refused, with the reason: too few readings; curves from which the parameters cannot be separated,
+ * With the body are fitted, of each curve, the depth of first contact, and an offset and a drift
+ * with the depth of its force, where the readings before contact tell them (ArrangedReadings.h).
+ *
+ * Refused, with the reason: too few readings; readings before contact that do not lie on a straight
+ * line; a global compliance below 0; curves from which the parameters cannot be separated,
  * as those of flat punches of one radius, which are straight lines whatever E*, C_g and h; an
  * uncertainty of E* above `largestUncertainty` if C_g were unknown as well; no model with a
  * residual small enough.
  *
  * Confidence intervals are those of the linearised problem, from the Jacobian and the noise (given)
- * or the misfit (Student's t); of E* and h symmetric in the logarithm. Cost: about a millisecond, a
+ * or the misfit (Student's t); of E* and h symmetric in the logarithm. Cost: some milliseconds, a
  * tenth of a second for a layer. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT BodyIdentification
@@ -95,24 +103,25 @@ public:
 
   explicit BodyIdentification(const IdentificationOptions& options);
 
-  /// The readings of a curve need not be sorted. Many are averaged in groups of neighbours.
+  /// The readings of a curve need not be sorted. Many are averaged (ArrangedReadings.h).
   IdentifiedBody identify(std::vector<IndentationCurve> curves) const;
 
   const IdentificationOptions& options() const noexcept { return this->Options; }
   const std::shared_ptr<const LayerKernel>& kernel() const noexcept { return this->Kernel; }
 
 private:
-  std::string choose(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
-    BodyFit& chosen, bool& withinNoise) const;
   struct Judgement
   {
-    BodyFit fit;
+    std::optional<BodyFit> fit;
     bool withinNoise = false;
-    double noise = 0.0;
     double largestForce = 0.0;
   };
-  std::string judge(
-    const std::vector<IndentationCurve>& curves, ForceNoise noise, Judgement& judgement) const;
+  std::string choose(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
+    Judgement& judgement) const;
+  std::string select(const std::vector<IndentationCurve>& all, const BodyFit& fit,
+    std::vector<IndentationCurve>& used, std::size_t& count) const;
+  std::string judge(const std::vector<IndentationCurve>& curves, const ForceNoise& noise,
+    Judgement& judgement) const;
   void report(const std::vector<IndentationCurve>& curves, bool noiseGiven, const BodyFit& fit,
     IdentifiedBody& result) const;
   std::string checkDetermined(

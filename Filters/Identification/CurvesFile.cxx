@@ -2,7 +2,9 @@
 #include "Identification/CurvesFile.h"
 
 #include "Mechanics/Files/CsvReader.h"
+#include "Mechanics/Files/NumberText.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string_view>
@@ -13,15 +15,37 @@ namespace
 {
 enum Column : std::size_t
 {
-  Site,
   X,
   Y,
   Z,
   Deflection,
   Force,
+  Site,
   Time,
   Phase,
-  RequiredColumns = Time
+  RequiredColumns = Site
+};
+
+/// A column, and what its numbers are multiplied by.
+struct UnitColumn
+{
+  const char* name;
+  double factor;
+};
+constexpr std::array<UnitColumn, 6> DeflectionColumns = { { { "deflection_mm", 1.0 },
+  { "deflection_nm", 1e-6 }, { "deflection_um", 1e-3 }, { "deflection_\xC2\xB5m", 1e-3 },
+  { "deflection_cm", 10.0 }, { "deflection_m", 1e3 } } };
+constexpr std::array<UnitColumn, 6> ForceColumns = { { { "force_N", 1.0 }, { "force_nN", 1e-9 },
+  { "force_uN", 1e-6 }, { "force_\xC2\xB5N", 1e-6 }, { "force_mN", 1e-3 }, { "force_kN", 1e3 } } };
+constexpr std::array<UnitColumn, 4> TimeColumns = { { { "time_s", 1.0 }, { "time_us", 1e-6 },
+  { "time_ms", 1e-3 }, { "time_min", 60.0 } } };
+
+/// What is multiplied to the numbers of a file: units, and -1 for what falls on pressing.
+struct Factors
+{
+  double deflection = 1.0;
+  double force = 1.0;
+  double time = 1.0;
 };
 
 std::string quoted(std::string_view text)
@@ -45,20 +69,111 @@ std::string readTool(std::string_view text, MeasuredCurves& curves)
   return parseTool(curves.toolText, curves.tool, error) ? std::string() : "tool: " + error;
 }
 
-/// Adds the last record of `csv` to the curve of its site; `index`: site -> curve.
-void readReading(
-  CsvReader& csv, std::map<std::string, std::size_t>& index, std::vector<MeasuredCurve>& curves)
+/// "force", "deflection", or both with a comma between.
+std::string readNegative(std::string_view text, Factors& factors)
 {
-  const std::string site(csv.text(Site));
+  for (std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view name = trimmed(text.substr(begin, end - begin));
+    if (name != "force" && name != "deflection")
+    {
+      return "negative: " + quoted(name) + " is not known; accepted are force, deflection";
+    }
+    (name == "force" ? factors.force : factors.deflection) = -1.0;
+    begin = end + 1;
+  }
+  return {};
+}
+
+/// The column of this record that has a quantity in one of its units; the first of them if none
+/// has. `factor` is multiplied by its own.
+template <std::size_t N>
+const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns, double& factor)
+{
+  const UnitColumn* found = nullptr;
+  for (const UnitColumn& column : columns)
+  {
+    for (std::size_t i = 0; i < csv.size(); ++i)
+    {
+      if (csv.text(i) == column.name && found != &column)
+      {
+        if (found)
+        {
+          csv.fail("has both " + quoted(found->name) + " and " + quoted(column.name));
+        }
+        found = &column;
+      }
+    }
+  }
+  factor *= found ? found->factor : 1.0;
+  return found ? found->name : columns.front().name;
+}
+
+/// Names a column of a quantity without one of its units.
+template <std::size_t N>
+void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
+{
+  const std::string_view first = columns.front().name;
+  const std::string_view quantity = first.substr(0, first.find('_'));
+  std::string units;
+  for (const UnitColumn& column : columns)
+  {
+    units += (units.empty() ? "" : ", ") + std::string(column.name).substr(quantity.size() + 1);
+  }
+  bool isThere = false;
+  std::string_view other;
+  for (std::size_t i = 0; i < csv.size(); ++i)
+  {
+    const std::string_view name = csv.text(i);
+    isThere = isThere ||
+      std::any_of(columns.begin(), columns.end(),
+        [&](const UnitColumn& column) { return name == column.name; });
+    other = name.substr(0, quantity.size() + 1) == std::string(quantity) + "_" ? name : other;
+  }
+  if (!isThere && !other.empty())
+  {
+    csv.fail("column " + quoted(first) + " is missing; " + quoted(other) +
+      " ends with none of the units " + units);
+  }
+}
+
+/// Takes this record for the names of the columns.
+void nameColumns(CsvReader& csv, Factors& factors)
+{
+  const char* const deflection = findColumn(csv, DeflectionColumns, factors.deflection);
+  const char* const force = findColumn(csv, ForceColumns, factors.force);
+  const char* const time = findColumn(csv, TimeColumns, factors.time);
+  refuseUnit(csv, DeflectionColumns);
+  refuseUnit(csv, ForceColumns);
+  csv.columns(
+    { "x_mm", "y_mm", "z_mm", deflection, force, "site", time, "phase" }, RequiredColumns);
+}
+
+/// "(10, 0, 50)", of a file that names no site.
+std::string nameOf(const Eigen::Vector3d& position)
+{
+  return "(" + shortestDecimals(position[0]) + ", " + shortestDecimals(position[1]) + ", " +
+    shortestDecimals(position[2]) + ")";
+}
+
+/// Adds the last record of `csv` to the curve of its site; `index`: site -> curve.
+void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, std::size_t>& index,
+  std::vector<MeasuredCurve>& curves)
+{
+  const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) }; // in order
+  const bool isNamed = csv.hasColumn(Site);
+  const std::string site = isNamed ? std::string(csv.text(Site))
+    : curves.empty()               ? nameOf(position)
+                                   : curves.front().site;
   if (site.empty())
   {
     csv.fail("the site has no name");
     return;
   }
-  const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) }; // in order
-  const double deflection = csv.number(Deflection);
-  const double force = csv.number(Force);
-  const double time = csv.hasColumn(Time) ? csv.number(Time) : 0.0;
+  const double deflection = factors.deflection * csv.number(Deflection);
+  const double force = factors.force * csv.number(Force);
+  const double time = csv.hasColumn(Time) ? factors.time * csv.number(Time) : 0.0;
   CurvePhase phase = CurvePhase::Unknown;
   if (!readPhase(csv.text(Phase), phase))
   {
@@ -75,7 +190,9 @@ void readReading(
   MeasuredCurve& curve = curves[known.first->second];
   if (curve.position != position)
   {
-    csv.fail("site " + quoted(site) + " lies elsewhere than in its first row");
+    csv.fail(isNamed ? "site " + quoted(site) + " lies elsewhere than in its first row"
+                     : "lies elsewhere than the first row, and without the column 'site' a file "
+                       "has one curve");
   }
   if (csv.hasColumn(Time))
   {
@@ -98,6 +215,7 @@ std::string readReadings(
   CsvReader& csv, const std::string& name, MeasuredCurves read, MeasuredCurves& curves)
 {
   bool inHead = true;
+  Factors factors;
   csv.comment = [&](std::string_view text) -> std::string
   {
     const CsvComment comment(text);
@@ -110,6 +228,10 @@ std::string readReadings(
     {
       read.synthetic = comment.value.empty() ? "not said how" : comment.value;
     }
+    if (comment.key == "negative")
+    {
+      return inHead ? readNegative(comment.value, factors) : "signs are named in the head";
+    }
     return {};
   };
   if (!csv.next())
@@ -121,12 +243,11 @@ std::string readReadings(
   {
     csv.fail("the head does not name the tool: '# tool: sphere:6.35' is missing");
   }
-  csv.columns({ "site", "x_mm", "y_mm", "z_mm", "deflection_mm", "force_N", "time_s", "phase" },
-    RequiredColumns);
+  nameColumns(csv, factors);
   std::map<std::string, std::size_t> index;
   while (csv.next())
   {
-    readReading(csv, index, read.curves);
+    readReading(csv, factors, index, read.curves);
   }
   if (read.curves.empty())
   {

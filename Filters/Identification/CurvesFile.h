@@ -21,9 +21,14 @@ namespace palpate
  *   site,x_mm,y_mm,z_mm,deflection_mm,force_N,time_s,phase
  *   A,10,0,50,0.02,0.0013,0.1,loading
  *
- * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out; columns may be in
- * any order; other columns (CsvReader) and other comments are ignored. The rows of a site share its
- * position; they are in the order in which they were taken, and time does not decrease.
+ * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out, and site, of a file
+ * of one curve, whose site is then named by its position. Columns may be in any order; other
+ * columns (CsvReader) and other comments are ignored. The rows of a site share its position; they
+ * are in the order in which they were taken, and time does not decrease.
+ *
+ * Units: a column names its own: deflection_nm, _um, _mm, _cm or _m; force_nN, _uN, _mN, _N or _kN;
+ * time_us, _ms, _s or _min. Signs: deflection and force rise as the tool is pressed in; what falls
+ * instead stands in the head, as `# negative: force` or `# negative: deflection, force`.
  *
  * Returns an error "file:line: what is wrong", or "". After an error `curves` is unchanged.
  */

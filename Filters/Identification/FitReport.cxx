@@ -2,6 +2,7 @@
 #include "Identification/FitReport.h"
 
 #include "Identification/FitVerdict.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/Numerics/Constants.h"
 
 #include <algorithm>
@@ -10,12 +11,45 @@ namespace palpate
 {
 double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody& found)
 {
-  if (isNoiseGiven && found.withinNoise)
+  const double least = FitLimits::LeastError * found.largestForce;
+  const double noise = std::max(found.noise, least);
+  if (isNoiseGiven && leavesNoise(fit, { noise }))
   {
-    return Normal95 * found.noise;
+    return Normal95 * noise;
   }
-  const double least = FitLimits::LeastNoise * found.largestForce;
   return studentQuantile(fit.degreesOfFreedom) * std::max(found.misfit, least);
+}
+
+std::string noBody(const std::string& model)
+{
+  return "no " + model + " comes near the readings";
+}
+
+std::string tooFew(std::size_t readings, std::size_t of, double largestStrain)
+{
+  const std::string have = readings < of ? "the largest strain of " + shortly(largestStrain) +
+      " leaves " + std::to_string(readings) + " of " + std::to_string(of)
+                                         : "the loading has " + std::to_string(readings);
+  return have + " readings; " + std::to_string(BodyIdentification::FewestReadings) + " are needed";
+}
+
+std::string leftOut(std::size_t readings, std::size_t of, double largestStrain)
+{
+  return readings == 0 ? std::string()
+                       : std::to_string(readings) + " of " + std::to_string(of) +
+      " readings are not used: they lie deeper than the largest strain of " +
+      shortly(largestStrain) + " allows";
+}
+
+std::string untoldBaseline(const BodyFit& fit, bool findContact)
+{
+  const BaselineTerms least = findContact ? *std::min_element(fit.terms.begin(), fit.terms.end())
+                                          : BaselineTerms::OffsetAndDrift;
+  return least == BaselineTerms::None
+    ? "too few readings before contact tell the offset of the force, which is taken for 0"
+    : least == BaselineTerms::Offset
+    ? "too few readings before contact tell a drift of the force, which is taken for 0"
+    : "";
 }
 
 Eigen::Index reportBody(const BodyFit& fit, double width, bool findContact, IdentifiedBody& found)
@@ -37,6 +71,13 @@ Eigen::Index reportBody(const BodyFit& fit, double width, bool findContact, Iden
   {
     found.contactOffset.push_back(
       findContact ? linearEstimate(offset, error()) : linearEstimate(0.0, 0.0));
+  }
+  for (std::size_t i = 0; i < fit.baseline.size(); ++i)
+  {
+    const auto terms = static_cast<int>(fit.terms[i]);
+    found.baseline.push_back(fit.baseline[i]);
+    found.forceOffset.push_back(linearEstimate(fit.baseline[i].offset, terms > 0 ? error() : 0.0));
+    found.forceDrift.push_back(linearEstimate(fit.baseline[i].drift, terms > 1 ? error() : 0.0));
   }
   return next;
 }

@@ -26,17 +26,19 @@ int FitResiduals::evaluate(
   {
     const IndentationCurve& curve = this->Curves[c];
     const TrialLaw law(trial, *curve.tool, this->Kernel);
-    const double weight = std::sqrt(curve.readings) / this->Force;
+    const ForceBaseline baseline = this->baseline(p, c);
     for (std::size_t i = 0; i < curve.force.size(); ++i, ++row)
     {
       const Sensitivity at = law.at(curve.deflection[i] - this->offset(p, c));
       if (residuals)
       {
-        (*residuals)[row] = std::isfinite(at.force) ? weight * (at.force - curve.force[i]) : Astray;
+        const double left = at.force + baseline.at(curve.deflection[i]) - curve.force[i];
+        (*residuals)[row] =
+          std::isfinite(at.force) ? std::sqrt(curve.readings[i]) * left / this->Force : Astray;
       }
       if (jacobian)
       {
-        this->fillRow(*jacobian, row, c, at, weight);
+        this->fillRow(*jacobian, row, c, i, at);
       }
     }
   }
@@ -44,8 +46,10 @@ int FitResiduals::evaluate(
 }
 
 void FitResiduals::fillRow(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
-  const Sensitivity& at, double weight) const
+  std::size_t reading, const Sensitivity& at) const
 {
+  const double readings = this->Curves[curve].readings[reading];
+  const double weight = std::sqrt(readings) / this->Force;
   jacobian.row(row).setZero();
   if (!std::isfinite(at.force) || !std::isfinite(at.bySecond))
   {
@@ -61,5 +65,6 @@ void FitResiduals::fillRow(Eigen::MatrixXd& jacobian, Eigen::Index row, std::siz
     jacobian(row, this->materialCount() + static_cast<Eigen::Index>(curve)) =
       -weight * at.stiffness * this->Depth;
   }
+  this->fillBaseline(jacobian, row, curve, this->Curves[curve].deflection[reading], readings);
 }
 } // namespace palpate

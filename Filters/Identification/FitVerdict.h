@@ -7,13 +7,19 @@
 
 #include <Eigen/Core>
 
+#include <string>
+#include <vector>
+
 namespace palpate
 {
 /// Limits for judging the fits of bodies.
 namespace FitLimits
 {
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
-constexpr double LeastNoise = 0.003; // of the largest force: no law or instrument is more accurate
+// Fractions of the largest force: no law is more accurate, so that no richer body is taken for
+// less; and what is left of an interval without any noise.
+constexpr double LeastNoise = 0.003;
+constexpr double LeastError = 0.0003;
 constexpr int LargestPassCount = 6;  // of alternating fit and choice of readings
 constexpr double Inseparable = 1e-4; // sine of an angle that rounding and a kink can cause
 } // namespace FitLimits
@@ -29,6 +35,20 @@ JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
 
 /// Whether the residual of a fit is within the noise: an F test at three standard deviations.
 bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
+
+/// Why a global compliance of 0 or less is no body; "" where there is none. `width`: of the
+/// interval, per standard error for a newton of noise, N.
+std::string checkCompliance(const BodyFit& fit, double width);
+
+/// Why an arranged curve tells nothing of a body, or "": no force rises in it, or it goes deeper
+/// than its unit can mean.
+std::string checkLoading(const IndentationCurve& curve);
+
+/// Why the readings before the contact of one of the curves of a fit are no baseline, or "": they
+/// do not lie on a straight line, within the noise or `allowed` (N), or it drifts too much
+/// (LargestDrift) beyond its interval of this `width`.
+std::string checkBaseline(const std::vector<IndentationCurve>& curves, const BodyFit& fit,
+  const ForceNoise& noise, double width, double allowed);
 
 /// Whether the contact of a tool has the same radius at every depth.
 bool isFlat(const AxisymmetricTool& tool);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Identification/MeasuredSite.h"
 
+#include "Identification/ArrangedReadings.h"
+#include "Identification/CurveSigns.h"
 #include "Identification/RelaxingIdentification.h"
 
 #include <algorithm>
@@ -50,13 +52,39 @@ bool hasTimes(const SiteCurve& curve)
   return time.size() > 1 && time.back() > time.front();
 }
 
+/// Prepares a curve, and judges it without the force of its baseline, which counts in every energy.
+std::string prepareNet(const ElasticityLimits& limits, bool findContact, SiteCurve& curve)
+{
+  std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
+  if (!findContact || curve.prepared.loads.empty())
+  {
+    return fault;
+  }
+  const ForceBaseline baseline =
+    findFirstContact(loadsByDepth(*curve.tool, curve.prepared)).baseline;
+  MeasuredCurve net = curve.curve;
+  for (std::size_t i = 0; i < net.force.size(); ++i)
+  {
+    net.force[i] -= baseline.at(net.deflection[i]);
+  }
+  PreparedCurve judged;
+  fault = prepareCurve(net, limits, judged);
+  for (std::size_t i = 0; i < judged.loads.size(); ++i)
+  {
+    judged.loads[i].force = curve.prepared.loads[i].force;
+  }
+  curve.prepared = std::move(judged);
+  return fault;
+}
+
 /// Identifies a body that relaxes; sets why not, if its curves have no times.
 void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<PressHistory> histories;
   for (const SiteCurve& curve : site.curves)
   {
-    histories.push_back(makeHistory(*curve.tool, curve.curve, curve.prepared));
+    histories.push_back(
+      makeHistory(*curve.tool, curve.curve, curve.prepared, identification.options().findContact));
   }
   site.body = identifyRelaxing(identification, std::move(histories));
   site.refusal = site.body.refusal;
@@ -87,22 +115,16 @@ void identifySite(
   bool areTimed = true;
   for (SiteCurve& curve : site.curves)
   {
-    const std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
+    std::string fault = prepareNet(limits, identification.options().findContact, curve);
+    const std::string doubt = doubtSigns(curve.curve);
+    fault = doubt.empty() ? fault : doubt;
     if (!fault.empty() && site.refusal.empty())
     {
       site.refusal = fault;
     }
-    isJudged = isJudged && (fault.empty() || relaxes(curve.prepared, limits));
+    isJudged = isJudged && doubt.empty() && (fault.empty() || relaxes(curve.prepared, limits));
     areTimed = areTimed && hasTimes(curve);
-    IndentationCurve loading;
-    loading.tool = curve.tool.get();
-    for (const LoadingBranch& load : curve.prepared.loads)
-    {
-      loading.deflection.insert(
-        loading.deflection.end(), load.deflection.begin(), load.deflection.end());
-      loading.force.insert(loading.force.end(), load.force.begin(), load.force.end());
-    }
-    loadings.push_back(std::move(loading));
+    loadings.push_back(loadsByDepth(*curve.tool, curve.prepared));
   }
   const PronySeries& given = identification.options().relaxation;
   const std::string flow = flowOf(site, limits);
@@ -129,7 +151,8 @@ void identifySite(
     }
     if (given.count > 0)
     {
-      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones";
+      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones" +
+        std::string(site.body.remark.empty() ? "" : "; ") + site.body.remark;
     }
   }
 }

@@ -5,11 +5,56 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palpate
 {
-void PackedBody::packBody(
-  const BodyParameters& body, const std::vector<double>& offsets, Eigen::VectorXd& p) const
+PackedBody::PackedBody(BodyModel model, bool findContact, std::vector<FirstContact> starts)
+  : Model(model)
+  , Offsets(findContact ? static_cast<Eigen::Index>(starts.size()) : 0)
+  , Starts(std::move(starts))
+{
+  this->BaselineInputs = this->firstOfBaseline(this->Starts.size()) - this->bodyInputs();
+}
+
+Eigen::Index PackedBody::firstOfBaseline(std::size_t curve) const
+{
+  Eigen::Index first = this->materialCount() + this->Offsets;
+  for (std::size_t i = 0; i < curve; ++i)
+  {
+    first += this->countOfBaseline(i);
+  }
+  return first;
+}
+
+ForceBaseline PackedBody::baseline(const Eigen::VectorXd& p, std::size_t curve) const
+{
+  const Eigen::Index first = this->firstOfBaseline(curve);
+  const Eigen::Index count = this->countOfBaseline(curve);
+  return { count > 0 ? p[first] * this->Force : 0.0,
+    count > 1 ? p[first + 1] * this->Force / this->Depth : 0.0,
+    this->Starts[curve].baseline.reference };
+}
+
+void PackedBody::fillBaseline(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
+  double deflection, double readings) const
+{
+  const Eigen::Index first = this->firstOfBaseline(curve);
+  const Eigen::Index count = this->countOfBaseline(curve);
+  const double weight = std::sqrt(readings);
+  if (count > 0)
+  {
+    jacobian(row, first) = weight;
+  }
+  if (count > 1)
+  {
+    jacobian(row, first + 1) =
+      weight * (deflection - this->Starts[curve].baseline.reference) / this->Depth;
+  }
+}
+
+void PackedBody::packBody(const BodyParameters& body, const std::vector<double>& offsets,
+  const std::vector<ForceBaseline>& baselines, Eigen::VectorXd& p) const
 {
   p[0] = std::log(body.reducedModulus);
   if (this->Model != BodyModel::HalfSpace)
@@ -20,6 +65,19 @@ void PackedBody::packBody(
   for (Eigen::Index i = 0; i < this->Offsets; ++i)
   {
     p[this->materialCount() + i] = offsets[static_cast<std::size_t>(i)] / this->Depth;
+  }
+  for (std::size_t curve = 0; curve < this->Starts.size(); ++curve)
+  {
+    const Eigen::Index first = this->firstOfBaseline(curve);
+    const Eigen::Index count = this->countOfBaseline(curve);
+    if (count > 0)
+    {
+      p[first] = baselines[curve].offset / this->Force;
+    }
+    if (count > 1)
+    {
+      p[first + 1] = baselines[curve].drift * this->Depth / this->Force;
+    }
   }
 }
 
@@ -58,6 +116,13 @@ void PackedBody::judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const
     }
   }
   fit.errorPerNoise.segment(this->materialCount(), this->Offsets) *= this->Depth;
+  for (std::size_t curve = 0; curve < this->Starts.size(); ++curve)
+  {
+    const Eigen::Index first = this->firstOfBaseline(curve);
+    const Eigen::Index count = this->countOfBaseline(curve);
+    fit.errorPerNoise.segment(first, count) *= this->Force;
+    fit.errorPerNoise.segment(first, count).tail(count > 1 ? 1 : 0) /= this->Depth;
+  }
 }
 
 double PackedBody::modulusError(const Eigen::MatrixXd& jacobian) const

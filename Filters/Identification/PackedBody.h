@@ -12,9 +12,10 @@
 namespace palpate
 {
 /**
- * The packing of a fitted body, and of the depths of first contact of its curves, into parameters
- * of order one: ln E*, then C_g over a reference or ln h, then the offsets over a reference depth.
- * Residuals are relative to the largest force. The common base of all residuals.
+ * The packing of a fitted body, and of the first contacts of its curves, into parameters of order
+ * one: ln E*, then C_g over a reference or ln h, then the depths of contact over a reference depth,
+ * then the offset and the drift of each baseline that has them, over the largest force. Residuals
+ * are relative to the largest force. The common base of all residuals.
  */
 class PackedBody
 {
@@ -32,8 +33,11 @@ public:
 
   Eigen::Index values() const { return this->Count; }
   Eigen::Index materialCount() const { return this->Model == BodyModel::HalfSpace ? 1 : 2; }
-  /// Number of parameters of material and offsets.
-  Eigen::Index bodyInputs() const { return this->materialCount() + this->Offsets; }
+  /// Number of parameters of material and first contacts.
+  Eigen::Index bodyInputs() const
+  {
+    return this->materialCount() + this->Offsets + this->BaselineInputs;
+  }
   double force() const { return this->Force; }
   double depth() const { return this->Depth; }
   /// The C_g of the whole depth under the whole force.
@@ -46,6 +50,10 @@ public:
       ? p[this->materialCount() + static_cast<Eigen::Index>(curve)] * this->Depth
       : 0.0;
   }
+  ForceBaseline baseline(const Eigen::VectorXd& p, std::size_t curve) const;
+
+  /// Whether a sum of squares is that of a body, and not of steps that led to none.
+  static bool isBody(double squares) { return squares < Astray * Astray; }
 
   /// Finds separation, spread, and errors of body and offsets from the Jacobian at the minimum;
   /// errors of further parameters stay packed.
@@ -54,16 +62,15 @@ public:
   double modulusError(const Eigen::MatrixXd& jacobian) const;
 
 protected:
-  /// For `curves` loading curves.
-  PackedBody(BodyModel model, bool findContact, std::size_t curves)
-    : Model(model)
-    , Offsets(findContact ? static_cast<Eigen::Index>(curves) : 0)
-  {
-  }
+  /// For loading curves with these estimates of their first contacts.
+  PackedBody(BodyModel model, bool findContact, std::vector<FirstContact> starts);
 
   /// Into the first of the parameters.
-  void packBody(
-    const BodyParameters& body, const std::vector<double>& offsets, Eigen::VectorXd& p) const;
+  void packBody(const BodyParameters& body, const std::vector<double>& offsets,
+    const std::vector<ForceBaseline>& baselines, Eigen::VectorXd& p) const;
+  /// The derivatives of a residual by the baseline of its curve.
+  void fillBaseline(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
+    double deflection, double readings) const;
   /// Whether a step led to a valid body.
   static bool isUsable(const BodyParameters& body);
   /// The scale by which ln h or C_g is packed.
@@ -76,10 +83,21 @@ protected:
   static constexpr double Astray = 1e3;
 
   BodyModel Model;
-  Eigen::Index Offsets;   ///< that are fitted
+  Eigen::Index Offsets; ///< depths of first contact that are fitted
+  Eigen::Index BaselineInputs = 0;
   Eigen::Index Count = 0; ///< of residuals
   double Force = 0.0;     ///< largest, N
   double Depth = 0.0;     ///< largest range of a curve, mm
+
+private:
+  /// The first parameter of a curve's baseline, and how many it has.
+  Eigen::Index firstOfBaseline(std::size_t curve) const;
+  Eigen::Index countOfBaseline(std::size_t curve) const
+  {
+    return static_cast<Eigen::Index>(this->Starts[curve].terms);
+  }
+
+  std::vector<FirstContact> Starts;
 };
 } // namespace palpate
 

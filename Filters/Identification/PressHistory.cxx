@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Identification/PressHistory.h"
 
+#include "Identification/ArrangedReadings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,30 +18,8 @@ constexpr double TimeShare = 0.03;        // of the time since the last turn, li
 // Fraction of the range: points farther apart get others between them.
 constexpr double StepShare = 0.02;
 constexpr double RampShare = 1.0 / 15.0; // fraction of a press: faster times are not resolved
-constexpr double LittleShare = 0.02;     // of the depth: a smaller step back is noise
-
-/// The loads of a curve, by depth.
-IndentationCurve loadingOf(const AxisymmetricTool& tool, const PreparedCurve& prepared)
-{
-  std::vector<std::pair<double, double>> readings;
-  for (const LoadingBranch& load : prepared.loads)
-  {
-    for (std::size_t i = 0; i < load.force.size(); ++i)
-    {
-      readings.emplace_back(load.deflection[i], load.force[i]);
-    }
-  }
-  std::stable_sort(readings.begin(), readings.end(),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
-  IndentationCurve loading;
-  loading.tool = &tool;
-  for (const auto& [deflection, force] : readings)
-  {
-    loading.deflection.push_back(deflection);
-    loading.force.push_back(force);
-  }
-  return loading;
-}
+constexpr double ContactShare = 0.1; // of the depth: nearer to the estimated contact it may be one
+constexpr double LittleShare = 0.02; // of the depth: a smaller step back is noise
 
 /// Where the groups of readings begin, and their end.
 std::vector<std::size_t> groupsOf(
@@ -92,15 +72,16 @@ void append(PressHistory& history, double time, double deflection, double force,
 }
 } // namespace
 
-PressHistory makeHistory(
-  const AxisymmetricTool& tool, const MeasuredCurve& curve, const PreparedCurve& prepared)
+PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curve,
+  const PreparedCurve& prepared, bool findContact)
 {
   PressHistory history;
   history.tool = &tool;
-  history.loading = loadingOf(tool, prepared);
+  history.loading = arrangeReadings(loadsByDepth(tool, prepared), findContact);
   history.noise = estimateForceNoise(curve.time, curve.force);
-  const auto [low, high] = std::minmax_element(curve.deflection.begin(), curve.deflection.end());
-  const double range = *high - *low;
+  const double contact = history.loading.start.depth;
+  const double range =
+    *std::max_element(curve.deflection.begin(), curve.deflection.end()) - contact;
   std::vector<std::size_t> starts(curve.time.size() + 1);
   std::iota(starts.begin(), starts.end(), std::size_t{ 0 });
   for (double slack = 1.0;
@@ -124,7 +105,8 @@ PressHistory makeHistory(
     };
     const double time = mean(curve.time);
     const double deflection = mean(curve.deflection);
-    if (g > 0) // a point of the path
+    // Points of the path between those that are compared; before contact none are needed.
+    if (g > 0 && std::max(deflection, history.deflection.back()) > contact - ContactShare * range)
     {
       const double lastTime = history.time.back();
       const double last = history.deflection.back();

@@ -25,16 +25,21 @@ struct PressHistory
   std::vector<double> force;      ///< N
   /// Number of readings averaged at each point; 0: a point of the path that is not compared.
   std::vector<double> readings;
-  IndentationCurve loading; ///< its loads alone, of ascending depth, for the start of a fit
+  IndentationCurve loading; ///< its loads alone, arranged, for the start of a fit
   ForceNoise noise;         ///< of a reading
 
   std::size_t size() const noexcept { return this->time.size(); }
+  /// The force of a point without that of the baseline as estimated, N.
+  double netForce(std::size_t point) const
+  {
+    return this->force[point] - this->loading.start.baseline.at(this->deflection[point]);
+  }
 };
 
 /// From a curve with times. If there are more than 600, neighbours in time are averaged over about
-/// 0.5 % of the depth and 3 % of the time since the last turn.
-PALPATE_EXPORT PressHistory makeHistory(
-  const AxisymmetricTool& tool, const MeasuredCurve& curve, const PreparedCurve& prepared);
+/// 0.5 % of the depth of contact and 3 % of the time since the last turn.
+PALPATE_EXPORT PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curve,
+  const PreparedCurve& prepared, bool findContact);
 
 /// The range of relaxation times that a test can resolve, s.
 struct TimeWindow

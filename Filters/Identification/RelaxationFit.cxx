@@ -49,39 +49,44 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
   std::vector<RelaxingBody> starts;
   const auto add = [&](const BodyFit& fit)
   {
-    if (fit.contactOffset.size() == histories.size() && fit.body.reducedModulus > 0.0 &&
-      std::isfinite(fit.body.reducedModulus))
+    if (fit.body.reducedModulus > 0.0 && std::isfinite(fit.body.reducedModulus))
     {
-      starts.push_back({ fit.body, {}, fit.contactOffset });
+      starts.push_back({ fit.body, {}, fit.contactOffset, fit.baseline });
     }
   };
-  BodyFit halfSpace = fitBody(loads, BodyModel::HalfSpace, findContact, kernel);
+  std::optional<BodyFit> halfSpace = fitBody(loads, BodyModel::HalfSpace, findContact, kernel);
+  if (halfSpace && model == BodyModel::HalfSpace)
+  {
+    add(*halfSpace);
+  }
   if (model == BodyModel::HalfSpace)
   {
-    add(halfSpace);
     return starts;
   }
-  const BodyFit fit = fitBody(loads, model, findContact, kernel);
-  if (!(fit.body.compliance < 0.0)) // negative for a load of increasing speed
+  const std::optional<BodyFit> fit = fitBody(loads, model, findContact, kernel);
+  if (fit && !(fit->body.compliance < 0.0)) // negative for a load of increasing speed
   {
-    add(fit);
+    add(*fit);
   }
-  if (!halfSpace.contactOffset.empty())
+  if (halfSpace)
   {
     const IndentationCurve& load = loads.front();
-    const double depth = load.deflection.back() - halfSpace.contactOffset.front();
-    halfSpace.body.model = model;
+    const double depth = load.deflection.back() - halfSpace->contactOffset.front();
     if (model == BodyModel::GlobalCompliance)
     {
-      halfSpace.body.compliance = 0.2 * depth / load.force.back();
-      halfSpace.body.reducedModulus *= 1.5;
+      halfSpace->body.compliance = 0.2 * depth /
+        bodyResponse(
+          { BodyModel::HalfSpace, halfSpace->body.reducedModulus }, *load.tool, kernel, depth)
+          .force;
+      halfSpace->body.reducedModulus *= 1.5;
     }
     else
     {
-      halfSpace.body.thickness = 3.0 * load.tool->contactRadius(depth);
-      halfSpace.body.reducedModulus *= 0.6;
+      halfSpace->body.thickness = 3.0 * load.tool->contactRadius(depth);
+      halfSpace->body.reducedModulus *= 0.6;
     }
-    add(halfSpace);
+    halfSpace->body.model = model;
+    add(*halfSpace);
   }
   return starts;
 }
@@ -127,31 +132,32 @@ bool isDetermined(const RelaxationFit& fit, double noise)
     fit.errorPerNoise.tail(2 * branches).maxCoeff() * noise * Normal95 < std::log(20.0);
 }
 
-/// Fits from one start; sum of squares +inf on failure.
-RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const RelaxationProblem& problem,
-  const RelaxingBody& start, Ending ending)
+/// Fits from one start; nothing on failure.
+std::optional<RelaxationFit> fitFrom(const std::vector<PressHistory>& histories,
+  const RelaxationProblem& problem, const RelaxingBody& start, Ending ending)
 {
   RelaxationResiduals residuals(histories, problem);
   RelaxationFit fit;
-  fit.body = start.body;
-  fit.series = start.series;
-  fit.contactOffset = start.contactOffset;
   fit.degreesOfFreedom = static_cast<int>(residuals.values() - residuals.inputs());
-  fit.sumOfSquares = std::numeric_limits<double>::infinity();
   VectorXd p = residuals.pack(start);
   if (fit.degreesOfFreedom < 1 || !p.allFinite())
   {
-    return fit;
+    return std::nullopt;
   }
   const Minimum minimum = minimize(residuals, p, ending.tolerance, ending.evaluations);
-  if (!p.allFinite())
+  if (!p.allFinite() || !PackedBody::isBody(minimum.squares))
   {
-    return fit;
+    return std::nullopt;
   }
   const RelaxingBody found = residuals.unpack(p);
   fit.body = found.body;
   fit.series = found.series;
   fit.contactOffset = found.contactOffset;
+  fit.baseline = found.baseline;
+  for (const PressHistory& history : histories)
+  {
+    fit.terms.push_back(history.loading.start.terms);
+  }
   fit.sumOfSquares = minimum.squares * residuals.force() * residuals.force();
   fit.converged = minimum.converged;
   MatrixXd jacobian(residuals.values(), residuals.inputs());
@@ -167,8 +173,8 @@ RelaxationFit fitFrom(const std::vector<PressHistory>& histories, const Relaxati
 }
 } // namespace
 
-RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyModel model,
-  bool findContact, const std::shared_ptr<const LayerKernel>& kernel, double noise,
+std::optional<RelaxationFit> fitRelaxingBody(const std::vector<PressHistory>& histories,
+  BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel, double noise,
   const PronySeries& given)
 {
   RelaxationProblem problem;
@@ -183,9 +189,7 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
       BranchRatio * static_cast<double>(problem.branches);
   };
 
-  RelaxationFit best;
-  best.body.model = model;
-  best.sumOfSquares = std::numeric_limits<double>::infinity();
+  std::optional<RelaxationFit> best;
   problem.blocks = CoarseBlocks;
   const auto spectrumAt = [&](const RelaxingBody& about)
   { return startingSpectrum(histories, about, kernel, windowOf(histories, about.contactOffset)); };
@@ -208,18 +212,17 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
       start.body.compliance *= 1.0 + 0.5 * given.total();
     }
     problem.branches = spectrum.time.size();
-    RelaxationFit fit = fitFrom(histories, problem, start, Coarse);
-    if (fit.sumOfSquares < best.sumOfSquares)
+    std::optional<RelaxationFit> fit = fitFrom(histories, problem, start, Coarse);
+    if (fit && (!best || fit->sumOfSquares < best->sumOfSquares))
     {
       best = std::move(fit);
     }
   }
-  if (!std::isfinite(best.sumOfSquares))
+  if (!best)
   {
-    return best;
+    return std::nullopt;
   }
-  const RelaxingBody about{ best.body, best.series, best.contactOffset };
-  best.score = score(best);
+  const RelaxingBody about{ best->body, best->series, best->contactOffset, best->baseline };
   if (given.count == 0)
   {
     // The number of branches: each added one must reduce the score.
@@ -228,23 +231,31 @@ RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories, BodyMo
     for (std::size_t k = 1; k <= std::min(spectrum.time.size(), PronySeries::LargestCount); ++k)
     {
       problem.branches = k;
-      RelaxationFit fit = k == best.series.count
+      std::optional<RelaxationFit> fit = k == best->series.count
         ? best
         : fitFrom(histories, problem, withSpectrum(about, spectrum.merged(k)), Coarse);
-      fit.score = score(fit);
-      const double doubt = isDetermined(fit, noise) ? 0.0 : Doubt;
-      if (chosen && !(fit.score + doubt < chosen->score && areApart(fit.series)))
+      if (!fit)
+      {
+        continue;
+      }
+      fit->score = score(*fit);
+      const double doubt = isDetermined(*fit, noise) ? 0.0 : Doubt;
+      if (chosen && !(fit->score + doubt < chosen->score && areApart(fit->series)))
       {
         break;
       }
       chosen = std::move(fit);
     }
-    best = chosen ? *chosen : best;
-    problem.branches = best.series.count;
+    best = chosen ? chosen : best;
+    problem.branches = best->series.count;
   }
   problem.blocks = RelaxationProblem().blocks;
-  best = fitFrom(histories, problem, { best.body, best.series, best.contactOffset }, Fine);
-  best.score = score(best);
+  best = fitFrom(
+    histories, problem, { best->body, best->series, best->contactOffset, best->baseline }, Fine);
+  if (best)
+  {
+    best->score = score(*best);
+  }
   return best;
 }
 
@@ -260,7 +271,9 @@ double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
   MatrixXd jacobian(residuals.values(), residuals.inputs());
   BodyParameters body = halfSpace.body;
   body.model = BodyModel::GlobalCompliance;
-  residuals.df(residuals.pack({ body, halfSpace.series, halfSpace.contactOffset }), jacobian);
+  residuals.df(
+    residuals.pack({ body, halfSpace.series, halfSpace.contactOffset, halfSpace.baseline }),
+    jacobian);
   return residuals.modulusError(jacobian);
 }
 

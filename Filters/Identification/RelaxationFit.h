@@ -8,6 +8,7 @@
 #include "Mechanics/Relaxation/PronySeries.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace palpate
@@ -25,11 +26,11 @@ struct PALPATE_EXPORT RelaxationFit : BodyFit
  * first contact, and strengths and times of up to four branches; as many as reduce the residual by
  * more than noise would (`noise`, N; a likelihood ratio at 1 %) and remain distinct. It starts from
  * the elastic fit of the loads and a spectrum (RelaxationStart.h). If `given` has at least one
- * branch, the series is not fitted.
+ * branch, the series is not fitted. Nothing where no start leads to a body.
  */
-PALPATE_EXPORT RelaxationFit fitRelaxingBody(const std::vector<PressHistory>& histories,
-  BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel, double noise,
-  const PronySeries& given);
+PALPATE_EXPORT std::optional<RelaxationFit> fitRelaxingBody(
+  const std::vector<PressHistory>& histories, BodyModel model, bool findContact,
+  const std::shared_ptr<const LayerKernel>& kernel, double noise, const PronySeries& given);
 
 /// The standard error of ln E* per newton of noise if C_g (0 here) were unknown as well.
 PALPATE_EXPORT double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,

@@ -61,9 +61,22 @@ std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body
   return curves;
 }
 
+namespace
+{
+std::vector<FirstContact> startsOf(const std::vector<PressHistory>& histories)
+{
+  std::vector<FirstContact> starts;
+  for (const PressHistory& history : histories)
+  {
+    starts.push_back(history.loading.start);
+  }
+  return starts;
+}
+} // namespace
+
 RelaxationResiduals::RelaxationResiduals(
   const std::vector<PressHistory>& histories, const RelaxationProblem& problem)
-  : PackedBody(problem.model, problem.findContact, histories.size())
+  : PackedBody(problem.model, problem.findContact, startsOf(histories))
   , Histories(histories)
   , Problem(problem)
 {
@@ -72,7 +85,7 @@ RelaxationResiduals::RelaxationResiduals(
     for (std::size_t i = 0; i < history.size(); ++i)
     {
       this->Count += history.readings[i] > 0.0 ? 1 : 0;
-      this->Force = std::max(this->Force, history.readings[i] > 0.0 ? history.force[i] : 0.0);
+      this->Force = std::max(this->Force, history.readings[i] > 0.0 ? history.netForce(i) : 0.0);
     }
     const auto [low, high] =
       std::minmax_element(history.deflection.begin(), history.deflection.end());
@@ -83,7 +96,7 @@ RelaxationResiduals::RelaxationResiduals(
 VectorXd RelaxationResiduals::pack(const RelaxingBody& body) const
 {
   VectorXd p(this->inputs());
-  this->packBody(body.body, body.contactOffset, p);
+  this->packBody(body.body, body.contactOffset, body.baseline, p);
   for (Index i = 0; i < this->branches(); ++i)
   {
     const auto branch = static_cast<std::size_t>(i);
@@ -100,6 +113,7 @@ RelaxingBody RelaxationResiduals::unpack(const VectorXd& p) const
   for (std::size_t c = 0; c < this->Histories.size(); ++c)
   {
     body.contactOffset.push_back(this->offset(p, c));
+    body.baseline.push_back(this->baseline(p, c));
   }
   body.series = this->Problem.given;
   if (this->Problem.branches > 0)
@@ -145,6 +159,7 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index,
 {
   const PressHistory& history = this->Histories[index];
   const double offset = trial.contactOffset[index];
+  const ForceBaseline& baseline = trial.baseline[index];
   const double depth =
     *std::max_element(history.deflection.begin(), history.deflection.end()) - offset;
   const auto scatter = [&](const auto& values, auto&& target)
@@ -160,7 +175,21 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index,
   };
   const auto weight = [&](std::size_t i) { return std::sqrt(history.readings[i]) / this->Force; };
   const auto setResidual = [&](Index at, std::size_t i, double force)
-  { (*residuals)[at] = std::isfinite(force) ? weight(i) * (force - history.force[i]) : Astray; };
+  {
+    const double left = force + baseline.at(history.deflection[i]) - history.force[i];
+    (*residuals)[at] = std::isfinite(force) ? weight(i) * left : Astray;
+  };
+  if (jacobian)
+  {
+    Index next = row;
+    for (std::size_t i = 0; i < history.size(); ++i)
+    {
+      if (history.readings[i] > 0.0)
+      {
+        this->fillBaseline(*jacobian, next++, index, history.deflection[i], history.readings[i]);
+      }
+    }
+  }
   if (!(depth > 0.0)) // no contact
   {
     if (residuals)

@@ -15,12 +15,13 @@
 
 namespace palpate
 {
-/// A body that relaxes, and the depth of first contact of each history.
+/// A body that relaxes, and the first contact of each history.
 struct RelaxingBody
 {
   BodyParameters body; ///< slow
   PronySeries series;
   std::vector<double> contactOffset; ///< mm
+  std::vector<ForceBaseline> baseline;
 };
 
 /// What is fitted: the model, the number of branches (0: the given series), the number of elements.

@@ -85,7 +85,13 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   for (std::size_t c = 0; c < histories.size(); ++c)
   {
     const PressHistory& history = histories[c];
-    const double largest = *std::max_element(history.force.begin(), history.force.end());
+    const auto netForce = [&](std::size_t i)
+    { return history.force[i] - about.baseline[c].at(history.deflection[i]); };
+    double largest = 0.0;
+    for (std::size_t i = 0; i < history.size(); ++i)
+    {
+      largest = std::max(largest, netForce(i));
+    }
     std::vector<QuasiLinearElement> memory(times.size());
     double before = 0.0;
     for (std::size_t i = 0; i < history.size(); ++i)
@@ -104,11 +110,11 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
           memory[k].follow(slow - before, RelaxationStep(one, seconds));
       }
       before = slow;
-      if (history.readings[i] > 0.0 && history.force[i] > LeastForce * largest && row.allFinite())
+      if (history.readings[i] > 0.0 && netForce(i) > LeastForce * largest && row.allFinite())
       {
         const double weight = std::sqrt(history.readings[i]);
         rows.emplace_back(weight * row);
-        forces.push_back(weight * history.force[i]);
+        forces.push_back(weight * netForce(i));
       }
     }
   }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace palpate
@@ -24,6 +25,13 @@ constexpr double WideInterval = 0.2; // of E*, relative: worth a remark
 std::string seconds(double time)
 {
   return shortly(time) + " s";
+}
+
+/// Number of readings that are compared.
+std::size_t countOf(const PressHistory& history)
+{
+  return static_cast<std::size_t>(
+    std::accumulate(history.readings.begin(), history.readings.end(), 0.0));
 }
 
 /// Identifies one site.
@@ -47,7 +55,15 @@ public:
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
     {
-      result.refusal = this->judge();
+      const std::optional<RelaxationFit> before = this->Fit;
+      const std::string fault = this->judge();
+      if (!this->Fit) // what is left tells no body
+      {
+        this->Fit = before;
+        result.refusal = result.refusal.empty() ? fault : result.refusal;
+        break;
+      }
+      result.refusal = fault;
     }
     if (this->Fit)
     {
@@ -77,19 +93,23 @@ private:
     this->LargestForce = 0.0;
     double squares = 0.0;
     double freedom = 0.0;
-    for (const PressHistory& history : this->Used)
+    for (std::size_t c = 0; c < this->Used.size(); ++c)
     {
-      std::size_t count = 0;
+      const PressHistory& history = this->Used[c];
       for (std::size_t i = 0; i < history.size(); ++i)
       {
-        const bool counts = history.readings[i] > 0.0;
-        count += counts ? 1 : 0;
-        this->LargestForce = std::max(this->LargestForce, counts ? history.force[i] : 0.0);
+        this->LargestForce =
+          std::max(this->LargestForce, history.readings[i] > 0.0 ? history.netForce(i) : 0.0);
       }
-      if (count < BodyIdentification::FewestReadings || history.loading.force.size() < 2)
+      const std::size_t count = countOf(history);
+      if (count < BodyIdentification::FewestReadings)
       {
-        return "the curve has " + std::to_string(count) + " readings within small strain; " +
-          std::to_string(BodyIdentification::FewestReadings) + " are needed";
+        return tooFew(count, countOf(this->All[c]), this->Options.largestStrain);
+      }
+      std::string unusable = checkLoading(history.loading);
+      if (!unusable.empty())
+      {
+        return unusable;
       }
       squares += history.noise.degreesOfFreedom * history.noise.deviation * history.noise.deviation;
       freedom += history.noise.degreesOfFreedom;
@@ -100,19 +120,35 @@ private:
     }
     this->Noise = this->Options.noise > 0.0 ? ForceNoise{ this->Options.noise }
                                             : ForceNoise{ std::sqrt(squares / freedom), freedom };
-    this->Noise.deviation =
+    this->Coarse = this->Noise;
+    this->Coarse.deviation =
       std::max(this->Noise.deviation, FitLimits::LeastNoise * this->LargestForce);
-    std::string fault = this->choose();
+    const std::string fault = this->choose();
+    if (!fault.empty())
+    {
+      return fault;
+    }
     const double misfit = this->Fit->residual();
     const double allowed = this->Options.largestMisfit * this->LargestForce;
-    if (fault.empty() && !this->WithinNoise && !(misfit <= allowed))
+    if (!this->WithinNoise && !(misfit <= allowed))
     {
-      fault = "no model fits: the nearest, a relaxing " +
+      return "no model fits: the nearest, a relaxing " +
         std::string(nameOf(this->Fit->body.model)) + ", leaves " + shortly(misfit) +
         " N, more than the noise of " + shortly(this->Noise.deviation) + " N and the " +
         shortly(allowed) + " N allowed";
     }
-    return fault.empty() ? this->checkDetermined(std::max(this->Noise.deviation, misfit)) : fault;
+    const double left =
+      std::max({ this->Noise.deviation, misfit, FitLimits::LeastError * this->LargestForce });
+    const std::string unclear = this->checkDetermined(left);
+    return unclear.empty() ? checkBaseline(this->loadings(), *this->Fit, this->Coarse,
+                               studentQuantile(this->Fit->degreesOfFreedom) * left, allowed)
+                           : unclear;
+  }
+
+  void choose(std::optional<RelaxationFit> fit)
+  {
+    this->Fit = std::move(fit);
+    this->WithinNoise = this->Fit && leavesNoise(*this->Fit, this->Coarse);
   }
 
   std::string choose()
@@ -120,55 +156,53 @@ private:
     const auto fitted = [&](BodyModel model)
     {
       return fitRelaxingBody(this->Used, model, this->Options.findContact,
-        this->Identification.kernel(), this->Noise.deviation, this->Options.relaxation);
+        this->Identification.kernel(), this->Coarse.deviation, this->Options.relaxation);
     };
+    const auto none = [](BodyModel model)
+    { return noBody(std::string("relaxing ") + nameOf(model)); };
+    this->choose(fitted(this->Options.model.value_or(BodyModel::HalfSpace)));
     if (this->Options.model)
     {
-      this->Fit = fitted(*this->Options.model);
-      this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
-      return {};
+      return this->Fit ? std::string() : none(*this->Options.model);
     }
-    this->Fit = fitted(BodyModel::HalfSpace);
-    this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
     std::vector<RelaxationFit> richer;
     for (const BodyModel model : { BodyModel::GlobalCompliance, BodyModel::Layer })
     {
-      RelaxationFit fit = fitted(model);
-      const bool stiffens = model == BodyModel::GlobalCompliance && !(fit.body.compliance > 0.0);
-      if (fit.converged && fit.separation >= FitLimits::Inseparable && !stiffens)
+      std::optional<RelaxationFit> fit = fitted(model);
+      const bool isBody = fit && fit->converged && fit->separation >= FitLimits::Inseparable;
+      if (isBody && (model != BodyModel::GlobalCompliance || fit->body.compliance > 0.0))
       {
-        richer.push_back(std::move(fit));
+        richer.push_back(std::move(*fit));
       }
     }
     std::sort(richer.begin(), richer.end(),
       [](const RelaxationFit& a, const RelaxationFit& b) { return a.score < b.score; });
-    if (richer.empty() || !(richer.front().score < this->Fit->score))
+    if (richer.empty() || (this->Fit && !(richer.front().score < this->Fit->score)))
     {
-      const double error = studentQuantile(this->Fit->degreesOfFreedom) * this->Noise.deviation *
+      if (!this->Fit)
+      {
+        return none(BodyModel::HalfSpace);
+      }
+      const double error = studentQuantile(this->Fit->degreesOfFreedom) * this->Coarse.deviation *
         modulusErrorBesideCompliance(
           this->Used, *this->Fit, this->Options.findContact, this->isGiven());
       return error <= this->Options.largestUncertainty ? std::string()
         : this->isFlatOnly()                           ? std::string(FlatAlone)
                              : "the curves do not tell E* from a global compliance";
     }
-    if (richer.size() > 1 && leavesNoise(richer[0], this->Noise) &&
-      leavesNoise(richer[1], this->Noise) &&
+    if (richer.size() > 1 && leavesNoise(richer[0], this->Coarse) &&
+      leavesNoise(richer[1], this->Coarse) &&
       richer[1].score - richer[0].score < FitLimits::LikelihoodRatio)
     {
       return "the curves do not tell a global compliance from a layer";
     }
-    this->Fit = richer.front();
-    this->WithinNoise = leavesNoise(*this->Fit, this->Noise);
+    this->choose(richer.front());
     return {};
   }
 
   std::string checkDetermined(double noise) const
   {
     const RelaxationFit& fit = *this->Fit;
-    if (fit.contactOffset.size() != this->Used.size())
-    {
-      return "the readings are too few to tell how the body relaxes";
-    }
     const double longest = windowOf(this->Used, fit.contactOffset).longest;
     const bool goesOn = !this->isGiven() && fit.series.count > 0 &&
       fit.series.time[fit.series.count - 1] > 0.3 * longest;
@@ -186,13 +220,29 @@ private:
         ? std::string(FlatAlone)
         : "the curves do not tell the parameters of " + what + " apart" + advice;
     }
-    const double error = studentQuantile(fit.degreesOfFreedom) * noise * fit.errorPerNoise[0];
+    const double width = studentQuantile(fit.degreesOfFreedom) * noise;
+    const std::string fault = checkCompliance(fit, width);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    const double error = width * fit.errorPerNoise[0];
     if (!(error <= this->Options.largestUncertainty))
     {
       return "the slow E* is known to " + shortly(100.0 * error) + " % only, where " +
         shortly(100.0 * this->Options.largestUncertainty) + " % are asked for" + advice;
     }
     return {};
+  }
+
+  std::vector<IndentationCurve> loadings() const
+  {
+    std::vector<IndentationCurve> loadings;
+    for (const PressHistory& history : this->Used)
+    {
+      loadings.push_back(history.loading);
+    }
+    return loadings;
   }
 
   bool isFlatOnly() const
@@ -206,7 +256,7 @@ private:
   {
     bool changed = false;
     const BodyParameters& body = this->Fit->body;
-    for (std::size_t c = 0; c < this->All.size() && c < this->Fit->contactOffset.size(); ++c)
+    for (std::size_t c = 0; c < this->All.size(); ++c)
     {
       const PressHistory& all = this->All[c];
       const double local = smallStrainDepth(
@@ -229,7 +279,7 @@ private:
   /// Whether small strain ends before most of the test's time is compared.
   bool isHoldTooDeep() const
   {
-    return !this->isGiven() && this->Fit && this->Fit->contactOffset.size() == this->All.size() &&
+    return !this->isGiven() && this->Fit &&
       windowOf(this->Used, this->Fit->contactOffset).longest <
       0.5 * windowOf(this->All, this->Fit->contactOffset).longest;
   }
@@ -256,6 +306,18 @@ private:
     result.shortestTime = window.shortest;
     result.longestTime = window.longest;
     result.remark = this->isGiven() ? "relaxation given" : this->remarkOn(result, error(0));
+    std::size_t left = 0;
+    std::size_t total = 0;
+    for (std::size_t c = 0; c < this->Used.size(); ++c)
+    {
+      total += countOf(this->All[c]);
+      left += countOf(this->All[c]) - countOf(this->Used[c]);
+    }
+    for (const std::string& more : { leftOut(left, total, this->Options.largestStrain),
+           untoldBaseline(fit, this->Options.findContact) })
+    {
+      result.remark += (more.empty() ? "" : "; ") + more;
+    }
   }
 
   void findEnd(IdentifiedBody& result) const
@@ -308,6 +370,7 @@ private:
   std::vector<PressHistory> All;
   std::vector<PressHistory> Used;
   ForceNoise Noise;
+  ForceNoise Coarse; ///< not below the accuracy of a law
   std::optional<RelaxationFit> Fit;
   double LargestForce = 0.0;
   bool WithinNoise = false;

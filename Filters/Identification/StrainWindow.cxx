@@ -33,15 +33,16 @@ double smallStrainDepth(const AxisymmetricTool& tool, const BodyParameters& body
 }
 
 IndentationCurve readingsWithin(const IndentationCurve& curve, const BodyParameters& body,
-  double contactOffset, const std::shared_ptr<const LayerKernel>& kernel, double strain)
+  double contactOffset, const ForceBaseline& baseline,
+  const std::shared_ptr<const LayerKernel>& kernel, double strain)
 {
   const double limit = smallStrainDepth(*curve.tool, body, kernel, strain);
   IndentationCurve kept;
   kept.tool = curve.tool;
-  kept.readings = curve.readings;
   for (std::size_t i = 0; i < curve.force.size(); ++i)
   {
-    const double given = body.compliance * std::max(curve.force[i], 0.0);
+    const double given =
+      body.compliance * std::max(curve.force[i] - baseline.at(curve.deflection[i]), 0.0);
     if (curve.deflection[i] - contactOffset - given <= limit)
     {
       kept.deflection.push_back(curve.deflection[i]);

@@ -21,7 +21,8 @@ double smallStrainDepth(const AxisymmetricTool& tool, const BodyParameters& body
  * none is better.
  */
 IndentationCurve readingsWithin(const IndentationCurve& curve, const BodyParameters& body,
-  double contactOffset, const std::shared_ptr<const LayerKernel>& kernel, double strain);
+  double contactOffset, const ForceBaseline& baseline,
+  const std::shared_ptr<const LayerKernel>& kernel, double strain);
 } // namespace palpate
 
 #endif

@@ -104,8 +104,9 @@ void appendHistory(const PlacedSite& site, std::size_t index,
   const std::vector<double> model = forcesOver(history, body.body, body.relaxation, kernel, offset);
   for (std::size_t i = 0; i < model.size(); ++i)
   {
-    readings.push_back({ &site, &curve, history.deflection[i] - offset, curve.curve.force[i],
-      NotANumber, model[i], history.time[i] });
+    const double net = curve.curve.force[i] - body.baseline[index].at(history.deflection[i]);
+    readings.push_back({ &site, &curve, history.deflection[i] - offset, net, NotANumber, model[i],
+      history.time[i] });
   }
 }
 
@@ -126,6 +127,7 @@ void appendReadings(const PlacedSite& site, std::size_t index,
     return;
   }
   const double offset = known ? body.contactOffset[index].value : 0.0;
+  const ForceBaseline baseline = known ? body.baseline[index] : ForceBaseline();
   for (const LoadingBranch& load : curve.prepared.loads)
   {
     std::vector<std::size_t> order(load.deflection.size());
@@ -135,7 +137,7 @@ void appendReadings(const PlacedSite& site, std::size_t index,
     std::vector<double> forces;
     for (const std::size_t i : order)
     {
-      forces.push_back(load.force[i]);
+      forces.push_back(load.force[i] - baseline.at(load.deflection[i]));
     }
     const std::vector<double> monotone = isotonicRegression(forces);
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -174,8 +176,6 @@ void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
     [](const PlacedSite& s) { return s.measured.body.shortestTime; });
   addNumbers(table, "LongestTime (s)", sites,
     [](const PlacedSite& s) { return s.measured.body.longestTime; });
-  addColumn<vtkStringArray>(
-    table, "Remark", sites, [](const PlacedSite& s) { return s.measured.body.remark; });
 }
 
 /// Numbers with all their digits, so that a double is read back unchanged.
@@ -216,12 +216,14 @@ void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table)
     [](const PlacedSite& s) { return s.measured.body.compliance; });
   addEstimate(table, "Thickness", " (mm)", sites,
     [](const PlacedSite& s) { return s.measured.body.thickness; });
+  const auto first = [](const std::vector<Estimate>& estimates)
+  { return estimates.empty() ? Estimate() : estimates.front(); };
   addEstimate(table, "ContactOffset", " (mm)", sites,
-    [](const PlacedSite& s)
-    {
-      const auto& offsets = s.measured.body.contactOffset;
-      return offsets.empty() ? Estimate() : offsets.front();
-    });
+    [&](const PlacedSite& s) { return first(s.measured.body.contactOffset); });
+  addEstimate(table, "ForceOffset", " (N)", sites,
+    [&](const PlacedSite& s) { return first(s.measured.body.forceOffset); });
+  addEstimate(table, "ForceDrift", " (N/mm)", sites,
+    [&](const PlacedSite& s) { return first(s.measured.body.forceDrift); });
   const auto identified = [&](const char* name, double IdentifiedBody::*member)
   { addNumbers(table, name, sites, [=](const PlacedSite& s) { return s.measured.body.*member; }); };
   identified("Noise (N)", &IdentifiedBody::noise);
@@ -236,6 +238,7 @@ void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table)
     [](const PlacedSite& s)
     { return most(s, [](const PreparedCurve& p) { return p.rateEffect; }); });
   addRelaxation(table, sites);
+  text("Remark", [](const PlacedSite& s) { return s.measured.body.remark; });
 }
 
 void tabulateCurves(const std::vector<PlacedSite>& sites,

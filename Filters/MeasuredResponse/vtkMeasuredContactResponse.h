@@ -11,16 +11,17 @@
  * MeasuringTool, and the curves count as measured.
  *
  * For each site the loading branches are separated, hysteresis and the effect of speed are
- * measured, the depth of first contact is found, and the simplest elastic body that explains the
- * readings within their noise is identified: a half-space (E*), one in series with a global
- * compliance (E*, C_g), or a layer on a rigid base (E*, h). See CurvePreparation.h,
- * BodyIdentification.h. A site that shows a loop, a hold or an effect of speed beyond the limits,
- * and whose curves have times, is identified as one that relaxes: E* and the rest are then the slow
- * response, and strengths and times of up to four branches come with it, from loading, hold and
- * unloading alike (RelaxingIdentification.h). A site is refused, with the reason, when it is not
- * elastic and has no times, not fitted by any model, farther from the surface than
- * MaximumSiteDistance, or when its curves do not tell the parameters apart, as those of a flat
- * punch alone. Refused sites are named in a warning; if none is left, that is an error.
+ * measured, the depth of first contact and the force before it are found, and the simplest elastic
+ * body that explains the readings within their noise is identified: a half-space (E*), one in
+ * series with a global compliance (E*, C_g), or a layer on a rigid base (E*, h). See
+ * CurvePreparation.h, BodyIdentification.h. A site that shows a loop, a hold or an effect of speed
+ * beyond the limits, and whose curves have times, is identified as one that relaxes: E* and the
+ * rest are then the slow response, and strengths and times of up to four branches come with it,
+ * from loading, hold and unloading alike (RelaxingIdentification.h). A site is refused, with the
+ * reason, when it is not elastic and has no times, not fitted by any model, farther from the
+ * surface than MaximumSiteDistance, or when its curves do not tell the parameters apart, as those
+ * of a flat punch alone, or have signs or units that cannot be (CurveSigns.h). Refused sites are
+ * named in a warning; if none is left, that is an error.
  *
  * The response of any Tool follows from the identified bodies. E*, C_g and 1/h are interpolated
  * over the surface (vtkShepardKernel) within Reach mm of a site, where it is connected to the site
@@ -43,18 +44,21 @@
  * - field data `Model`: what was identified, and from which data; it says `synthetic` if a file
  * does. Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
  * Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance, Thickness,
- * ContactOffset, each with its 95 % confidence interval, Noise, Misfit, LargestForce (N),
- * WithinNoise, Hysteresis and RateEffect (fractions of the energy; NaN where not recorded); where a
- * site relaxes also HoldLoss (fraction of the force), RelaxationStrength and RelaxationTime 1 to 4
- * with their intervals, ShortestTime and LongestTime that the test can resolve (s), and Remark,
- * what it cannot. Output port 2: a vtkTable, a row per reading of a loading: Deflection (mm, from
- * first contact), Force, MonotoneForce (isotonic regression), ModelForce (N), Site, Tool; of a site
+ * ContactOffset, ForceOffset (N, at first contact) and ForceDrift (N/mm) of the first tool, each
+ * with its 95 % confidence interval, Noise, Misfit, LargestForce (N), WithinNoise, Hysteresis and
+ * RateEffect (fractions of the energy; NaN where not recorded); where a site relaxes also HoldLoss
+ * (fraction of the force), RelaxationStrength and RelaxationTime 1 to 4 with their intervals,
+ * ShortestTime and LongestTime that the test can resolve (s); Remark: how many readings
+ * MaximumStrain leaves out, and what the readings cannot tell. Output port 2: a vtkTable, a row per
+ * reading of a loading: Deflection (mm, from first contact), Force (N, less the offset and drift
+ * that were found), MonotoneForce (isotonic regression), ModelForce (N), Site, Tool; of a site
  * that relaxes a row per reading of the whole test, in the order of time, with Time (s), and
  * ModelForce along that history.
  *
  * @warning Small strain, frictionless tools, a body that is homogeneous under each site. A body is
  * identified by its behaviour under the measuring tools: E* of a site says nothing about layers
- * thinner than the contact radius that was reached. Force readings are taken to start at zero.
+ * thinner than the contact radius that was reached. Where too few readings precede the contact,
+ * forces count from zero, and as free of drift (ArrangedReadings.h); Remark says so.
  *
  * Cost: up to a tenth of a second per site, a second where it relaxes, on all cores, then that of
  * vtkToolContactResponse.
@@ -207,7 +211,8 @@ public:
   ///@{
   /**
    * Contact radius over tip radius up to which readings are used, the strain measure of
-   * vtkToolContactResponse; the laws are those of small strain. Default 0.4.
+   * vtkToolContactResponse; the laws are those of small strain. How many are left out stands in
+   * Remark. Default 0.4.
    */
   vtkSetMacro(MaximumStrain, double);
   vtkGetMacro(MaximumStrain, double);

@@ -9,13 +9,14 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--max-deflection", "--length-unit", "--resolution", "--contour", "--closing", "--site",
            "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot",
            "--voxel", "--solid", "--fixed", "--layer", "--layers", "--base", "--measured", "--register", "--reach",
+           "--max-strain",
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
            "--contact-surface", "--device", "--hand", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
            "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
            "--no-curvature", "--edges", "--tilt", "--relax", "--relaxation-elements")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
-           "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach",
+           "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach", "--max-strain",
            "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance",
            "--relaxation-elements", "--tilt")
 

@@ -80,6 +80,44 @@ class Measured(SessionCase):
         body, curves = self.ball(("pole", 0, 0, RADIUS), tool="flat:3")
         self.refuse(body, "--measured", curves, words=("'pole'",))
 
+    def test_the_largest_strain_is_an_option_and_named(self):
+        body, curves = self.ball(("pole", 0, 0, RADIUS))
+        # A paraboloid's strain is √(δ/R): 0.4 at 0.48 mm. Of the readings, 0.02 mm apart to 1 mm, 26 are deeper, and one is as deep.
+        result = self.succeed(body, "--measured", curves)
+        self.assertRegex(result.stderr, "2[67] of 56 readings are not used: they lie deeper than the largest strain of 0.4 allows")
+        result = self.succeed(body, "--measured", curves, "--max-strain", "0.6")  # to 1.08 mm
+        self.assertNotIn("readings are not used", result.stderr)
+        self.refuse(body, "--measured", curves, "--max-strain", "0.1",  # to 0.03 mm
+                    words=("the largest strain of 0.1 leaves 7 of 56 readings; 8 are needed",))
+        self.refuse(body, "--max-strain", "0.1", words=("--measured",))
+        self.refuse(body, "--measured", curves, "--max-strain", "0", words=("--max-strain",))
+
+    def test_signs_and_units_are_asked(self):
+        body, curves = self.ball(("pole", 0, 0, RADIUS))
+        head, *rows = curves.read_text().splitlines()[1:]
+        rows = [row.split(",") for row in rows]
+
+        def write(name, deflection, force, *more):
+            lines = ["# tool: paraboloid:3", *more, head]
+            lines += [",".join((*row[:4], f"{float(row[4]) * deflection:.9g}", f"{float(row[5]) * force:.9g}"))
+                      for row in rows]
+            path = self.folder / name
+            path.write_text("\n".join(lines) + "\n")
+            return path
+        self.refuse(body, "--measured", write("down.csv", 1, -1),
+                    words=("'pole': forces fall from 0 to -0.1", "is compression negative here?"))
+        self.refuse(body, "--measured", write("um.csv", 1000, 1), words=("'pole': the deflection goes", "is it in um?"))
+        result = self.succeed(body, "--measured", write("turned.csv", 1, -1, "# negative: force"), "--tool", "flat:1",
+                              "--depth", "0.5")
+        self.check_flat(result)
+        semicolons = self.folder / "semicolons.csv"
+        semicolons.write_text("# tool: paraboloid:3;;;;\n" + head.replace("site,", "").replace("_N", "_mN").replace(",", ";")
+                              + "\n" + "".join(";".join((*row[1:5], f"{1000 * float(row[5]):.9g}")).replace(".", ",") + "\n"
+                                               for row in rows))
+        result = self.succeed(body, "--measured", semicolons, "--tool", "flat:1", "--depth", "0.5")
+        self.assertIn("Site '(0, 0, 25)': half-space", result.stderr)
+        self.check_flat(result)
+
     def test_wrong_calls(self):
         body, curves = self.ball(("pole", 0, 0, RADIUS))
         self.refuse(body, "--measured", curves, "--young", "0.1", words=("--young",))

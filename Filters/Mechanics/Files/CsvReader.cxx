@@ -14,6 +14,13 @@ std::string quoted(std::string_view text)
 {
   return "'" + std::string(text) + "'";
 }
+
+/// The text of a comment without what a spreadsheet puts behind it for its empty fields.
+std::string_view withoutSeparators(std::string_view text)
+{
+  const std::size_t last = text.find_last_not_of(" \t\r;,");
+  return trimmed(text.substr(0, last == std::string_view::npos ? 0 : last + 1));
+}
 } // namespace
 
 std::string_view trimmed(std::string_view text)
@@ -126,7 +133,7 @@ double CsvReader::number(std::size_t column)
 {
   const std::string_view text = this->text(column);
   double value = 0.0;
-  if (!readNumber(text, value))
+  if (!this->readDecimals(text, value))
   {
     this->fail((this->Names.empty() ? "column " + std::to_string(column + 1)
                                     : std::string(this->Names[column])) +
@@ -134,6 +141,28 @@ double CsvReader::number(std::size_t column)
     return 0.0;
   }
   return value;
+}
+
+/// A number with a decimal point, or a comma where that separates no fields.
+bool CsvReader::readDecimals(std::string_view text, double& value)
+{
+  const std::size_t mark = text.find_first_of(this->Separator == ',' ? "." : ".,");
+  if (mark == std::string_view::npos)
+  {
+    return readNumber(text, value);
+  }
+  if (this->DecimalMark != '\0' && this->DecimalMark != text[mark])
+  {
+    return this->fail(quoted(text) + " has another decimal mark than the numbers before");
+  }
+  this->DecimalMark = text[mark];
+  if (this->DecimalMark == '.')
+  {
+    return readNumber(text, value);
+  }
+  std::string pointed(text);
+  pointed[mark] = '.';
+  return readNumber(std::string_view(pointed), value);
 }
 
 bool CsvReader::fail(const std::string& what)
@@ -184,8 +213,9 @@ bool CsvReader::readRecord()
     {
       return this->split();
     }
-    const std::string wrong =
-      line.empty() || !this->comment ? std::string() : this->comment(trimmed(line.substr(1)));
+    const std::string wrong = line.empty() || !this->comment
+      ? std::string()
+      : this->comment(withoutSeparators(line.substr(1)));
     if (!wrong.empty())
     {
       return this->fail(wrong);
@@ -198,8 +228,24 @@ bool CsvReader::readRecord()
   return false;
 }
 
+/// From the first record.
+void CsvReader::findSeparator()
+{
+  bool isQuoted = false;
+  this->Separator = ',';
+  for (const char c : this->Line)
+  {
+    isQuoted = isQuoted != (c == '"');
+    this->Separator = c == ';' && !isQuoted ? ';' : this->Separator;
+  }
+}
+
 bool CsvReader::split()
 {
+  if (this->Separator == '\0')
+  {
+    this->findSeparator();
+  }
   const auto skipBlanks = [this](std::size_t at)
   { return std::min(this->Line.find_first_not_of(" \t\r", at), this->Line.size()); };
   std::size_t count = 0;
@@ -234,16 +280,16 @@ bool CsvReader::split()
       }
       field = trimmed(field);
       at = skipBlanks(at + 1);
-      if (at < this->Line.size() && this->Line[at] != ',')
+      if (at < this->Line.size() && this->Line[at] != this->Separator)
       {
         return this->fail("field " + std::to_string(count) + " goes on after its closing quote");
       }
     }
     else
     {
-      const std::size_t comma = std::min(this->Line.find(',', at), this->Line.size());
-      field = trimmed(std::string_view(this->Line).substr(at, comma - at));
-      at = comma;
+      const std::size_t end = std::min(this->Line.find(this->Separator, at), this->Line.size());
+      field = trimmed(std::string_view(this->Line).substr(at, end - at));
+      at = end;
     }
     if (at == this->Line.size())
     {

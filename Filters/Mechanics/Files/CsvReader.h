@@ -17,8 +17,10 @@ namespace palpate
 /**
  * Comma-separated values, record by record (RFC 4180): every table that Palpate reads from a file.
  *
- * A field in double quotes may hold commas, ends of line, and quotes as ""; blanks around a field
- * are dropped. Ignored are a byte order mark, empty lines, lines that begin with '#' (after
+ * Where the first record has a semicolon, semicolons separate the fields, and numbers may have a
+ * decimal comma, as spreadsheets write them in many languages; one mark in all numbers of a file.
+ * A field in double quotes may hold separators, ends of line, and quotes as ""; blanks around a
+ * field are dropped. Ignored are a byte order mark, empty lines, lines that begin with '#' (after
  * `comment` has seen them), and columns that are not asked for. Lines end with LF or CR LF.
  *
  *   CsvReader csv(path);
@@ -82,6 +84,8 @@ private:
   bool readLine();
   bool readRecord();
   bool split();
+  void findSeparator();
+  bool readDecimals(std::string_view text, double& value);
   std::string place() const;
 
   std::ifstream File;
@@ -89,6 +93,8 @@ private:
   Records Table;
   std::string Name;
   std::string Line;
+  char Separator = '\0'; ///< not known yet, or a table
+  char DecimalMark = '\0';
   std::size_t LineCount = 0;
   std::size_t Begin = 0; ///< line of the last record read; of a table, number of rows read
   bool EndsLine = true;

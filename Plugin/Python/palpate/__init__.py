@@ -4,7 +4,7 @@
     body = palpate.response("liver.stl", tool="sphere:6.35", young=0.05)     # a curve at each point
     forces, deflection, *rest = palpate.probe(body, tips)                    # N and mm, one row per tip
 
-Functions on numpy arrays, each with its own help: response, probe, curves, regime. Also every wrapped class of the
+Functions on numpy arrays, each with its own help: response, probe, curves, regime, measured. Also every wrapped class of the
 pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` reads the response arrays of a saved body
 with numpy alone, even without VTK.
 
@@ -16,7 +16,7 @@ import os
 import pkgutil
 
 FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", "CoupledProbe", "Probe"),
-             "_curves": ("curves", "Curves")}
+             "_curves": ("curves", "Curves"), "_measured": ("measured", "Measured")}
 
 
 def _reexport():

@@ -144,6 +144,12 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->check(positive("a distance in mm, e.g. 20", Kilometre))
     ->capture_default_str();
   app
+    .add_option("--max-strain", options.maximumStrain,
+      "contact radius over tip radius up to which readings of --measured are used")
+    ->check(positive("a fraction, e.g. 0.4"))
+    ->needs("--measured")
+    ->capture_default_str();
+  app
     .add_option("--voxel", options.voxel,
       "fill the closed surface with hexahedra of this side, mm: each point then also gives way "
       "with "

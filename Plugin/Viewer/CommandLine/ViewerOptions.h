@@ -36,6 +36,7 @@ struct ViewerOptions
   std::vector<std::string> measured; ///< files of curves
   std::string registration;          ///< of their frame with the body's; empty: the same frame
   double reach = 20.0;               ///< of a measured site, mm
+  double maximumStrain = 0.4;        ///< of measured readings
   double voxel = 0.0;                ///< side of the hexahedra that fill a surface, mm; 0: none
   bool solid = false;                ///< --solid: filled with graded tetrahedra
   double solidSpacing = 0.0;         ///< of these at the surface, mm; 0: chosen

@@ -56,12 +56,14 @@ std::string describeSite(vtkTable* sites, vtkIdType row)
   std::array<char, 120> left{};
   std::snprintf(left.data(), left.size(), "; leaves %.2g N where the noise is %.2g N",
     numberAt(sites, row, "Misfit (N)"), numberAt(sites, row, "Noise (N)"));
+  const std::string remark = textAt(sites, row, "Remark");
   return name + textAt(sites, row, "Model") + estimate(sites, row, "E*", "ReducedModulus", "MPa") +
     estimate(sites, row, "C_g", "Compliance", "mm/N") +
     estimate(sites, row, "h", "Thickness", "mm") +
     estimate(sites, row, "first contact", "ContactOffset", "mm") +
     share(sites, row, "hysteresis", "Hysteresis") +
-    share(sites, row, "effect of speed", "RateEffect") + left.data() + ".";
+    share(sites, row, "effect of speed", "RateEffect") + left.data() +
+    (remark.empty() ? "" : "; " + remark) + ".";
 }
 
 std::string describeRegistration(vtkMeasuredContactResponse* measured)
@@ -98,6 +100,7 @@ std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene)
   }
   measured->SetRegistrationFile(options.registration);
   measured->SetReach(options.reach);
+  measured->SetMaximumStrain(options.maximumStrain);
   measured->SetPoissonRatio(scene.poissonsRatio);
   measured->SetMaximumDeflection(options.maximumDeflection);
   for (std::size_t i = 0; i < scene.tools.size(); ++i)

@@ -73,6 +73,70 @@ TEST(CurvesFile, ReadsTimesAndPhases)
       CurvePhase::Loading, CurvePhase::Hold, CurvePhase::Unloading, CurvePhase::Unknown }));
 }
 
+TEST(CurvesFile, ReadsUnitsOfTheColumns)
+{
+  for (const auto& [name, factor] : { std::pair{ "deflection_nm", 1e-6 }, { "deflection_um", 1e-3 },
+         { "deflection_\xC2\xB5m", 1e-3 }, { "deflection_cm", 10.0 }, { "deflection_m", 1e3 } })
+  {
+    MeasuredCurves curves;
+    ASSERT_EQ(read(Head + "x_mm,y_mm,z_mm,site,force_N," + name + "\n0,0,0,A,2,3\n", curves), "");
+    EXPECT_EQ(curves.curves[0].deflection, std::vector<double>{ 3.0 * factor });
+    EXPECT_EQ(curves.curves[0].force, std::vector<double>{ 2.0 });
+  }
+  for (const auto& [name, factor] : { std::pair{ "force_nN", 1e-9 }, { "force_uN", 1e-6 },
+         { "force_\xC2\xB5N", 1e-6 }, { "force_mN", 1e-3 }, { "force_kN", 1e3 } })
+  {
+    MeasuredCurves curves;
+    ASSERT_EQ(
+      read(Head + "x_mm,y_mm,z_mm,site,deflection_mm," + name + "\n0,0,0,A,2,3\n", curves), "");
+    EXPECT_EQ(curves.curves[0].force, std::vector<double>{ 3.0 * factor });
+  }
+  MeasuredCurves curves;
+  ASSERT_EQ(
+    read(Head + "x_mm,y_mm,z_mm,site,deflection_mm,force_N,time_ms\n0,0,0,A,2,3,5\n", curves), "");
+  EXPECT_EQ(curves.curves[0].time, std::vector<double>{ 5.0 * 1e-3 });
+}
+
+TEST(CurvesFile, TurnsTheSignsThatTheHeadNames)
+{
+  MeasuredCurves curves;
+  const std::string row = "x_mm,y_mm,z_mm,deflection_um,force_N\n-1,0,0,-200,-3\n";
+  ASSERT_EQ(read(Head + "# negative: force\n" + row, curves), "");
+  EXPECT_EQ(curves.curves[0].force, std::vector<double>{ 3.0 });
+  EXPECT_EQ(curves.curves[0].deflection, std::vector<double>{ -200.0 * 1e-3 });
+  ASSERT_EQ(read(Head + "# negative: deflection, force\n" + row, curves), "");
+  EXPECT_EQ(curves.curves[0].force, std::vector<double>{ 3.0 });
+  EXPECT_EQ(curves.curves[0].deflection, std::vector<double>{ 200.0 * 1e-3 });
+  EXPECT_EQ(curves.curves[0].position, Eigen::Vector3d(-1, 0, 0));
+}
+
+TEST(CurvesFile, ReadsWhatSpreadsheetsWriteWithCommasInNumbers)
+{
+  MeasuredCurves curves;
+  ASSERT_EQ(read("\xEF\xBB\xBF# tool: sphere:6.35;;;;;\r\n"
+                 "site;x_mm;y_mm;z_mm;deflection_mm;force_N\r\n"
+                 "A;10;0;-50,5;0,02;1,3e-3\r\nA;10;0;-50,5;0,04;0,0026\r\n",
+              curves),
+    "");
+  EXPECT_EQ(curves.toolText, "sphere:6.35");
+  EXPECT_EQ(curves.curves[0].position, Eigen::Vector3d(10, 0, -50.5));
+  EXPECT_EQ(curves.curves[0].deflection, (std::vector<double>{ 0.02, 0.04 }));
+  EXPECT_EQ(curves.curves[0].force, (std::vector<double>{ 0.0013, 0.0026 }));
+}
+
+TEST(CurvesFile, WithoutSitesIsOneCurve)
+{
+  const std::string columns = Head + "x_mm,y_mm,z_mm,deflection_mm,force_N\n";
+  MeasuredCurves curves;
+  ASSERT_EQ(read(columns + "10,-0.5,50,0.1,1\n10,-0.5,50,0.2,2\n", curves), "");
+  ASSERT_EQ(curves.curves.size(), 1U);
+  EXPECT_EQ(curves.curves[0].site, "(10, -0.5, 50)"); // as in a file of another tool
+  EXPECT_EQ(curves.curves[0].force, (std::vector<double>{ 1.0, 2.0 }));
+  refuse(columns + "10,0,50,0.1,1\n10,0,51,0.2,2\n",
+    "press.csv:4: lies elsewhere than the first row, and without the column 'site' a file has one "
+    "curve");
+}
+
 TEST(CurvesFile, RefusesTheHead)
 {
   const std::string row = "A,0,0,0,0.1,0.5,1,loading\n";
@@ -85,8 +149,14 @@ TEST(CurvesFile, RefusesTheHead)
   refuse(Head + Columns + Head + row, "press.csv:3: a file has one tool, named in its head");
   refuse(
     Head + "site,x_mm,y_mm,z_mm,deflection_mm\n" + row, "press.csv:2: column 'force_N' is missing");
-  refuse(Head + "site,x_mm,y_mm,z_mm,deflection_mm,force_mN\n" + row,
-    "press.csv:2: column 'force_N' is missing");
+  refuse(Head + "site,x_mm,y_mm,z_mm,deflection_mm,force_lbf\n" + row,
+    "press.csv:2: column 'force_N' is missing; 'force_lbf' ends with none of the units N, nN, uN, "
+    "\xC2\xB5N, mN, kN");
+  refuse(Head + "site,x_mm,y_mm,z_mm,deflection_mm,deflection_um,force_N\n" + row,
+    "press.csv:2: has both 'deflection_mm' and 'deflection_um'");
+  refuse(Head + "# negative: time\n" + Columns + row,
+    "press.csv:2: negative: 'time' is not known; accepted are force, deflection");
+  refuse(Head + Columns + "# negative: force\n" + row, "press.csv:3: signs are named in the head");
   refuse(Head + "site,x_mm,x_mm,y_mm,z_mm,deflection_mm,force_N\n" + row,
     "press.csv:2: column 'x_mm' stands there twice");
   MeasuredCurves curves;
@@ -155,6 +225,6 @@ TEST(CurvesFile, ReadsTablesAsItReadsFiles)
   wrong.rowCount = 0;
   refuse(wrong, "table: there are no readings");
   wrong = table;
-  wrong.columns.front() = "force_mN";
+  wrong.columns.front() = "load_N";
   refuse(wrong, "table: column 'force_N' is missing");
 }

@@ -7,6 +7,7 @@
 #include "Mechanics/Numerics/Constants.h"
 
 #include "ClosedRelaxation.h"
+#include "EstimateHolds.h"
 #include "TestTools.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,6 @@
 #include <array>
 
 using palpate::BodyIdentification;
-using palpate::Estimate;
 using palpate::IdentificationOptions;
 using palpate::MeasuredCurve;
 using palpate::PronySeries;
@@ -34,11 +34,6 @@ struct Tally
   std::array<int, PronySeries::LargestCount> time{};
   std::vector<double> worst; ///< relative error of E* ψ over the window, of each repeat
 };
-
-bool holds(const Estimate& estimate, double truth)
-{
-  return estimate.lower <= truth && truth <= estimate.upper;
-}
 
 /// `clean` is taken again and again, with noise of a hundredth of its largest force.
 Tally repeat(const char* specification, double modulus, const PronySeries& truth,
@@ -65,7 +60,7 @@ Tally repeat(const char* specification, double modulus, const PronySeries& truth
     palpate::PreparedCurve prepared;
     palpate::prepareCurve(curve, {}, prepared);
     const auto found =
-      identifyRelaxing(identification, { palpate::makeHistory(*tip, curve, prepared) });
+      identifyRelaxing(identification, { palpate::makeHistory(*tip, curve, prepared, true) });
     EXPECT_EQ(found.refusal, "");
     if (found.relaxation.count != truth.count)
     {

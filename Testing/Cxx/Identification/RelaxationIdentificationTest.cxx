@@ -307,7 +307,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
     return table[i] + share * (table[i + 1] - table[i]); // 1e-5 of the largest force
   };
   const PronySeries truth = relaxation({ { 0.7, 0.3 } });
-  const MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.1, 10.0, 0.2, 0.005, 5);
+  const MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.1, 10.0, 0.2, 0.002, 5);
   IdentificationOptions options;
   options.largestStrain = 100.0;
   const IdentifiedBody body = identified("sphere:6.35", { curve }, options).body;
@@ -605,6 +605,7 @@ TEST(RelaxationIdentification, ManyReadings)
   ASSERT_EQ(body.refusal, "");
   expectNear(body.reducedModulus, UnitModulus, "E*");
   expectSeries(body, press.series);
-  EXPECT_LT(worstRelaxation(body, UnitModulus, press.series), 0.01);
+  // The eleven readings before contact tell the offset of the force to 1 % of the slow force.
+  EXPECT_LT(worstRelaxation(body, UnitModulus, press.series), 0.02);
 }
 } // namespace relaxation_identification

@@ -92,6 +92,33 @@ TEST(CsvReader, BrokenFilesAreNamedWithLineAndColumn)
   EXPECT_EQ(faultOf("a,c\n1,\"2\n\"\nx,4\n"), "t.csv:4: a: 'x' is not a finite number");
 }
 
+TEST(CsvReader, SemicolonsAndDecimalCommas)
+{
+  EXPECT_EQ(readAll("a;b,c\n1;\"2;3\"\n"), (Table{ { "a", "b,c" }, { "1", "2;3" } }));
+  EXPECT_EQ(readAll("\"a;b\",c\n1,2;3\n"), (Table{ { "a;b", "c" }, { "1", "2;3" } }));
+  const auto numbers = [](const std::string& text)
+  {
+    std::istringstream stream(text);
+    CsvReader csv(stream, "t.csv");
+    csv.header({ "a", "b" }, 2);
+    std::vector<double> read;
+    while (csv.next())
+    {
+      read.push_back(csv.number(0));
+      read.push_back(csv.number(1));
+    }
+    EXPECT_EQ(csv.fault(), "");
+    return read;
+  };
+  EXPECT_EQ(numbers("a;b\n0,5;-1,25e-3\n2;,5\n"), (std::vector<double>{ 0.5, -1.25e-3, 2.0, 0.5 }));
+  EXPECT_EQ(numbers("a;b\n0.5;2\n"), (std::vector<double>{ 0.5, 2.0 }));
+  EXPECT_EQ(faultOf("a;b\n1.234,5;2\n"), "t.csv:2: a: '1.234,5' is not a finite number");
+  EXPECT_EQ(faultOf("a;b\n1,2,3;2\n"), "t.csv:2: a: '1,2,3' is not a finite number");
+  EXPECT_EQ(faultOf("a;b\n0,5;2\n1;2.5\n"),
+    "t.csv:3: '2.5' has another decimal mark than the numbers before");
+  EXPECT_EQ(faultOf("a,b\n\"0,5\",2\n"), "t.csv:2: a: '0,5' is not a finite number");
+}
+
 TEST(CsvReader, TheFirstFaultIsKeptAndEndsTheReading)
 {
   std::istringstream stream("a\nx\n1\n");
@@ -121,7 +148,7 @@ TEST(CsvReader, OfSomeColumnsAllOrNone)
 
 TEST(CsvReader, CommentsAreSeenAndMayBeFaults)
 {
-  std::istringstream stream("#  key :  a: b \n#none\na\n1\n# wrong\n2\n");
+  std::istringstream stream("#  key :  a: b ;;\n#none\na\n1\n# wrong\n2\n");
   CsvReader csv(stream, "t.csv");
   std::vector<std::string> seen;
   csv.comment = [&seen](std::string_view text)

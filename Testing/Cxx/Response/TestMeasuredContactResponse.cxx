@@ -70,6 +70,15 @@ void checkHalfSpace(const std::string& folder)
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ContactOffset (mm)"), 0.3, 1e-7);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "Distance (mm)"), 0.5, 1e-15);
   PALPATE_CHECK_NEAR(filter->GetSiteResidual(), 0.5, 1e-15);
+  PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ForceOffset (N)"), 0.0, 1e-9);
+  // Small strain ends at 0.16 R: 20 readings, 1.5/60 mm apart, are deeper.
+  PALPATE_CHECK_TEXT(
+    siteText(filter, 0, "Remark"), "20 of 71 readings are not used", "strain of 0.4");
+  filter->SetMaximumStrain(0.5);
+  filter->Update();
+  PALPATE_CHECK(siteText(filter, 0, "Remark").find("not used") == std::string::npos);
+  filter->SetMaximumStrain(0.4);
+  filter->Update();
   auto* model = vtkStringArray::SafeDownCast(
     filter->GetOutput()->GetFieldData()->GetAbstractArray("ResponseModel"));
   PALPATE_CHECK(model != nullptr);

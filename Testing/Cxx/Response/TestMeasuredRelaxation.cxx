@@ -245,7 +245,7 @@ void checkElastic(const std::string& folder)
   {
     auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(port));
     PALPATE_CHECK(table->GetNumberOfRows() > 0);
-    for (const char* name : { "RelaxationTime 1 (s)", "Remark", "Time (s)" })
+    for (const char* name : { "RelaxationTime 1 (s)", "Time (s)" })
     {
       PALPATE_CHECK(table->GetColumnByName(name) == nullptr);
     }

@@ -170,7 +170,7 @@ void checkErrors(const std::string& folder)
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none());
-  refuse(Table::New(), Tip, { "Table 0", "'site' is missing" });
+  refuse(Table::New(), Tip, { "Table 0", "'x_mm' is missing" });
   Table comment = Table::New();
   more->SetName("# tool: sphere:3");
   comment->AddColumn(more);

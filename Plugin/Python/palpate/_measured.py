@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate.measured: the response of any tool from force-deflection curves measured with others."""
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import _filters
+from ._bodies import as_body
+from ._response import _count, _number, _text, _tool
+
+MODELS = ("half-space", "compliance", "layer")
+
+
+class Measured(NamedTuple):
+    """What curves tell of a body. See palpate.measured."""
+
+    body: vtkPolyData
+    sites: list
+
+
+def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_strain=0.4, reach=20.0,
+             registration=None, maximum_deflection=2.0, samples=8, name="Response") -> Measured:
+    """Attaches to each point of a body around measured sites the curve of a tool, from curves that others measured there.
+
+    Parameters
+    ----------
+    body, tool, maximum_deflection (mm), samples, name : as in palpate.response.
+    files : the name of a file of curves, or a sequence of them, each of one tool: .csv with the columns site, x_mm, y_mm,
+        z_mm, deflection_mm and force_N, and the head '# tool: sphere:6.35'.
+    model : "half-space", "compliance" (in series with a half-space) or "layer", where it is known; None: the simplest that
+        explains the readings.
+    poisson : Poisson's ratio, 0 to 0.5; of a layer.
+    maximum_strain : contact radius over tip radius up to which readings are used; a site's Remark says how many are not.
+    reach : how far a site speaks for, mm.
+    registration : the name of a file that carries the frame of the curves to the body's, or None.
+
+    Returns
+    -------
+    Measured, a tuple:
+        body : the body with the arrays of palpate.response;
+        sites : a dictionary for each site, of what vtkMeasuredContactResponse tells of it: Verdict, Model,
+            'ReducedModulus (MPa)' and others with their 95 % intervals (' from', ' to' before the unit), Remark.
+
+    Raises ValueError with the words of vtkMeasuredContactResponse, also where no site can be used; TypeError for arguments
+    of another type. Sites that are refused give a RuntimeWarning. Runs on all threads, some 0.1 s for a site.
+    """
+    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # a module that may not be built
+
+    made = vtkMeasuredContactResponse()
+    made.SetInputData(as_body(body))
+    for file in [files] if isinstance(files, (str, os.PathLike)) else files:
+        made.AddFileName(_text(os.fspath(file) if isinstance(file, os.PathLike) else file, "files"))
+    tool = _tool(tool)
+    made.SetTool(tool)
+    if model is not None and model not in MODELS:
+        raise ValueError("model must be one of %s, or None, but is %r" % (", ".join(map(repr, MODELS)), model))
+    made.SetBodyModel(0 if model is None else 1 + MODELS.index(model))
+    made.SetPoissonRatio(_number(poisson, "poisson"))
+    made.SetMaximumStrain(_number(maximum_strain, "maximum_strain"))
+    made.SetReach(_number(reach, "reach (mm)"))
+    if registration is not None:
+        made.SetRegistrationFile(_text(os.fspath(registration), "registration"))
+    made.SetMaximumDeflection(_number(maximum_deflection, "maximum_deflection (mm)"))
+    made.SetNumberOfSamples(_count(samples, "samples"))
+    made.SetResponseName(_text(name, "name"))
+    _filters.run(made, others=[tool])
+    table = made.GetOutputDataObject(1)
+    columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
+    return Measured(made.GetOutput(), [{column.GetName(): column.GetValue(row) for column in columns}
+                                       for row in range(table.GetNumberOfRows())])
