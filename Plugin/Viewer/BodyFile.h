@@ -7,8 +7,9 @@
  * .nii.gz: scans. Their outer skin is taken, see vtkSkinSurface; if a base value is given, with the
  * array LayerThickness (mm), see vtkLayerThickness.
  *
- * The body is in millimetres. A .vtp or .vtk of triangles is unchanged, with all its arrays. Point
- * normals of the file are kept. Without them, a closed surface that is inside out is turned.
+ * The body is in millimetres, a NIfTI scan where its header puts it. A .vtp or .vtk of triangles is
+ * unchanged, with all its arrays. Point normals of the file are kept. Without them, a closed
+ * surface that is inside out is turned.
  */
 #ifndef palpate_BodyFile_h
 #define palpate_BodyFile_h

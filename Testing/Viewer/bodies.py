@@ -47,10 +47,10 @@ def ball_grey(size=48, radius=16.3, centre=None):
     return numpy.clip(50.0 + 50.0 * (radius - distances(size, centre)), 0.0, 100.0)
 
 
-def block():
-    """Tetrahedra that fill a block of 30 x 30 x 20 mm."""
+def block(points=(21, 21, 11)):
+    """Tetrahedra that fill a block, by default of 30 x 30 x 20 mm."""
     cut = vtkDataSetTriangleFilter()
-    cut.SetInputData(image(numpy.zeros((21, 21, 11)), (1.5, 1.5, 2.0)))
+    cut.SetInputData(image(numpy.zeros(points), (1.5, 1.5, 2.0)))
     cut.Update()
     return cut.GetOutput()
 
