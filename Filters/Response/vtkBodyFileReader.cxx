@@ -51,7 +51,7 @@ int vtkBodyFileReader::FillOutputPortInformation(int, vtkInformation* info)
 int vtkBodyFileReader::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  if (!this->Content || this->ReadTime < this->GetMTime())
+  if (this->ReadTime < this->GetMTime())
   {
     const palpate::BodyData read = palpate::readBodyData(this->FileName ? this->FileName : "");
     this->Fault = read.fault;
@@ -61,8 +61,11 @@ int vtkBodyFileReader::RequestDataObject(
     if (!this->Content)
     {
       vtkErrorMacro(<< (this->FileName ? this->FileName : "") << ": " << this->Fault << ".");
-      return 0;
     }
+  }
+  if (!this->Content)
+  {
+    return 0;
   }
   vtkInformation* info = output->GetInformationObject(0);
   vtkDataObject* made = info->Get(vtkDataObject::DATA_OBJECT());

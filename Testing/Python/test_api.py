@@ -713,7 +713,7 @@ class Errors(unittest.TestCase):
                        (points, triangles[:, :2]))
         self.complains(ValueError, "99", palpate.response, (points, np.array([[0, 1, 99]])))
         masked = np.ma.masked_array(points, mask=points > 19)
-        self.complains(ValueError, r"points: 9 of 75 values are masked, the first at \(4, 0\)", palpate.response,
+        self.complains(ValueError, r"points: 10 of 75 values are masked, the first at \(4, 0\)", palpate.response,
                        (masked, triangles))
         self.complains(ValueError, "triangles: 1 of 96 values are masked", palpate.response,
                        (points, np.ma.masked_array(triangles, mask=np.arange(96).reshape(32, 3) == 5)))

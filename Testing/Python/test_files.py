@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of bodies and scans: damaged ones are refused in words, whatever is in them; odd ones are read as they are meant."""
 import gzip
+import os
 import random
 import struct
 import sys
@@ -14,7 +15,7 @@ import numpy as np
 import palpate
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkMassProperties, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "Viewer"))
@@ -23,6 +24,8 @@ import bodies  # noqa: E402
 CORNERS = np.array([[-10, -10, 0], [10, -10, 0], [0, 10, 0], [0, 0, 20]], dtype=float)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 VERTICES = "".join("v %g %g %g\n" % tuple(corner) for corner in CORNERS)
+DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))   # of each kind that VTK reads, in a process each
+OURS = (".stl", ".obj")                                       # read by Palpate, without one: ten times as many
 KINDS = {1: np.uint8, 2: np.uint8, 4: np.int16, 8: np.int32, 16: np.float32, 64: np.float64}
 
 
@@ -72,9 +75,11 @@ def volume_of(surface):
     return mass.GetVolume()
 
 
-def apart(some, others):
-    """Largest distance of a point of `some` to the nearest of `others`."""
-    return max(np.sqrt(((others - point) ** 2).sum(axis=1).min()) for point in some)
+def apart(points, surface):
+    """Distances of points to the surface."""
+    distance = vtkImplicitPolyDataDistance()
+    distance.SetInput(surface)
+    return np.array([abs(distance.EvaluateFunction(point)) for point in points])
 
 
 def tetrahedron(low=True):
@@ -130,6 +135,7 @@ class Faults(Files):
                 (VERTICES + "f 1 2 3/1/1/1\n", "line 5: the corner '3/1/1/1'"),
                 (VERTICES + "f 1 2\n", "line 5: a face needs three corners, but has 2"),
                 ("v 0 0\n", "line 1: three numbers are needed"),
+                ("Dear Sir, please find enclosed a liver.\n", "it has no faces"),
                 ("v 0 0 0\nv 0 nan 0\n", "line 2: 'nan' is not a finite number"),
                 (VERTICES + "f 1 2 99999999999999999999\n", "line 5: the corner '9+' cannot be understood")):
             with self.subTest(text=text[-30:]):
@@ -157,8 +163,8 @@ class Faults(Files):
         for content, words in (
                 ("Dear Sir, please find enclosed a liver.\n", "does not begin with 'solid'"),
                 (tetrahedron().replace("-10 -10", "-10 x", 1), "line 4: 'x' is not a finite number"),
-                (tetrahedron().replace("vertex 0 10 0.0", "vertex 0 10 nan", 1), "line 5: 'nan' is not a finite number"),
-                (tetrahedron()[:-16], "line 29: the file ends without an 'endsolid'"),
+                (tetrahedron().replace("vertex 0 10 0.000000e+00", "vertex 0 10 nan", 1), "line 5: 'nan' is not a finite number"),
+                (tetrahedron()[:-13], "line 29: the file ends without an 'endsolid'"),
                 (tetrahedron().replace(" endloop\n", "  vertex 1 1 1\n endloop\n"), "line 7: 'vertex'"),
                 (tetrahedron().replace("facet", "facette", 1), "line 2: 'facette' is not understood"),
                 (binary_tetrahedron()[:-1], "it ends after 3 of 4 facets"),
@@ -197,11 +203,11 @@ class Faults(Files):
             palpate.response(vtkImageData())
 
     def test_files_that_are_damaged_anyhow(self):
-        """Hundreds of each kind: refused in words, or a body whose forces are finite. What crashes ends this program."""
+        """Refused in words, or a body whose forces are finite. What crashes ends this program."""
         random.seed(7)
         for name, content in self.seeds():
             read = refused = 0
-            for _ in range(120):
+            for _ in range(DAMAGED * (10 if name.endswith(OURS) else 1)):
                 path = self.written(name, self.damaged(content))
                 with self.subTest(name=name, read=read, refused=refused), warnings.catch_warnings():
                     warnings.simplefilter("ignore")
@@ -361,8 +367,11 @@ class Nifti(Files):
                 found = skin_of(self.image(gzip.compress(content) if file.endswith("gz") else content, file))
                 place = points_of(self.plain) @ matrix[:, :3].T + matrix[:, 3]
                 size = np.abs(np.linalg.det(matrix[:, :3])) ** (1 / 3)
-                # Floats; where slices are reversed the voxels are cut into other triangles: a hundredth of a voxel.
-                self.assertLess(apart(place[::7], points_of(found)), 0.02 * size * np.linalg.cond(matrix[:, :3]))
+                # Where slices are reversed the smoothing takes other triangles: a fifth of a voxel at the creases.
+                # Other axes would be off by several.
+                off = apart(place[::7], found) / size
+                self.assertLess(off.max(), 0.3)
+                self.assertLess(off.mean(), 0.05)
                 self.assertAlmostEqual(volume_of(found) / (volume_of(self.plain) * size ** 3), 1, delta=1e-3)
 
     def test_values_are_scaled(self):

@@ -33,6 +33,10 @@ public:
       this->readLine(this->Words.word());
     }
     this->checkLargest();
+    if (this->Mesh.fault.empty() && this->Mesh.starts.size() == 1 && this->LeftOut == 0)
+    {
+      this->Mesh.fault = "it has no faces";
+    }
     if (!this->Mesh.fault.empty())
     {
       FileMesh wrong;

@@ -32,6 +32,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 namespace palpate
 {
@@ -160,11 +161,28 @@ std::string printable(std::string text)
   return text;
 }
 
-/// Updates a reader of VTK's that does not crash.
-void update(vtkAlgorithm* reader, const std::string& path, BodyData& result)
+std::string noFault()
+{
+  return "";
+}
+
+/// Updates a reader of VTK's where it does not crash, and only if what it says of the content is
+/// without `fault`.
+void update(vtkAlgorithm* reader, const std::string& path, BodyData& result,
+  const std::function<std::string()>& fault = noFault)
 {
   const double memory = memoryFor(path);
-  const std::string crash = crashOf([reader] { reader->Update(); }, memory);
+  const auto read = [reader, &fault]
+  {
+    reader->UpdateInformation();
+    std::string found = fault();
+    if (found.empty())
+    {
+      reader->Update();
+    }
+    return found;
+  };
+  const std::string crash = crashOf(read, memory);
   if (!crash.empty())
   {
     result.fault =
@@ -172,7 +190,11 @@ void update(vtkAlgorithm* reader, const std::string& path, BodyData& result)
     return;
   }
   const QuietScope quiet;
-  reader->Update();
+  result.fault = read();
+  if (!result.fault.empty())
+  {
+    return;
+  }
   auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (quiet.window->hasFailed() || !data)
   {
@@ -209,16 +231,7 @@ void readNiftiFile(const std::string& path, BodyData& result)
 {
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(path.c_str());
-  {
-    const QuietScope quiet;
-    reader->UpdateInformation();
-    result.fault =
-      quiet.window->hasFailed() ? "cannot be read: " + quiet.window->reason() : niftiFault(reader);
-  }
-  if (result.fault.empty())
-  {
-    update(reader, path, result);
-  }
+  update(reader, path, result, [&reader] { return niftiFault(reader); });
   if (auto* image = vtkImageData::SafeDownCast(result.data))
   {
     result.fault = applyNiftiHeader(reader, image, result.notes);

@@ -31,7 +31,7 @@ using Affine = Eigen::Matrix<double, 3, 4>; // from voxel indices of the file to
 
 bool isCompressed(const std::string& path)
 {
-  return path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
+  return path.size() > 2 && (path.back() == 'z' || path.back() == 'Z'); // ".gz", not ".nii"
 }
 
 Affine sform(vtkNIFTIImageHeader* header)
