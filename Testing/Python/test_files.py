@@ -20,40 +20,13 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "Viewer"))
 import bodies  # noqa: E402
+from bodies import lump, nifti  # noqa: E402
 
 CORNERS = np.array([[-10, -10, 0], [10, -10, 0], [0, 10, 0], [0, 0, 20]], dtype=float)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 VERTICES = "".join("v %g %g %g\n" % tuple(corner) for corner in CORNERS)
 DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))   # of each kind that VTK reads, in a process each
 OURS = (".stl", ".obj")                                       # read by Palpate, without one: ten times as many
-KINDS = {1: np.uint8, 2: np.uint8, 4: np.int16, 8: np.int32, 16: np.float32, 64: np.float64}
-
-
-def nifti(values, kind=16, sform=None, qform=None, qfac=1.0, sides=(1.0, 1.0, 1.0), scale=(1.0, 0.0), unit=2,
-          dim=None, order="<"):
-    """The bytes of a NIfTI-1 file, after its definition; qform: b, c, d and the offset."""
-    head = bytearray(352)
-    struct.pack_into(order + "i", head, 0, 348)
-    struct.pack_into(order + "8h", head, 40, *(dim or (3, *values.shape, 1, 1, 1, 1)))
-    struct.pack_into(order + "2h", head, 70, kind, 8 * np.dtype(KINDS[kind]).itemsize)
-    struct.pack_into(order + "8f", head, 76, qfac, *sides, 1, 1, 1, 1)
-    struct.pack_into(order + "3f", head, 108, 352, *scale)
-    head[123] = unit
-    struct.pack_into(order + "2h", head, 252, qform is not None, sform is not None)
-    struct.pack_into(order + "6f", head, 256, *(qform or (0,) * 6))
-    struct.pack_into(order + "12f", head, 280, *(np.zeros(12) if sform is None else np.ravel(sform)))
-    head[344:348] = b"n+1\0"
-    return bytes(head) + values.ravel(order="F").astype(np.dtype(KINDS[kind]).newbyteorder(order)).tobytes()
-
-
-def lump():
-    """Grey levels of a body that looks different from each side: three balls in one another."""
-    grey = np.zeros((34, 30, 26))
-    x, y, z = np.ogrid[:34, :30, :26]
-    for centre, radius in (((14, 14, 12), 8.2), ((22, 14, 12), 5.1), ((14, 20, 15), 4.3)):
-        away = np.sqrt((x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2)
-        grey = np.maximum(grey, np.clip(50 + 50 * (radius - away), 0, 100))
-    return grey
 
 
 def skin_of(image, contour=50.0):
