@@ -37,7 +37,8 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   key.precision(17);
   key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
       << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
-      << '|' << options.contourValue << '|' << options.closingRadius;
+      << '|' << options.contourValue << '|' << options.closingRadius
+      << "|placed by the header"; // skins of before were not
   if (options.baseValue)
   {
     key << "|bone below " << *options.baseValue;

@@ -1,103 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyFile.h"
 
-#include "CollectingWindow.h"
+#include "Response/Files/CollectingWindow.h"
 #include "Response/FlatBodyConversion.h"
 #include "Mechanics/JoinedText.h"
-#include "MeshFileCheck.h"
-#include "PromptReader.h"
 
+#include "vtkBodyFileReader.h"
 #include "vtkBodySurface.h"
 #include "vtkLayerThickness.h"
 #include "vtkSkinSurface.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetReader.h"
 #include "vtkImageData.h"
-#include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPointData.h"
-#include "vtkSTLReader.h"
-#include "vtkXMLImageDataReader.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace
 {
-//------------------------------------------------------------------------------
-template <class Reader>
-vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path)
-{
-  auto reader = vtkSmartPointer<Reader>::New();
-  reader->SetFileName(path.c_str());
-  return reader;
-}
-
-struct Format
-{
-  const char* extension;
-  vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path);
-};
-const Format formats[] = {
-  { ".vtp", makeReader<palpate::PromptReader<vtkXMLPolyDataReader>> },
-  { ".stl", makeReader<vtkSTLReader> },
-  { ".ply", makeReader<vtkPLYReader> },
-  { ".obj", makeReader<vtkOBJReader> },
-  { ".vtu", makeReader<palpate::PromptReader<vtkXMLUnstructuredGridReader>> },
-  { ".vtk", makeReader<vtkDataSetReader> },
-  { ".vti", makeReader<palpate::PromptReader<vtkXMLImageDataReader>> },
-  { ".nii", makeReader<vtkNIFTIImageReader> },
-  { ".nii.gz", makeReader<vtkNIFTIImageReader> },
-};
-
-/** The format by the end of the file name, upper or lower case; null if unknown. */
-const Format* findFormat(std::string path)
-{
-  std::transform(path.begin(), path.end(), path.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const Format& format : formats)
-  {
-    const std::string end = format.extension;
-    if (path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0)
-    {
-      return &format;
-    }
-  }
-  return nullptr;
-}
-
-//------------------------------------------------------------------------------
-/** Why the file cannot be read at all; "" if it can. */
-std::string fileProblem(const std::string& path)
-{
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status))
-  {
-    return "there is no such file";
-  }
-  if (std::filesystem::is_directory(status))
-  {
-    return "it is a folder";
-  }
-  if (!std::ifstream(path).good())
-  {
-    return "it may not be read";
-  }
-  return std::ifstream(path).peek() == std::ifstream::traits_type::eof() ? "it is empty" : "";
-}
-
 /** Adds LayerThickness to the skin of a scan, in the file's unit of length. */
 vtkSmartPointer<vtkPolyData> withThickness(
   vtkPolyData* skin, vtkImageData* scan, const palpate::BodyFileOptions& options)
@@ -161,50 +84,29 @@ std::string bodyProblem(const palpate::CollectingWindow* complaints)
 }
 
 /** Reads `path` into `result`; returns what went wrong, "" if nothing. */
-std::string read(const std::string& path, const palpate::BodyFileOptions& options,
+std::string readSurface(const std::string& path, const palpate::BodyFileOptions& options,
   const palpate::CollectingWindow* complaints, palpate::BodyFileResult& result)
 {
-  const Format* format = findFormat(path);
-  if (!format)
-  {
-    std::string known = " .palpate";
-    for (const Format& one : formats)
-    {
-      known += palpate::joined(" ", one.extension);
-    }
-    return "unknown kind of file; a body may be" + known;
-  }
-  std::string problem = fileProblem(path);
-  if (problem.empty())
-  {
-    problem = palpate::meshFileProblem(path, format->extension);
-  }
-  if (!problem.empty())
-  {
-    return problem;
-  }
   if (!(options.lengthScale > 0.0) || !std::isfinite(options.lengthScale))
   {
     return palpate::joined("a unit of length of ", options.lengthScale, " mm makes no sense");
   }
 
-  // The content of the file.
-  vtkSmartPointer<vtkAlgorithm> reader = format->reader(path);
+  vtkNew<vtkBodyFileReader> reader;
+  reader->SetFileName(path.c_str());
   reader->Update();
-  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (complaints->hasFailed() || !data)
+  if (!reader->GetFault().empty())
   {
-    return "cannot be read: " + complaints->reason();
+    return reader->GetFault();
   }
-  if (vtkSTLReader::SafeDownCast(reader) && data->GetNumberOfPoints() > 0)
+  for (int i = 0; i < reader->GetNumberOfNotes(); ++i)
   {
-    result.notes.push_back(palpate::joined(3 * data->GetNumberOfCells(),
-      " corners of facets merged into ", data->GetNumberOfPoints(), " points"));
+    result.notes.push_back(reader->GetNote(i));
   }
 
   // As triangles in millimetres.
-  vtkSmartPointer<vtkDataSet> content = data;
-  if (auto* scan = vtkImageData::SafeDownCast(data))
+  vtkSmartPointer<vtkDataSet> content = reader->GetOutput();
+  if (auto* scan = vtkImageData::SafeDownCast(content))
   {
     content = skinOf(scan, options, result.notes);
   }
@@ -235,7 +137,7 @@ std::string read(const std::string& path, const palpate::BodyFileOptions& option
   }
   if (!complaints->firstWarning().empty())
   {
-    result.notes.push_back("the reader warns: " + complaints->firstWarning());
+    result.notes.push_back(complaints->firstWarning());
   }
   result.body = body;
   return "";
@@ -256,7 +158,7 @@ BodyFileResult readBodyFile(const std::string& path, const BodyFileOptions& opti
   std::string problem;
   try
   {
-    problem = read(path, options, quiet.window, result);
+    problem = readSurface(path, options, quiet.window, result);
   }
   catch (const std::exception& exception)
   {

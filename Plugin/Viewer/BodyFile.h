@@ -7,7 +7,8 @@
  * .nii.gz: scans. Their outer skin is taken, see vtkSkinSurface; if a base value is given, with the
  * array LayerThickness (mm), see vtkLayerThickness.
  *
- * The body is in millimetres. A sound .vtp or .vtk of triangles is unchanged, with all its arrays.
+ * The body is in millimetres, a NIfTI scan where its header puts it. A sound .vtp or .vtk of
+ * triangles is unchanged, with all its arrays.
  */
 #ifndef palpate_BodyFile_h
 #define palpate_BodyFile_h

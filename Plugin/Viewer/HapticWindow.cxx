@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticWindow.h"
 
-#include "CollectingWindow.h"
+#include "Response/Files/CollectingWindow.h"
 #include "PictureSize.h"
 #include "Pictures.h"
 #include "ScenePath.h"

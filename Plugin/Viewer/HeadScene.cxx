@@ -46,8 +46,9 @@ std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
                       "more so the deeper the tool";
   scene.tools = { "sphere:6.35", "flat:1.6", "sphere:1.6" };
   scene.depth = 0.8; // within validity over most of the path
-  // +x right, +y to the nose, +z up: from above the left brow over the temple to the left cheek.
-  scene.center = { 90.0, 110.0, 85.0 };
+  // +x right, +y to the nose, +z up, from the scan's own origin: from above the left brow over the
+  // temple to the left cheek.
+  scene.center = { 0.0, -15.0, 14.0 };
   scene.directions = { { -30.0, 89.0, 30.0 }, { -75.0, 55.0, 5.0 }, { -72.0, 55.0, -48.0 },
     { -52.0, 72.0, -68.0 } };
   scene.pictureAt = 0.0;

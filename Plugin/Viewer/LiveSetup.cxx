@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveSetup.h"
 
-#include "CollectingWindow.h"
+#include "Response/Files/CollectingWindow.h"
 
 #include "vtkContactSetup.h"
 #include "vtkToolContactResponse.h"

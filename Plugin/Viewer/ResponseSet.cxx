@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseSet.h"
 
-#include "CollectingWindow.h"
+#include "Response/Files/CollectingWindow.h"
 #include "Response/FlatBodyConversion.h"
 #include "Mechanics/Files/WholeFile.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SessionSettings.h"
 
-#include "CollectingWindow.h"
+#include "Response/Files/CollectingWindow.h"
 #include "ScenePath.h"
 
 #include "vtkHapticSession.h"

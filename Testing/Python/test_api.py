@@ -383,7 +383,6 @@ class Coupled(unittest.TestCase):
         np.testing.assert_array_equal(upright.forces, without.forces)
         each = palpate.probe(body, [tip, tip], axis=[[0, 0, 1], [0, 0, 2]])
         np.testing.assert_array_equal(each.forces[0], each.forces[1])
-        self.assertEqual(palpate.probe(body, np.zeros((0, 3))).torque.shape, (0, 3))
 
 
 class PerPoint(unittest.TestCase):
@@ -478,12 +477,12 @@ class Bodies(unittest.TestCase):
             # An STL file has no normals, so that they are those of the facets: 1e-3.
             np.testing.assert_allclose(self.felt(stl), self.felt(source), atol=2e-3)
 
-    def test_raw_binary_data_is_read_or_refused_with_advice(self):
+    def test_raw_binary_data_is_read(self):
         source = ball()
         writer = vtkXMLPolyDataWriter()
         writer.SetInputConnection(source.GetOutputPort())
         writer.SetDataModeToAppended()
-        writer.EncodeAppendedDataOff()          # as ParaView saves: VTK of Debian 12 may not read it back
+        writer.EncodeAppendedDataOff()          # as ParaView saves: VTK's own reader of Debian 12 may not read it back
         with tempfile.TemporaryDirectory() as folder:
             for blanks in range(0, 1000, 97):   # in the head, on whose length it depends
                 name = os.path.join(folder, "ball.vtp")
@@ -491,12 +490,7 @@ class Bodies(unittest.TestCase):
                 writer.Write()
                 written = Path(name).read_bytes()
                 Path(name).write_bytes(written.replace(b"<PolyData>", b"<PolyData>" + blanks * b" ", 1))
-                try:
-                    felt = self.felt(name)
-                except RuntimeError as fault:
-                    self.assertIn("save it with the data mode Binary", str(fault))
-                else:
-                    np.testing.assert_array_equal(felt, self.felt(source))
+                np.testing.assert_array_equal(self.felt(name), self.felt(source))
 
     def test_the_body_is_not_changed(self):
         source = ball()
@@ -628,9 +622,11 @@ class Probing(unittest.TestCase):
 
     def test_nothing_to_feel(self):
         body = palpate.response(plate())
-        felt = palpate.probe(body, np.zeros((0, 3)))
-        self.assertEqual([array.shape for array in felt],
-                         [(0, 3), (0,), (0,), (0, 3), (0, 3), (0, 3), (0,), (0,), (0,), (0,), (0, 3), (0,)])
+        for coupled in (False, True):
+            with self.assertRaisesRegex(ValueError, "there are no tips"):
+                palpate.probe(body, np.zeros((0, 3)), coupled=coupled)
+        with self.assertRaisesRegex(ValueError, "there are no tips"):
+            palpate.probe(body, vtkPolyData())
         outside = palpate.probe(body, [0.3, 0.7, 2.0])
         self.assertEqual(outside.contact_cell.tolist(), [-1])
         self.assertEqual(outside.contact_state.tolist(), [0])
@@ -669,7 +665,8 @@ class Errors(unittest.TestCase):
     def test_response(self):
         body = plate(4)
         for kind, words, options in (
-                (ValueError, "unknown|ball", {"tool": "ball:3"}),
+                (ValueError, "tool 'ball:3' is not known; give flat:R", {"tool": "ball:3"}),
+                (ValueError, "tool 'sphere' needs a colon and its size; give flat:R, sphere:R", {"tool": "sphere"}),
                 (ValueError, "-3", {"tool": "sphere:-3"}),
                 (ValueError, "nowhere.csv", {"tool": "profile:nowhere.csv"}),
                 (TypeError, "tool must be a string", {"tool": 6.35}),
@@ -680,7 +677,11 @@ class Errors(unittest.TestCase):
                 (TypeError, r"young \(MPa\) must be numbers", {"young": np.array(["a"] * 25)}),
                 (ValueError, "'YoungsModulus': Young's modulus of point 7 must be positive and finite.*nan",
                  {"young": np.where(np.arange(25) == 7, np.nan, 0.1)}),
-                (ValueError, "'Soft'.* is not on the input's points", {"young": "Soft"}),
+                (ValueError, r"young \(MPa\): the body has no point array 'Soft'; it has none", {"young": "Soft"}),
+                (ValueError, r"young \(MPa\): .* no point array '0.05'; for the number leave out the quotes: 0.05",
+                 {"young": "0.05"}),
+                (ValueError, r"young \(MPa\): 2 of 25 values are masked, the first at 3",
+                 {"young": np.ma.masked_array(np.full(25, 0.1), mask=np.isin(np.arange(25), (3, 8)))}),
                 (ValueError, "PoissonRatio must lie between 0 and 0.5, but is 45", {"poisson": 45}),
                 (ValueError, "LayerThickness must be finite and not negative", {"layer": -1}),
                 (ValueError, "ComplianceExcludesLayer", {"layer": 5, "compliance": 0.1}),
@@ -711,7 +712,20 @@ class Errors(unittest.TestCase):
         self.complains(ValueError, r"triangles must have shape \(n, 3\)", palpate.response,
                        (points, triangles[:, :2]))
         self.complains(ValueError, "99", palpate.response, (points, np.array([[0, 1, 99]])))
+        masked = np.ma.masked_array(points, mask=points > 19)
+        self.complains(ValueError, r"points: 10 of 75 values are masked, the first at \(4, 0\)", palpate.response,
+                       (masked, triangles))
+        self.complains(ValueError, "triangles: 1 of 96 values are masked", palpate.response,
+                       (points, np.ma.masked_array(triangles, mask=np.arange(96).reshape(32, 3) == 5)))
+        unmasked = np.ma.masked_array(points)
+        np.testing.assert_array_equal(palpate.curves(palpate.response((unmasked, triangles)), 3).force,
+                                      palpate.curves(palpate.response((points, triangles)), 3).force)
+        self.complains(ValueError, "the body is empty", palpate.response, (np.zeros((0, 3)), np.zeros((0, 3), dtype=int)))
+        self.complains(ValueError, "the body has no triangles, only 25 points", palpate.response,
+                       (points, np.zeros((0, 3), dtype=int)))
+        self.complains(ValueError, "the body is empty", palpate.probe, vtkPolyData(), [0, 0, 0])
         squares = vtkPlaneSource()
+        squares.SetPoint1(10, 0, 0)
         self.complains(ValueError, "vtkTriangleFilter", palpate.response, squares)
 
     def test_files(self):
@@ -722,7 +736,7 @@ class Errors(unittest.TestCase):
             for end in ("vtp", "stl", "ply", "obj", "vtk", "vtu", "vti"):
                 name = os.path.join(folder, "broken." + end)
                 Path(name).write_text("nothing of the kind\n", encoding="utf-8")
-                self.complains(RuntimeError, "broken.%s' could not be read: ." % end, palpate.response, name)
+                self.complains(RuntimeError, "broken.%s: ." % end, palpate.response, name)
 
     def test_probe(self):
         body = palpate.response(plate(4))
@@ -746,6 +760,8 @@ class Errors(unittest.TestCase):
                        time=[2.0, 1.0])
         self.complains(ValueError, r"tips must have shape \(n, 3\)", palpate.probe, body, np.zeros((4, 2)))
         self.complains(TypeError, "tips must be numbers", palpate.probe, body, "here")
+        self.complains(ValueError, "tips: 1 of 3 values are masked, the first at", palpate.probe, body,
+                       np.ma.masked_array(tip, mask=[0, 0, 1]))
         self.complains(ValueError, "no response|Response", palpate.probe, plate(4), tip)
 
     def test_curves_and_regime(self):
@@ -754,6 +770,8 @@ class Errors(unittest.TestCase):
                        name="Other")
         self.complains(ValueError, "there is no point 25: the body has 25 points", palpate.curves, body, [3, 25])
         self.complains(TypeError, "points must be whole numbers", palpate.curves, body, 0.5)
+        self.complains(ValueError, "points: 1 of 2 values are masked", palpate.curves, body,
+                       np.ma.masked_array([3, 4], mask=[0, 1]))
         self.complains(ValueError, "point", palpate.regime, body, young=0.3)
         self.complains(ValueError, "deflection must be positive", palpate.regime, body, deflection=0)
 
@@ -765,9 +783,31 @@ class Errors(unittest.TestCase):
             palpate.response((alone, triangles))
         self.assertIn("1 of 26 points have no response", str(given[0].message))
 
+    def test_a_body_in_metres_is_asked_about(self):
+        points, triangles = plate(4)
+        for scale, words in ((0.001, "longest side of the body is 0.04 mm: are its coordinates in mm"), (1, None),
+                             (1000, "longest side of the body is 4e.04 mm")):
+            for call in (lambda: palpate.response((scale * points, triangles)),
+                         lambda: palpate.response(self.saved(scale * points, triangles))):
+                with self.subTest(scale=scale), warnings.catch_warnings(record=True) as given:
+                    warnings.simplefilter("always")
+                    call()
+                    self.assertEqual(len(given), 1 if words else 0)
+                    if words:
+                        self.assertRegex(str(given[0].message), words)
+                        self.assertEqual(given[0].filename, __file__)
+
+    def saved(self, points, triangles):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        name = os.path.join(folder.name, "body.obj")
+        Path(name).write_text("".join("v %r %r %r\n" % tuple(map(float, point)) for point in points)
+                              + "".join("f %d %d %d\n" % tuple(triangle + 1) for triangle in triangles), encoding="utf-8")
+        return name
+
     def test_nothing_is_printed(self):
         done = run_script("""import palpate, numpy as np
-body = np.eye(3), np.array([[0, 1, 2]])
+body = 10 * np.eye(3), np.array([[0, 1, 2]])
 for call in (lambda: palpate.response("nowhere.vtp"), lambda: palpate.response("broken.vtp"),
              lambda: palpate.response("broken.ply"), lambda: palpate.response("broken.vtk"),
              lambda: palpate.response(body, young=-1), lambda: palpate.response(body, tool="x:1"),

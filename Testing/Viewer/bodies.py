@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small bodies and scans, and files of them in the formats that the viewer reads."""
+import struct
+
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
@@ -47,12 +49,42 @@ def ball_grey(size=48, radius=16.3, centre=None):
     return numpy.clip(50.0 + 50.0 * (radius - distances(size, centre)), 0.0, 100.0)
 
 
-def block():
-    """Tetrahedra that fill a block of 30 x 30 x 20 mm."""
+def block(points=(21, 21, 11)):
+    """Tetrahedra that fill a block, by default of 30 x 30 x 20 mm."""
     cut = vtkDataSetTriangleFilter()
-    cut.SetInputData(image(numpy.zeros((21, 21, 11)), (1.5, 1.5, 2.0)))
+    cut.SetInputData(image(numpy.zeros(points), (1.5, 1.5, 2.0)))
     cut.Update()
     return cut.GetOutput()
+
+
+NIFTI_KINDS = {1: numpy.uint8, 2: numpy.uint8, 4: numpy.int16, 8: numpy.int32, 16: numpy.float32, 64: numpy.float64}
+
+
+def nifti(values, kind=16, sform=None, qform=None, qfac=1.0, sides=(1.0, 1.0, 1.0), scale=(1.0, 0.0), unit=2,
+          dim=None, order="<"):
+    """The bytes of a NIfTI-1 file, after its definition; qform: b, c, d and the offset."""
+    head = bytearray(352)
+    struct.pack_into(order + "i", head, 0, 348)
+    struct.pack_into(order + "8h", head, 40, *(dim or (3, *values.shape, 1, 1, 1, 1)))
+    struct.pack_into(order + "2h", head, 70, kind, 8 * numpy.dtype(NIFTI_KINDS[kind]).itemsize)
+    struct.pack_into(order + "8f", head, 76, qfac, *sides, 1, 1, 1, 1)
+    struct.pack_into(order + "3f", head, 108, 352, *scale)
+    head[123] = unit
+    struct.pack_into(order + "2h", head, 252, qform is not None, sform is not None)
+    struct.pack_into(order + "6f", head, 256, *(qform or (0,) * 6))
+    struct.pack_into(order + "12f", head, 280, *(numpy.zeros(12) if sform is None else numpy.ravel(sform)))
+    head[344:348] = b"n+1\0"
+    return bytes(head) + values.ravel(order="F").astype(numpy.dtype(NIFTI_KINDS[kind]).newbyteorder(order)).tobytes()
+
+
+def lump():
+    """Grey levels of a body that looks different from each side: three balls in one another."""
+    grey = numpy.zeros((34, 30, 26))
+    x, y, z = numpy.ogrid[:34, :30, :26]
+    for centre, radius in (((14, 14, 12), 8.2), ((22, 14, 12), 5.1), ((14, 20, 15), 4.3)):
+        away = numpy.sqrt((x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2)
+        grey = numpy.maximum(grey, numpy.clip(50 + 50 * (radius - away), 0, 100))
+    return grey
 
 
 WRITERS = {

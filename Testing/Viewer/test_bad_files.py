@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that are damaged or no bodies: an error that names the file, no output, no crash."""
+import gzip
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -103,6 +104,24 @@ class BadFiles(SessionCase):
         lines = path.read_text().splitlines()
         path.write_text("\n".join([*lines[:-1], "3 0 1 999999"]) + "\n")
         self.refuse_file(path, "names a vertex that is not there")
+
+    def test_what_makes_readers_of_vtk_crash(self):
+        vertices = "v -10 -10 0\nv 10 -10 0\nv 0 10 0\nv 0 0 20\n"
+        coordinates = "".join(f"property float {axis}\n" for axis in "xyz")
+        for name, text, words in (
+                ("seam.obj", vertices + "f 1/1 2/2 3/3\n", "line 5: a corner names texture coordinate 3"),
+                ("normal.obj", vertices + "vn 0 0 1\nf 1//1 3//99999 2//1\n", "line 6: a corner names normal 99999"),
+                ("order.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+                 "element vertex 3\n" + coordinates + "end_header\n3 0 2 1\n-10 -10 0\n10 -10 0\n0 10 0\n",
+                 "element face precedes element vertex")):
+            with self.subTest(name=name):
+                self.path(name).write_text(text)
+                self.refuse_file(self.path(name), words)
+        bodies.write(bodies.image(bodies.ball_grey(16, 4.0)), self.path("scan.nii.gz"))
+        head = bytearray(gzip.decompress(self.path("scan.nii.gz").read_bytes())[:1000])
+        head[42:48] = b"\xff\x7f" * 3
+        self.path("huge.nii").write_bytes(head)
+        self.refuse_file(self.path("huge.nii"), "wants 32767 x 32767 x 32767 voxels")
 
     def test_scan_without_anything_in_it(self):
         empty = bodies.image(0.0 * bodies.ball_grey(16, 4.0))

@@ -199,14 +199,19 @@ std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specificatio
 bool parseTool(const std::string& text, ToolSpecification& specification, std::string& error)
 {
   const std::size_t colon = text.find(':');
-  for (int shape = 0; colon != std::string::npos && shape <= static_cast<int>(ToolShape::Profile);
-       ++shape)
+  error = "tool '" + text + "' is not known; give " + toolSyntax();
+  for (int shape = 0; shape <= static_cast<int>(ToolShape::Profile); ++shape)
   {
     ToolSpecification read;
     read.Shape = static_cast<ToolShape>(shape);
     if (text.compare(0, colon, entryOf(read.Shape).name) != 0)
     {
       continue;
+    }
+    if (colon == std::string::npos)
+    {
+      error = "tool '" + text + "' needs a colon and its size; give " + toolSyntax();
+      return false;
     }
     error = readParameters(text.substr(colon + 1), read);
     if (error.empty())
@@ -222,7 +227,6 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
     specification = read;
     return true;
   }
-  error = "tool '" + text + "' is not known; give " + toolSyntax();
   return false;
 }
 

@@ -43,6 +43,7 @@ def to_numpy(array):
 
 def reals(values, argument, shape):
     """`values` as floats of that shape, where None is any number; the same memory if possible."""
+    refuse_masked(values, argument)
     try:
         given = np.asarray(values)
         array = given if given.dtype in (np.float32, np.float64) else given.astype(np.float64, casting="same_kind")
@@ -55,6 +56,7 @@ def reals(values, argument, shape):
 
 def indices(values, argument, columns):
     """`values` as whole numbers, rows of so many columns; the same memory if possible."""
+    refuse_masked(values, argument)
     array = np.asarray(values)
     if array.dtype.kind not in "iu":
         raise TypeError("%s must be whole numbers (of points, from 0), but are %s" % (argument, _kind(values)))
@@ -64,6 +66,19 @@ def indices(values, argument, columns):
     if array.dtype not in (np.int32, np.int64):
         array = array.astype(np.int64)
     return np.require(array, requirements="CW")
+
+
+def refuse_masked(values, argument):
+    """Nothing of VTK's knows masks: the number under one would be taken."""
+    if np.ma.is_masked(values):
+        mask = np.ma.getmaskarray(values)
+        raise ValueError("%s: %d of %d values are masked, the first at %s; give a number for each, as by filled(), or "
+                         "leave out what they belong to" % (argument, mask.sum(), mask.size, _place(mask)))
+
+
+def _place(mask):
+    first = tuple(map(int, np.argwhere(mask)[0]))
+    return first[0] if len(first) == 1 else first
 
 
 def _shape(shape):

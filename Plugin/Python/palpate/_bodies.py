@@ -1,24 +1,35 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The forms in which a body may be given: see as_body."""
 import os
+import warnings
 
-from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from . import _arrays, _filters
-from .palpateResponse import vtkBodySurface
+from .palpateResponse import vtkBodyFileReader, vtkBodySurface
 
 
 def as_body(body):
     """A vtkPolyData of triangles in mm, from any of
 
     - a vtkPolyData, or a wrapper of one (vtkmodules.numpy_interface.dataset_adapter.PolyData);
-    - another data set (a volume, blocks): its outer surface, by vtkBodySurface;
+    - another data set (a volume, blocks), but no image: its outer surface, by vtkBodySurface;
     - a vtkAlgorithm, or one of its output ports: its updated output;
     - (points, triangles): (n, 3) coordinates and (m, 3) numbers of points, counter-clockwise seen from outside;
-    - the name of a file, in mm: .vtp, .stl, .ply, .obj, .vtk, .vtu or .vti.
+    - the name of a file, in mm: .vtp, .stl, .ply, .obj, .vtk or .vtu, by vtkBodyFileReader.
+
+    It has at least one triangle.
     """
+    made = _any_body(body)
+    if made.GetNumberOfPoints() == 0:
+        raise ValueError("the body is empty: it has no points")
+    if made.GetNumberOfPolys() + made.GetNumberOfStrips() == 0:
+        raise ValueError("the body has no triangles, only %d points" % made.GetNumberOfPoints())
+    return made
+
+
+def _any_body(body):
     if isinstance(body, (str, os.PathLike)):
         return _surface_of(_read(os.fspath(body)))
     if isinstance(body, (vtkAlgorithm, vtkAlgorithmOutput)):
@@ -50,46 +61,34 @@ def _from_arrays(points, triangles):
     return made
 
 
+def warn_about_size(body):
+    """As the viewer asks: a body of 0.3 is probably one of 0.3 m, given in metres."""
+    bounds = body.GetBounds()
+    longest = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
+    if vtkBodySurface.IsSizeDoubtful(longest):
+        warnings.warn("the longest side of the body is %.3g mm: are its coordinates in mm? Multiply those in metres by "
+                      "1000" % longest, RuntimeWarning, stacklevel=3)
+
+
 def _surface_of(data):
+    if isinstance(data, vtkImageData):
+        raise ValueError("an image is no body; make a surface of it first: the skin of a scan by "
+                         "palpate.vtkSkinSurface (its ContourValue is the grey level of the skin), its box by "
+                         "palpate.vtkBodySurface")
     surface = vtkBodySurface()
+    surface.AskAboutSizeOff()                       # asked by warn_about_size
     surface.SetInputDataObject(data)
     return _filters.run(surface).GetOutput()
 
 
-def _reader(name):
-    from vtkmodules import vtkIOGeometry, vtkIOLegacy, vtkIOPLY, vtkIOXML
-    readers = {".vtp": vtkIOXML.vtkXMLPolyDataReader, ".vtu": vtkIOXML.vtkXMLUnstructuredGridReader,
-               ".vti": vtkIOXML.vtkXMLImageDataReader, ".vtk": vtkIOLegacy.vtkDataSetReader,
-               ".stl": vtkIOGeometry.vtkSTLReader, ".obj": vtkIOGeometry.vtkOBJReader,
-               ".ply": vtkIOPLY.vtkPLYReader}
-    end = os.path.splitext(name)[1].lower()
-    if end == ".palpate":
+def _read(name):
+    extensions = vtkBodyFileReader.GetFileExtensions().split()
+    if name.lower().endswith(".palpate"):
         raise ValueError("'%s' is for servo loops, of one tool and without the points' order; save a body as .vtp"
                          % name)
-    if end not in readers:
-        raise ValueError("'%s' is of unknown kind; a body may be %s" % (name, " ".join(sorted(readers))))
-    return readers[end]()
-
-
-def _hint(name):
-    """VTK before 9.3.1 does not read its own raw data with expat since 2.6, nor with Debian's patched 2.5."""
-    version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
-    if version > (9, 3) or not name.lower().endswith((".vtp", ".vtu", ".vti")):
-        return ""
-    with open(name, "rb") as file:
-        raw = b'encoding="raw"' in file.read()
-    return ("; the reason may be that VTK %s and this system's expat do not agree on raw appended data: save it with "
-            "the data mode Binary" % vtkVersion.GetVTKVersion()) if raw else ""
-
-
-def _read(name):
-    reader = _reader(name)
+    if not name.lower().endswith(tuple(extensions)):
+        raise ValueError("'%s' is of unknown kind; a body may be %s" % (name, " ".join(sorted(extensions))))
+    reader = vtkBodyFileReader()
     with open(name, "rb"):                          # FileNotFoundError, PermissionError
         reader.SetFileName(name)
-    with _filters.unprinted() as complaints:
-        reader.Update()
-        data = reader.GetOutputDataObject(0)
-    if complaints or data is None or data.GetNumberOfPoints() == 0:
-        raise RuntimeError("'%s' could not be read: %s%s" % (
-            name, "".join(complaints) or "there are no points in it", _hint(name) if complaints else ""))
-    return data
+    return _filters.run(reader, RuntimeError).GetOutput()

@@ -61,6 +61,7 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
         stored = contract.load(body, name)
     except KeyError as missing:
         raise ValueError("no response '%s' on the body: %s" % (name, missing.args[0])) from None
+    _arrays.refuse_masked(points, "points")
     chosen = np.arange(body.GetNumberOfPoints()) if points is None else np.asarray(points)
     if chosen.dtype.kind not in "iu" or chosen.ndim > 1:
         raise TypeError("points must be whole numbers, one or an array of shape (n,), but are %r" % (points,))

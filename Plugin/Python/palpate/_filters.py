@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a VTK algorithm: its errors become exceptions, its warnings Python's; nothing is printed."""
-import contextlib
-import re
 import warnings
 
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
@@ -22,7 +19,7 @@ class Listener:
     def _take(texts):
         def take(caller, event, text):
             if not caller.IsA("vtkExecutive"):      # it only repeats that there was an error
-                texts.append(words(text))
+                texts.append(words(text or "what is wrong cannot be shown: its words are not UTF-8"))
         take.CallDataType = "string0"
         return take
 
@@ -48,22 +45,6 @@ def run(algorithm, kind=ValueError, others=()):
     for text in listener.warnings:
         warnings.warn(text, RuntimeWarning, stacklevel=3)
     return algorithm
-
-
-@contextlib.contextmanager
-def unprinted():
-    """Within it VTK prints nothing: the first message of objects that cannot be observed, since a reader makes them, is
-    added to the list that this yields."""
-    before, cutoff = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
-    window, complaints = vtkStringOutputWindow(), []
-    vtkOutputWindow.SetInstance(window)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
-        yield complaints
-    finally:
-        vtkLogger.SetStderrVerbosity(cutoff)
-        vtkOutputWindow.SetInstance(before)
-        complaints += map(str.strip, re.findall(r"^\w[^\n]*\): (.*)$", window.GetOutput(), re.MULTILINE)[:1])
 
 
 def output_of(source):

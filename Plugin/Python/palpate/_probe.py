@@ -120,6 +120,8 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     body = as_body(body)
     shape = np.shape(tips)[:-1] if coupled and path and np.ndim(tips) == 3 else None
     tips = _as_tips(tips, path, time, axis, coupled)
+    if tips.GetNumberOfPoints() == 0:
+        raise ValueError("there are no tips to probe")
     friction = float(friction)
     if friction != 0.0 and tips.GetNumberOfLines() == 0:
         raise ValueError("friction acts along a path only: give path=True")
@@ -142,9 +144,6 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
             "ContactState", "MemoryForce", "RelativeError", "Torque", "Tilt")]
         stiffness = points.GetArray("CoupledStiffness")
     count = tips.GetNumberOfPoints()
-    if arrays[0] is None:                               # no tips, or a body without points
-        found = _nothing(count)
-        return CoupledProbe(found, np.zeros((count, count))) if coupled else found
     *others, memory, error, torque, tilt = arrays
     found = Probe(*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
                   np.full(count, np.nan) if error is None else _arrays.to_numpy(error),
@@ -178,11 +177,11 @@ def _as_tips(tips, path, time, axis, coupled):
             time = np.tile(_arrays.reals(time, "time (s)", (moments,)), lines)
         tips = np.ascontiguousarray(np.swapaxes(tips, 0, 1)).reshape(-1, 3)
     elif np.ndim(tips) == 1:
-        tips = np.asarray(tips)[None, :]
+        tips = np.asanyarray(tips)[None, :]             # a mask stays, to be refused
     tips = _arrays.reals(tips, "tips", (None, 3))
     made = vtkPolyData()
     made.SetPoints(_arrays.to_points(tips))
-    if path and len(tips):
+    if path and len(tips) > 0:
         made.SetLines(_arrays.to_cells(np.arange(len(tips)), len(tips) // lines))
     if time is not None:
         made.GetPointData().AddArray(_arrays.to_vtk(_arrays.reals(time, "time (s)", (len(tips),)), "Time"))
@@ -197,12 +196,6 @@ def _choose(argument, value):
     if value not in CHOICES[argument]:
         raise ValueError("%s must be one of %s, but is %r" % (argument, ", ".join(CHOICES[argument]), value))
     return CHOICES[argument][value]
-
-
-def _nothing(count):
-    return Probe(*(np.zeros((count, 3) if isvector else count) for isvector in (1, 0, 0, 1, 1, 1)),
-                 np.full(count, -1), np.zeros(count, dtype=np.uint8), np.zeros(count), np.zeros(count),
-                 np.zeros((count, 3)), np.zeros(count))
 
 
 class _prepared:

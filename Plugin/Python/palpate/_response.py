@@ -8,7 +8,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from . import _arrays, _filters
-from ._bodies import as_body, shallow_copy
+from ._bodies import as_body, shallow_copy, warn_about_size
 from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
 
 BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
@@ -26,7 +26,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     ----------
     body : the surface to touch, in mm: a vtkPolyData of triangles or a wrapper of one, a vtkAlgorithm, a pair of arrays
         (points, triangles) of shapes (n, 3) and (m, 3), counter-clockwise seen from outside, or the name of a file
-        (.vtp .stl .ply .obj .vtk .vtu .vti). It is not changed.
+        (.vtp .stl .ply .obj .vtk .vtu). It is not changed. An image is refused: palpate.vtkSkinSurface makes a
+        surface of a scan, and palpate.vtkBodyFileReader reads one.
     tool : "flat:R", "sphere:R", "paraboloid:R", "cone:DEGREES", "truncated:R,DEGREES", "blunted:R,DEGREES",
         "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT" or "profile:FILE.csv" (radii in mm, half angles in degrees from
         the axis); or a vtkContactTool.
@@ -75,11 +76,14 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         change them afterwards.
 
     Raises ValueError with the words of vtkToolContactResponse, TypeError for arguments of another type, OSError and
-    RuntimeError for files. Points without response give a RuntimeWarning. Runs on all threads of vtkSMPTools with
+    RuntimeError for files. Points without response give a RuntimeWarning, and so does a body below 5 or above 5000 mm,
+    whose coordinates may be in metres. Masked values are a ValueError. Runs on all threads of vtkSMPTools with
     the same bits for any number; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
     """
     made = vtkToolContactResponse()
-    given = _set_material(made, as_body(body), young, poisson, layer, base, compliance, compliance_excludes_layer,
+    body = as_body(body)
+    warn_about_size(body)
+    given = _set_material(made, body, young, poisson, layer, base, compliance, compliance_excludes_layer,
                           layers)
     made.SetInputData(given)
     tool = _tool(tool)
@@ -112,10 +116,8 @@ def _set_relaxation(made, body, relax):
             raise ValueError("%s must be (strength, seconds), but is %r" % (what, pair))
         strength, seconds = pair
         if isinstance(strength, str):
-            array = body.GetPointData().GetArray(strength)
-            if array is None:
-                raise ValueError("%s: the body has no point array '%s'" % (what, strength))
-            strength = _arrays.to_numpy(array)
+            name = _name_of_array(body, strength, what + ": strength")
+            strength = _arrays.to_numpy(body.GetPointData().GetArray(name))
         varies = np.ndim(strength) > 0
         strengths.append(_arrays.reals(strength, what + ": strength", (count,)) if varies
                          else _number(strength, what + ": strength"))
@@ -213,13 +215,25 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
                 continue
             value = np.full(body.GetNumberOfPoints(), value)
         if isinstance(value, str):
-            array = value
+            array = _name_of_array(body, value, argument)
         else:
             values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
             body.GetPointData().RemoveArray(array + "Error")  # it would belong to another array
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
+
+
+def _name_of_array(body, name, argument):
+    points = body.GetPointData()
+    if points.GetArray(name) is not None:
+        return name
+    try:
+        advice = "for the number leave out the quotes: %g" % float(name)
+    except ValueError:
+        there = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())]
+        advice = "it has %s" % (", ".join(map(repr, there)) or "none")
+    raise ValueError("%s: the body has no point array '%s'; %s" % (argument, name, advice))
 
 
 def _add_layers(algorithm, layers):

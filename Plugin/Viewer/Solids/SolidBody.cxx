@@ -2,7 +2,7 @@
 #include "SolidBody.h"
 
 #include "BodyCache.h"
-#include "CollectingWindow.h"
+#include "Response/Files/CollectingWindow.h"
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"

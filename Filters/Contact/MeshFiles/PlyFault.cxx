@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFileCheck.h"
+#include "Contact/MeshFiles/PlyFault.h"
 
 #include "Mechanics/JoinedText.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -73,23 +73,61 @@ std::string readProperty(std::istream& words, Element& element)
   return isCorners(element, element.properties.back()) && !whole ? "corners must be integers" : "";
 }
 
+bool hasCoordinates(const Element& element)
+{
+  const auto has = [&element](const char* name)
+  {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+      [name](const Property& one) { return one.name == name && one.countSize == 0; });
+  };
+  return has("x") && has("y") && has("z");
+}
+
+/** vtkPLYReader takes whatever comes first for vertices. */
+std::string elementFault(const PlyHeader& header)
+{
+  bool vertices = false;
+  for (const Element& element : header.elements)
+  {
+    const bool isVertex = element.name == "vertex";
+    if (element.properties.empty())
+    {
+      return "element " + element.name + " has no properties";
+    }
+    if (element.name == "face" && !vertices)
+    {
+      return "element face precedes element vertex; vertices must come first";
+    }
+    if (isVertex && (vertices || !hasCoordinates(element)))
+    {
+      return vertices ? "element vertex occurs twice" : "element vertex has no x, y and z";
+    }
+    vertices = vertices || isVertex;
+  }
+  return "";
+}
+
 std::string readHeader(std::istream& file, PlyHeader& header)
 {
   std::string line;
   bool faces = false;
   while (std::getline(file, line))
   {
-    std::string problem;
+    std::string fault;
     std::istringstream words(line);
     std::string word;
     words >> word;
+    if (line.size() > LongestLine)
+    {
+      return palpate::joined("line ", header.lines + 1, " is longer than ", LongestLine);
+    }
     if (++header.lines == 1 && word != "ply")
     {
       return "it does not begin with \"ply\"";
     }
     if (word == "end_header")
     {
-      return faces ? "" : "it has no faces with vertex_indices";
+      return faces ? elementFault(header) : "it has no faces with vertex_indices";
     }
     if (word == "format")
     {
@@ -100,24 +138,24 @@ std::string readHeader(std::istream& file, PlyHeader& header)
       header.elements.emplace_back();
       Element& element = header.elements.back();
       words >> element.name >> element.count;
-      problem = words ? "" : "an element needs a name and a count";
+      fault = words ? "" : "an element needs a name and a count";
       header.vertices = element.name == "vertex" ? element.count : header.vertices;
     }
     else if (word == "property")
     {
-      problem = header.elements.empty() ? "a property before any element"
-                                        : readProperty(words, header.elements.back());
+      fault = header.elements.empty() ? "a property before any element"
+                                      : readProperty(words, header.elements.back());
       faces = faces ||
-        (problem.empty() &&
+        (fault.empty() &&
           isCorners(header.elements.back(), header.elements.back().properties.back()));
     }
     else if (word != "ply" && word != "comment" && word != "obj_info")
     {
-      problem = "\"" + word + "\" is not understood";
+      fault = "\"" + word + "\" is not understood";
     }
-    if (!problem.empty())
+    if (!fault.empty())
     {
-      return palpate::joined("line ", header.lines, ": ", problem);
+      return palpate::joined("line ", header.lines, ": ", fault);
     }
   }
   return "its header does not end";
@@ -174,7 +212,7 @@ private:
 };
 
 /** What is wrong with one row of an element. */
-std::string rowProblem(Values& values, const Element& element, std::uint64_t vertices)
+std::string rowFault(Values& values, const Element& element, std::uint64_t vertices)
 {
   for (const Property& property : element.properties)
   {
@@ -204,13 +242,17 @@ std::string rowProblem(Values& values, const Element& element, std::uint64_t ver
   return "";
 }
 
-std::string plyProblem(std::istream& file)
+} // namespace
+
+namespace palpate
+{
+std::string plyFault(std::istream& file)
 {
   PlyHeader header;
-  std::string problem = readHeader(file, header);
-  if (!problem.empty())
+  std::string fault = readHeader(file, header);
+  if (!fault.empty())
   {
-    return problem;
+    return fault;
   }
   const std::string& format = header.format;
   if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
@@ -220,47 +262,15 @@ std::string plyProblem(std::istream& file)
   Values values(file, header);
   for (const Element& element : header.elements)
   {
-    const std::uint64_t rows = element.properties.empty() ? 0 : element.count;
-    for (std::uint64_t row = 0; row < rows; ++row)
+    for (std::uint64_t row = 0; row < element.count; ++row)
     {
-      problem = values.nextRow() ? rowProblem(values, element, header.vertices) : "is cut short";
-      if (!problem.empty())
+      fault = values.nextRow() ? rowFault(values, element, header.vertices) : "is cut short";
+      if (!fault.empty())
       {
-        return palpate::joined(element.name, " ", row, " of ", element.count, " ", problem);
+        return palpate::joined(element.name, " ", row, " of ", element.count, " ", fault);
       }
     }
   }
   return "";
-}
-
-/** Binary: 80 bytes, the number of facets (little-endian), 50 bytes for each. */
-std::string stlProblem(std::istream& file)
-{
-  unsigned char head[84];
-  file.read(reinterpret_cast<char*>(head), sizeof(head));
-  const bool ascii = std::string(head, head + 5) == "solid";
-  const std::string start(head, head + file.gcount());
-  if (ascii && start.find('\0') == std::string::npos)
-  {
-    return ""; // vtkSTLReader checks these
-  }
-  if (!file)
-  {
-    return "it is shorter than the head of a binary .stl";
-  }
-  const std::uint64_t facets =
-    head[80] | head[81] << 8 | head[82] << 16 | static_cast<std::uint64_t>(head[83]) << 24;
-  file.seekg(0, std::ios::end);
-  const auto found = (static_cast<std::uint64_t>(file.tellg()) - sizeof(head)) / 50;
-  return found < facets ? palpate::joined("it ends after ", found, " of ", facets, " facets") : "";
-}
-} // namespace
-
-namespace palpate
-{
-std::string meshFileProblem(const std::string& path, const std::string& extension)
-{
-  std::ifstream file(path, std::ios::binary);
-  return extension == ".ply" ? plyProblem(file) : extension == ".stl" ? stlProblem(file) : "";
 }
 } // namespace palpate

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_StlFile_h
+#define palpate_StlFile_h
+
+#include "Contact/MeshFiles/FileMesh.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <istream>
+
+namespace palpate
+{
+/**
+ * The facets of a .stl file, with three points of their own each. Normals of facets are ignored.
+ *
+ * Binary: 80 bytes, the number of facets, 50 bytes for each; what follows is ignored, with a note.
+ * ASCII: begins with "solid", after a byte order mark and blanks if there are any; keywords in
+ * upper or lower case. A file that begins with "solid" is binary if its length is that of its
+ * number of facets, or a zero byte is among its first 84.
+ *
+ * Faults name the line or the facet: a file that is neither, or ends too early, a keyword out of
+ * order, a facet without three corners, a number that is not finite.
+ */
+PALPATE_EXPORT FileMesh readStl(std::istream& file);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Files/NiftiFile.h"
+
+#include "Mechanics/JoinedText.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNIFTIImageHeader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr double MostDeflated = 1032.0; // bytes per byte of a gzip file
+constexpr double SmallestVolume = 1e-6; // of the three axes, as a fraction of a box's
+
+using Affine = Eigen::Matrix<double, 3, 4>; // from voxel indices of the file to its coordinates
+
+bool isCompressed(const std::string& path)
+{
+  return path.size() > 2 && (path.back() == 'z' || path.back() == 'Z'); // ".gz", not ".nii"
+}
+
+Affine sform(vtkNIFTIImageHeader* header)
+{
+  Affine made;
+  for (int i = 0; i < 4; ++i)
+  {
+    made.col(i) << header->GetSRowX()[i], header->GetSRowY()[i], header->GetSRowZ()[i];
+  }
+  return made;
+}
+
+/// The sides of a voxel along the axes; 1 where the header has none.
+Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
+{
+  Eigen::Vector3d sides;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double side = std::abs(header->GetPixDim(i + 1));
+    sides[i] = side == 0.0 ? 1.0 : side;
+  }
+  return sides;
+}
+
+/// A turn by the quaternion, whose first part follows from the others.
+Affine qform(vtkNIFTIImageHeader* header)
+{
+  const Eigen::Vector3d vector(header->GetQuaternB(), header->GetQuaternC(), header->GetQuaternD());
+  const double rest = 1.0 - vector.squaredNorm();
+  Eigen::Quaterniond turn(std::sqrt(std::max(rest, 0.0)), vector[0], vector[1], vector[2]);
+  turn.normalize();
+  Eigen::Vector3d sides = voxelSides(header);
+  sides[2] *= header->GetPixDim(0) < 0.0 ? -1.0 : 1.0;
+  Affine made;
+  made.leftCols<3>() = turn.toRotationMatrix() * sides.asDiagonal();
+  made.col(3) << header->GetQOffsetX(), header->GetQOffsetY(), header->GetQOffsetZ();
+  return made;
+}
+
+Affine voxelAxes(vtkNIFTIImageHeader* header)
+{
+  Affine made = Affine::Zero();
+  made.leftCols<3>() = voxelSides(header).asDiagonal();
+  return made;
+}
+
+/// Millimetres per unit of the file.
+double unitOf(vtkNIFTIImageHeader* header)
+{
+  constexpr int SpatialBits = 7;
+  constexpr int Metre = 1;
+  constexpr int Micrometre = 3;
+  const int unit = header->GetXYZTUnits() & SpatialBits;
+  return unit == Metre ? 1000.0 : unit == Micrometre ? 0.001 : 1.0;
+}
+
+/// Where the axes do not span a volume, no point has a place in the image.
+bool spansVolume(const Affine& affine)
+{
+  const Eigen::Matrix3d axes = affine.leftCols<3>();
+  const double box = axes.colwise().norm().prod();
+  return affine.allFinite() && box > std::numeric_limits<double>::min() && std::isfinite(box) &&
+    std::abs(axes.determinant()) > SmallestVolume * box;
+}
+
+void place(vtkImageData* image, const Affine& affine)
+{
+  std::array<double, 9> direction{};
+  std::array<double, 3> spacing{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[static_cast<std::size_t>(axis)] = affine.col(axis).norm();
+    for (int row = 0; row < 3; ++row)
+    {
+      direction[static_cast<std::size_t>(3 * row + axis)] =
+        affine(row, axis) / affine.col(axis).norm();
+    }
+  }
+  image->SetOrigin(affine(0, 3), affine(1, 3), affine(2, 3));
+  image->SetSpacing(spacing.data());
+  image->SetDirectionMatrix(direction.data());
+}
+
+void scaleValues(vtkImageData* image, double slope, double intercept)
+{
+  vtkDataArray* read = image->GetPointData()->GetScalars();
+  const bool isExact = read->GetDataTypeSize() <= 2 || read->GetDataType() == VTK_FLOAT;
+  vtkSmartPointer<vtkDataArray> scaled;
+  scaled.TakeReference(
+    isExact ? static_cast<vtkDataArray*>(vtkFloatArray::New()) : vtkDoubleArray::New());
+  scaled->SetName(read->GetName());
+  scaled->SetNumberOfTuples(read->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < read->GetNumberOfTuples(); ++i)
+  {
+    scaled->SetComponent(i, 0, slope * read->GetComponent(i, 0) + intercept);
+  }
+  image->GetPointData()->SetScalars(scaled);
+}
+} // namespace
+
+std::string niftiFault(vtkNIFTIImageReader* reader)
+{
+  vtkNIFTIImageHeader* header = reader->GetNIFTIHeader();
+  const std::string magic = header->GetMagic() ? std::string(header->GetMagic(), 3) : "";
+  if (magic != "n+1" && magic != "n+2")
+  {
+    return "it is not a NIfTI file: its header does not have the mark n+1 or n+2";
+  }
+  const auto dimensions = header->GetDim(0);
+  double voxels = 1.0;
+  for (int i = 1; i <= 7 && i <= dimensions; ++i)
+  {
+    const auto size = header->GetDim(i);
+    if (size < 1 || size > std::numeric_limits<int>::max())
+    {
+      return joined("dim[", i, "] of its header is ", size);
+    }
+    if (i > 3 && size > 1)
+    {
+      return joined("it holds ", size, " images (dim[", i,
+        "] of its header): take one of them out, as a file of three dimensions");
+    }
+    voxels *= static_cast<double>(size);
+  }
+  if (dimensions < 3)
+  {
+    return joined("it has ", dimensions, " dimensions, three are needed");
+  }
+  if (reader->GetNumberOfScalarComponents() != 1)
+  {
+    return joined("its voxels have ", reader->GetNumberOfScalarComponents(),
+      " components (colours or complex numbers), one is needed");
+  }
+  const std::string path = reader->GetFileName();
+  const double offset = static_cast<double>(header->GetVoxOffset());
+  const double needed =
+    offset + voxels * vtkDataArray::GetDataTypeSize(reader->GetDataScalarType());
+  std::error_code ignored;
+  const auto size = static_cast<double>(std::filesystem::file_size(path, ignored));
+  if (!(offset >= 0.0) || needed > size * (isCompressed(path) ? MostDeflated : 1.0))
+  {
+    return joined("its header wants ", header->GetDim(1), " x ", header->GetDim(2), " x ",
+      header->GetDim(3), " voxels from byte ", offset, " on, ", needed, " bytes; it has ", size,
+      isCompressed(path) ? ", compressed" : "");
+  }
+  return "";
+}
+
+std::string applyNiftiHeader(
+  vtkNIFTIImageReader* reader, vtkImageData* image, std::vector<std::string>& notes)
+{
+  vtkNIFTIImageHeader* header = reader->GetNIFTIHeader();
+  const char* const name = header->GetSFormCode() > 0 ? "sform"
+    : header->GetQFormCode() > 0                      ? "qform"
+                                                      : "pixdim";
+  Affine affine = header->GetSFormCode() > 0 ? sform(header)
+    : header->GetQFormCode() > 0             ? qform(header)
+                                             : voxelAxes(header);
+  const double unit = unitOf(header);
+  affine *= unit;
+  if (!spansVolume(affine))
+  {
+    return joined("the ", name, " of its header does not span a volume");
+  }
+  if (reader->GetQFac() < 0.0)
+  { // the reader reverses the slices
+    affine.col(3) += (image->GetDimensions()[2] - 1) * affine.col(2);
+    affine.col(2) *= -1.0;
+  }
+  place(image, affine);
+  if (header->GetSFormCode() > 0 || header->GetQFormCode() > 0)
+  {
+    notes.push_back(joined("placed by the ", name, " of its header"));
+  }
+  if (unit != 1.0)
+  {
+    notes.push_back(joined("its header says ", unit > 1.0 ? "metres" : "micrometres"));
+  }
+  const double slope = reader->GetRescaleSlope();
+  const double intercept = reader->GetRescaleIntercept();
+  if (slope == 0.0 || (slope == 1.0 && intercept == 0.0))
+  {
+    return ""; // 0: the header has none
+  }
+  if (!std::isfinite(slope) || !std::isfinite(intercept))
+  {
+    return joined("scl_slope and scl_inter of its header are ", slope, " and ", intercept);
+  }
+  scaleValues(image, slope, intercept);
+  notes.push_back(joined("values times ", slope, " plus ", intercept, ", as its header says"));
+  return "";
+}
+} // namespace palpate

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any text as an .obj file: an error that names a line, or polygons of points that are there.
+#include "Contact/MeshFiles/ObjFile.h"
+#include "MeshRequirements.h"
+
+#include <sstream>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));
+  palpate::testing::requireWhole(palpate::readObj(file));
+  return 0;
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any bytes as an .stl file, ASCII or binary: an error, or triangles of points that are there.
+#include "Contact/MeshFiles/StlFile.h"
+#include "MeshRequirements.h"
+
+#include <sstream>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));
+  const palpate::FileMesh mesh = palpate::readStl(file);
+  palpate::testing::requireWhole(mesh);
+  palpate::testing::require(
+    mesh.corners.size() == mesh.points.size() / 3, "a corner of a facet is a point of its own");
+  return 0;
+}
