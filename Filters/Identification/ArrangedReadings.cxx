@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Identification/ArrangedReadings.h"
 
+#include "Identification/FitVerdict.h"
+#include "Identification/ForceNoise.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -26,6 +29,7 @@ constexpr std::size_t EnoughBefore = 30;
 constexpr std::size_t MostReadings = 200; // up to here readings are not averaged
 constexpr int ContactGroups = 160;
 constexpr int BaselineGroups = 40;
+constexpr double Unknown = std::numeric_limits<double>::infinity(); // of a noise
 constexpr double KinkShare = 0.1; // of the depth of contact, before it, grouped as finely
 
 /// Averages the readings from `first` to before `last` over `count` equal depths.
@@ -93,7 +97,7 @@ Candidate fitAt(const IndentationCurve& groups, double depth, bool hasBaseline)
     return result;
   }
   const BaselineTerms terms = hasBaseline
-    ? baselineTerms(before, depth - groups.deflection.front(), contactDepth)
+    ? baselineTerms(before, depth - groups.deflection.front(), contactDepth, Unknown)
     : BaselineTerms::None;
   const auto solve = [&](Index inputs, const VectorXd& wanted)
   {
@@ -121,14 +125,22 @@ Candidate fitAt(const IndentationCurve& groups, double depth, bool hasBaseline)
 }
 } // namespace
 
-BaselineTerms baselineTerms(double readings, double range, double depth)
+BaselineTerms baselineTerms(double readings, double range, double depth, double noise)
 {
   constexpr double fewest = 4.0;
   constexpr double fewestForDrift = 8.0;
-  constexpr double leastRange = 0.5;
-  return readings < fewest                                        ? BaselineTerms::None
-    : readings < fewestForDrift || !(range >= leastRange * depth) ? BaselineTerms::Offset
-                                                                  : BaselineTerms::OffsetAndDrift;
+  constexpr double longEnough = 0.5;
+  constexpr double wellEnough = 0.01;
+  if (readings < fewest)
+  {
+    return BaselineTerms::None;
+  }
+  // The standard error of the slope of a line through evenly spaced readings.
+  const double error =
+    std::max(noise, FitLimits::LeastNoise) * depth * std::sqrt(12.0 / readings) / range;
+  return readings >= fewestForDrift && (range >= longEnough * depth || error <= wellEnough)
+    ? BaselineTerms::OffsetAndDrift
+    : BaselineTerms::Offset;
 }
 
 IndentationCurve loadsByDepth(const AxisymmetricTool& tool, const PreparedCurve& prepared)
@@ -218,8 +230,10 @@ IndentationCurve arrangeReadings(const IndentationCurve& curve, bool findContact
     first = std::min(indexOf(start.depth - BaselineDepths * contactDepth),
       begin > EnoughBefore ? begin - EnoughBefore : 0);
     middle = std::max(first, indexOf(start.depth - KinkShare * contactDepth));
-    start.terms =
-      baselineTerms(static_cast<double>(begin - first), start.depth - depths[first], contactDepth);
+    const double largest = curve.tool->force(contactDepth, start.modulus);
+    const double noise = estimateForceNoise(depths, curve.force).deviation / largest;
+    start.terms = baselineTerms(
+      static_cast<double>(begin - first), start.depth - depths[first], contactDepth, noise);
     start.baseline.offset = start.terms == BaselineTerms::None ? 0.0 : start.baseline.offset;
     start.baseline.drift =
       start.terms == BaselineTerms::OffsetAndDrift ? start.baseline.drift : 0.0;

@@ -23,11 +23,12 @@ FirstContact findFirstContact(const IndentationCurve& curve);
 
 /**
  * What so many readings before contact, over this range (mm), tell of the baseline of a contact of
- * this depth (mm). An offset takes four readings. A drift takes eight, over half of the depth: then
- * E* becomes a fifth more uncertain by it; over a fifth of the depth it would be four times as
- * uncertain, and the law's own errors would count as drift.
+ * this depth (mm); `noise` is relative to the largest force. An offset takes four readings. A drift
+ * takes eight, over half of the depth, or such that over the depth it is known to 1 % of the
+ * largest force, with a noise not below the accuracy of a law: else E* would become far more
+ * uncertain by a drift than by its noise, and the errors of a law would count as drift.
  */
-BaselineTerms baselineTerms(double readings, double range, double depth);
+BaselineTerms baselineTerms(double readings, double range, double depth, double noise);
 
 /// The largest change of the force by a drift over the depth of contact, relative to the largest
 /// force: more is no drift.

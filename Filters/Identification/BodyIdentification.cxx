@@ -272,13 +272,18 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   {
     const std::size_t before = count;
     const std::string fault = this->select(curves, *judgement.fit, used, count);
-    if (!fault.empty() || count == before)
+    if (!fault.empty())
     {
-      result.refusal = fault.empty() ? result.refusal : fault;
+      result.refusal = fault;
+      return result;
+    }
+    if (count == before)
+    {
       break;
     }
     result.refusal = this->judge(used, noise, judgement);
   }
+  const std::string left = leftOut(total - count, total, this->Options.largestStrain);
   result.noise = noise.deviation;
   result.largestForce = judgement.largestForce;
   if (judgement.fit)
@@ -289,9 +294,12 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   if (result.refusal.empty())
   {
     this->report(used, given, *judgement.fit, result);
-    const std::string left = leftOut(total - count, total, this->Options.largestStrain);
     const std::string untold = untoldBaseline(*judgement.fit, this->Options.findContact);
     result.remark = left + (left.empty() || untold.empty() ? "" : "; ") + untold;
+  }
+  else if (!left.empty())
+  {
+    result.refusal += "; " + left;
   }
   return result;
 }

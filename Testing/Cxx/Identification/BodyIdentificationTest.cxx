@@ -171,6 +171,8 @@ TEST(BodyIdentification, RefusesWhatNoiseHides)
   readings.noise = 0.03;
   const IdentifiedBody body = BodyIdentification({}).identify({ series(*tip, 0.0, readings) });
   EXPECT_NE(body.refusal.find("E*"), std::string::npos) << body.refusal;
+  // Small strain ends at 1.016 of 1.5 mm.
+  EXPECT_NE(body.refusal.find("of 40 readings are not used"), std::string::npos) << body.refusal;
 }
 
 TEST(BodyIdentification, ManyReadingsAreGrouped)

@@ -56,7 +56,7 @@ TEST(ForceBaseline, IntervalsHoldTheTruth)
   const auto tip = tool("paraboloid:3");
   const BodyIdentification identification = halfSpace();
   for (const Approach& made : { approach(5.0, 5000, 0.0, 0.0), approach(1.0, 200, 0.02, 0.0),
-         approach(1.0, 200, 0.0, 0.02), approach(1.0, 200, -0.01, -0.03) })
+         approach(0.1, 20, 0.0, 0.02), approach(1.0, 200, -0.01, -0.03) })
   {
     std::mt19937 random(2026);
     int modulus = 0;
@@ -200,7 +200,7 @@ TEST(ForceBaseline, SaysWhatItDoesNotTell)
     return body.remark;
   };
   EXPECT_EQ(remark(approach(1.0, 200, 0.0, 0.0)), "");
-  EXPECT_NE(remark(approach(0.1, 20, 0.01, 0.0)).find("drift"), std::string::npos);
+  EXPECT_NE(remark(approach(0.05, 10, 0.01, 0.0)).find("drift"), std::string::npos);
   EXPECT_NE(remark(approach(0.01, 2, 0.0, 0.0)).find("offset"), std::string::npos);
 }
 } // namespace force_baseline
