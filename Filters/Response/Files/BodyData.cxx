@@ -147,7 +147,7 @@ void readStlFile(const std::string& path, BodyData& result)
 /// More than the content of a file can need in memory, bytes: DEFLATE makes 1 of 1032 at best.
 double memoryFor(const std::string& path)
 {
-  constexpr double Least = 1e9;
+  constexpr double Least = 2.5e8;
   constexpr double Most = 1100.0;
   std::error_code ignored;
   return Least + Most * static_cast<double>(std::filesystem::file_size(path, ignored));

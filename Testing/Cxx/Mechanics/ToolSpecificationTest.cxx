@@ -126,8 +126,7 @@ TEST(ToolSpecification, FormatsShortestDecimals)
 
 TEST(ToolSpecification, UnknownShapesAreNamed)
 {
-  for (const char* text :
-    { "spehre:5", "", ":", "Sphere:5", "sphere", " sphere:5", "cone60", "trunc:1,60" })
+  for (const char* text : { "spehre:5", "", ":", "Sphere:5", " sphere:5", "cone60", "trunc:1,60" })
   {
     expectNamed(text, "'" + std::string(text) + "' is not known");
     expectNamed(text, palpate::toolSyntax());
@@ -136,6 +135,15 @@ TEST(ToolSpecification, UnknownShapesAreNamed)
   {
     EXPECT_NE(
       std::string(palpate::toolSyntax()).find(std::string(each.name) + ":"), std::string::npos);
+  }
+}
+
+TEST(ToolSpecification, AShapeWithoutItsSizeIsNamed)
+{
+  for (const char* text : { "sphere", "cone", "profile" })
+  {
+    expectNamed(text, "'" + std::string(text) + "' needs a colon and its size; give ");
+    expectNamed(text, palpate::toolSyntax());
   }
 }
 
