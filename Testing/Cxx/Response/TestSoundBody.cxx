@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -138,13 +139,15 @@ Body split(vtkPolyData* body, double share, std::mt19937& random)
   const auto points = copyOf(body->GetPoints());
   std::vector<Corners> corners = cornersOf(body);
   std::uniform_real_distribution<double> chance(0.0, 1.0);
+  std::set<vtkIdType> used;
   for (Corners& c : corners)
   {
     for (vtkIdType& corner : c)
     {
       double p[3];
       body->GetPoint(corner, p);
-      corner = chance(random) < share ? points->InsertNextPoint(p) : corner;
+      const bool isFirst = used.insert(corner).second; // no point is left without a triangle
+      corner = !isFirst && chance(random) < share ? points->InsertNextPoint(p) : corner;
     }
   }
   return bodyOf(points, corners);
@@ -255,8 +258,9 @@ void checkStoredNormals()
       const Felt found = feltOn(other, tips);
       for (std::size_t i = 0; i < expected.forces.size(); ++i)
       {
-        PALPATE_CHECK_NEAR(vtkMath::Norm(found.forces[i].data()),
-          vtkMath::Norm(expected.forces[i].data()), 2e-6); // float32, as above
+        // Radial normals are those of the ball, computed ones those of its facets: 0.3 %.
+        const double force = vtkMath::Norm(expected.forces[i].data());
+        PALPATE_CHECK_NEAR(vtkMath::Norm(found.forces[i].data()), force, 0.005 * force);
       }
     }
   }
