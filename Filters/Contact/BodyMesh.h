@@ -101,8 +101,8 @@ private:
   Defects Found;
 };
 
-/// The normals of a BodyMesh without the mesh, x, y, z of each point: for triangles whose corners are
-/// points.
+/// The normals of a BodyMesh without the mesh, x, y, z of each point: for triangles whose corners
+/// are points.
 PALPATE_EXPORT std::vector<double> angleWeightedNormals(const double* points,
   std::size_t pointCount, const std::int32_t* triangles, std::size_t triangleCount);
 } // namespace palpate

@@ -21,8 +21,8 @@ constexpr std::size_t LargestDepth = 12;
 constexpr double FarAway = 1e4;
 
 /// A box that is there is in reach until something nearer is found; an empty one never is.
-static_assert(3.0 * 1.1 * (FarAway * SoundMesh::LargestCoordinate) *
-      (FarAway * SoundMesh::LargestCoordinate) <
+static_assert(
+  3.0 * 1.1 * (FarAway * SoundMesh::LargestCoordinate) * (FarAway * SoundMesh::LargestCoordinate) <
     static_cast<double>(std::numeric_limits<float>::max()),
   "squared distances within the horizon fit a float");
 } // namespace

@@ -19,6 +19,7 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double Opposite = -0.3; // cosine between two directions of which one continues the other
+constexpr double SameWay = 0.15;  // cosine between a patch and its facets, at least
 constexpr double SpacingsPerCell = 2.0; // at least, in square roots of the area per point
 constexpr double LongFacet = 4.0;       // area in squared contact radii
 constexpr double MostOfTheTurn = 0.8;   // otherwise it is a fillet or a bevel
@@ -49,6 +50,7 @@ public:
     , Areas(surface.areas)
   {
     this->findCellSize();
+    this->findFrame();
     this->makePatches();
     this->findTurns();
     this->collectSides();
@@ -70,7 +72,7 @@ private:
     this->Cell = std::max(this->Radius, SpacingsPerCell * spacing);
   }
 
-  /// Facets whose centres lie in one cell, and whose normals are not opposite, form one patch.
+  /// Facets whose centres lie in one cell, and whose normals are alike, form one patch.
   void makePatches()
   {
     struct Key
@@ -98,12 +100,11 @@ private:
         this->addFacet(t);
         continue;
       }
-      const Vector3d middle = this->middleOf(t);
+      const Vector3d place = this->inCells(this->middleOf(t));
       Key key{ {}, static_cast<std::int32_t>(t) };
       for (std::size_t k = 0; k < 3; ++k)
       {
-        key.cell[k] =
-          static_cast<std::int64_t>(std::floor(middle[static_cast<Eigen::Index>(k)] / this->Cell));
+        key.cell[k] = static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(k)]));
       }
       keys.push_back(key);
     }
@@ -114,8 +115,8 @@ private:
       const auto t = static_cast<std::size_t>(keys[i].facet);
       first = i == 0 || keys[i].cell != keys[i - 1].cell ? this->Patches.size() : first;
       std::size_t found = first;
-      while (
-        found < this->Patches.size() && !(this->Patches[found].normal.dot(this->Areas[t]) > 0.0))
+      while (found < this->Patches.size() &&
+        !this->facesAlike(this->Patches[found].normal, this->Areas[t]))
       {
         ++found;
       }
@@ -150,6 +151,35 @@ private:
       std::sort(patch.beside.begin(), patch.beside.end());
       patch.beside.erase(std::unique(patch.beside.begin(), patch.beside.end()), patch.beside.end());
     }
+  }
+
+  /// The frame of the cells is that of the first facet, so that they turn with the surface.
+  void findFrame()
+  {
+    const auto first = std::find_if(this->Corners.begin(), this->Corners.end(),
+      [](const TriangleCorners& corners) { return corners[0] >= 0; });
+    if (first == this->Corners.end())
+    {
+      return;
+    }
+    this->Origin = this->Surface.place((*first)[0]);
+    const Vector3d along = (this->Surface.place((*first)[1]) - this->Origin).normalized();
+    const Vector3d up =
+      this->Areas[static_cast<std::size_t>(first - this->Corners.begin())].normalized();
+    this->Axes << along, up.cross(along), up;
+  }
+
+  /// In the frame of the cells, in cells. No facet of a regular mesh lies just between two of them.
+  Vector3d inCells(const Vector3d& place) const
+  {
+    const Vector3d shift(0.137, 0.243, 0.371);
+    return this->Axes.transpose() * (place - this->Origin) / this->Cell + shift;
+  }
+
+  /// Faces at a right angle are never averaged.
+  static bool facesAlike(const Vector3d& one, const Vector3d& other)
+  {
+    return one.dot(other) > SameWay * one.norm() * other.norm();
   }
 
   Vector3d middleOf(std::size_t t) const
@@ -201,7 +231,8 @@ private:
   }
 
   /// The rate, rad/mm, at which the surface turns beyond `patch`, seen from `from`: the mean of the
-  /// directions that continue; beyond a long facet the least, since another edge may end it.
+  /// directions that continue; beyond a long facet the least, since another edge may end it. Where
+  /// none of the next patches is large enough, it is not known, and nothing is in excess of it.
   double rateBeyond(int from, int patch) const
   {
     const Patch& here = this->Patches[static_cast<std::size_t>(patch)];
@@ -209,11 +240,16 @@ private:
     double least = Infinity;
     double sum = 0.0;
     double weights = 0.0;
+    bool goesOn = false;
     for (const int next : here.beside)
     {
       const Patch& beyond = this->Patches[static_cast<std::size_t>(next)];
-      if (next != from && this->isKnown(next) &&
-        areOpposite(here.normal, beyond.centre - here.centre, back))
+      if (next == from || !areOpposite(here.normal, beyond.centre - here.centre, back))
+      {
+        continue;
+      }
+      goesOn = true;
+      if (this->isKnown(next))
       {
         const double rate = this->turn(patch, next) / this->length(patch, next);
         least = std::min(least, rate);
@@ -221,7 +257,11 @@ private:
         weights += beyond.area;
       }
     }
-    return weights > 0.0 ? std::max(0.0, here.isAlone ? least : sum / weights) : 0.0;
+    if (weights > 0.0)
+    {
+      return std::max(0.0, here.isAlone ? least : sum / weights);
+    }
+    return goesOn ? Infinity : 0.0;
   }
 
   /// The turn of the surface between two patches in excess of the rate beside them.
@@ -315,6 +355,8 @@ private:
   const LinkedSurface& Surface;
   double Radius;
   double Cell = 0.0; ///< mm
+  Vector3d Origin = Vector3d::Zero();
+  Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity(); ///< columns
   const std::vector<TriangleCorners>& Corners;
   const std::vector<Vector3d>& Areas;
   std::vector<int> PatchOf;

@@ -7,9 +7,14 @@
 #include "Paraboloid.h"
 #include "ReferenceTable.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
+#include <random>
 
 using namespace palpate;
 using palpate::testing::Paraboloid;
@@ -90,6 +95,50 @@ Mesh roof(double size, int n, double fall, double fillet)
     });
 }
 
+/// A cube around the origin, n × n squares a face, its points joined.
+Mesh cubeOf(double size, int n)
+{
+  Mesh mesh;
+  std::map<std::array<int, 3>, std::int32_t> ids;
+  const auto idOf = [&](const std::array<int, 3>& at)
+  {
+    const auto [found, isNew] = ids.emplace(at, static_cast<std::int32_t>(mesh.size()));
+    for (std::size_t k = 0; k < 3 && isNew; ++k)
+    {
+      mesh.points.push_back(size * (static_cast<double>(at[k]) / n - 0.5));
+    }
+    return found->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const int side : { 0, n })
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        for (int k = 0; k < n; ++k)
+        {
+          const auto corner = [&](int u, int v)
+          {
+            std::array<int, 3> at{};
+            at[axis] = side;
+            at[(axis + 1) % 3] = u;
+            at[(axis + 2) % 3] = v;
+            return idOf(at);
+          };
+          std::array<std::int32_t, 4> c{ corner(i, k), corner(i + 1, k), corner(i + 1, k + 1),
+            corner(i, k + 1) };
+          if (side == 0)
+          {
+            std::swap(c[1], c[3]);
+          }
+          mesh.triangles.insert(mesh.triangles.end(), { c[0], c[1], c[2], c[0], c[2], c[3] });
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 /// Points away from the sheet's own border.
 template <class Visit>
 void forInner(const Mesh& mesh, double within, const Visit& visit)
@@ -147,6 +196,46 @@ TEST(EdgeDistance, OfLongFacetsToo)
   EXPECT_NEAR(static_cast<double>(edges.at(4).distance), 0.0, 1e-6);
   EXPECT_NEAR(static_cast<double>(edges.at(4).turn), 0.25 * Pi, 1e-6);
   EXPECT_NEAR(static_cast<double>(edges.at(3).distance), 30.0, 1e-4);
+}
+
+/// Whatever way the mesh is turned, a ball has no edge, and a cube has its own.
+TEST(EdgeDistance, DoesNotDependOnTheAxes)
+{
+  std::mt19937 random(9);
+  std::normal_distribution<double> any;
+  const auto turned = [&](Mesh mesh)
+  {
+    const Eigen::Quaterniond turn =
+      Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
+    const Eigen::Vector3d shift(any(random), any(random), any(random));
+    for (std::size_t i = 0; i < mesh.size(); ++i)
+    {
+      Eigen::Map<Eigen::Vector3d> at(mesh.points.data() + 3 * i);
+      at = turn * Eigen::Vector3d(at) + shift;
+    }
+    return mesh;
+  };
+  const Mesh ball = bumpyBall(8.0, 0.0);
+  const Mesh cube = cubeOf(40.0, 20);
+  for (int trial = 0; trial < 24; ++trial)
+  {
+    for (const double radius : { 0.6, 1.3, 1.7 })
+    {
+      EXPECT_EQ(EdgeDistance(turned(ball).spans(), radius, 40.0 * radius).edges(), 0U) << radius;
+    }
+    const EdgeDistance edges(turned(cube).spans(), 1.2, 48.0);
+    for (std::size_t i = 0; i < cube.size(); ++i)
+    {
+      auto inward = cube.point(i); // from the nearest edge: the second least
+      for (double& x : inward)
+      {
+        x = 20.0 - std::abs(x);
+      }
+      std::sort(inward.begin(), inward.end());
+      EXPECT_NEAR(static_cast<double>(edges.at(i).distance), inward[1], 1e-3) << trial;
+      EXPECT_NEAR(static_cast<double>(edges.at(i).turn), 0.5 * Pi, 0.02) << trial;
+    }
+  }
 }
 
 /// Little turns, hollows, balls and noise are none.
