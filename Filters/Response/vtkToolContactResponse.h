@@ -50,9 +50,8 @@
  * stores the curve better. Normals are computed, angle-weighted; those that the input stores are
  * not used.
  *
- * **Unsound meshes** are repaired first (palpate/SoundMesh.h), among them seams of textures,
- * flipped parts and repeated triangles. A second body inside another one and a sheet with two sides
- * are errors that name the part. The output has the points, triangles and arrays of the input.
+ * **Unsound meshes** are repaired first (palpate/SoundMesh.h). A second body inside another one and
+ * a sheet with two sides are errors. The output has the points, triangles and arrays of the input.
  *
  * Cost: the law is evaluated once and scaled; without compliance the filter is
  * limited by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs
