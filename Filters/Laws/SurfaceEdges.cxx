@@ -162,8 +162,16 @@ private:
     {
       return;
     }
-    this->Origin = this->Surface.place((*first)[0]);
-    const Vector3d along = (this->Surface.place((*first)[1]) - this->Origin).normalized();
+    TriangleCorners ordered = *first; // whichever comes first in the triangle
+    std::sort(ordered.begin(), ordered.end());
+    this->Origin = this->Surface.place(ordered[0]);
+    Vector3d along = this->Surface.place(ordered[1]) - this->Origin; // the shortest side
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const Vector3d side = this->Surface.place(ordered[2]) - this->Surface.place(ordered[i]);
+      along = side.norm() < 0.999 * along.norm() ? side : along; // of equal ones the first
+    }
+    along.normalize();
     const Vector3d up =
       this->Areas[static_cast<std::size_t>(first - this->Corners.begin())].normalized();
     this->Axes << along, up.cross(along), up;

@@ -10,6 +10,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -99,6 +100,17 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   return all->GetOutput();
 }
 
+/** Without the points of no triangle, which need not be finite. */
+vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(surface);
+  clean->PointMergingOff();
+  clean->ConvertPolysToLinesOff();
+  clean->Update();
+  return clean->GetOutput();
+}
+
 /** The advice for data with points but no triangles. */
 std::string withoutTriangles(const std::vector<vtkDataSet*>& pieces)
 {
@@ -173,6 +185,10 @@ void cutSurface(
   {
     MeshDefects found;
     made.fault = orientSurface(made.surface, extent, found);
+    if (found.notFinite > 0)
+    {
+      made.surface = withUsedPoints(made.surface);
+    }
     found.degenerate = found.nonManifoldEdges = 0; // as they were
     const std::string changes = describeDefects(found);
     if (!changes.empty())
