@@ -73,7 +73,7 @@ struct SurfaceEdges
  *
  * Facets are averaged in cells of a, of a coarse mesh of a few facets (long facets stand for
  * themselves), so that neither a scan's noise nor fine facets are edges, and a narrow fillet is
- * one. The cells lie along the first facet, whatever the axes of the coordinates. From cell to
+ * one.  From cell to
  * cell, and over two, the surface turns by an angle; what of it its own curvature beside does not
  * explain (the turn goes on at the same rate on a ball, and does not beyond an edge) is the edge's.
  * From LeastTurn on it counts. The edge itself lies along the facets' sides that turn most there.

@@ -50,7 +50,6 @@ public:
     , Areas(surface.areas)
   {
     this->findCellSize();
-    this->findFrame();
     this->makePatches();
     this->findTurns();
     this->collectSides();
@@ -100,7 +99,7 @@ private:
         this->addFacet(t);
         continue;
       }
-      const Vector3d place = this->inCells(this->middleOf(t));
+      const Vector3d place = this->middleOf(t) / this->Cell;
       Key key{ {}, static_cast<std::int32_t>(t) };
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -151,37 +150,6 @@ private:
       std::sort(patch.beside.begin(), patch.beside.end());
       patch.beside.erase(std::unique(patch.beside.begin(), patch.beside.end()), patch.beside.end());
     }
-  }
-
-  /// The frame of the cells is that of the first facet, so that they turn with the surface.
-  void findFrame()
-  {
-    const auto first = std::find_if(this->Corners.begin(), this->Corners.end(),
-      [](const TriangleCorners& corners) { return corners[0] >= 0; });
-    if (first == this->Corners.end())
-    {
-      return;
-    }
-    TriangleCorners ordered = *first; // whichever comes first in the triangle
-    std::sort(ordered.begin(), ordered.end());
-    this->Origin = this->Surface.place(ordered[0]);
-    Vector3d along = this->Surface.place(ordered[1]) - this->Origin; // the shortest side
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-      const Vector3d side = this->Surface.place(ordered[2]) - this->Surface.place(ordered[i]);
-      along = side.norm() < 0.999 * along.norm() ? side : along; // of equal ones the first
-    }
-    along.normalize();
-    const Vector3d up =
-      this->Areas[static_cast<std::size_t>(first - this->Corners.begin())].normalized();
-    this->Axes << along, up.cross(along), up;
-  }
-
-  /// In the frame of the cells, in cells. No facet of a regular mesh lies just between two of them.
-  Vector3d inCells(const Vector3d& place) const
-  {
-    const Vector3d shift(0.137, 0.243, 0.371);
-    return this->Axes.transpose() * (place - this->Origin) / this->Cell + shift;
   }
 
   /// Faces at a right angle are never averaged.
@@ -363,8 +331,6 @@ private:
   const LinkedSurface& Surface;
   double Radius;
   double Cell = 0.0; ///< mm
-  Vector3d Origin = Vector3d::Zero();
-  Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity(); ///< columns
   const std::vector<TriangleCorners>& Corners;
   const std::vector<Vector3d>& Areas;
   std::vector<int> PatchOf;
