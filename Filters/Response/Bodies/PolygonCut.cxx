@@ -92,6 +92,40 @@ bool covers(const std::vector<vtkIdType>& triangles, vtkPoints* points, const Ve
   return std::abs(sum - area.norm()) <= 0.01 * area.norm();
 }
 
+/// The corners without those that repeat the one before: a triangulator ends the program at them.
+void dropRepeatedCorners(vtkIdList* polygon)
+{
+  vtkIdType kept = 0;
+  for (vtkIdType i = 0; i < polygon->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType corner = polygon->GetId(i);
+    if (kept == 0 || corner != polygon->GetId(kept - 1))
+    {
+      polygon->SetId(kept++, corner);
+    }
+  }
+  while (kept > 1 && polygon->GetId(kept - 1) == polygon->GetId(0))
+  {
+    --kept;
+  }
+  polygon->Resize(kept);
+  polygon->SetNumberOfIds(kept);
+}
+
+/// Whether a polygon has no area because parts of it cancel out: its sides cross.
+bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
+{
+  const Vector3d origin = cornerAt(points, polygon->GetId(0));
+  double sum = 0.0;
+  for (vtkIdType i = 1; i + 1 < polygon->GetNumberOfIds(); ++i)
+  {
+    sum += (cornerAt(points, polygon->GetId(i)) - origin)
+             .cross(cornerAt(points, polygon->GetId(i + 1)) - origin)
+             .norm();
+  }
+  return area.norm() < 1e-6 * sum;
+}
+
 /// Each polygon by itself, for surfaces with some that the filter drops.
 vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
 {
@@ -101,14 +135,18 @@ vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
   for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
   {
     surface->GetPolys()->GetCellAtId(i, polygon);
+    const vtkIdType corners = polygon->GetNumberOfIds();
+    dropRepeatedCorners(polygon);
     const Vector3d area =
       polygon->GetNumberOfIds() < 3 ? Vector3d::Zero().eval() : areaOf(points, polygon);
     const std::vector<vtkIdType> triangles =
       area.isZero(0.0) ? std::vector<vtkIdType>() : trianglesOf(points, polygon);
     // Four corners have two ways to be cut, both of them right, however little flat they are.
-    if (polygon->GetNumberOfIds() > 4 && !covers(triangles, points, area))
+    const bool isCut = polygon->GetNumberOfIds() > 4 ? covers(triangles, points, area)
+                                                     : area.isZero(0.0) || !triangles.empty();
+    if (polygon->GetNumberOfIds() > 3 && (!isCut || cancelsOut(points, polygon, area)))
     {
-      fault = joined("polygon ", i, " of ", polygon->GetNumberOfIds(),
+      fault = joined("polygon ", i, " of ", corners,
         " corners cannot be cut into triangles: do its sides cross?");
       return nullptr;
     }

@@ -236,6 +236,42 @@ void checkKeyhole(bool crosses)
   const double volume = (3600.0 - 400.0) * 20.0;
   PALPATE_CHECK_NEAR(mass->GetVolumeProjected(), volume, Rounding * volume);
 }
+
+/// Corners that repeat the one before are no corners; sides that cross are refused, of four too.
+void checkPolygons()
+{
+  const auto bodyOf = [](std::initializer_list<vtkIdType> first)
+  {
+    const Body box = boxBody(10.0, 10.0, 10.0, 1);
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkIdList> ids;
+    cells->InsertNextCell(first);
+    for (vtkIdType i = 2; i < box->GetNumberOfPolys(); ++i)
+    {
+      box->GetPolys()->GetCellAtId(i, ids);
+      cells->InsertNextCell(ids);
+    }
+    box->SetPolys(cells);
+    return box;
+  };
+  const Body box = boxBody(10.0, 10.0, 10.0, 1);
+  vtkNew<vtkIdList> one;
+  vtkNew<vtkIdList> other;
+  box->GetPolys()->GetCellAtId(0, one);
+  box->GetPolys()->GetCellAtId(1, other);
+  const vtkIdType a = one->GetId(0);
+  const vtkIdType b = one->GetId(1);
+  const vtkIdType c = one->GetId(2);
+  const vtkIdType d = other->GetId(2); // the square a, b, c, d
+  Made repeated(bodyOf({ a, a, b, b, c, d, d }));
+  PALPATE_CHECK(repeated.messages.none());
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(repeated.filter->GetOutput());
+  mass->Update();
+  PALPATE_CHECK_NEAR(mass->GetVolumeProjected(), 8000.0, 8000.0 * Rounding);
+  Made crossed(bodyOf({ a, b, d, c }));
+  PALPATE_CHECK_TEXT(crossed.messages.errors(), "polygon 0 of 4 corners");
+}
 } // namespace
 
 int TestBodyVolumes(int, char*[])
@@ -245,6 +281,7 @@ int TestBodyVolumes(int, char*[])
   checkSeveralBlocks();
   checkMixedCells();
   checkInvertedCells();
+  checkPolygons();
   checkKeyhole(false);
   checkKeyhole(true);
   return result();

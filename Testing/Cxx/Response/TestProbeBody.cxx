@@ -100,7 +100,8 @@ void checkUnsoundBody()
   probe->SetTipData(oneTip(2.1, -1.1, -0.5));
   probe->Update();
   const std::string warning = messages.warnings();
-  PALPATE_CHECK_TEXT(warning, "mesh", "2 triangles wound against their neighbours: turned over",
+  PALPATE_CHECK_TEXT(warning, "mesh",
+    "2 triangles wound inward or against their neighbours: turned over",
     "1 triangle without area: left out", "1 edge of more than two triangles");
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK(warning.find("joined") == std::string::npos);
@@ -126,7 +127,7 @@ void checkUnsoundBody()
   probe->Update();
   PALPATE_CHECK_TEXT(messages.warnings(),
     "coordinate that is not finite or beyond 1e14 mm: left out",
-    "2 triangles wound against their neighbours");
+    "2 triangles wound inward or against their neighbours");
 }
 
 /// Corners listed anew for every triangle, as in an STL file.
@@ -153,9 +154,7 @@ void checkSeparateTriangles()
   probe->SetInputData(withResponse(soup, "flat:1"));
   probe->SetTipData(oneTip(0.4, 0.3, 4.5));
   probe->Update();
-  // 6·8 triangles of 3 corners each, 26 places.
-  PALPATE_CHECK_TEXT(messages.warnings(), "118 points at the place of others", "joined");
-  PALPATE_CHECK(messages.errors().empty());
+  PALPATE_CHECK(messages.none()); // to join points is no defect
   PALPATE_CHECK_NEAR(
     probe->GetOutput()->GetPointData()->GetArray("Deflection")->GetTuple1(0), 0.5, 1e-14);
 }
