@@ -188,7 +188,8 @@ void checkUnsoundBody(vtkPolyData* sound)
   PALPATE_CHECK(session->Start() && messages.none());
   session->SetBody(body);
   PALPATE_CHECK(session->Start());
-  PALPATE_CHECK_TEXT(messages.warnings(), "1 triangle wound inward or against its neighbours: turned over");
+  PALPATE_CHECK_TEXT(
+    messages.warnings(), "1 triangle wound inward or against its neighbours: turned over");
   messages.clear();
   PALPATE_CHECK(session->Start() && messages.none());
   body->GetPoints()->Modified();
