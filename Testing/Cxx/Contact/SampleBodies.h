@@ -57,6 +57,9 @@ Surface grooveBlock();
 /// The body with corners of its own for each triangle, as in a file of stereolithography.
 Surface triangleSoup(const Surface& body);
 
+/// Two bodies, the other one moved; they share no points.
+Surface together(Surface one, const Surface& other, const Vector3& by);
+
 /// Open plate [0,size]² at z = 0, its normals along +z.
 Surface openPlate(double size, int cells);
 } // namespace palpate::testing

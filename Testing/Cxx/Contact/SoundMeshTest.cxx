@@ -33,20 +33,6 @@ Surface reversed(Surface body)
   return body;
 }
 
-Surface together(Surface one, const Surface& other, const Vector3& by)
-{
-  const auto shift = static_cast<std::int32_t>(one.points.size());
-  for (const Vector3& p : other.points)
-  {
-    one.points.push_back(p + by);
-  }
-  for (const auto& t : other.triangles)
-  {
-    one.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
-  }
-  return one;
-}
-
 /// Without the triangles whose corners all lie above a height.
 Surface cutAbove(Surface body, double height)
 {

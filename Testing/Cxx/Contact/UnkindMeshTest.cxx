@@ -41,20 +41,6 @@ Surface sliverPlate(int rows)
   return body;
 }
 
-Surface joined(Surface one, const Surface& other, const Vector3& by)
-{
-  const auto shift = static_cast<std::int32_t>(one.points.size());
-  for (const Vector3& p : other.points)
-  {
-    one.points.push_back(p + by);
-  }
-  for (const auto& t : other.triangles)
-  {
-    one.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
-  }
-  return one;
-}
-
 /// Each triangle's corners anew, every third triangle turned over.
 Surface brokenUp(const Surface& body)
 {
@@ -194,7 +180,7 @@ TEST(UnkindMesh, OverlappingBodiesKeepWhatTheyTouched)
   // boundary of anything. Just outside the first, but still in the second, its own surface is the
   // nearest and nothing is felt, until that of the second is.
   const Surface ball = icosphere(10.0, 4);
-  const auto body = uniformBody(joined(ball, ball, Vector3(12, 0, 0)));
+  const auto body = uniformBody(together(ball, ball, Vector3(12, 0, 0)));
   const auto first = static_cast<std::int32_t>(ball.triangles.size());
   ToolContact contact(*body);
   for (int i = 0; i <= 3000; ++i)
