@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -170,6 +171,12 @@ void mergeRepeats(
 void dropFlaps(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats)
 {
+  // A joint can have taken the area of a doubtful triangle.
+  for (auto each = repeats.doubtful.begin(); each != repeats.doubtful.end();)
+  {
+    const bool isLeftOut = triangles[static_cast<std::size_t>(*each)][0] < 0;
+    each = isLeftOut ? repeats.doubtful.erase(each) : std::next(each);
+  }
   if (!repeats.doubtful.empty())
   {
     repeats.flaps = Patches(triangles, links, repeats.doubtful).dropFlaps();

@@ -173,7 +173,6 @@ void SoundMesh::repair(bool isPiece)
     }
   }
   dropFlaps(joined, *links, repeats);
-  this->Found.repeatedTriangles = repeats.copies + repeats.flaps;
   if (2.0 * static_cast<double>(repeats.flaps) >
     LargestShareOfFlaps * static_cast<double>(joined.size()))
   {
@@ -195,7 +194,6 @@ void SoundMesh::repair(bool isPiece)
     parts = orientParts(this->Coordinates.data(), joined, *links);
   }
   this->Fault = std::move(parts.fault);
-  this->Found.repeatedTriangles += parts.leftOut;
   this->Found.nonManifoldEdges = links->nonManifoldEdges();
   this->takeOver(joined);
 }
@@ -249,6 +247,7 @@ void SoundMesh::takeOver(const std::vector<TriangleCorners>& repaired)
     if (repaired[t][0] < 0)
     {
       corners[0] = -1;
+      this->Found.repeatedTriangles += this->WithoutArea[t] == 0;
     }
     else if (this->firstAt(corners[1]) != repaired[t][1])
     {

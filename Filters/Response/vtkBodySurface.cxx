@@ -222,6 +222,10 @@ std::string vtkBodySurface::Gather(
     {
       this->Notes.push_back(where + note);
     }
+    if (!made.loss.empty())
+    {
+      vtkWarningMacro(<< where << made.loss << ".");
+    }
     if (made.surface)
     {
       surfaces.push_back(made.surface);

@@ -2,6 +2,7 @@
 #include "Response/Bodies/BodyBlocks.h"
 
 #include "vtkCell.h"
+#include "vtkCellTypes.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -10,8 +11,6 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <utility>
@@ -55,16 +54,12 @@ std::string advice(vtkDataObject* data)
 
 bool isVolume(vtkDataSet* data)
 {
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-  if (!grid)
-  {
-    return data->GetNumberOfCells() > 0 && data->GetCell(0)->GetCellDimension() == 3;
-  }
-  vtkUnsignedCharArray* types = grid->GetDistinctCellTypesArray();
-  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+  vtkNew<vtkCellTypes> types; // each once
+  data->GetCellTypes(types);
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
   {
     vtkNew<vtkGenericCell> cell;
-    cell->SetCellType(types->GetValue(i));
+    cell->SetCellType(types->GetCellType(i));
     if (cell->GetCellDimension() == 3)
     {
       return true;

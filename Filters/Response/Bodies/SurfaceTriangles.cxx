@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace palpate
 {
@@ -188,6 +189,9 @@ void cutSurface(
     if (found.notFinite > 0)
     {
       made.surface = withUsedPoints(made.surface);
+      MeshDefects lost;
+      std::swap(lost.notFinite, found.notFinite);
+      made.loss = describeDefects(lost);
     }
     found.degenerate = found.nonManifoldEdges = 0; // as they were
     const std::string changes = describeDefects(found);

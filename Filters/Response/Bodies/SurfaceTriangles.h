@@ -26,6 +26,7 @@ struct SurfaceTriangles
   vtkSmartPointer<vtkPolyData> surface; // null after a fault
   bool isOfVolume = false;
   std::vector<std::string> notes; // what was done, each part of a sentence
+  std::string loss;               // which input is not used, for a warning; "" if all is
   std::string fault;              // why there are none; "" if there are
   bool isEmpty = false;           // the fault is only that there are none
 };

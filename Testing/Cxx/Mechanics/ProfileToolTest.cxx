@@ -180,6 +180,9 @@ TEST_F(ProfileFileTest, ReadsHeaderCommentsAndBlankLines)
   EXPECT_EQ(read.Profile[1].r, 1.0);
   EXPECT_EQ(read.Profile[1].f, 0.25);
   EXPECT_EQ(read.Profile[2].f, 1.0);
+  // Semicolons separate columns just as well.
+  ASSERT_TRUE(palpate::parseTool("profile:" + this->write("0;0\n1;0.25\n2;1\n"), read, error))
+    << error;
   // Written without the file.
   EXPECT_EQ(palpate::makeTool(read)->specification(), "profile:0,0;1,0.25;2,1");
 }
@@ -191,7 +194,7 @@ TEST_F(ProfileFileTest, WhatIsWrongIsNamedWithItsLine)
   this->expectNamed("0,0\n1,2,3\n", ":2: '1' is not a profile point");
   this->expectNamed("0,0\nr,f\n1,1\n", ":2: column 1: 'r'");
   this->expectNamed("r,f\nr,f\n0,0\n1,1\n", ":2: column 1: 'r'");
-  this->expectNamed("0;0\n1;1\n", ":1: '0;0'");
+  this->expectNamed("0|0\n1|1\n", ":1: '0|0'");
   this->expectNamed("# c\n0,0\n2,1\n1,2\n", ":4: ");
   this->expectNamed("0.1,0\n1,1\n", ":1: ");
   this->expectNamed("0,0\n1,-0.5\n", ":2: ");
