@@ -5,6 +5,7 @@
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/SegmentDistance.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -37,27 +38,35 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
   return std::sqrt(squareToSegment(Vector3d(from - point), Vector3d(to - point)));
 }
 
-/// The middle one of the three lengths of a surface's box, mm.
+/// The middle one of the three lengths of a box whose surface is spread as widely, mm. It does not
+/// depend on the axes of the coordinates.
 double widthOf(const LinkedSurface& surface)
 {
-  std::array<double, 3> length{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  double area = 0.0;
+  Vector3d sum = Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (std::size_t t = 0; t < surface.corners.size(); ++t)
   {
-    double least = Infinity;
-    double most = -Infinity;
-    for (const TriangleCorners& corners : surface.corners)
+    const double weight = surface.areas[t].norm() / 3.0;
+    for (std::size_t k = 0; surface.corners[t][0] >= 0 && k < 3; ++k)
     {
-      for (std::size_t k = 0; corners[0] >= 0 && k < 3; ++k)
-      {
-        const double at = surface.place(corners[k])[static_cast<Eigen::Index>(axis)];
-        least = std::min(least, at);
-        most = std::max(most, at);
-      }
+      const Vector3d at = surface.place(surface.corners[t][k]) - surface.place(0);
+      area += weight;
+      sum += weight * at;
+      squares += weight * at * at.transpose();
     }
-    length[axis] = most - least;
   }
-  std::sort(length.begin(), length.end());
-  return length[1];
+  if (!(area > 0.0))
+  {
+    return 0.0;
+  }
+  const Vector3d mean = sum / area;
+  const Eigen::Matrix3d spread = squares / area - mean * mean.transpose();
+  constexpr double cube = 36.0 / 5.0; // its squared side, over the variance along an axis
+  return std::sqrt(cube *
+    std::max(0.0,
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly)
+        .eigenvalues()[1]));
 }
 
 /// Propagates sides outwards over the surface; each point passes on its nearest one.

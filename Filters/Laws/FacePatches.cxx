@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laws/FacePatches.h"
+
+#include "Contact/PackedMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double SameWay = 0.15;   // cosine between the facets of a patch, at least
+constexpr double SmallPatch = 0.2; // of a cell: too few facets to know its normal
+
+double cosineBetween(const Vector3d& one, const Vector3d& other)
+{
+  return one.dot(other) / (one.norm() * other.norm());
+}
+
+int rootOf(const std::vector<int>& into, int patch)
+{
+  while (into[static_cast<std::size_t>(patch)] != patch)
+  {
+    patch = into[static_cast<std::size_t>(patch)];
+  }
+  return patch;
+}
+} // namespace
+
+Vector3d facetCentre(const LinkedSurface& surface, std::size_t facet)
+{
+  const TriangleCorners& c = surface.corners[facet];
+  return (surface.place(c[0]) + surface.place(c[1]) + surface.place(c[2])) / 3.0;
+}
+
+double angleBetween(const Vector3d& one, const Vector3d& other)
+{
+  return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+double facetTurn(const LinkedSurface& surface, std::size_t facet, std::size_t i)
+{
+  const std::int32_t other = surface.links.neighbours(facet)[i];
+  if (other < 0 || surface.corners[facet][0] < 0)
+  {
+    return 0.0;
+  }
+  const auto o = static_cast<std::size_t>(other);
+  const Vector3d across = facetCentre(surface, o) - surface.place(surface.corners[facet][i]);
+  const bool isConvex = across.dot(surface.areas[facet]) < 0.0;
+  return isConvex ? angleBetween(surface.areas[facet], surface.areas[o]) : 0.0;
+}
+
+FacePatches::FacePatches(const LinkedSurface& surface, double cell, double longArea)
+  : Surface(surface)
+  , Cell(cell)
+  , PatchOf(surface.corners.size(), -1)
+{
+  this->makePatches(longArea);
+  this->findNext();
+  this->joinSmallPatches();
+  for (FacePatch& patch : this->Patches)
+  {
+    patch.centre /= patch.area;
+    patch.normal.normalize();
+    patch.isKnown = this->isKnown(patch);
+  }
+  this->findNext();
+}
+
+/// Facets whose centres lie in one cell, and whose normals are alike, form one patch.
+void FacePatches::makePatches(double longArea)
+{
+  struct Key
+  {
+    std::array<std::int64_t, 3> cell;
+    std::int32_t facet;
+    bool operator<(const Key& other) const
+    {
+      return std::tie(this->cell, this->facet) < std::tie(other.cell, other.facet);
+    }
+  };
+  std::vector<Key> keys;
+  keys.reserve(this->PatchOf.size());
+  for (std::size_t t = 0; t < this->PatchOf.size(); ++t)
+  {
+    if (this->Surface.corners[t][0] < 0)
+    {
+      continue;
+    }
+    if (this->Surface.areas[t].norm() > longArea)
+    {
+      this->addFacet(t, this->Patches.size());
+      this->Patches.back().isLong = true;
+      continue;
+    }
+    const Vector3d place = facetCentre(this->Surface, t) / this->Cell;
+    Key key{ {}, static_cast<std::int32_t>(t) };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      key.cell[k] = static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(k)]));
+    }
+    keys.push_back(key);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::size_t first = this->Patches.size(); // of the cell
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const auto t = static_cast<std::size_t>(keys[i].facet);
+    first = i == 0 || keys[i].cell != keys[i - 1].cell ? this->Patches.size() : first;
+    std::size_t found = first;
+    while (found < this->Patches.size() &&
+      !(cosineBetween(this->Patches[found].normal, this->Surface.areas[t]) > SameWay))
+    {
+      ++found;
+    }
+    this->addFacet(t, found);
+  }
+}
+
+/// To a patch, or to a new one. Normals and centres are sums, weighted by area, for now.
+void FacePatches::addFacet(std::size_t t, std::size_t patch)
+{
+  if (patch == this->Patches.size())
+  {
+    this->Patches.emplace_back();
+  }
+  FacePatch& here = this->Patches[patch];
+  const double area = this->Surface.areas[t].norm();
+  here.normal += this->Surface.areas[t];
+  here.centre += area * facetCentre(this->Surface, t);
+  here.area += area;
+  this->PatchOf[t] = static_cast<int>(patch);
+}
+
+void FacePatches::joinSmallPatches()
+{
+  std::vector<int> small;
+  for (std::size_t c = 0; c < this->Patches.size(); ++c)
+  {
+    if (!this->isKnown(this->Patches[c]))
+    {
+      small.push_back(static_cast<int>(c));
+    }
+  }
+  std::sort(small.begin(), small.end(),
+    [this](int one, int other)
+    { return std::pair(this->at(one).area, one) < std::pair(this->at(other).area, other); });
+  std::vector<int> into(this->Patches.size());
+  std::iota(into.begin(), into.end(), 0);
+  for (const int patch : small)
+  {
+    const FacePatch& here = this->at(patch);
+    const int best = this->isKnown(here) ? -1 : this->mostAlike(patch, into);
+    if (best < 0)
+    {
+      continue;
+    }
+    FacePatch& whole = this->Patches[static_cast<std::size_t>(best)];
+    whole.normal += here.normal;
+    whole.centre += here.centre;
+    whole.area += here.area;
+    whole.next.insert(whole.next.end(), here.next.begin(), here.next.end());
+    into[static_cast<std::size_t>(patch)] = best;
+  }
+  for (int& patch : this->PatchOf)
+  {
+    patch = patch < 0 ? patch : rootOf(into, patch);
+  }
+}
+
+/// The patch next to a small one that faces most alike, of those that faces can be averaged with;
+/// -1 if there is none.
+int FacePatches::mostAlike(int patch, const std::vector<int>& into) const
+{
+  int best = -1;
+  double alike = SameWay;
+  for (const NextPatch& beside : this->at(patch).next)
+  {
+    const int next = rootOf(into, beside.patch);
+    const double cosine = cosineBetween(this->at(patch).normal, this->at(next).normal);
+    if (next != patch && !this->at(next).isLong && cosine > alike)
+    {
+      best = next;
+      alike = cosine;
+    }
+  }
+  return best;
+}
+
+void FacePatches::findNext()
+{
+  for (FacePatch& patch : this->Patches)
+  {
+    patch.next.clear();
+  }
+  for (std::size_t t = 0; t < this->PatchOf.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::int32_t other = this->Surface.links.neighbours(t)[i];
+      const int here = this->PatchOf[t];
+      if (here < 0 || other < 0 || here == this->PatchOf[static_cast<std::size_t>(other)])
+      {
+        continue;
+      }
+      this->Patches[static_cast<std::size_t>(here)].next.push_back(
+        { this->PatchOf[static_cast<std::size_t>(other)],
+          facetTurn(this->Surface, t, i) >= PackedMesh::BluntTurn });
+    }
+  }
+  for (FacePatch& patch : this->Patches)
+  {
+    std::vector<NextPatch>& next = patch.next;
+    std::sort(next.begin(), next.end(),
+      [](const NextPatch& one, const NextPatch& other)
+      { return std::pair(one.patch, !one.isSharp) < std::pair(other.patch, !other.isSharp); });
+    const auto last = std::unique(next.begin(), next.end(),
+      [](const NextPatch& one, const NextPatch& other) { return one.patch == other.patch; });
+    next.erase(last, next.end());
+  }
+}
+
+bool FacePatches::isKnown(const FacePatch& patch) const
+{
+  return patch.isLong || patch.area > SmallPatch * this->Cell * this->Cell;
+}
+} // namespace palpate
