@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/MeshParts.h"
 
+#include "Contact/OpenLoops.h"
 #include "Contact/TriangleColumns.h"
+#include "Contact/TwinParts.h"
 #include "Mechanics/JoinedText.h"
 
 #include <Eigen/Geometry>
@@ -16,10 +18,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestCaps = 0.25; ///< of a solid's area
-constexpr double LargestScrap = 0.1; ///< of the whole area
-constexpr double LeastVolume = 1e-9; ///< of area^1.5: a sheet of 1 µm by 1 m has more
-constexpr std::size_t Samples = 8; ///< triangles of a part that are tried for being inside another
+constexpr double LargestCaps = 0.25;  ///< of a solid's area
+constexpr double LargestScrap = 0.1;  ///< of the whole area
+constexpr double LeastVolume = 1e-9;  ///< of area^1.5: a sheet of 1 µm by 1 m has more
+constexpr double Overlap = 0.02;      ///< of a part's triangles inside another: fewer only touch it
+constexpr std::size_t Samples = 2000; ///< triangles of a part, at most, that are tried
 
 struct Part
 {
@@ -28,6 +31,7 @@ struct Part
   double area = 0.0;   ///< mm²
   double volume = 0.0; ///< mm³, with caps over its holes
   double caps = 0.0;   ///< mm², their area
+  bool isClosed = true;
   Eigen::AlignedBox3d box = {};
 
   bool isSolid() const { return this->caps <= LargestCaps * this->area; }
@@ -36,55 +40,6 @@ struct Part
     return this->isSolid() &&
       std::abs(this->volume) <= LeastVolume * this->area * std::sqrt(this->area);
   }
-};
-
-/// Open edges of a part, joined to loops by their points.
-class Loops
-{
-public:
-  void add(std::int32_t from, std::int32_t to)
-  {
-    this->Edges.push_back({ from, to });
-    const std::int32_t one = this->rootOf(from);
-    this->Above[one] = this->rootOf(to);
-  }
-  /// Calls visit(from, to, centre of the loop) for each edge.
-  template <class Place, class Visit>
-  void visit(const Place& place, const Visit& visit)
-  {
-    struct Sum
-    {
-      Vector3 moment = Vector3::Zero();
-      double length = 0.0;
-    };
-    std::unordered_map<std::int32_t, Sum> sums;
-    for (const auto& [from, to] : this->Edges)
-    {
-      const double length = (place(to) - place(from)).norm();
-      Sum& sum = sums[this->rootOf(from)];
-      sum.moment += 0.5 * length * (place(from) + place(to));
-      sum.length += length;
-    }
-    for (const auto& [from, to] : this->Edges)
-    {
-      const Sum& sum = sums[this->rootOf(from)];
-      visit(from, to, sum.length > 0.0 ? Vector3(sum.moment / sum.length) : place(from));
-    }
-  }
-
-private:
-  std::int32_t rootOf(std::int32_t point)
-  {
-    this->Above.emplace(point, point);
-    while (this->Above[point] != point)
-    {
-      point = this->Above[point] = this->Above[this->Above[point]];
-    }
-    return point;
-  }
-
-  std::vector<std::pair<std::int32_t, std::int32_t>> Edges;
-  std::unordered_map<std::int32_t, std::int32_t> Above;
 };
 
 class Parts
@@ -111,28 +66,21 @@ public:
     {
       return result;
     }
-    const std::vector<std::vector<std::size_t>> around = this->findContainers();
-    for (std::size_t i = 0; i < this->All.size(); ++i)
+    const std::vector<std::int32_t> walls = this->findWalls();
+    std::vector<std::vector<std::size_t>> around(this->All.size());
+    result.fault = this->findContainers(around);
+    if (result.fault.empty() && !walls.empty())
     {
-      const Part& part = this->All[i];
-      if (!part.isSolid() || part.isEmpty())
+      for (const std::int32_t t : walls)
       {
-        continue;
+        this->Triangles[static_cast<std::size_t>(t)][0] = -1;
       }
-      const bool isInside = around[i].size() % 2 == 1;
-      if (isInside && part.volume > 0.0)
-      {
-        result.fault = this->name(i) + " lies inside " + this->name(around[i].front()) +
-          " and winds outward, as a second body in the same place: remove it, or reverse its "
-          "triangles if it is a cavity";
-        return result;
-      }
-      if (!isInside && part.volume < 0.0)
-      {
-        result.turned += part.count;
-        this->forTriangles(
-          part, [](TriangleCorners& corners) { std::swap(corners[1], corners[2]); });
-      }
+      result.hasJoined = true;
+      return result;
+    }
+    for (std::size_t i = 0; i < this->All.size() && result.fault.empty(); ++i)
+    {
+      this->orientPart(i, around[i], result);
     }
     return result;
   }
@@ -148,6 +96,42 @@ private:
   {
     return { this->place(corners[0]), this->place(corners[1]), this->place(corners[2]) };
   }
+  /// `around`: the solids that the part lies inside.
+  void orientPart(std::size_t i, const std::vector<std::size_t>& around, OrientedParts& result)
+  {
+    const Part& part = this->All[i];
+    if (!part.isSolid())
+    {
+      const bool isHidden = std::any_of(
+        around.begin(), around.end(), [this](std::size_t o) { return this->All[o].isClosed; });
+      if (isHidden)
+      {
+        const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(part.first);
+        result.hidden.insert(
+          result.hidden.end(), first, first + static_cast<std::ptrdiff_t>(part.count));
+        this->leaveOut(part);
+      }
+      return;
+    }
+    const auto seed = static_cast<std::size_t>(this->Order[part.first]);
+    if (part.isEmpty() || this->Triangles[seed][0] < 0)
+    {
+      return;
+    }
+    const bool isInside = around.size() % 2 == 1;
+    if (isInside && part.volume > 0.0)
+    {
+      result.fault = this->name(i) + " lies inside " + this->name(around.front()) +
+        " and winds outward, as a second body in the same place: remove it, or reverse its "
+        "triangles if it is a cavity";
+    }
+    else if (!isInside && part.volume < 0.0)
+    {
+      result.turned += part.count;
+      this->forTriangles(part, [](TriangleCorners& corners) { std::swap(corners[1], corners[2]); });
+    }
+  }
+
   template <class Visit>
   void forTriangles(const Part& part, const Visit& visit) const
   {
@@ -192,15 +176,32 @@ private:
       this->place(this->Triangles[static_cast<std::size_t>(this->Order[part.first])][0]);
     const auto volumeOf = [&origin](const Vector3& a, const Vector3& b, const Vector3& c)
     { return (a - origin).dot((b - origin).cross(c - origin)) / 6.0; };
-    Loops loops;
+    this->forTriangles(part,
+      [&](const TriangleCorners& corners)
+      {
+        const auto [a, b, c] = this->placesOf(corners);
+        part.area += 0.5 * (b - a).cross(c - a).norm();
+        part.volume += volumeOf(a, b, c);
+        part.box.extend(a).extend(b).extend(c);
+      });
+    this->forCaps(part,
+      [&](const Vector3& a, const Vector3& b, const Vector3& c)
+      {
+        part.isClosed = false;
+        part.volume += volumeOf(a, b, c);
+        part.caps += 0.5 * (b - a).cross(c - a).norm();
+      });
+  }
+
+  /// The corners of the triangles that close the holes of a part.
+  template <class Visit>
+  void forCaps(const Part& part, const Visit& visit) const
+  {
+    OpenLoops loops;
     for (std::size_t i = part.first; i < part.first + part.count; ++i)
     {
       const auto t = static_cast<std::size_t>(this->Order[i]);
       const TriangleCorners& corners = this->Triangles[t];
-      const auto [a, b, c] = this->placesOf(corners);
-      part.area += 0.5 * (b - a).cross(c - a).norm();
-      part.volume += volumeOf(a, b, c);
-      part.box.extend(a).extend(b).extend(c);
       for (std::size_t e = 0; e < 3; ++e)
       {
         if (this->Links.neighbours(t)[e] < 0)
@@ -211,12 +212,7 @@ private:
     }
     loops.visit([this](std::int32_t point) { return this->place(point); },
       [&](std::int32_t from, std::int32_t to, const Vector3& centre)
-      {
-        const Vector3 a = this->place(from);
-        const Vector3 b = this->place(to);
-        part.volume += volumeOf(b, a, centre);
-        part.caps += 0.5 * (a - centre).cross(b - centre).norm();
-      });
+      { visit(this->place(to), this->place(from), centre); });
   }
 
   void dropEmptyParts(OrientedParts& result)
@@ -240,47 +236,115 @@ private:
           "keep one side";
         return;
       }
-      result.leftOut += part.count;
-      this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
+      this->leaveOut(part);
     }
   }
 
-  /// For each part, the solids that it lies inside.
-  std::vector<std::vector<std::size_t>> findContainers() const
+  void leaveOut(const Part& part)
   {
-    std::vector<std::vector<std::size_t>> around(this->All.size());
-    std::vector<std::size_t> solids;
+    this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
+  }
+
+  /// Walls that two solids share; copies are left out.
+  std::vector<std::int32_t> findWalls()
+  {
+    if (this->All.size() < 2)
+    {
+      return {};
+    }
+    std::vector<MeshPart> parts;
+    for (const Part& part : this->All)
+    {
+      parts.push_back({ part.first, part.count, part.isSolid() });
+    }
+    std::vector<std::int32_t> walls =
+      dropCopiedParts(this->Coordinates, this->Triangles, this->Order, parts);
+    if (!walls.empty())
+    {
+      this->IsWall.assign(this->Triangles.size(), false);
+      for (const std::int32_t t : walls)
+      {
+        this->IsWall[static_cast<std::size_t>(t)] = true;
+      }
+    }
+    return walls;
+  }
+
+  /// For each part, the solids that it lies inside; a fault where two solids overlap.
+  std::string findContainers(std::vector<std::vector<std::size_t>>& around) const
+  {
+    std::string fault;
+    this->forMeetingBoxes(
+      [&](std::size_t one, std::size_t other)
+      {
+        const bool isOneLarger = this->All[one].box.volume() >= this->All[other].box.volume();
+        const std::size_t outer = isOneLarger ? one : other;
+        const std::size_t inner = isOneLarger ? other : one;
+        const Part& part = this->All[inner];
+        if (!this->All[outer].isSolid() || !fault.empty())
+        {
+          return;
+        }
+        const double inside = this->shareInside(part, outer);
+        // A part may leave an open one through its hole.
+        const bool isCertain = part.isClosed && this->All[outer].isClosed;
+        if (inside > (isCertain || !part.isSolid() ? 1.0 - Overlap : 0.5))
+        {
+          around[inner].push_back(outer);
+        }
+        else if (isCertain &&
+          (inside > Overlap || this->shareInside(this->All[outer], inner) > Overlap))
+        {
+          fault = this->name(inner) + " and " + this->name(outer) +
+            " overlap or touch: unite them into one surface, or keep one of them";
+        }
+      });
+    return fault;
+  }
+
+  /// Calls visit(one, other) for parts whose boxes meet, each pair once: a sweep along the axis on
+  /// which they are spread most.
+  template <class Visit>
+  void forMeetingBoxes(const Visit& visit) const
+  {
+    std::vector<std::size_t> parts;
+    Vector3 sum = Vector3::Zero();
+    Vector3 squares = Vector3::Zero();
     for (std::size_t i = 0; i < this->All.size(); ++i)
     {
-      if (this->All[i].isSolid() && !this->All[i].isEmpty())
+      const auto seed = static_cast<std::size_t>(this->Order[this->All[i].first]);
+      if (!this->All[i].isEmpty() && this->Triangles[seed][0] >= 0)
       {
-        solids.push_back(i);
+        parts.push_back(i);
+        const Vector3 centre = this->All[i].box.center();
+        sum += centre;
+        squares += centre.cwiseAbs2();
       }
     }
-    if (solids.size() < 2)
-    {
-      return around;
-    }
-    // Larger boxes first: those after a box can lie inside it.
-    std::sort(solids.begin(), solids.end(),
-      [this](std::size_t a, std::size_t b)
-      { return this->All[a].box.volume() > this->All[b].box.volume(); });
-    std::vector<std::size_t> outer;
-    for (const std::size_t i : solids)
-    {
-      std::vector<std::size_t> candidates;
-      std::copy_if(outer.begin(), outer.end(), std::back_inserter(candidates),
-        [&](std::size_t o) { return this->All[o].box.contains(this->All[i].box); });
-      for (const std::size_t o : candidates)
+    Eigen::Index axis = 0;
+    (static_cast<double>(parts.size()) * squares - sum.cwiseAbs2()).maxCoeff(&axis);
+    std::sort(parts.begin(), parts.end(),
+      [&](std::size_t a, std::size_t b)
       {
-        if (this->isInside(this->All[i], this->columnsOf(o)))
+        return std::pair(this->All[a].box.min()[axis], a) <
+          std::pair(this->All[b].box.min()[axis], b);
+      });
+    std::vector<std::size_t> open; // those that reach the current one
+    for (const std::size_t i : parts)
+    {
+      const Eigen::AlignedBox3d& box = this->All[i].box;
+      open.erase(std::remove_if(open.begin(), open.end(),
+                   [&](std::size_t o) { return this->All[o].box.max()[axis] < box.min()[axis]; }),
+        open.end());
+      for (const std::size_t o : open)
+      {
+        if (this->All[o].box.intersects(box))
         {
-          around[i].push_back(o);
+          visit(o, i);
         }
       }
-      outer.push_back(i);
+      open.push_back(i);
     }
-    return around;
   }
 
   const TriangleColumns& columnsOf(std::size_t part) const
@@ -293,23 +357,39 @@ private:
     TriangleColumns columns(this->All[part].box, this->All[part].count);
     this->forTriangles(this->All[part],
       [&](const TriangleCorners& corners) { columns.add(this->placesOf(corners)); });
+    this->forCaps(this->All[part],
+      [&](const Vector3& a, const Vector3& b, const Vector3& c) {
+        columns.add({ a, b, c });
+      });
     return this->Columns.emplace(part, std::move(columns)).first->second;
   }
 
-  bool isInside(const Part& part, const TriangleColumns& outer) const
+  /// The share of a part's triangles that is inside a solid.
+  double shareInside(const Part& part, std::size_t solid) const
   {
+    const Part& outer = this->All[solid];
+    const TriangleColumns* columns = nullptr;
     const std::size_t step = std::max<std::size_t>(1, part.count / Samples);
+    std::size_t tried = 0;
+    std::size_t inside = 0;
     for (std::size_t i = 0; i < part.count; i += step)
     {
       const auto t = static_cast<std::size_t>(this->Order[part.first + i]);
+      if (!this->IsWall.empty() && this->IsWall[t])
+      {
+        continue;
+      }
       const auto [a, b, c] = this->placesOf(this->Triangles[t]);
       // No symmetric place: a ray from there passes through no edge of a regular mesh.
-      if (outer.crossingsAbove(0.3142 * a + 0.3673 * b + 0.3185 * c) % 2 == 0)
+      const Vector3 place = 0.3142 * a + 0.3673 * b + 0.3185 * c;
+      ++tried;
+      if (outer.box.contains(place))
       {
-        return false;
+        columns = columns ? columns : &this->columnsOf(solid);
+        inside += columns->crossingsAbove(place) % 2;
       }
     }
-    return true;
+    return tried > 0 ? static_cast<double>(inside) / static_cast<double>(tried) : 0.0;
   }
 
   std::string name(std::size_t part) const
@@ -323,6 +403,7 @@ private:
   const TriangleLinks& Links;
   std::vector<std::int32_t> Order; ///< triangles, part by part
   std::vector<Part> All;
+  std::vector<bool> IsWall; ///< by triangle; empty: none is
   mutable std::unordered_map<std::size_t, TriangleColumns> Columns;
 };
 } // namespace

@@ -192,10 +192,25 @@ void SoundMesh::repair(bool isPiece)
   if (!isPiece)
   {
     parts = orientParts(this->Coordinates.data(), joined, *links);
+    if (parts.hasJoined)
+    {
+      link();
+      this->joinPoints(*links, joined);
+      link();
+      makeWindingConsistent(joined);
+      link();
+      parts = orientParts(this->Coordinates.data(), joined, *links);
+    }
   }
   this->Fault = std::move(parts.fault);
   this->Found.nonManifoldEdges = links->nonManifoldEdges();
   this->takeOver(joined);
+  for (const std::int32_t t : parts.hidden)
+  {
+    const bool hasArea = this->WithoutArea[static_cast<std::size_t>(t)] == 0;
+    this->Found.hiddenTriangles += hasArea;
+    this->Found.repeatedTriangles -= hasArea;
+  }
 }
 
 void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorners>& joined)
@@ -209,14 +224,6 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
     }
   }
   followJoints(first);
-  for (std::size_t i = 0; i < first.size(); ++i)
-  {
-    this->Found.joinedPoints += first[i] != static_cast<std::int32_t>(i);
-  }
-  if (this->Found.joinedPoints == 0)
-  {
-    return;
-  }
   for (TriangleCorners& corners : joined)
   {
     if (corners[0] < 0)
@@ -232,7 +239,17 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
       corners[0] = -1; // without area, and now without a third corner: its neighbours are adjacent
     }
   }
-  this->First = std::move(first);
+  this->Found.joinedPoints = 0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    const std::int32_t before = this->firstAt(static_cast<std::int32_t>(i));
+    first[i] = first[static_cast<std::size_t>(before)];
+    this->Found.joinedPoints += first[i] != static_cast<std::int32_t>(i);
+  }
+  if (this->Found.joinedPoints > 0)
+  {
+    this->First = std::move(first);
+  }
 }
 
 void SoundMesh::takeOver(const std::vector<TriangleCorners>& repaired)

@@ -241,6 +241,9 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
     return this->end(ContactState::None);
   }
   place.signedDistance = -effect.depth;
+  // Beyond the edge the contact point is on the plane of the face, which goes on there.
+  place.projection.point =
+    this->LastTip + place.normal.dot(place.projection.point - this->LastTip) * place.normal;
   const BlendedResponse response(
     this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
   Contact result;
@@ -253,6 +256,7 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
     return this->comeOff();
   }
   this->applyEdges(effect, response, result);
+  this->keepOutward(place, result);
   this->complete(place, response, effect.share, result);
   return result;
 }

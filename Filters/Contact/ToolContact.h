@@ -157,6 +157,10 @@ private:
   /// Fills everything but friction; false where the force is not finite or has no direction. The
   /// state is None where a body that relaxes has not yet come back to the tool.
   bool blend(const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept;
+  /// From the tip to the contact point.
+  Vector3 wayOut(const ContactPlace& place) const noexcept;
+  /// The force of unlike curves, and that of edges, can lead into the body: without that part.
+  void keepOutward(const ContactPlace& place, Contact& result) const noexcept;
   /// Σ n_i factor_i U_i.
   Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
   /// Torque and friction; `share` of the energy is left, as edges and borders have it.

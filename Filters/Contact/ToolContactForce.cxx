@@ -29,19 +29,22 @@ double inverseRoot(double x) noexcept
   return low + e2 * e2 * high;
 }
 
-/// A direction without its part into the body: the face's normal if nothing is left. `area` is
-/// along that normal. On a thin fin the normals of the vertices can point away from that of the
-/// face.
-Vector3 outward(const Vector3& direction, const Vector3& area) noexcept
+/// A force without its part against `out`, of any length. On a thin fin the normals of the vertices
+/// can point into the body, as can that of a face beyond its border.
+Vector3 outwardPart(const Vector3& force, const Vector3& out) noexcept
 {
-  const double along = direction.dot(area);
-  if (!(along < 0.0))
-  {
-    return direction;
-  }
-  const Vector3 beyond = direction - along / area.squaredNorm() * area;
+  const double along = force.dot(out);
+  return along < 0.0 ? Vector3(force - along / out.squaredNorm() * out) : force;
+}
+
+/// The same of a direction: along `out` if nothing is left.
+Vector3 outward(const Vector3& direction, const Vector3& out) noexcept
+{
   constexpr double rounding = 1e-12; // of the square
-  return beyond.squaredNorm() > rounding * direction.squaredNorm() ? beyond : area.normalized();
+  const Vector3 part = outwardPart(direction, out);
+  const bool isAgainst =
+    direction.dot(out) < 0.0 && !(part.squaredNorm() > rounding * direction.squaredNorm());
+  return isAgainst ? out.normalized() : part;
 }
 } // namespace
 
@@ -66,6 +69,14 @@ Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const no
                              : place.weightGradients;
 }
 
+Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
+{
+  constexpr double rounding = 1e-9; // mm: of a shorter way the direction is not known
+  const Vector3 way = place.projection.point - this->LastTip;
+  return way.squaredNorm() > rounding * rounding ? way
+                                                 : this->Body.surface.areaNormal(place.triangle);
+}
+
 [[gnu::hot]] bool ToolContact::blend(
   const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept
 {
@@ -88,24 +99,25 @@ Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const no
   {
     this->relax(place, response, value, result);
   }
+  const Vector3 out = this->wayOut(place);
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
-    result.normal = place.normal;
-    result.force = EnergyGradient::force(result.normalForce, place.normal,
+    result.normal = place.onBorder ? outward(place.normal, out).normalized() : place.normal;
+    result.force = EnergyGradient::force(result.normalForce, result.normal,
       this->weightGradients(place), this->energies(response, result.deflection));
     return result.force.allFinite();
   }
-  const Vector3 face = this->Body.surface.areaNormal(place.triangle);
   Vector3 direction = place.normal; // a smooth surface has one of its own
   if (!place.isSmooth)
   {
-    direction = outward(this->sumOfNormals(place, Vector3::Ones()), face);
+    direction = this->sumOfNormals(place, Vector3::Ones());
   }
+  direction = outward(direction, out);
   if (this->Settings.form == ForceForm::Paper)
   {
     const std::array<ResponseValue, 3> each = response.evaluateEach(result.deflection);
     const Vector3 forces(each[0].force, each[1].force, each[2].force);
-    const Vector3 sum = outward(this->sumOfNormals(place, forces), face);
+    const Vector3 sum = outwardPart(this->sumOfNormals(place, forces), out);
     const double more = upright.force > 0.0 ? result.normalForce / upright.force : 1.0;
     result.normalForce = more * sum.norm();
     direction = result.normalForce > 0.0 ? sum : direction;
@@ -201,6 +213,18 @@ Vector3 ToolContact::energies(const BlendedResponse& response, double deflection
   {
     result.state = ContactState::TiltedTooFar;
   }
+}
+
+void ToolContact::keepOutward(const ContactPlace& place, Contact& result) const noexcept
+{
+  const Vector3 kept = outwardPart(result.force, this->wayOut(place));
+  if (kept == result.force)
+  {
+    return;
+  }
+  result.force = kept;
+  result.normalForce = kept.norm();
+  result.normal = result.normalForce > 0.0 ? Vector3(kept / result.normalForce) : result.normal;
 }
 
 void ToolContact::addTorque(const ContactPlace& place, double share, Contact& result) const noexcept

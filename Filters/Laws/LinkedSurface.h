@@ -72,10 +72,10 @@ struct SurfaceEdges
  * What a contact of radius a (mm) takes for an edge of a surface, where it turns away (convex).
  *
  * Facets are averaged in cells of a, of a coarse mesh of a few facets (FacePatches), so that
- * neither a scan's noise nor fine facets are edges, and a narrow fillet is one. From patch to patch,
- * and over two, the surface turns by an angle. On a ball the turn goes on at the same rate; beyond
- * an edge it does not. The excess is the turn of an edge, if it is LeastTurn or more. The edge lies
- * along the sides of facets that turn most there.
+ * neither a scan's noise nor fine facets are edges, and a narrow fillet is one. From patch to
+ * patch, and over two, the surface turns by an angle. On a ball the turn goes on at the same rate;
+ * beyond an edge it does not. The excess is the turn of an edge, if it is LeastTurn or more. The
+ * edge lies along the sides of facets that turn most there.
  *
  * Cost: O(n log n), 0.5 s for a million triangles on one thread; 100 bytes a triangle while they
  * are found.

@@ -76,9 +76,9 @@ private:
   }
 
   /// The rate, rad/mm, at which the surface turns beyond `patch`, seen from `from`: the mean of the
-  /// directions that continue; beyond a long facet the least, since another edge may end it. Neither
-  /// the face behind `from` counts nor, at a corner, one beyond another sharp edge. Where none of
-  /// the next patches is large enough, the rate is not known, and no turn exceeds it.
+  /// directions that continue; beyond a long facet the least, since another edge may end it.
+  /// Neither the face behind `from` counts nor, at a corner, one beyond another sharp edge. Where
+  /// none of the next patches is large enough, the rate is not known, and no turn exceeds it.
   double rateBeyond(int from, int patch) const
   {
     const FacePatch& here = this->Patches.at(patch);

@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const ContactBody body(coordinates.data(), points, corners.data(), triangles, store.arrays());
   require(body.surface.triangleCount() + body.surface.defects().notFinite +
         body.surface.defects().badIndex + body.surface.defects().degenerate +
-        body.surface.defects().repeatedTriangles ==
+        body.surface.defects().repeatedTriangles + body.surface.defects().hiddenTriangles ==
       triangles,
     "each triangle takes part or is counted");
   for (std::size_t t = 0; t < body.surface.triangleCount(); ++t)

@@ -2,7 +2,7 @@
 #include "Response/Bodies/BodyBlocks.h"
 
 #include "vtkCell.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -54,12 +54,17 @@ std::string advice(vtkDataObject* data)
 
 bool isVolume(vtkDataSet* data)
 {
-  vtkNew<vtkCellTypes> types; // each once
-  data->GetCellTypes(types);
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  int last = VTK_EMPTY_CELL;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
-    vtkNew<vtkGenericCell> cell;
-    cell->SetCellType(types->GetCellType(i));
+    const int type = data->GetCellType(i);
+    if (type == last)
+    {
+      continue;
+    }
+    last = type;
+    cell->SetCellType(type);
     if (cell->GetCellDimension() == 3)
     {
       return true;

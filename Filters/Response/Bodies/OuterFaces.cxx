@@ -18,6 +18,12 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <utility>
+
 namespace palpate
 {
 namespace
@@ -57,10 +63,52 @@ double sixfoldVolume(vtkCell* cell)
   return sum;
 }
 
-/// Cells of three dimensions, and which of them wind which way.
+std::vector<vtkIdType> pointsOf(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkIdType count = 0;
+  const vtkIdType* points = nullptr;
+  grid->GetCellPoints(cell, count, points);
+  std::vector<vtkIdType> sorted(points, points + count);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+/// Cells that have the type and the points of an earlier one.
+std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType count = grid->GetNumberOfCells();
+  std::vector<std::pair<std::size_t, vtkIdType>> order; // by hash
+  order.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const std::vector<vtkIdType> points = pointsOf(grid, i);
+    const std::string_view bytes(
+      reinterpret_cast<const char*>(points.data()), points.size() * sizeof(vtkIdType));
+    order.emplace_back(std::hash<std::string_view>()(bytes), i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<bool> isRepeated(static_cast<std::size_t>(count), false);
+  for (std::size_t first = 0; first < order.size();)
+  {
+    std::size_t last = first + 1;
+    for (; last < order.size() && order[last].first == order[first].first; ++last)
+    {
+      const vtkIdType one = order[first].second;
+      const vtkIdType other = order[last].second;
+      isRepeated[static_cast<std::size_t>(other)] =
+        grid->GetCellType(one) == grid->GetCellType(other) &&
+        pointsOf(grid, one) == pointsOf(grid, other);
+    }
+    first = last;
+  }
+  return isRepeated;
+}
+
+/// Cells of three dimensions, each once, and which of them wind which way.
 struct SolidCells
 {
   vtkNew<vtkIdList> all;
+  vtkIdType repeated = 0; ///< left out: other cells have the same points
   vtkIdType positive = 0;
   vtkIdType firstPositive = -1;
   vtkIdType negative = 0;
@@ -68,12 +116,18 @@ struct SolidCells
 
   explicit SolidCells(vtkUnstructuredGrid* grid)
   {
+    const std::vector<bool> isRepeated = findRepeated(grid);
     vtkNew<vtkGenericCell> cell;
     for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
     {
       grid->GetCell(i, cell);
       if (cell->GetCellDimension() != 3)
       {
+        continue;
+      }
+      if (isRepeated[static_cast<std::size_t>(i)])
+      {
+        ++this->repeated;
         continue;
       }
       this->all->InsertNextId(i);
@@ -111,15 +165,23 @@ vtkSmartPointer<vtkPolyData> outerFaces(
     {
       return nullptr;
     }
-    const vtkIdType others = grid->GetNumberOfCells() - solid.all->GetNumberOfIds();
-    if (solid.all->GetNumberOfIds() > 0 && others > 0)
+    const vtkIdType left = grid->GetNumberOfCells() - solid.all->GetNumberOfIds();
+    const vtkIdType others = left - solid.repeated;
+    if (solid.all->GetNumberOfIds() > 0 && left > 0)
     {
       vtkNew<vtkExtractCells> extract;
       extract->SetInputData(grid);
       extract->SetCellList(solid.all);
       extract->Update();
       volume = extract->GetOutput();
-      notes.push_back(joined(others, " cells of fewer than three dimensions left out"));
+      if (others > 0)
+      {
+        notes.push_back(joined(others, " cells of fewer than three dimensions left out"));
+      }
+      if (solid.repeated > 0)
+      {
+        notes.push_back(joined(solid.repeated, " cells that occur twice left out"));
+      }
     }
   }
   vtkNew<vtkTrivialProducer> source;

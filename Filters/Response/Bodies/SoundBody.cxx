@@ -58,7 +58,8 @@ vtkSmartPointer<vtkPolyData> withTriangles(
 /// Whether triangles of the input are left out or reversed.
 bool changesTriangles(const MeshDefects& found)
 {
-  return found.turnedTriangles + found.repeatedTriangles + found.notFinite > 0;
+  return found.turnedTriangles + found.repeatedTriangles + found.hiddenTriangles + found.notFinite >
+    0;
 }
 } // namespace
 
@@ -162,6 +163,8 @@ std::string describeDefects(const MeshDefects& found)
     "triangles wound inward or against their neighbours", "turned over");
   add(found.repeatedTriangles, "triangle that occurs twice, or with its reverse",
     "triangles that occur twice, or with their reverse", "left out");
+  add(found.hiddenTriangles, "triangle of a sheet inside the body",
+    "triangles of sheets inside the body", "left out");
   add(found.degenerate, "triangle without area", "triangles without area", "left out");
   add(found.notFinite, "triangle with a coordinate that is not finite or beyond 1e14 mm",
     "triangles with a coordinate that is not finite or beyond 1e14 mm", "left out");

@@ -14,7 +14,9 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkStaticCleanPolyData.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -81,12 +83,41 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
   return mergedPoints(all->GetOutput());
 }
 
-/** Appends volumes, without ghost cells, since separate surfaces would have walls at the seams. */
-vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& pieces)
+/** Moves points of the pieces that are apart by rounding to one place. */
+void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
 {
+  constexpr double rounding = 1e-6; // of the diagonal
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // which it does only where nothing is marked as a ghost
-  for (vtkDataSet* piece : pieces)
+  for (vtkUnstructuredGrid* piece : pieces)
+  {
+    all->AddInputData(piece);
+  }
+  all->Update();
+  vtkUnstructuredGrid* whole = all->GetOutput();
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(whole);
+  locator->BuildLocator();
+  std::vector<vtkIdType> first(static_cast<std::size_t>(whole->GetNumberOfPoints()));
+  locator->MergePoints(rounding * whole->GetLength(), first.data());
+  std::size_t before = 0;
+  for (vtkUnstructuredGrid* piece : pieces)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(whole->GetPoints()->GetDataType());
+    points->SetNumberOfPoints(piece->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      points->SetPoint(i, whole->GetPoint(first[before++]));
+    }
+    piece->SetPoints(points);
+  }
+}
+
+/** Appends volumes, without ghost cells, since separate surfaces would have walls at the seams. */
+vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& given)
+{
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;
+  for (vtkDataSet* piece : given)
   {
     vtkNew<vtkAppendFilter> unstructured;
     unstructured->AddInputData(piece);
@@ -95,7 +126,14 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
     own->RemoveGhostCells();
     own->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     own->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-    all->AddInputData(own);
+    pieces.emplace_back(own);
+  }
+  joinRoundedPoints(pieces);
+  vtkNew<vtkAppendFilter> all;
+  all->MergePointsOn(); // which it does only where nothing is marked as a ghost
+  for (vtkUnstructuredGrid* piece : pieces)
+  {
+    all->AddInputData(piece);
   }
   all->Update();
   return all->GetOutput();

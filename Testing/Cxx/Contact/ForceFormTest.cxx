@@ -8,7 +8,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <vector>
 
 using namespace palpate::testing;
 using palpate::ForceForm;
@@ -144,4 +147,77 @@ TEST(ForceForm, NoneIsDirectedIntoTheBody)
       }
     }
   }
+}
+
+/// Nor beyond open borders, in hollows, or where edges are felt: force · (contact point - tip) >= 0
+/// along paths over open fans and rough bodies, whose curves differ from point to point.
+TEST(ForceForm, NoneLeadsAwayFromTheContactPoint)
+{
+  std::mt19937 random(11);
+  std::normal_distribution<double> any;
+  const auto rough = [&](Surface body, double noise)
+  {
+    for (Vector3& point : body.points)
+    {
+      point *= 1.0 + noise * std::clamp(any(random), -2.0, 2.0);
+    }
+    return body;
+  };
+  const auto fan = [&]()
+  {
+    Surface body;
+    body.points.emplace_back(0.0, 0.0, 0.0);
+    for (int k = 0; k < 4; ++k)
+    {
+      body.points.emplace_back(10.0 * std::cos(k), 10.0 * std::sin(k), 5.0 * any(random));
+    }
+    body.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 } };
+    return body;
+  };
+  std::vector<Surface> bodies;
+  for (int trial = 0; trial < 4; ++trial)
+  {
+    bodies.push_back(fan());
+    bodies.push_back(rough(icosphere(6.0, 0), 0.35));
+    bodies.push_back(rough(icosphere(20.0, 2), 0.03));
+  }
+  bodies.push_back(block(6.0, 5.0, 3.0));
+  std::size_t presses = 0;
+  std::size_t beyondBorders = 0;
+  for (std::size_t number = 0; number < bodies.size(); ++number)
+  {
+    const Surface& surface = bodies[number];
+    for (const bool hasEdges : { false, true })
+    {
+      ResponseStore store(surface.points.size());
+      takeMeshNormals(store, surface);
+      store.randomizeCurves(static_cast<unsigned>(number));
+      store.edges = hasEdges ? sphereOverEdges() : EdgeTerms{};
+      const auto body = contactBody(surface, store);
+      for (const palpate::ContactSettings& settings : allFormsAndSurfaces())
+      {
+        ToolContact contact(*body, settings);
+        for (int start = 0; start < 40; ++start)
+        {
+          const auto near = static_cast<std::size_t>(random()) % surface.points.size();
+          Vector3 tip = surface.points[near] + Vector3(any(random), any(random), any(random));
+          contact.reset();
+          for (int step = 0; step < 25; ++step)
+          {
+            tip += 0.15 * Vector3(any(random), any(random), any(random));
+            const auto felt = contact.update(tip);
+            const Vector3 out = felt.contactPoint - tip;
+            presses += felt.force.norm() > 0.0;
+            beyondBorders += felt.state == palpate::ContactState::LostAtBorder;
+            // Normals and coordinates are float32.
+            EXPECT_GE(felt.force.dot(out), -1e-6 * felt.force.norm() * out.norm())
+              << "body " << number << (hasEdges ? " with edges" : "") << ", tip "
+              << tip.transpose();
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(presses, 10000U);
+  EXPECT_GT(beyondBorders, 100U);
 }

@@ -102,8 +102,8 @@ TEST(SoundMesh, CavitiesAndSecondBodies)
   EXPECT_THAT(repaired(together(outer, inner, { 0.3, 0.2, 0.1 })).fault(),
     ::testing::AllOf(::testing::HasSubstr("part 2 of 2 (320 triangles, the first is 1280)"),
       ::testing::HasSubstr("inside part 1 of 2"), ::testing::HasSubstr("second body")));
-  // Bodies that overlap are none inside another.
-  EXPECT_EQ(repaired(together(outer, inner, { 19, 0, 0 })).fault(), "");
+  EXPECT_THAT(repaired(together(outer, inner, { 19, 0, 0 })).fault(),
+    ::testing::AllOf(::testing::HasSubstr("part 2 of 2"), ::testing::HasSubstr("overlap")));
   // In the box of a ring, but not in the ring.
   EXPECT_EQ(repaired(together(torus(20, 4, 30, 12), icosphere(2.0, 1), { 0, 0, 0 })).fault(), "");
 }
@@ -122,6 +122,85 @@ TEST(SoundMesh, SheetsWithTwoSidesAreRefused)
   refuses(triangleSoup(shared), "occur with their reverse");
   // Next to a ball of 35 times as many triangles it is a scrap.
   EXPECT_EQ(repaired(together(icosphere(20.0, 4), shared, { 30, 0, 0 })).fault(), "");
+}
+
+/// Copies with points of their own, whatever comes first: the body is felt as without them.
+TEST(SoundMesh, CopiesAtOnePlaceAreLeftOut)
+{
+  const Surface ball = icosphere(10.0, 2);
+  Surface patch;
+  patch.points = ball.points;
+  patch.triangles.assign(ball.triangles.begin(), ball.triangles.begin() + 12);
+  for (const Surface& copy : { patch, reversed(patch), ball, reversed(ball) })
+  {
+    for (const bool isFirst : { false, true })
+    {
+      const Surface both =
+        isFirst ? together(copy, ball, { 0, 0, 0 }) : together(ball, copy, { 0, 0, 0 });
+      const SoundMesh mesh = repaired(both);
+      EXPECT_EQ(mesh.fault(), "");
+      EXPECT_EQ(mesh.defects().repeatedTriangles, copy.triangles.size()) << isFirst;
+      for (std::size_t t = 0; t < 12; ++t)
+      {
+        const Vector3 middle = (ball.corner(static_cast<std::int32_t>(t), 0) +
+                                 ball.corner(static_cast<std::int32_t>(t), 1) +
+                                 ball.corner(static_cast<std::int32_t>(t), 2)) /
+          3.0;
+        EXPECT_NEAR(signedDistance(both, 0.95 * middle), -0.05 * middle.norm(), 0.01);
+      }
+    }
+  }
+}
+
+/// Blocks that share walls are one body.
+TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
+{
+  // Opposite faces are cut alike.
+  Surface cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.points.emplace_back(10.0 * (i & 1), 10.0 * (i >> 1 & 1), 10.0 * (i >> 2));
+  }
+  cube.triangles = { { 0, 3, 1 }, { 0, 2, 3 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+    { 2, 7, 3 }, { 2, 6, 7 }, { 0, 6, 2 }, { 0, 4, 6 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  Surface all = cube;
+  for (int i = 1; i < 27; ++i)
+  {
+    all = together(all, cube, { 10.0 * (i % 3), 10.0 * (i / 3 % 3), 10.0 * (i / 9) });
+  }
+  const SoundMesh mesh = repaired(all);
+  EXPECT_EQ(mesh.fault(), "");
+  EXPECT_EQ(mesh.defects().repeatedTriangles, 27U * 12U - 6U * 9U * 2U);
+  EXPECT_EQ(all.packed().defects().borderEdges, 0U);
+  EXPECT_NEAR(signedDistance(all, { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
+  EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // at a wall
+  // A cavity flush with the surface is a notch.
+  Surface united = all;
+  united.triangles.assign(mesh.triangles().begin(), mesh.triangles().end());
+  united.triangles.erase(std::remove_if(united.triangles.begin(), united.triangles.end(),
+                           [](const auto& corners) { return corners[0] < 0; }),
+    united.triangles.end());
+  const Surface notched = together(united, reversed(cube), { 20, 10, 10 });
+  EXPECT_EQ(repaired(notched).fault(), "");
+  EXPECT_NEAR(signedDistance(notched, { 19.0, 15.0, 15.0 }), -1.0, 1e-5);
+  EXPECT_NEAR(signedDistance(notched, { 26.0, 15.0, 15.0 }), 5.0, 1e-5);
+  // Walls that are cut in another way are refused.
+  EXPECT_THAT(repaired(together(block(10, 10, 20), cube, { 10, 0, 0 })).fault(),
+    ::testing::HasSubstr("overlap or touch"));
+}
+
+TEST(SoundMesh, SheetsInsideASolidAreLeftOut)
+{
+  const Surface ball = icosphere(20.0, 3);
+  const Surface sheet = openPlate(8.0, 4);
+  const SoundMesh mesh = repaired(together(ball, sheet, { -4, -4, 17 }));
+  EXPECT_EQ(mesh.fault(), "");
+  EXPECT_EQ(mesh.defects().hiddenTriangles, sheet.triangles.size());
+  EXPECT_EQ(mesh.defects().repeatedTriangles, 0U);
+  // One that comes out of the ball stays, as does one in an open bowl.
+  EXPECT_EQ(repaired(together(ball, sheet, { 15, -4, 0 })).defects().hiddenTriangles, 0U);
+  EXPECT_EQ(
+    repaired(together(cutAbove(ball, -0.5), sheet, { -4, -4, -10 })).defects().hiddenTriangles, 0U);
 }
 
 TEST(SoundMesh, CopiesAreLeftOut)

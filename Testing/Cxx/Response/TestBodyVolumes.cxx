@@ -5,6 +5,7 @@
 #include "TestBodies.h"
 
 #include "vtkBodySurface.h"
+#include "vtkIdList.h"
 #include "vtkMassProperties.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
@@ -148,6 +149,37 @@ void checkSeveralBlocks()
   checkBlock(partitions);
 }
 
+/// Cells that occur twice have no outer face in common; blocks whose points were rounded share
+/// them.
+void checkRepeatedCellsAndRoundedPoints()
+{
+  for (const int times : { 1, 6 * Cells * Cells * Cells })
+  {
+    const Grid grid = tetrahedra(0, Cells);
+    for (int i = 0; i < times; ++i)
+    {
+      vtkNew<vtkIdList> corners;
+      grid->GetCellPoints(i, corners);
+      grid->InsertNextCell(VTK_TETRA, corners);
+    }
+    checkBlock(grid, "occur twice left out");
+  }
+  const Grid rounded = tetrahedra(1, Cells);
+  vtkPoints* points = rounded->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> at{};
+    points->GetPoint(i, at.data());
+    points->SetPoint(i, at[0] * (1.0 + 1e-7), at[1] * (1.0 - 2e-7), at[2]);
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, tetrahedra(0, 1));
+  blocks->SetBlock(1, rounded);
+  Made made(blocks);
+  PALPATE_CHECK(made.messages.none());
+  PALPATE_CHECK(made.filter->GetOutput()->GetNumberOfPolys() == 6 * Cells * Cells * 2);
+}
+
 /// A cube of a wedge and a hexahedron with a pyramid on top: 1000/2 + 1000 + 1000/3 mm³.
 void checkMixedCells()
 {
@@ -279,6 +311,7 @@ int TestBodyVolumes(int, char*[])
   checkBlock(tetrahedra(0, Cells), "surface extracted from 162 cells");
   checkCellsOfFewerDimensions();
   checkSeveralBlocks();
+  checkRepeatedCellsAndRoundedPoints();
   checkMixedCells();
   checkInvertedCells();
   checkPolygons();

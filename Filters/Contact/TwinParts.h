@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TwinParts_h
+#define palpate_TwinParts_h
+
+#include "Contact/TriangleLinks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// A range of an order of triangles: those that are connected.
+struct MeshPart
+{
+  std::size_t first;
+  std::size_t count;
+  bool isSolid;
+};
+
+/// Leaves out parts that are copies of another part, or of a piece of it, with points of their own:
+/// the first corner of their triangles is -1 then. Returns the triangles of walls that two solids
+/// share, one behind the other.
+///
+/// `coordinates`: 3 floats per point; `order`: triangles, part by part. O(n log n), 16 bytes a
+/// triangle.
+std::vector<std::int32_t> dropCopiedParts(const float* coordinates,
+  std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& order,
+  const std::vector<MeshPart>& parts);
+} // namespace palpate
+
+#endif
