@@ -2,6 +2,7 @@
 #include "Contact/MeshParts.h"
 
 #include "Contact/OpenLoops.h"
+#include "Contact/PartOverlap.h"
 #include "Contact/TriangleColumns.h"
 #include "Contact/TwinParts.h"
 #include "Mechanics/JoinedText.h"
@@ -18,11 +19,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestCaps = 0.25;  ///< of a solid's area
-constexpr double LargestScrap = 0.1;  ///< of the whole area
-constexpr double LeastVolume = 1e-9;  ///< of area^1.5: a sheet of 1 µm by 1 m has more
-constexpr double Overlap = 0.02;      ///< of a part's triangles inside another: fewer only touch it
-constexpr std::size_t Samples = 2000; ///< triangles of a part, at most, that are tried
+constexpr double LargestCaps = 0.25; ///< of a solid's area
+constexpr double LargestGap = 0.01;  ///< caps of a part that counts as closed, of its area
+constexpr double LargestScrap = 0.1; ///< of the whole area
+constexpr double LeastVolume = 1e-9; ///< of area^1.5: a sheet of 1 µm by 1 m has more
 
 struct Part
 {
@@ -31,10 +31,10 @@ struct Part
   double area = 0.0;   ///< mm²
   double volume = 0.0; ///< mm³, with caps over its holes
   double caps = 0.0;   ///< mm², their area
-  bool isClosed = true;
   Eigen::AlignedBox3d box = {};
 
   bool isSolid() const { return this->caps <= LargestCaps * this->area; }
+  bool isClosed() const { return this->caps <= LargestGap * this->area; }
   bool isEmpty() const
   {
     return this->isSolid() &&
@@ -62,13 +62,9 @@ public:
   {
     OrientedParts result;
     this->dropEmptyParts(result);
-    if (!result.fault.empty())
-    {
-      return result;
-    }
     const std::vector<std::int32_t> walls = this->findWalls();
     std::vector<std::vector<std::size_t>> around(this->All.size());
-    result.fault = this->findContainers(around);
+    result.fault = result.fault.empty() ? this->findContainers(around) : result.fault;
     if (result.fault.empty() && !walls.empty())
     {
       for (const std::int32_t t : walls)
@@ -103,7 +99,7 @@ private:
     if (!part.isSolid())
     {
       const bool isHidden = std::any_of(
-        around.begin(), around.end(), [this](std::size_t o) { return this->All[o].isClosed; });
+        around.begin(), around.end(), [this](std::size_t o) { return this->All[o].isClosed(); });
       if (isHidden)
       {
         const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(part.first);
@@ -127,7 +123,6 @@ private:
     }
     else if (!isInside && part.volume < 0.0)
     {
-      result.turned += part.count;
       this->forTriangles(part, [](TriangleCorners& corners) { std::swap(corners[1], corners[2]); });
     }
   }
@@ -187,7 +182,6 @@ private:
     this->forCaps(part,
       [&](const Vector3& a, const Vector3& b, const Vector3& c)
       {
-        part.isClosed = false;
         part.volume += volumeOf(a, b, c);
         part.caps += 0.5 * (b - a).cross(c - a).norm();
       });
@@ -285,15 +279,14 @@ private:
         {
           return;
         }
-        const double inside = this->shareInside(part, outer);
+        const PartOverlap overlap = this->overlapOf(inner, outer);
         // A part may leave an open one through its hole.
-        const bool isCertain = part.isClosed && this->All[outer].isClosed;
-        if (inside > (isCertain || !part.isSolid() ? 1.0 - Overlap : 0.5))
+        const bool isCertain = part.isClosed() && this->All[outer].isClosed();
+        if (overlap.inside > (isCertain || !part.isSolid() ? 1.0 - PartOverlap::Least : 0.5))
         {
           around[inner].push_back(outer);
         }
-        else if (isCertain &&
-          (inside > Overlap || this->shareInside(this->All[outer], inner) > Overlap))
+        else if (isCertain && (overlap.isSome() || this->overlapOf(outer, inner).isSome()))
         {
           fault = this->name(inner) + " and " + this->name(outer) +
             " overlap or touch: unite them into one surface, or keep one of them";
@@ -354,42 +347,30 @@ private:
     {
       return found->second;
     }
-    TriangleColumns columns(this->All[part].box, this->All[part].count);
+    std::vector<TriangleColumns::Corners> all;
     this->forTriangles(this->All[part],
-      [&](const TriangleCorners& corners) { columns.add(this->placesOf(corners)); });
+      [&](const TriangleCorners& corners) { all.push_back(this->placesOf(corners)); });
     this->forCaps(this->All[part],
       [&](const Vector3& a, const Vector3& b, const Vector3& c) {
-        columns.add({ a, b, c });
+        all.push_back({ a, b, c });
       });
-    return this->Columns.emplace(part, std::move(columns)).first->second;
+    return this->Columns.emplace(part, TriangleColumns(std::move(all))).first->second;
   }
 
-  /// The share of a part's triangles that is inside a solid.
-  double shareInside(const Part& part, std::size_t solid) const
+  PartOverlap overlapOf(std::size_t inner, std::size_t solid) const
   {
-    const Part& outer = this->All[solid];
-    const TriangleColumns* columns = nullptr;
-    const std::size_t step = std::max<std::size_t>(1, part.count / Samples);
-    std::size_t tried = 0;
-    std::size_t inside = 0;
-    for (std::size_t i = 0; i < part.count; i += step)
+    const Part& part = this->All[inner];
+    const std::size_t step = std::max<std::size_t>(1, part.count / PartOverlap::Places);
+    std::vector<TriangleColumns::Corners> tried;
+    for (std::size_t i = part.first; i < part.first + part.count; i += step)
     {
-      const auto t = static_cast<std::size_t>(this->Order[part.first + i]);
-      if (!this->IsWall.empty() && this->IsWall[t])
+      const auto t = static_cast<std::size_t>(this->Order[i]);
+      if (this->IsWall.empty() || !this->IsWall[t])
       {
-        continue;
-      }
-      const auto [a, b, c] = this->placesOf(this->Triangles[t]);
-      // No symmetric place: a ray from there passes through no edge of a regular mesh.
-      const Vector3 place = 0.3142 * a + 0.3673 * b + 0.3185 * c;
-      ++tried;
-      if (outer.box.contains(place))
-      {
-        columns = columns ? columns : &this->columnsOf(solid);
-        inside += columns->crossingsAbove(place) % 2;
+        tried.push_back(this->placesOf(this->Triangles[t]));
       }
     }
-    return tried > 0 ? static_cast<double>(inside) / static_cast<double>(tried) : 0.0;
+    return { tried, part.box.sizes().norm(), this->columnsOf(solid), this->All[solid].box };
   }
 
   std::string name(std::size_t part) const

@@ -14,7 +14,6 @@ namespace palpate
 /// What orientParts has done.
 struct OrientedParts
 {
-  std::size_t turned = 0;  ///< triangles reversed
   std::size_t leftOut = 0; ///< triangles of small parts that enclose nothing; first corner -1 now
   /// Triangles of sheets inside a closed solid; first corner -1 now.
   std::vector<std::int32_t> hidden;

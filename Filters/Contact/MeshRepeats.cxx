@@ -85,10 +85,9 @@ public:
     }
   }
 
-  /// Drops those that fill no hole; returns how many.
-  std::size_t dropFlaps()
+  /// Drops those that fill no hole.
+  void dropFlaps(Repeats& repeats)
   {
-    std::size_t dropped = 0;
     std::set<std::int32_t> seen;
     for (const std::int32_t seed : this->Doubtful)
     {
@@ -98,6 +97,7 @@ public:
       }
       std::vector<std::int32_t> patch{ seed };
       int filled = 0; // edges at which the patch has one neighbour, minus the others
+      int walled = 0; // edges at which it has several, minus those where it has none
       for (std::size_t i = 0; i < patch.size(); ++i)
       {
         const TriangleCorners corners = this->corners(patch[i]);
@@ -106,7 +106,9 @@ public:
           const std::vector<std::int32_t>& own = this->AtEdge[edgeOf(corners, e)];
           if (own.size() == 1)
           {
-            filled += this->othersAt(edgeOf(corners, e)) == 1 ? 1 : -1;
+            const std::ptrdiff_t others = this->othersAt(edgeOf(corners, e));
+            filled += others == 1 ? 1 : -1;
+            walled += others > 1 ? 1 : others == 0 ? -1 : 0;
           }
           std::copy_if(own.begin(), own.end(), std::back_inserter(patch),
             [&seen](std::int32_t t) { return seen.insert(t).second; });
@@ -116,9 +118,10 @@ public:
       {
         this->Triangles[static_cast<std::size_t>(t)][0] = filled > 0 ? this->corners(t)[0] : -1;
       }
-      dropped += filled > 0 ? 0 : patch.size();
+      const std::size_t dropped = filled > 0 ? 0 : patch.size();
+      repeats.flaps += dropped;
+      repeats.sheets += walled > 0 ? 0 : dropped;
     }
-    return dropped;
   }
 
 private:
@@ -179,7 +182,7 @@ void dropFlaps(
   }
   if (!repeats.doubtful.empty())
   {
-    repeats.flaps = Patches(triangles, links, repeats.doubtful).dropFlaps();
+    Patches(triangles, links, repeats.doubtful).dropFlaps(repeats);
   }
 }
 } // namespace palpate

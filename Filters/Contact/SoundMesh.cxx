@@ -173,10 +173,10 @@ void SoundMesh::repair(bool isPiece)
     }
   }
   dropFlaps(joined, *links, repeats);
-  if (2.0 * static_cast<double>(repeats.flaps) >
+  if (2.0 * static_cast<double>(repeats.sheets) >
     LargestShareOfFlaps * static_cast<double>(joined.size()))
   {
-    this->Fault = palpate::joined(2 * repeats.flaps, " of ", joined.size(),
+    this->Fault = palpate::joined(2 * repeats.sheets, " of ", joined.size(),
       " triangles occur with their reverse, as the two sides of a sheet do: keep one side");
     return;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate
 {
@@ -34,43 +35,70 @@ bool isBelow(const Vector3d& place, const std::array<Vector3d, 3>& corners)
 }
 } // namespace
 
-TriangleColumns::TriangleColumns(const Eigen::AlignedBox3d& box, std::size_t count)
-  : Low(box.min().head<2>())
-  , Side(std::clamp(static_cast<int>(std::sqrt(0.25 * static_cast<double>(count))), 1, 1024))
-  , Columns(static_cast<std::size_t>(Side) * static_cast<std::size_t>(Side))
+TriangleColumns::TriangleColumns(std::vector<Corners> triangles)
+  : Triangles(std::move(triangles))
 {
-  const Eigen::Array2d size = box.sizes().head<2>().array();
-  this->PerMillimetre = (size > 0.0).select(static_cast<double>(this->Side) / size, 0.0);
-}
-
-Eigen::Array2i TriangleColumns::columnOf(const Vector3d& place) const
-{
-  const Eigen::Array2d at = (place.head<2>() - this->Low).array() * this->PerMillimetre;
-  return at.floor().max(0.0).min(static_cast<double>(this->Side - 1)).cast<int>();
-}
-
-void TriangleColumns::add(const std::array<Vector3d, 3>& corners)
-{
-  Eigen::AlignedBox3d box;
-  box.extend(corners[0]).extend(corners[1]).extend(corners[2]);
-  const Eigen::Array2i low = this->columnOf(box.min());
-  const Eigen::Array2i high = this->columnOf(box.max());
-  for (int y = low.y(); y <= high.y(); ++y)
+  for (const Corners& corners : this->Triangles)
   {
-    for (int x = low.x(); x <= high.x(); ++x)
+    for (const Vector3d& corner : corners)
     {
-      this->at(x, y).push_back(corners);
+      this->Box.extend(corner.head<2>().eval());
+    }
+  }
+  const auto count = static_cast<double>(this->Triangles.size());
+  this->Side = std::clamp(static_cast<int>(std::sqrt(0.25 * count)), 1, 1024);
+  const auto entries = [this]()
+  {
+    std::size_t sum = 0;
+    for (const Corners& corners : this->Triangles)
+    {
+      const Range range = this->below(corners);
+      sum += static_cast<std::size_t>((range.high - range.low + 1).prod());
+    }
+    return sum;
+  };
+  while (this->Side > 1 && entries() > Most * this->Triangles.size())
+  {
+    this->Side /= 2;
+  }
+  this->Columns.resize(static_cast<std::size_t>(this->Side) * static_cast<std::size_t>(this->Side));
+  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    const Range range = this->below(this->Triangles[i]);
+    for (int y = range.low.y(); y <= range.high.y(); ++y)
+    {
+      for (int x = range.low.x(); x <= range.high.x(); ++x)
+      {
+        this->Columns[this->at(x, y)].push_back(static_cast<std::int32_t>(i));
+      }
     }
   }
 }
 
+Eigen::Array2i TriangleColumns::columnOf(const Eigen::Vector2d& place) const
+{
+  const Eigen::Array2d size = this->Box.sizes().array();
+  const double side = this->Side;
+  const Eigen::Array2d at =
+    (size > 0.0).select(side * (place - this->Box.min()).array() / size, 0.0);
+  return at.floor().max(0.0).min(side - 1.0).cast<int>();
+}
+
+TriangleColumns::Range TriangleColumns::below(const Corners& corners) const
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector3d& corner : corners)
+  {
+    box.extend(corner.head<2>().eval());
+  }
+  return { this->columnOf(box.min()), this->columnOf(box.max()) };
+}
+
 std::size_t TriangleColumns::crossingsAbove(const Vector3d& place) const
 {
-  const Eigen::Array2i column = this->columnOf(place);
-  const auto& triangles =
-    this->Columns[static_cast<std::size_t>(column.y()) * static_cast<std::size_t>(this->Side) +
-      static_cast<std::size_t>(column.x())];
-  return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(),
-    [&place](const std::array<Vector3d, 3>& corners) { return isBelow(place, corners); }));
+  const Eigen::Array2i column = this->columnOf(place.head<2>());
+  const std::vector<std::int32_t>& near = this->Columns[this->at(column.x(), column.y())];
+  return static_cast<std::size_t>(std::count_if(near.begin(), near.end(),
+    [&](std::int32_t i) { return isBelow(place, this->Triangles[static_cast<std::size_t>(i)]); }));
 }
 } // namespace palpate

@@ -6,35 +6,45 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace palpate
 {
 /// Triangles in columns along z, for counting those above a place. A column holds a few triangles
-/// of a surface whose triangles have about one size.
+/// of a surface whose triangles have about one size; slivers across many columns make these wider.
+/// At most Most entries a triangle.
 class TriangleColumns
 {
 public:
-  /// `box` of all triangles, and about how many there are.
-  TriangleColumns(const Eigen::AlignedBox3d& box, std::size_t count);
+  using Corners = std::array<Eigen::Vector3d, 3>;
 
-  void add(const std::array<Eigen::Vector3d, 3>& corners);
+  explicit TriangleColumns(std::vector<Corners> triangles);
 
   /// How many triangles a ray upward from the place crosses: odd inside a closed surface.
   std::size_t crossingsAbove(const Eigen::Vector3d& place) const;
 
 private:
-  Eigen::Array2i columnOf(const Eigen::Vector3d& place) const;
-  std::vector<std::array<Eigen::Vector3d, 3>>& at(int x, int y)
+  static constexpr std::size_t Most = 8;
+
+  /// The columns below a triangle: first and last along x and y.
+  struct Range
   {
-    return this->Columns[static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Side) +
-      static_cast<std::size_t>(x)];
+    Eigen::Array2i low;
+    Eigen::Array2i high;
+  };
+  Eigen::Array2i columnOf(const Eigen::Vector2d& place) const;
+  Range below(const Corners& corners) const;
+  std::size_t at(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Side) +
+      static_cast<std::size_t>(x);
   }
 
-  Eigen::Vector2d Low;
-  Eigen::Array2d PerMillimetre;
-  int Side;
-  std::vector<std::vector<std::array<Eigen::Vector3d, 3>>> Columns;
+  std::vector<Corners> Triangles;
+  Eigen::AlignedBox2d Box;
+  int Side = 1;
+  std::vector<std::vector<std::int32_t>> Columns;
 };
 } // namespace palpate
 

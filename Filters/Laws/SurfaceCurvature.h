@@ -51,6 +51,10 @@ public:
   /// `normals` are 3 floats per point, unit length.
   SurfaceCurvature(const TriangleSpans& surface, const float* normals, int steps);
 
+  /// That of the faces between sharp edges (CreaseCut), for contacts that leave over these edges
+  /// (BodyEdges): what an edge turns by is no curvature. On an edge the mean of the faces.
+  static SurfaceCurvature ofFaces(const TriangleSpans& surface, const float* normals, int steps);
+
   SpotCurvature at(std::size_t point) const noexcept
   {
     const std::array<float, 3>& found = this->Found[point];

@@ -314,10 +314,11 @@ public:
   /**
    * Whether to choose the terms of the law by their effect. Edges are left out where there are
    * none, and layers, CurvatureCorrection and finite strain where together they change the force by
-   * no more than TermTolerance; Neo-Hooke is added where its tables have the tool and it changes
-   * the force by more. Judged down to MaximumDeflection, by 95 % of some 400 points
-   * (palpate/TermEffect.h). GetTermReason and the field array `<name>Terms` list what is in the law
-   * and what is not, each with its per cent. Default off: all terms as set.
+   * no more than TermTolerance. Finite strain stays where the error stated without it would be
+   * larger than that; Neo-Hooke is added there if its tables have the tool. Judged down to
+   * MaximumDeflection, by 95 % of some 400 points (palpate/TermEffect.h). GetTermReason and the
+   * field array `<name>Terms` list what is in the law and what is not, each with its per cent.
+   * Default off: all terms as set.
    */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);

@@ -206,7 +206,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
     return fault;
   }
   palpate::convertTetrahedra(curved, output);
-  output->GetPointData()->AddArray(palpate::holdFaces(curved.nodes, faces));
+  output->GetPointData()->AddArray(palpate::holdFaces(output, faces));
   this->UpdateProgress(1.0);
   return {};
 }

@@ -18,13 +18,13 @@
  * InteriorSpacing. In FineBalls they are shorter. Edges by which the surface turns more than 45°
  * are kept, unless most of them are shorter than three SurfaceSpacings, as the noise of a scan is.
  * Mid-edge nodes of the outside lie on the true surface, or its sharp edges, except where that
- * would spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 for the
- * points within half a SurfaceSpacing of the output's outermost point on each of the FixedFaces, 0
- * elsewhere. One of a given depth is cut off there instead: what does not move is no part of the
- * output, and points are held on the cut. Cells follow its rim, so that what is held does not
- * depend on their size; on a scan, whose edges are not kept, except where the rim comes within a
- * SurfaceSpacing to itself. A surface that cannot be cut - nothing would be left, or it touches
- * itself there - gets a warning, and is held within the depth.
+ * would spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 on each of
+ * the FixedFaces - the outer faces that look to that side, within half a SurfaceSpacing of the
+ * output's outermost point - 0 elsewhere. One of a given depth is cut off there instead: what does
+ * not move is no part of the output, and points are held on the cut. Cells follow its rim, so that
+ * what is held does not depend on their size; on a scan, whose edges are not kept, except where the
+ * rim comes within a SurfaceSpacing to itself. A surface that cannot be cut - nothing would be
+ * left, or it touches itself there - gets a warning, and is held within the depth.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
  * the filter is an error. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell,

@@ -241,7 +241,7 @@ int vtkVoxelBody::RequestData(
   }
   output->SetPoints(points);
   output->SetCells(VTK_HEXAHEDRON, cells);
-  output->GetPointData()->AddArray(palpate::holdFaces(mesh.nodes, faces));
+  output->GetPointData()->AddArray(palpate::holdFaces(output, faces));
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -15,8 +15,9 @@
  * hexahedron it stays a little below. The outside is then as smooth as the surface, while a
  * staircase of voxels has an edge at every step; sharp edges across the grid are chamfered by up to
  * a Spacing. With Conform off the output is the voxels whose corners lie inside. Point array
- * `Fixed` (uint8): 7 for the points within half a Spacing, or the given depth, of the output's
- * outermost point on each of the FixedFaces, 0 elsewhere.
+ * `Fixed` (uint8): 7 on each of the FixedFaces - the outer faces that look to that side, within
+ * half a Spacing of the output's outermost point - and for all points within a given depth, 0
+ * elsewhere.
  *
  * Walls thinner than three Spacings are lost. Cost: about 20 µs per voxel of the bounding box, 40
  * bytes per point of it and 310 per voxel inside; a Spacing that needs more than the available

@@ -4,6 +4,7 @@
 
 #include "Contact/PackedMesh.h"
 #include "Contact/TriangleLinks.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,9 +15,9 @@ namespace palpate
 /**
  * Where a surface is to be cut so that its faces hang together no more across sharp convex edges:
  * which edges those are (see PackedMesh), and in how many parts the triangles around a point fall.
- * While it is built; not installed.
+ * While it is built, and for the curvature of its faces.
  */
-class CreaseCut
+class PALPATE_EXPORT CreaseCut
 {
 public:
   /// Of triangles wound alike, with their links and three floats per point. Only the first

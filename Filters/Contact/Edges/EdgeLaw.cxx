@@ -238,7 +238,9 @@ double pointLoadSoftness(double poissonsRatio)
   {
     ++i;
   }
-  return value[i - 1] + (value[i] - value[i - 1]) * (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
+  // 1/ψ is all but linear in ν: within 0.15 % of 0.809 - 0.890 ν from 0.3 on.
+  const double part = (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
+  return 1.0 / ((1.0 - part) / value[i - 1] + part / value[i]);
 }
 
 double edgeSharpness(double poissonsRatio, double turn)

@@ -30,6 +30,8 @@ namespace
 {
 using Eigen::Vector3d;
 
+constexpr double RoundedApart = 1e-6; // of the diagonal: points that are one
+
 bool isStructured(vtkDataSet* data)
 {
   return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
@@ -53,11 +55,12 @@ double sixfoldVolume(vtkCell* cell)
   {
     vtkCell* face = cell->GetFace(i);
     const int corners = face->GetNumberOfEdges(); // middles of edges come after them
-    const Vector3d first = placeOf(face->GetPoints(), 0) - origin;
+    const bool isPixel = face->GetCellType() == VTK_PIXEL;
+    const auto corner = [&](int k) -> Vector3d // around the face
+    { return placeOf(face->GetPoints(), isPixel && k > 1 ? 5 - k : k) - origin; };
     for (int k = 1; k + 1 < corners; ++k)
     {
-      sum += first.dot(
-        (placeOf(face->GetPoints(), k) - origin).cross(placeOf(face->GetPoints(), k + 1) - origin));
+      sum += corner(0).dot(corner(k).cross(corner(k + 1)));
     }
   }
   return sum;
@@ -114,18 +117,19 @@ struct SolidCells
   vtkIdType negative = 0;
   vtkIdType firstNegative = -1;
 
-  explicit SolidCells(vtkUnstructuredGrid* grid)
+  explicit SolidCells(vtkDataSet* data)
   {
-    const std::vector<bool> isRepeated = findRepeated(grid);
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+    const std::vector<bool> isRepeated = grid ? findRepeated(grid) : std::vector<bool>();
     vtkNew<vtkGenericCell> cell;
-    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
     {
-      grid->GetCell(i, cell);
+      data->GetCell(i, cell);
       if (cell->GetCellDimension() != 3)
       {
         continue;
       }
-      if (isRepeated[static_cast<std::size_t>(i)])
+      if (grid && isRepeated[static_cast<std::size_t>(i)])
       {
         ++this->repeated;
         continue;
@@ -157,17 +161,18 @@ vtkSmartPointer<vtkPolyData> outerFaces(
   vtkDataSet* data, const int* wholeExtent, std::vector<std::string>& notes, std::string& fault)
 {
   vtkSmartPointer<vtkDataSet> volume = data;
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  if (!vtkImageData::SafeDownCast(data))
   {
-    const SolidCells solid(grid);
+    const SolidCells solid(data);
     fault = solid.fault();
     if (!fault.empty())
     {
       return nullptr;
     }
-    const vtkIdType left = grid->GetNumberOfCells() - solid.all->GetNumberOfIds();
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+    const vtkIdType left = data->GetNumberOfCells() - solid.all->GetNumberOfIds();
     const vtkIdType others = left - solid.repeated;
-    if (solid.all->GetNumberOfIds() > 0 && left > 0)
+    if (grid && solid.all->GetNumberOfIds() > 0 && left > 0)
     {
       vtkNew<vtkExtractCells> extract;
       extract->SetInputData(grid);
@@ -200,11 +205,12 @@ vtkSmartPointer<vtkPolyData> outerFaces(
   {
     return surface->GetOutput();
   }
-  // The six sides of a structured grid have their own points along the edges where they meet.
+  // The six sides of a structured grid have their own points along the edges where they meet, and a
+  // grid that closes around an axis meets itself.
   vtkNew<vtkStaticCleanPolyData> clean;
   clean->SetInputData(surface->GetOutput());
   clean->ToleranceIsAbsoluteOn();
-  clean->SetAbsoluteTolerance(0.0);
+  clean->SetAbsoluteTolerance(RoundedApart * surface->GetOutput()->GetLength());
   clean->Update();
   return clean->GetOutput();
 }

@@ -86,7 +86,7 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
 /** Moves points of the pieces that are apart by rounding to one place. */
 void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
 {
-  constexpr double rounding = 1e-6; // of the diagonal
+  constexpr double rounding = 1e-5; // of the diagonal
   vtkNew<vtkAppendFilter> all;
   for (vtkUnstructuredGrid* piece : pieces)
   {

@@ -152,9 +152,9 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
   const std::string name = describe(law);
   const bool curved = chosen.terms.curvature;
   const LawModel small{ material, curved, nullptr };
+  const double bound = chooser.bound(small); // of the error that is stated without it
   if (law.model == StrainModel::NeoHooke)
   {
-    const double bound = chooser.bound(small);
     if (chooser.canSpare(bound))
     {
       chooser.leaveOut(bound);
@@ -178,7 +178,7 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
     return fault;
   }
   const double change = chooser.change({ material, curved, chosen.strain.get() }, small);
-  if (chooser.canSpare(change))
+  if (chooser.canSpare(std::max(change, bound)))
   {
     chooser.leaveOut(change);
     chosen.terms.strain = {};
@@ -188,7 +188,8 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
     return {};
   }
   chosen.terms.strain = law;
-  chooser.say(joined(name, " is in the law: without it the force is off by ", percentOf(change)));
+  chooser.say(joined(name, " is in the law: without it the force is off by ", percentOf(change),
+    ", and states an error of up to ", percentOf(bound)));
   return {};
 }
 

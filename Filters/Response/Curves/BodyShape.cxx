@@ -113,11 +113,12 @@ struct ShapeKey
   std::array<std::size_t, 3> surface; ///< of the own piece
   double radius;
   bool hasEdges;
+  bool isOfFaces; ///< curvature without that of sharp edges
 
   bool operator==(const ShapeKey& other) const
   {
     return this->surface == other.surface && this->radius == other.radius &&
-      this->hasEdges == other.hasEdges;
+      this->hasEdges == other.hasEdges && this->isOfFaces == other.isOfFaces;
   }
 };
 
@@ -183,7 +184,7 @@ std::shared_ptr<const BodyShape> findShape(
   piece.normals.assign(normals, normals + piece.points.size());
   const Ranks& ranks = seam.ranks();
   const ShapeKey key{ { hashOf(piece.points), hashOf(piece.triangles), hashOf(piece.normals) }, a,
-    wantsEdges };
+    wantsEdges, terms.edges };
   static KeptShapes kept;
   std::shared_ptr<const BodyShape> known = kept.find(key);
   if (!ranks.any(known == nullptr))
@@ -194,8 +195,11 @@ std::shared_ptr<const BodyShape> findShape(
   const WholeSurface whole = ranks.areAlone() ? std::move(piece) : gatherSurface(seam, piece);
   made->inWhole = whole.own;
   const TriangleSpans surface = whole.spans();
-  made->curvature = std::make_unique<SurfaceCurvature>(
-    surface, whole.normals.data(), SurfaceCurvature::stepsFor(a, spacingOf(surface)));
+  const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface));
+  const float* all = whole.normals.data();
+  made->curvature =
+    std::make_unique<SurfaceCurvature>(terms.edges ? SurfaceCurvature::ofFaces(surface, all, steps)
+                                                   : SurfaceCurvature(surface, all, steps));
   if (wantsEdges)
   {
     constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force

@@ -6,9 +6,17 @@
 #include "Response/BodyConversion.h"
 
 #include "vtkCleanPolyData.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +39,40 @@ vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
   clean->Update();
   return clean->GetOutput();
 }
+
+constexpr double LeastCosine = 0.70710678; // between the normals of a held face and of its side
+
+Eigen::Vector3d placeOf(vtkDataSet* data, vtkIdType point)
+{
+  Eigen::Vector3d place;
+  data->GetPoint(point, place.data());
+  return place;
+}
+
+/// How far a place is from the sides of a body's box.
+class SidesOfBox
+{
+public:
+  SidesOfBox(vtkDataSet* body, const HeldFaces& faces)
+    : Faces(faces)
+  {
+    body->GetBounds(this->Bounds.data());
+  }
+
+  bool isWithin(const Eigen::Vector3d& place, std::size_t side) const
+  {
+    const double away = std::abs(place[static_cast<Eigen::Index>(side / 2)] - this->Bounds[side]);
+    return away < this->Faces[side].depth;
+  }
+  double outwardPart(const Eigen::Vector3d& normal, std::size_t side) const
+  {
+    return normal[static_cast<Eigen::Index>(side / 2)] * (side % 2 == 0 ? -1.0 : 1.0);
+  }
+
+private:
+  const HeldFaces& Faces;
+  std::array<double, 6> Bounds{};
+};
 } // namespace
 
 std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed)
@@ -90,24 +132,53 @@ std::string readHeldFaces(const std::string& text, double usual, HeldFaces& face
   return {};
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
-  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces)
+vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const HeldFaces& faces)
 {
   const auto fixed = vtkSmartPointer<vtkUnsignedCharArray>::New();
   fixed->SetName("Fixed");
-  fixed->SetNumberOfTuples(nodes.cols());
-  const Eigen::Vector3d lowest = nodes.rowwise().minCoeff();
-  const Eigen::Vector3d highest = nodes.rowwise().maxCoeff();
-  for (Eigen::Index i = 0; i < nodes.cols(); ++i)
+  fixed->SetNumberOfTuples(body->GetNumberOfPoints());
+  fixed->Fill(0);
+  const SidesOfBox sides(body, faces);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    bool held = false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    const Eigen::Vector3d at = placeOf(body, i);
+    for (std::size_t side = 0; side < faces.size(); ++side)
     {
-      const auto a = static_cast<Eigen::Index>(axis);
-      held = held || nodes(a, i) < lowest[a] + faces[2 * axis].depth ||
-        nodes(a, i) > highest[a] - faces[2 * axis + 1].depth;
+      if (faces[side].isGiven && sides.isWithin(at, side))
+      {
+        fixed->SetValue(i, 7);
+      }
     }
-    fixed->SetValue(i, held ? 7 : 0);
+  }
+  vtkNew<vtkDataSetSurfaceFilter> outside;
+  outside->SetInputData(body);
+  outside->PassThroughPointIdsOn();
+  outside->SetNonlinearSubdivisionLevel(1); // the middles of edges are points of the surface, too
+  outside->DelegationOff();
+  outside->Update();
+  vtkPolyData* surface = outside->GetOutput();
+  auto* ids = vtkIdTypeArray::SafeDownCast(
+    surface->GetPointData()->GetArray(outside->GetOriginalPointIdsName()));
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    Eigen::Vector3d normal;
+    vtkPolygon::ComputeNormal(surface->GetPoints(), static_cast<int>(corners->GetNumberOfIds()),
+      corners->GetPointer(0), normal.data());
+    for (std::size_t side = 0; side < faces.size(); ++side)
+    {
+      const bool isFace = std::all_of(corners->begin(), corners->end(),
+        [&](vtkIdType corner) { return sides.isWithin(placeOf(surface, corner), side); });
+      if (faces[side].isGiven || !isFace || !(sides.outwardPart(normal, side) > LeastCosine))
+      {
+        continue;
+      }
+      for (const vtkIdType corner : *corners)
+      {
+        fixed->SetValue(ids->GetValue(corner), 7);
+      }
+    }
   }
   return fixed;
 }

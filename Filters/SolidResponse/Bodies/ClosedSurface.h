@@ -4,13 +4,12 @@
 
 #include "vtkSmartPointer.h"
 
-#include <Eigen/Core>
-
 #include <array>
 #include <string>
 
 class vtkPolyData;
 class vtkUnsignedCharArray;
+class vtkUnstructuredGrid;
 
 namespace palpate
 {
@@ -40,9 +39,10 @@ using HeldFaces = std::array<HeldFace, 6>;
 /// or "".
 std::string readHeldFaces(const std::string& text, double usual, HeldFaces& faces);
 
-/// The array `Fixed`: 7 within the depths of the faces, 0 elsewhere.
-vtkSmartPointer<vtkUnsignedCharArray> holdFaces(
-  const Eigen::Matrix3Xd& nodes, const HeldFaces& faces);
+/// The array `Fixed` for the points of a body: 7 for those that are held, 0 elsewhere. A face of a
+/// given depth holds all points within it. One of the usual depth holds the surface alone: the
+/// corners of outer faces within that depth whose normal is less than 45° from the side's.
+vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const HeldFaces& faces);
 } // namespace palpate
 
 #endif

@@ -87,3 +87,12 @@ def _shape(shape):
 
 def _kind(values):
     return "an array of %s" % values.dtype if isinstance(values, np.ndarray) else repr(values)[:60]
+
+
+def number(value, argument):
+    if isinstance(value, (str, bytes)):
+        raise TypeError("%s must be a number, but is %r" % (argument, value))
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError("%s must be a number, but is %r" % (argument, value)) from None

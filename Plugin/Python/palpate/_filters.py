@@ -2,13 +2,16 @@
 """Runs a VTK algorithm: its errors become exceptions, its warnings Python's; nothing is printed."""
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
 class Listener:
-    """Collects the texts of errors and warnings of VTK objects."""
+    """Collects the texts of errors and warnings of VTK objects, also where VTK shows none."""
 
     def __init__(self, *objects):
+        self._shows = vtkObject.GetGlobalWarningDisplay()
+        vtkObject.GlobalWarningDisplayOn()      # without it there are no events
         self.errors, self.warnings = [], []
         self._observed = []
         for one in objects:
@@ -26,6 +29,7 @@ class Listener:
     def stop(self):
         for one, tag in self._observed:
             one.RemoveObserver(tag)
+        vtkObject.SetGlobalWarningDisplay(self._shows)
 
 
 def words(text):

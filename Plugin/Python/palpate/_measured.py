@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import _filters
+from . import _arrays, _filters
 from ._bodies import as_body
-from ._response import _count, _number, _text, _tool
+from ._response import _count, _text, _tool
 
 MODELS = ("half-space", "compliance", "layer")
 
@@ -58,12 +58,12 @@ def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_
     if model is not None and model not in MODELS:
         raise ValueError("model must be one of %s, or None, but is %r" % (", ".join(map(repr, MODELS)), model))
     made.SetBodyModel(0 if model is None else 1 + MODELS.index(model))
-    made.SetPoissonRatio(_number(poisson, "poisson"))
-    made.SetMaximumStrain(_number(maximum_strain, "maximum_strain"))
-    made.SetReach(_number(reach, "reach (mm)"))
+    made.SetPoissonRatio(_arrays.number(poisson, "poisson"))
+    made.SetMaximumStrain(_arrays.number(maximum_strain, "maximum_strain"))
+    made.SetReach(_arrays.number(reach, "reach (mm)"))
     if registration is not None:
         made.SetRegistrationFile(_text(os.fspath(registration), "registration"))
-    made.SetMaximumDeflection(_number(maximum_deflection, "maximum_deflection (mm)"))
+    made.SetMaximumDeflection(_arrays.number(maximum_deflection, "maximum_deflection (mm)"))
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
     _filters.run(made, others=[tool])

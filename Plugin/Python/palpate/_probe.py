@@ -122,7 +122,7 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
     tips = _as_tips(tips, path, time, axis, coupled)
     if tips.GetNumberOfPoints() == 0:
         raise ValueError("there are no tips to probe")
-    friction = float(friction)
+    friction = _arrays.number(friction, "friction")
     if friction != 0.0 and tips.GetNumberOfLines() == 0:
         raise ValueError("friction acts along a path only: give path=True")
     with _prepared(body, name) as felt:
@@ -131,11 +131,11 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         felt.SetForceForm(_choose("force_form", force_form))
         felt.SetContactSurface(_choose("surface", surface))
         felt.SetFrictionCoefficient(friction)
-        felt.SetTangentialStiffness(tangential_stiffness)
-        felt.SetFrictionBreakaway(friction_breakaway)
-        felt.SetFrictionStickRadius(friction_stick_radius)
-        felt.SetPoissonRatio(poisson)
-        felt.SetIndentation(indentation)
+        felt.SetTangentialStiffness(_arrays.number(tangential_stiffness, "tangential_stiffness"))
+        felt.SetFrictionBreakaway(_arrays.number(friction_breakaway, "friction_breakaway"))
+        felt.SetFrictionStickRadius(_arrays.number(friction_stick_radius, "friction_stick_radius"))
+        felt.SetPoissonRatio(_arrays.number(poisson, "poisson"))
+        felt.SetIndentation(_arrays.number(indentation, "indentation"))
         felt.SetRelaxationElements(relaxation_elements)
         felt.SetCoupled(bool(coupled))
         points = _filters.run(felt).GetOutput().GetPointData()

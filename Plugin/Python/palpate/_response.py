@@ -88,22 +88,22 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made.SetInputData(given)
     tool = _tool(tool)
     made.SetTool(tool)
-    made.SetMaximumDeflection(_number(maximum_deflection, "maximum_deflection (mm)"))
+    made.SetMaximumDeflection(_arrays.number(maximum_deflection, "maximum_deflection (mm)"))
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
     made.SetCurvatureCorrection(bool(curvature))
     made.SetEdgeCorrection(bool(edges))
-    made.SetMaximumTilt(_number(tilt, "tilt (degrees)"))
+    made.SetMaximumTilt(_arrays.number(tilt, "tilt (degrees)"))
     made.SetCoupling(bool(coupling))
     _set_relaxation(made, given, relax)
     made.SetComplianceRelaxes(bool(compliance_relaxes))
     _set_strain(made, strain)
-    tolerance = _number(error_tolerance, "error_tolerance")
+    tolerance = _arrays.number(error_tolerance, "error_tolerance")
     made.SetErrorTolerance(tolerance)
     if automatic is not None and automatic is not False:
         made.AutomaticTermsOn()
         if automatic is not True:
-            made.SetTermTolerance(_number(automatic, "automatic"))
+            made.SetTermTolerance(_arrays.number(automatic, "automatic"))
     return _filters.run(made, others=[tool]).GetOutput()
 
 
@@ -120,8 +120,8 @@ def _set_relaxation(made, body, relax):
             strength = _arrays.to_numpy(body.GetPointData().GetArray(name))
         varies = np.ndim(strength) > 0
         strengths.append(_arrays.reals(strength, what + ": strength", (count,)) if varies
-                         else _number(strength, what + ": strength"))
-        made.AddRelaxation(0.0 if varies else strengths[-1], _number(seconds, what + ": seconds"))
+                         else _arrays.number(strength, what + ": strength"))
+        made.AddRelaxation(0.0 if varies else strengths[-1], _arrays.number(seconds, what + ": seconds"))
     if any(np.ndim(strength) > 0 for strength in strengths):
         local = np.column_stack([np.broadcast_to(strength, (count,)) for strength in strengths]).astype(float)
         body.GetPointData().AddArray(_arrays.to_vtk(local, "RelaxationStrength"))
@@ -134,9 +134,9 @@ def _set_strain(made, strain):
         raise ValueError("strain must be one of %s, but is %r" % (", ".join(map(repr, STRAINS)), name))
     made.SetStrainModel(STRAINS[name])
     if name == "ogden":
-        made.SetOgdenExponent(_number(parameter, "strain: the exponent of 'ogden'"))
+        made.SetOgdenExponent(_arrays.number(parameter, "strain: the exponent of 'ogden'"))
     if name == "demiray":
-        made.SetDemirayExponent(_number(parameter, "strain: the exponent of 'demiray'"))
+        made.SetDemirayExponent(_arrays.number(parameter, "strain: the exponent of 'demiray'"))
 
 
 class Regime(NamedTuple):
@@ -178,7 +178,7 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
         tool = _tool(tool)
         found.SetTool(tool)
     if deflection is not None:
-        depth = _number(deflection, "deflection (mm)")
+        depth = _arrays.number(deflection, "deflection (mm)")
         if not depth > 0:
             raise ValueError("deflection must be positive (mm), but is %g" % depth)
         found.SetDeflection(depth)
@@ -191,8 +191,8 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
     """Sets the material; returns the body with the given arrays."""
     if isinstance(base, (tuple, list)) and len(base) == 3 and base[0] == "elastic":
         algorithm.SetLayerBase(vtkToolContactResponse.ElasticBase)
-        algorithm.SetBaseYoungsModulus(_number(base[1], "base: young (MPa)"))
-        algorithm.SetBasePoissonRatio(_number(base[2], "base: poisson"))
+        algorithm.SetBaseYoungsModulus(_arrays.number(base[1], "base: young (MPa)"))
+        algorithm.SetBasePoissonRatio(_arrays.number(base[2], "base: poisson"))
     elif base not in BASES:
         raise ValueError("base must be 'bonded', 'slip' or ('elastic', young, poisson), but is %r" % (base,))
     else:
@@ -209,7 +209,7 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
         if value is None and setter in (None, algorithm.SetLayerThickness):
             continue
         if np.ndim(value) == 0 and not isinstance(value, str):
-            value = _number(value, argument)
+            value = _arrays.number(value, argument)
             if setter is not None:
                 setter(value)
                 continue
@@ -247,8 +247,8 @@ def _add_layers(algorithm, layers):
         thickness = layer[0]
         if i == 0 and (isinstance(thickness, str) or np.ndim(thickness) > 0):
             second, thickness = thickness, 1.0
-        algorithm.AddLayer(_number(thickness, what + " (mm)"), _number(layer[1], what + ": young (MPa)"),
-                           _number(layer[2], what + ": poisson"), bool(layer[3]) if len(layer) == 4 else False)
+        algorithm.AddLayer(_arrays.number(thickness, what + " (mm)"), _arrays.number(layer[1], what + ": young (MPa)"),
+                           _arrays.number(layer[2], what + ": poisson"), bool(layer[3]) if len(layer) == 4 else False)
     return second
 
 
@@ -262,13 +262,6 @@ def _tool(tool):
     if listener.errors:
         raise ValueError(listener.errors[0])
     return made
-
-
-def _number(value, argument):
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise TypeError("%s must be a number, but is %r" % (argument, value)) from None
 
 
 def _count(value, argument):

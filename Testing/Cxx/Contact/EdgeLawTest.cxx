@@ -29,6 +29,16 @@ double distance(double x, double y)
 }
 } // namespace
 
+/// Between the ratios of the table as Hetényi's quarter space has it: 1/ψ = 0.809 - 0.890 ν to 0.15
+/// % from ν = 0.3 on.
+TEST(EdgeLaw, PointLoadSoftnessBetweenTheTablesRatios)
+{
+  for (const double nu : { 0.32, 0.36, 0.4, 0.43, 0.47 })
+  {
+    EXPECT_NEAR(palpate::pointLoadSoftness(nu) * (0.809 - 0.890 * nu), 1.0, 0.002) << nu;
+  }
+}
+
 /// The forces of the table were computed for themselves, W and the side force from the pressure.
 TEST(EdgeLaw, ForceAndSideForceAreThoseOfAQuarterSpace)
 {

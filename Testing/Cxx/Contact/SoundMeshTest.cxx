@@ -6,6 +6,7 @@
 #include "Contact/TriangleTree.h"
 #include "SampleBodies.h"
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -174,6 +175,11 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
   EXPECT_EQ(all.packed().defects().borderEdges, 0U);
   EXPECT_NEAR(signedDistance(all, { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
   EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // at a wall
+  for (const Surface& each : { all, reversed(all) }) // with corners of its own for each triangle
+  {
+    EXPECT_EQ(repaired(triangleSoup(each)).fault(), "");
+    EXPECT_NEAR(signedDistance(triangleSoup(each), { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
+  }
   // A cavity flush with the surface is a notch.
   Surface united = all;
   united.triangles.assign(mesh.triangles().begin(), mesh.triangles().end());
@@ -189,6 +195,47 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
     ::testing::HasSubstr("overlap or touch"));
 }
 
+/// However the parts are turned and cut, and though a triangle is missing.
+TEST(SoundMesh, PartsThatOverlapOrTouchAreRefused)
+{
+  std::mt19937 random(6);
+  std::normal_distribution<double> any;
+  Surface ball = icosphere(25.0, 3);
+  ball.triangles.pop_back();
+  struct Pair
+  {
+    Surface one;
+    Surface other;
+    Vector3 by;
+    bool isSound;
+  };
+  const Pair pairs[] = { { block(40, 4, 4), block(4, 40, 4), { 18, -18, 0 },
+                           false }, // bars that cross
+    { block(40, 40, 40), block(40, 40, 40), { 34, 34, 34 }, false },
+    { block(10, 10, 10), block(10, 10, 10), { 10, 2, 1 }, false },
+    { block(10, 10, 10), block(2, 2, 2), { 4, 4, 10 }, false },
+    { icosphere(25.0, 3), icosphere(25.0, 3), { 48, 0, 0 }, false },
+    { ball, icosphere(25.0, 3), { 30, 0, 0 }, false },
+    { block(10, 10, 10), block(10, 10, 10), { 10.01, 2, 1 }, true },
+    { icosphere(25.0, 3), icosphere(25.0, 3), { 50.5, 0, 0 }, true } };
+  for (const Pair& pair : pairs)
+  {
+    for (int turn = 0; turn < 12; ++turn)
+    {
+      Surface both = together(pair.one, pair.other, pair.by);
+      const Eigen::Quaterniond rotation = turn == 0
+        ? Eigen::Quaterniond::Identity()
+        : Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
+      for (Vector3& point : both.points)
+      {
+        point = rotation * point;
+      }
+      EXPECT_EQ(repaired(both).fault().empty(), pair.isSound)
+        << pair.by.transpose() << ", turn " << turn;
+    }
+  }
+}
+
 TEST(SoundMesh, SheetsInsideASolidAreLeftOut)
 {
   const Surface ball = icosphere(20.0, 3);
@@ -197,6 +244,10 @@ TEST(SoundMesh, SheetsInsideASolidAreLeftOut)
   EXPECT_EQ(mesh.fault(), "");
   EXPECT_EQ(mesh.defects().hiddenTriangles, sheet.triangles.size());
   EXPECT_EQ(mesh.defects().repeatedTriangles, 0U);
+  Surface pierced = ball;
+  pierced.triangles.pop_back();
+  EXPECT_EQ(repaired(together(pierced, sheet, { -4, -4, 17 })).defects().hiddenTriangles,
+    sheet.triangles.size());
   // One that comes out of the ball stays, as does one in an open bowl.
   EXPECT_EQ(repaired(together(ball, sheet, { 15, -4, 0 })).defects().hiddenTriangles, 0U);
   EXPECT_EQ(

@@ -7,7 +7,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <vector>
 
 using namespace palpate;
 using Eigen::Vector3d;
@@ -297,4 +299,67 @@ TEST(SurfaceCurvature, AContactAveragesNoise)
   const Outcome contact = judge(sphere(15.0), 110, 30, 0.05, 3.0);
   EXPECT_LT(contact.medianTrue, 0.3 * facets.medianTrue);
   EXPECT_LT(contact.medianStated, 0.5 * facets.medianStated);
+}
+
+/// What a sharp edge turns by is no curvature of its faces: a drum has that of its mantle, and none
+/// on its flat ends, up to the rim.
+TEST(SurfaceCurvature, FacesEndAtSharpEdges)
+{
+  constexpr double radius = 20.0;
+  constexpr int around = 120;
+  constexpr int rings = 20; // of an end, 1 mm wide; and of the mantle
+  std::vector<double> points;
+  std::vector<std::int32_t> triangles;
+  const auto ringAt = [&](double r, double z)
+  {
+    for (int k = 0; k < around; ++k)
+    {
+      const double turn = 2.0 * Pi * k / around;
+      points.insert(points.end(), { r * std::cos(turn), r * std::sin(turn), z });
+    }
+  };
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    ringAt(radius * ring / rings, 10.0);
+  }
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    ringAt(radius, 10.0 - ring);
+  }
+  for (int ring = 0; ring + 1 < 2 * rings; ++ring)
+  {
+    for (int k = 0; k < around; ++k)
+    {
+      const int a = ring * around + k;
+      const int b = ring * around + (k + 1) % around;
+      triangles.insert(triangles.end(), { a, a + around, b, b, a + around, b + around });
+    }
+  }
+  const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
+    triangles.size() / 3 };
+  std::vector<float> normals; // at the rim between both faces
+  for (std::size_t i = 0; i < surface.pointCount; ++i)
+  {
+    const auto ring = static_cast<int>(i) / around + 1;
+    const Vector3d out(points[3 * i], points[3 * i + 1], 0.0);
+    const Vector3d normal = (ring <= rings ? 1.0 : 0.0) * Vector3d::UnitZ() +
+      (ring >= rings ? 1.0 : 0.0) * out.normalized();
+    for (const double x :
+      { normal.normalized().x(), normal.normalized().y(), normal.normalized().z() })
+    {
+      normals.push_back(static_cast<float>(x));
+    }
+  }
+  for (const int steps : { 0, 4 })
+  {
+    const SurfaceCurvature found = SurfaceCurvature::ofFaces(surface, normals.data(), steps);
+    for (std::size_t i = around; i + around < surface.pointCount; ++i)
+    {
+      const auto ring = static_cast<int>(i) / around + 1;
+      const double mean = ring < rings ? 0.0 : ring == rings ? 0.25 / radius : 0.5 / radius;
+      const SpotCurvature at = found.at(i);
+      // Facets of 1 mm on 20: 0.1 % of a curvature. Normals are float32.
+      EXPECT_NEAR(at.mean(), mean, 0.002 / radius) << ring << ", " << steps;
+    }
+  }
 }

@@ -9,9 +9,11 @@
 #include "vtkMassProperties.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 using namespace palpate::testing;
@@ -180,6 +182,69 @@ void checkRepeatedCellsAndRoundedPoints()
   PALPATE_CHECK(made.filter->GetOutput()->GetNumberOfPolys() == 6 * Cells * Cells * 2);
 }
 
+/// Voxels whose sides lie along no axis, and those of a grid that is bent around an axis until it
+/// meets itself, but for rounding; a grid with one cell inside out is refused.
+void checkTurnedAndClosedGrids()
+{
+  constexpr double Pi = 3.14159265358979323846;
+  const auto bent = [](double width)
+  {
+    constexpr int around = 24;
+    auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+    grid->SetDimensions(around + 1, 2, 2);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (int k = 0; k < 2; ++k)
+    {
+      for (int j = 0; j < 2; ++j)
+      {
+        for (int i = 0; i <= around; ++i)
+        {
+          const double turn = 2.0 * Pi * i / around;
+          const double r = 10.0 + width * j;
+          points->InsertNextPoint(r * std::cos(turn), r * std::sin(turn), 10.0 * k);
+        }
+      }
+    }
+    grid->SetPoints(points);
+    return grid;
+  };
+  Made ring(bent(5.0));
+  PALPATE_CHECK(ring.messages.none());
+  PALPATE_CHECK(ring.filter->GetOutput()->GetNumberOfPolys() == 24 * 4 * 2);
+  const auto broken = bent(5.0);
+  std::array<double, 3> at{};
+  for (const vtkIdType inner : { 3, 53 }) // of both layers
+  {
+    broken->GetPoints()->GetPoint(inner, at.data());
+    broken->GetPoints()->SetPoint(inner, 3.0 * at[0], 3.0 * at[1], at[2]); // past the outer side
+  }
+  Made refused(broken);
+  PALPATE_CHECK_TEXT(refused.messages.errors(), "cells are inverted, the first is cell");
+
+  const Grid voxels = gridWithPoints();
+  vtkPoints* points = voxels->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->GetPoint(i, at.data());
+    points->SetPoint(i, std::cos(0.3) * at[0] - std::sin(0.3) * at[1],
+      std::sin(0.3) * at[0] + std::cos(0.3) * at[1], at[2]);
+  }
+  for (int cell = 0; cell < Cells * Cells * Cells; ++cell)
+  {
+    vtkIdType corners[8];
+    for (int c = 0; c < 8; ++c)
+    {
+      corners[c] = pointId(cell % Cells + (c & 1), cell / Cells % Cells + (c >> 1 & 1),
+        cell / (Cells * Cells) + (c >> 2));
+    }
+    voxels->InsertNextCell(VTK_VOXEL, 8, corners);
+  }
+  Made turned(voxels);
+  PALPATE_CHECK(turned.messages.none());
+  PALPATE_CHECK(turned.filter->GetOutput()->GetNumberOfPolys() == 6 * Cells * Cells * 2);
+}
+
 /// A cube of a wedge and a hexahedron with a pyramid on top: 1000/2 + 1000 + 1000/3 mm³.
 void checkMixedCells()
 {
@@ -312,6 +377,7 @@ int TestBodyVolumes(int, char*[])
   checkCellsOfFewerDimensions();
   checkSeveralBlocks();
   checkRepeatedCellsAndRoundedPoints();
+  checkTurnedAndClosedGrids();
   checkMixedCells();
   checkInvertedCells();
   checkPolygons();

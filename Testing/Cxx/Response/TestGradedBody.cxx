@@ -347,7 +347,7 @@ void checkHeldSides()
   {
     Place at{};
     grid->GetPoint(i, at.data());
-    const bool isHeld = at[2] < 1.0 || at[0] > 5.0;
+    const bool isHeld = at[2] < 1e-9 || at[0] > 6.0 - 1e-9;
     PALPATE_CHECK(grid->GetPointData()->GetArray("Fixed")->GetTuple1(i) == (isHeld ? 7 : 0));
   }
 }

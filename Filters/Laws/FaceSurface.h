@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_FaceSurface_h
+#define palpate_FaceSurface_h
+
+#include "Laws/LinkedSurface.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// A surface cut along its sharp edges (CreaseCut): a point on an edge occurs once for each face
+/// that meets there, with the normal of that face. Copies come after the given points.
+class FaceSurface
+{
+public:
+  /// `normals`: 3 floats per point, unit length.
+  FaceSurface(const TriangleSpans& surface, const float* normals);
+
+  TriangleSpans spans() const
+  {
+    return { this->Points.data(), this->PointOf.size(), this->Triangles.data(),
+      this->Triangles.size() / 3 };
+  }
+  const std::vector<float>& normals() const noexcept { return this->Normals; }
+  /// The given point of which a point is a copy; of a given one itself.
+  std::int32_t pointOf(std::size_t point) const noexcept { return this->PointOf[point]; }
+
+private:
+  void cut(const LinkedSurface& surface);
+  void findNormals(const LinkedSurface& surface);
+
+  std::vector<double> Points;
+  std::vector<std::int32_t> Triangles;
+  std::vector<float> Normals;
+  std::vector<std::int32_t> PointOf;
+  std::vector<bool> IsCut; ///< by point: it is on an edge
+};
+} // namespace palpate
+
+#endif
