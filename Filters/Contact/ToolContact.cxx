@@ -148,7 +148,7 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
   }
   if (this->isAtEdges(found))
   {
-    return this->feelEdges(place);
+    return this->feelEdges(place, outcome == ContactTracker::Outcome::Inside);
   }
   if (outcome != ContactTracker::Outcome::Inside)
   {
@@ -227,9 +227,19 @@ EdgeEffect ToolContact::onNearestFace(ContactPlace& place) noexcept
   return effect;
 }
 
-Contact ToolContact::feelEdges(ContactPlace& place) noexcept
+Contact ToolContact::feelEdges(ContactPlace& place, bool isInside) noexcept
 {
-  const EdgeEffect effect = this->onNearestFace(place);
+  const ContactPlace closest = place;
+  EdgeEffect effect = this->onNearestFace(place);
+  if (isInside && !(effect.depth > 0.0 && effect.share > 0.0))
+  {
+    // In thin parts and between bumps planes of other faces end above a tip that is in the body.
+    place = closest.isSmooth ? closest
+                             : EnergyGradient::onFacet(this->Body.surface, this->LastTip, closest);
+    this->sink(place);
+    effect = {};
+    effect.depth = -closest.signedDistance - this->Sunk;
+  }
   if (!(effect.depth > 0.0) && effect.depth + this->Sunk > 0.0 && effect.share > 0.0)
   {
     return this->end(ContactState::None); // under the tool, and not up to it
@@ -241,9 +251,11 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
     return this->end(ContactState::None);
   }
   place.signedDistance = -effect.depth;
-  // Beyond the edge the contact point is on the plane of the face, which goes on there.
-  place.projection.point =
-    this->LastTip + place.normal.dot(place.projection.point - this->LastTip) * place.normal;
+  if (place.onCrease) // beyond the edge: on the plane of the face, which goes on there
+  {
+    place.projection.point =
+      this->LastTip + place.normal.dot(place.projection.point - this->LastTip) * place.normal;
+  }
   const BlendedResponse response(
     this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
   Contact result;

@@ -3,7 +3,9 @@
 
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/Edges/CreaseCut.h"
+#include "Laws/SurfaceCurvature.h"
 
+#include <array>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -94,5 +96,32 @@ void FaceSurface::findNormals(const LinkedSurface& surface)
         sums[i].normalized().cast<float>();
     }
   }
+}
+
+SurfaceCurvature SurfaceCurvature::ofFaces(
+  const TriangleSpans& surface, const float* normals, int steps)
+{
+  const FaceSurface faces(surface, normals);
+  SurfaceCurvature found(faces.spans(), faces.normals().data(), steps);
+  std::vector<std::array<float, 3>> sums(surface.pointCount, { 0.0F, 0.0F, 0.0F });
+  std::vector<float> count(surface.pointCount, 0.0F);
+  for (std::size_t i = 0; i < found.Found.size(); ++i)
+  {
+    const auto point = static_cast<std::size_t>(faces.pointOf(i));
+    count[point] += 1.0F;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sums[point][k] += found.Found[i][k];
+    }
+  }
+  for (std::size_t point = 0; point < sums.size(); ++point)
+  {
+    for (float& value : sums[point])
+    {
+      value /= count[point];
+    }
+  }
+  found.Found = std::move(sums);
+  return found;
 }
 } // namespace palpate

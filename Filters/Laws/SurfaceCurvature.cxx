@@ -2,13 +2,11 @@
 #include "Laws/SurfaceCurvature.h"
 
 #include "Contact/ParallelRanges.h"
-#include "Laws/FaceSurface.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace palpate
 {
@@ -385,32 +383,5 @@ SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* no
         RoughOfAverage * roughness(i) / (1.0 + steps) + change + OfSpread * spread +
           OfCurvature * matrix.norm());
   }
-}
-
-SurfaceCurvature SurfaceCurvature::ofFaces(
-  const TriangleSpans& surface, const float* normals, int steps)
-{
-  const FaceSurface faces(surface, normals);
-  SurfaceCurvature found(faces.spans(), faces.normals().data(), steps);
-  std::vector<std::array<float, 3>> sums(surface.pointCount, { 0.0F, 0.0F, 0.0F });
-  std::vector<float> count(surface.pointCount, 0.0F);
-  for (std::size_t i = 0; i < found.Found.size(); ++i)
-  {
-    const auto point = static_cast<std::size_t>(faces.pointOf(i));
-    count[point] += 1.0F;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sums[point][k] += found.Found[i][k];
-    }
-  }
-  for (std::size_t point = 0; point < sums.size(); ++point)
-  {
-    for (float& value : sums[point])
-    {
-      value /= count[point];
-    }
-  }
-  found.Found = std::move(sums);
-  return found;
 }
 } // namespace palpate

@@ -24,14 +24,14 @@ void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
   {
     const double upright = curves.upright().evaluate(static_cast<std::int32_t>(i), depth).force;
     const double tilted = curves.at(i, depth, terms.largest).force;
-    return tiltError({ tool.contactRadius(depth) / thickness,
+    return tiltError({ thickness > 0.0 ? tool.contactRadius(depth) / thickness : 0.0,
       upright > 0.0 ? tilted / upright : 1.0, terms.dropScale * drop / depth });
   };
   const auto samples = static_cast<std::size_t>(arrays.samples);
   const auto limit = [&](std::size_t i)
   {
     const double thickness = spots.at(i).thickness;
-    if (!arrays.isUsable(i) || !(thickness > 0.0))
+    if (!arrays.isUsable(i))
     {
       return;
     }

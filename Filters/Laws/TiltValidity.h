@@ -20,9 +20,9 @@ struct TrustSpans
 
 /**
  * Includes the error of tilts up to the largest of the table: that of the equivalent profile on a
- * layer (tiltError), at each sample's contact radius on a half-space. The error is the larger of it
- * and that of the upright law; validity ends where it exceeds `tolerance` (> 0), and is then
- * limited by Tilt. Nothing changes on a half-space.
+ * layer, and that of the table on a half-space (tiltError), at each sample's contact radius on a
+ * half-space. The error is the larger of it and that of the upright law; validity ends where it
+ * exceeds `tolerance` (> 0), and is then limited by Tilt.
  *
  * `arrays` is the response with its tilts, `spots` its material. The same bits for any number of
  * threads.

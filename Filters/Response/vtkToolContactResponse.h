@@ -224,8 +224,7 @@ public:
    * (float, mm); and where the body has a point array `CouplingModes` (vtkElasticCompliance) and
    * a global compliance, `<name>CouplingModes` (float, √(mm/N)), scaled down where they would give
    * way more than the response does. Layers must be everywhere or nowhere, a second layer of one
-   * thickness; Poisson's ratio is that between its least and
-   * its largest. Default off.
+   * thickness; Poisson's ratio is that between its least and its largest. Default off.
    */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);

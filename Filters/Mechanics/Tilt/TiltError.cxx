@@ -6,13 +6,29 @@
 
 namespace palpate
 {
+namespace
+{
+/// Of the table of tilts itself.
+double tableError(const TiltedLayer& contact) noexcept
+{
+  constexpr double wholeEnd = 1.0 / 3.0; // up to this drop a flat end touches as a whole
+  constexpr double asIfUpright = 1e-9;
+  if (contact.rim > wholeEnd)
+  {
+    return contact.rim > 1.0 ? 0.03 : 0.02;
+  }
+  return contact.rim > 0.0 || contact.stretch > 1.0 + asIfUpright ? 0.005 : 0.0;
+}
+} // namespace
+
 double tiltError(const TiltedLayer& contact) noexcept
 {
   const double stretch = std::max(1.0, contact.stretch);
   const double radius = contact.radius * std::sqrt(stretch);
   const double cube = radius * radius * radius;
   const double square = contact.rim * contact.rim;
-  return cube / (cube + 0.22) *
+  const double ofLayer = cube / (cube + 0.22) *
     std::max(0.36 * (1.0 - std::pow(stretch, -1.2)), 0.18 * square / (1.0 + square));
+  return std::max(ofLayer, tableError(contact));
 }
 } // namespace palpate

