@@ -102,7 +102,8 @@ Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
   const Vector3 out = this->wayOut(place);
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
-    result.normal = place.onBorder ? outward(place.normal, out).normalized() : place.normal;
+    const bool isAgainst = place.onBorder && place.normal.dot(out) < 0.0;
+    result.normal = isAgainst ? outward(place.normal, out).normalized() : place.normal;
     result.force = EnergyGradient::force(result.normalForce, result.normal,
       this->weightGradients(place), this->energies(response, result.deflection));
     return result.force.allFinite();
