@@ -148,7 +148,7 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
   }
   if (this->isAtEdges(found))
   {
-    return this->feelEdges(place, outcome == ContactTracker::Outcome::Inside);
+    return this->feelEdges(place);
   }
   if (outcome != ContactTracker::Outcome::Inside)
   {
@@ -227,19 +227,9 @@ EdgeEffect ToolContact::onNearestFace(ContactPlace& place) noexcept
   return effect;
 }
 
-Contact ToolContact::feelEdges(ContactPlace& place, bool isInside) noexcept
+Contact ToolContact::feelEdges(ContactPlace& place) noexcept
 {
-  const ContactPlace closest = place;
-  EdgeEffect effect = this->onNearestFace(place);
-  if (isInside && !(effect.depth > 0.0 && effect.share > 0.0))
-  {
-    // In thin parts and between bumps planes of other faces end above a tip that is in the body.
-    place = closest.isSmooth ? closest
-                             : EnergyGradient::onFacet(this->Body.surface, this->LastTip, closest);
-    this->sink(place);
-    effect = {};
-    effect.depth = -closest.signedDistance - this->Sunk;
-  }
+  const EdgeEffect effect = this->onNearestFace(place);
   if (!(effect.depth > 0.0) && effect.depth + this->Sunk > 0.0 && effect.share > 0.0)
   {
     return this->end(ContactState::None); // under the tool, and not up to it

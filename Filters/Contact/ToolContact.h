@@ -129,9 +129,8 @@ private:
   /// What memory makes of the slow response there.
   void relax(const ContactPlace& place, const BlendedResponse& response, const ResponseValue& slow,
     Contact& result) noexcept;
-  /// The force where sharp edges are near, or beyond one (BodyEdges). `isInside`: the place is the
-  /// closest one.
-  Contact feelEdges(ContactPlace& place, bool isInside) noexcept;
+  /// The force where sharp edges are near, or beyond one (BodyEdges).
+  Contact feelEdges(ContactPlace& place) noexcept;
   EdgeEffect edgeEffect(ContactPlace& place) const noexcept;
   /// The same; the contact goes over to the face across a blunt edge, where that is nearer.
   EdgeEffect onNearestFace(ContactPlace& place) noexcept;

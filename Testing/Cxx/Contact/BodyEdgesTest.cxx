@@ -482,43 +482,4 @@ TEST(BodyEdges, TipsThatAreNoPlaceOrLeap)
   }
 }
 
-/// In thin parts and between bumps, whose faces' planes end above the tip: inside a closed body
-/// each single tip feels something.
-TEST(BodyEdges, EachTipInsideIsInContact)
-{
-  std::mt19937 random(3);
-  std::normal_distribution<double> any;
-  Surface bumpy = icosphere(10.0, 3);
-  for (Vector3& point : bumpy.points)
-  {
-    point *= 1.0 + 0.1 * std::clamp(any(random), -2.0, 2.0);
-  }
-  Surface thin = bumpy;
-  for (Vector3& point : thin.points)
-  {
-    point.z() *= 0.05;
-  }
-  for (const Surface& surface : { bumpy, thin })
-  {
-    const auto body = uniformBody(surface, sphereOverEdges());
-    for (const ContactSettings& settings : allFormsAndSurfaces())
-    {
-      int inside = 0;
-      for (int i = 0; i < 3000; ++i)
-      {
-        const auto near = static_cast<std::size_t>(random()) % surface.points.size();
-        const Vector3 tip = (0.6 + 0.4 * std::abs(std::sin(i))) * surface.points[near] +
-          0.1 * Vector3(any(random), any(random), 0.05 * any(random));
-        const SurfacePoint closest = body->tree.closest(tip);
-        if (closest.signedDistance < -1e-6 && closest.projection.feature == TriangleFeature::Face)
-        {
-          ++inside;
-          EXPECT_GT(ToolContact(*body, settings).update(tip).normalForce, 0.0)
-            << tip.transpose() << (surface.points.front() == thin.points.front() ? ", thin" : "");
-        }
-      }
-      EXPECT_GT(inside, 1000);
-    }
-  }
-}
 } // namespace palpate::testing
