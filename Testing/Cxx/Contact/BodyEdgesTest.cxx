@@ -481,5 +481,4 @@ TEST(BodyEdges, TipsThatAreNoPlaceOrLeap)
     }
   }
 }
-
 } // namespace palpate::testing
