@@ -109,8 +109,7 @@ private:
       }
       return;
     }
-    const auto seed = static_cast<std::size_t>(this->Order[part.first]);
-    if (part.isEmpty() || this->Triangles[seed][0] < 0)
+    if (!this->isKept(part))
     {
       return;
     }
@@ -125,6 +124,13 @@ private:
     {
       this->forTriangles(part, [](TriangleCorners& corners) { std::swap(corners[1], corners[2]); });
     }
+  }
+
+  /// Neither empty nor a copy.
+  bool isKept(const Part& part) const
+  {
+    const auto seed = static_cast<std::size_t>(this->Order[part.first]);
+    return !part.isEmpty() && this->Triangles[seed][0] >= 0;
   }
 
   template <class Visit>
@@ -305,8 +311,7 @@ private:
     Vector3 squares = Vector3::Zero();
     for (std::size_t i = 0; i < this->All.size(); ++i)
     {
-      const auto seed = static_cast<std::size_t>(this->Order[this->All[i].first]);
-      if (!this->All[i].isEmpty() && this->Triangles[seed][0] >= 0)
+      if (this->isKept(this->All[i]))
       {
         parts.push_back(i);
         const Vector3 centre = this->All[i].box.center();
@@ -316,12 +321,9 @@ private:
     }
     Eigen::Index axis = 0;
     (static_cast<double>(parts.size()) * squares - sum.cwiseAbs2()).maxCoeff(&axis);
-    std::sort(parts.begin(), parts.end(),
+    std::stable_sort(parts.begin(), parts.end(),
       [&](std::size_t a, std::size_t b)
-      {
-        return std::pair(this->All[a].box.min()[axis], a) <
-          std::pair(this->All[b].box.min()[axis], b);
-      });
+      { return this->All[a].box.min()[axis] < this->All[b].box.min()[axis]; });
     std::vector<std::size_t> open; // those that reach the current one
     for (const std::size_t i : parts)
     {
