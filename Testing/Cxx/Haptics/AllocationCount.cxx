@@ -14,10 +14,15 @@ namespace
 {
 thread_local long Count = 0;
 
-void* allocate(std::size_t size)
+void* allocateOrNull(std::size_t size) noexcept
 {
   ++Count;
-  void* memory = std::malloc(size > 0 ? size : 1);
+  return std::malloc(size > 0 ? size : 1);
+}
+
+void* allocate(std::size_t size)
+{
+  void* memory = allocateOrNull(size);
   if (!memory)
   {
     throw std::bad_alloc();
@@ -61,10 +66,15 @@ bool countsMalloc() noexcept
 }
 } // namespace palpate::testing
 
-// The array and nothrow forms of the standard library call these.
+// The array forms of the standard library call these. A sanitizer has nothrow forms of its own,
+// whose memory may not go to this delete: sorting with a buffer mixes them.
 void* operator new(std::size_t size)
 {
   return allocate(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return allocateOrNull(size);
 }
 void* operator new(std::size_t size, std::align_val_t alignment)
 {
@@ -83,6 +93,11 @@ void operator delete(void* memory, std::align_val_t) noexcept
   release(memory);
 }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
+{
+  release(memory);
+}
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept
 {
   release(memory);
 }
