@@ -209,7 +209,7 @@ void ContactField::press(const AxisymmetricTool& tool, const FieldTriangle& tria
   else if (!kernel || kernel->stack() || kernel->poissonsRatio() != poissonRatio ||
     kernel->base() != triangle.base)
   {
-    kernel = std::make_shared<const LayerKernel>(poissonRatio, triangle.base);
+    kernel = LayerKernel::shared(poissonRatio, triangle.base);
   }
   auto layer = std::make_shared<const LayerContact>(tool, kernel, thickness);
   if (deflection > layer->deepest())

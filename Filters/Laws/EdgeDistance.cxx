@@ -4,6 +4,7 @@
 #include "Laws/LinkedSurface.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/SegmentDistance.h"
+#include "Mechanics/SharedWork.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -67,6 +68,23 @@ double widthOf(const LinkedSurface& surface)
     std::max(0.0,
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly)
         .eigenvalues()[1]));
+}
+
+/// The contact radii (mm) for which edges are found, from the finest cells to the coarsest.
+std::vector<double> cellRadii(const LinkedSurface& surface, double contactRadius, double reach)
+{
+  const double width = widthOf(surface);
+  std::vector<double> radii{ contactRadius };
+  for (;;)
+  {
+    const double cell = edgeCell(surface, radii.back());
+    const double next = Coarser * cell;
+    if (CellsAway * cell >= reach || next > LargestCell * width)
+    {
+      return radii;
+    }
+    radii.push_back(next);
+  }
 }
 
 /// Propagates sides outwards over the surface; each point passes on its nearest one.
@@ -156,25 +174,24 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
 {
   const LinkedSurface linked(surface);
   const SideSpread spread(linked);
-  const double width = widthOf(linked);
+  const std::vector<double> radii = cellRadii(linked, contactRadius, reach);
+  std::vector<SurfaceEdges> found(radii.size());
+  shareWork(radii.size(), [&](std::size_t i) { found[i] = findEdges(linked, radii[i]); });
   double inner = 0.0; // mm: nearer edges were searched with finer cells
-  double radius = contactRadius;
-  for (bool isLast = false; !isLast;)
+  for (const SurfaceEdges& edges : found)
   {
-    const SurfaceEdges edges = findEdges(linked, radius);
-    radius = Coarser * edges.cell;
-    isLast = CellsAway * edges.cell >= reach || radius > LargestCell * width;
+    const bool isLast = &edges == &found.back();
     const double outer = isLast ? reach : CellsAway * edges.cell;
     const auto takeStronger = [this, inner](std::size_t point, const SurfaceSide& side, float away)
     {
-      NearEdge& found = this->Found[point];
+      NearEdge& nearest = this->Found[point];
       const double distance = std::max(static_cast<double>(away), inner);
-      if (sharpnessOf(side.turn) * static_cast<double>(found.distance) >
-        sharpnessOf(found.turn) * distance)
+      if (sharpnessOf(side.turn) * static_cast<double>(nearest.distance) >
+        sharpnessOf(nearest.turn) * distance)
       {
-        found.distance = static_cast<float>(distance);
-        found.turn = side.turn;
-        found.isSharp = side.isSharp;
+        nearest.distance = static_cast<float>(distance);
+        nearest.turn = side.turn;
+        nearest.isSharp = side.isSharp;
       }
     };
     // Sharp edges and blunt ones are searched separately, so that a nearer blunt one hides none.

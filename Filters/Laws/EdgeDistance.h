@@ -34,7 +34,8 @@ struct NearEdge
  * The search runs along the surface, no farther than `reach`, and skips an edge more than 15° above
  * the point's tangent plane: there is body below it, as at the foot of a horn.
  *
- * Cost: O(n log n), 1 to 3 s for a million triangles on one thread; 100 bytes a triangle meanwhile.
+ * Cost: O(n log n), 1 to 3 s for a million triangles on one thread; 100 bytes a triangle and thread
+ * meanwhile.
  * The same bits for any number of threads.
  */
 class PALPATE_EXPORT EdgeDistance

@@ -81,6 +81,10 @@ struct SurfaceEdges
  * are found.
  */
 SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius);
+
+/// Size of the cells over which findEdges() averages facets, mm: the contact radius, or a few
+/// facets of a coarse mesh.
+double edgeCell(const LinkedSurface& surface, double contactRadius);
 } // namespace palpate
 
 #endif

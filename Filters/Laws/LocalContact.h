@@ -75,8 +75,8 @@ private:
   CurvedHalfSpace Direct;
   std::unique_ptr<AxisymmetricTool> Sag; ///< the paraboloid of the body's curvature
   double SagCurvature;                   ///< 1/mm
-  std::unique_ptr<LayerCurves> Layers;
-  std::unique_ptr<LayerCurves> SagLayers;
+  std::shared_ptr<const LayerCurves> Layers;
+  std::shared_ptr<const LayerCurves> SagLayers;
 };
 } // namespace palpate
 

@@ -21,8 +21,7 @@ LayerTable::Layers MaterialRange::prepared() const
   LayerTable::Layers made = this->layers;
   if (this->hasStack())
   {
-    made.stack = std::make_shared<const StackKernels>(
-      this->stack, ThicknessSpan{ made.thinnest, made.thickest }, this->second);
+    made.stack = StackKernels::shared(this->stack, { made.thinnest, made.thickest }, this->second);
   }
   return made;
 }

@@ -208,8 +208,7 @@ private:
   {
     if (!this->Bounds.hasStack())
     {
-      return std::make_shared<const LayerKernel>(
-        this->Axes[1].at(node[1]), this->Bounds.layers.base);
+      return LayerKernel::shared(this->Axes[1].at(node[1]), this->Bounds.layers.base);
     }
     LayerStack stack = this->Bounds.stack;
     stack.layers[0].thickness = thickness;

@@ -104,8 +104,8 @@ private:
   int Samples;
   std::vector<double> Depths;
   UnitCurve HalfSpace;
-  std::unique_ptr<LayerCurves> Stored; ///< layers at the depths of the samples
-  std::unique_ptr<LayerCurves> Local;  ///< layers in more samples, for solving in series
+  std::shared_ptr<const LayerCurves> Stored; ///< layers at the depths of the samples
+  std::shared_ptr<const LayerCurves> Local;  ///< layers in more samples, for solving in series
   ResponseSampling LocalSampling;
   double LocalRange;
   std::shared_ptr<const LocalContact> Contact; ///< with corrections; null: none

@@ -117,7 +117,7 @@ Fit solve(const Row& sums)
   Matrix3d products;
   products << sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5];
   const Vector3d right(sums[6], sums[7], sums[8]);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> spread(products);
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> spread(products, Eigen::EigenvaluesOnly);
   constexpr double LeastSpread = 1e-3; // relative to all weights: three distinct directions
   if (!(spread.eigenvalues()[0] > LeastSpread * sums[10]))
   {

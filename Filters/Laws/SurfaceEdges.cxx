@@ -31,7 +31,7 @@ public:
   EdgeFinder(const LinkedSurface& surface, double radius)
     : Surface(surface)
     , Radius(radius)
-    , Cell(cellSize(surface, radius))
+    , Cell(edgeCell(surface, radius))
     , Patches(surface, this->Cell, LongFacet * radius * radius)
   {
     this->findTurns();
@@ -41,18 +41,6 @@ public:
   SurfaceEdges take() { return { std::move(this->Sides), this->Cell }; }
 
 private:
-  /// That of the contact, or of a few facets of a coarse mesh.
-  static double cellSize(const LinkedSurface& surface, double radius)
-  {
-    double area = 0.0;
-    for (const Vector3d& facet : surface.areas)
-    {
-      area += facet.norm();
-    }
-    const auto points = static_cast<double>(surface.usedPoints());
-    return std::max(radius, SpacingsPerCell * std::sqrt(area / std::max(1.0, points)));
-  }
-
   /// By how much the surface turns away from one patch to another; negative where it is hollow.
   double turn(int one, int other) const
   {
@@ -207,6 +195,17 @@ private:
   std::vector<SurfaceSide> Sides;
 };
 } // namespace
+
+double edgeCell(const LinkedSurface& surface, double contactRadius)
+{
+  double area = 0.0;
+  for (const Vector3d& facet : surface.areas)
+  {
+    area += facet.norm();
+  }
+  const auto points = static_cast<double>(surface.usedPoints());
+  return std::max(contactRadius, SpacingsPerCell * std::sqrt(area / std::max(1.0, points)));
+}
 
 SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius)
 {

@@ -6,6 +6,7 @@
 #include "Mechanics/Numerics/ChebyshevRule.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
+#include "Mechanics/RecentValues.h"
 
 #include <Eigen/Cholesky>
 
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palpate
 {
@@ -149,6 +151,20 @@ LayerKernel::LayerKernel(const LayerStack& stack)
   , Stack(std::make_shared<const LayerStack>(stack))
 {
   this->tabulate(SampledTransform(stack));
+}
+
+std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonsRatio, LayerBase base)
+{
+  constexpr std::size_t mostKernels = 64;
+  static RecentValues<std::pair<double, LayerBase>, LayerKernel> recent(mostKernels, mostKernels);
+  const std::pair<double, LayerBase> key{ poissonsRatio, base };
+  std::shared_ptr<const LayerKernel> kernel = recent.find(key);
+  if (!kernel)
+  {
+    kernel = std::make_shared<const LayerKernel>(poissonsRatio, base);
+    recent.keep(key, kernel, 1);
+  }
+  return kernel;
 }
 
 template <class SampledTransform>

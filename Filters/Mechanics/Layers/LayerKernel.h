@@ -56,6 +56,8 @@ public:
   };
 
   LayerKernel(double poissonsRatio, LayerBase base);
+  /// The same; the last 64 are kept in the process. Thread-safe.
+  static std::shared_ptr<const LayerKernel> shared(double poissonsRatio, LayerBase base);
   /// On a stack without fault (LayerStack.h): h, ν and E* are those of its top layer. About 50 ms.
   explicit LayerKernel(const LayerStack& stack);
 

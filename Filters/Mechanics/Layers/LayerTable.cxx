@@ -4,12 +4,15 @@
 #include "Mechanics/Numerics/ChebyshevRule.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/StackTable.h"
+#include "Mechanics/RecentValues.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace palpate
 {
@@ -34,6 +37,23 @@ double thinnestAnswered(
   }
   return above;
 }
+
+/// The input of a table. Kernels of a stack are shared by content: their address is enough.
+struct CurvesKey
+{
+  std::string tool;
+  LayerTable::Layers layers;
+  std::vector<double> depths;
+
+  bool operator==(const CurvesKey& other) const
+  {
+    return this->tool == other.tool && this->depths == other.depths &&
+      this->layers.base == other.layers.base && this->layers.thinnest == other.layers.thinnest &&
+      this->layers.thickest == other.layers.thickest &&
+      this->layers.poissonsRatios == other.layers.poissonsRatios &&
+      this->layers.stack == other.layers.stack;
+  }
+};
 } // namespace
 
 LayerTable::LayerTable(
@@ -58,7 +78,7 @@ LayerTable::LayerTable(
   this->Thinnest = layers.thinnest;
   for (const double ratio : this->Ratios)
   {
-    kernels.push_back(std::make_shared<const LayerKernel>(ratio, layers.base));
+    kernels.push_back(LayerKernel::shared(ratio, layers.base));
     if (LayerContact(tool, kernels.back(), layers.thinnest).deepest() < this->Depths.back())
     {
       this->Thinnest =
@@ -146,13 +166,29 @@ LayerTable::Curve LayerTable::sample(double thickness, double poissonsRatio) con
   return curve;
 }
 
-std::unique_ptr<LayerCurves> makeLayerCurves(
+std::shared_ptr<const LayerCurves> makeLayerCurves(
   const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths)
 {
+  constexpr std::size_t mostTables = 64;
+  constexpr std::size_t mostBytes = std::size_t{ 64 } << 20;
+  static RecentValues<CurvesKey, LayerCurves> recent(mostTables, mostBytes);
+  const CurvesKey key{ tool.specification(), layers, depths };
+  std::shared_ptr<const LayerCurves> curves = recent.find(key);
+  if (curves)
+  {
+    return curves;
+  }
+  const std::size_t columns =
+    layers.stack ? layers.stack->nodes().size() : 40 * layers.poissonsRatios.size();
   if (layers.stack)
   {
-    return std::make_unique<StackTable>(tool, layers.stack, std::move(depths));
+    curves = std::make_shared<const StackTable>(tool, layers.stack, std::move(depths));
   }
-  return std::make_unique<LayerTable>(tool, layers, std::move(depths));
+  else
+  {
+    curves = std::make_shared<const LayerTable>(tool, layers, std::move(depths));
+  }
+  recent.keep(key, curves, 3 * sizeof(double) * curves->depths().size() * columns);
+  return curves;
 }
 } // namespace palpate

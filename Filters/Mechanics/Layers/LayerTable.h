@@ -79,7 +79,7 @@ public:
     std::shared_ptr<const StackKernels> stack = {};
   };
 
-  /// `depths` (mm) ascend; `tool` must outlive the table.
+  /// `depths` (mm) ascend.
   LayerTable(const AxisymmetricTool& tool, const Layers& layers, std::vector<double> depths);
 
   bool answers(const LayerPlace& place) const noexcept override
@@ -116,8 +116,9 @@ private:
 };
 
 /// The tool on these layers at these depths (mm, ascending): a LayerTable, or of a stack a
-/// StackTable. `tool` must outlive it.
-PALPATE_EXPORT std::unique_ptr<LayerCurves> makeLayerCurves(
+/// StackTable. The last 64 are kept in the process, by content: a law is prepared several times for
+/// one body. Thread-safe.
+PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(
   const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths);
 } // namespace palpate
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Layers/StackKernels.h"
 
+#include "Mechanics/RecentValues.h"
 #include "Mechanics/SharedWork.h"
 
 #include <algorithm>
@@ -23,6 +24,19 @@ Eigen::Index pointCount(const ThicknessSpan& span)
         std::ceil(PointsAtLeast + PointsPerLog * std::log(span.thickest / span.thinnest))))
     : 1;
 }
+
+/// The input of kernels.
+struct StackKey
+{
+  LayerStack stack;
+  ThicknessSpan first;
+  ThicknessSpan second;
+
+  bool operator==(const StackKey& other) const
+  {
+    return this->stack == other.stack && this->first == other.first && this->second == other.second;
+  }
+};
 } // namespace
 
 StackKernels::Axis::Axis(const ThicknessSpan& span)
@@ -70,6 +84,22 @@ StackKernels::StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan 
       }
       this->Nodes[i] = { own.layers[0].thickness, std::make_shared<const LayerKernel>(own) };
     });
+}
+
+std::shared_ptr<const StackKernels> StackKernels::shared(
+  const LayerStack& stack, const ThicknessSpan& first, const ThicknessSpan& second)
+{
+  constexpr std::size_t mostStacks = 16;
+  constexpr std::size_t mostKernels = 1000; // of 100 kB
+  static RecentValues<StackKey, StackKernels> recent(mostStacks, mostKernels);
+  const StackKey key{ stack, first, second };
+  std::shared_ptr<const StackKernels> kernels = recent.find(key);
+  if (!kernels)
+  {
+    kernels = std::make_shared<const StackKernels>(stack, first, second);
+    recent.keep(key, kernels, kernels->nodes().size());
+  }
+  return kernels;
 }
 
 Eigen::VectorXd StackKernels::factorsAt(double first, double second) const

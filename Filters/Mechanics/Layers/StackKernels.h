@@ -20,6 +20,11 @@ struct ThicknessSpan
 {
   double thinnest;
   double thickest;
+
+  bool operator==(const ThicknessSpan& other) const
+  {
+    return this->thinnest == other.thinnest && this->thickest == other.thickest;
+  }
 };
 
 /**
@@ -36,6 +41,10 @@ public:
   /// `stack` without fault (LayerStack.h); the thicknesses of its first two layers come from the
   /// spans. `second` is ignored for a single layer.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
+
+  /// The same; the last ones are kept in the process, up to 1000 kernels. Thread-safe.
+  static std::shared_ptr<const StackKernels> shared(
+    const LayerStack& stack, const ThicknessSpan& first, const ThicknessSpan& second);
 
   /// A stack at one node.
   struct Node

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Curves/BodyShape.h"
 
+#include "Mechanics/RecentValues.h"
 #include "Response/BodyConversion.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/Pieces/Ranks.h"
@@ -15,10 +16,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -130,46 +131,8 @@ std::size_t hashOf(const std::vector<Value>& values)
   return std::hash<std::string_view>()(bytes);
 }
 
-/// The cache of shapes, the last used first.
-class KeptShapes
-{
-public:
-  std::shared_ptr<const BodyShape> find(const ShapeKey& key)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto found = std::find_if(
-      this->Shapes.begin(), this->Shapes.end(), [&key](const Kept& one) { return one.key == key; });
-    if (found == this->Shapes.end())
-    {
-      return nullptr;
-    }
-    std::rotate(this->Shapes.begin(), found, found + 1);
-    return this->Shapes.front().shape;
-  }
-
-  void keep(const ShapeKey& key, std::shared_ptr<const BodyShape> shape, std::size_t bytes)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Shapes.insert(this->Shapes.begin(), { key, std::move(shape), bytes });
-    std::size_t sum = 0;
-    const auto last = std::find_if(this->Shapes.begin(), this->Shapes.end(),
-      [&sum](const Kept& one) { return (sum += one.bytes) > MostBytes; });
-    this->Shapes.erase(last, this->Shapes.end());
-    this->Shapes.resize(std::min(this->Shapes.size(), MostShapes));
-  }
-
-private:
-  static constexpr std::size_t MostBytes = std::size_t{ 128 } << 20;
-  static constexpr std::size_t MostShapes = 16;
-  struct Kept
-  {
-    ShapeKey key;
-    std::shared_ptr<const BodyShape> shape;
-    std::size_t bytes;
-  };
-  std::mutex Mutex;
-  std::vector<Kept> Shapes;
-};
+constexpr std::size_t MostShapes = 16;
+constexpr std::size_t MostBytesOfShapes = std::size_t{ 128 } << 20;
 } // namespace
 
 std::shared_ptr<const BodyShape> findShape(
@@ -185,8 +148,8 @@ std::shared_ptr<const BodyShape> findShape(
   const Ranks& ranks = seam.ranks();
   const ShapeKey key{ { hashOf(piece.points), hashOf(piece.triangles), hashOf(piece.normals) }, a,
     wantsEdges, terms.edges };
-  static KeptShapes kept;
-  std::shared_ptr<const BodyShape> known = kept.find(key);
+  static RecentValues<ShapeKey, BodyShape> recent(MostShapes, MostBytesOfShapes);
+  std::shared_ptr<const BodyShape> known = recent.find(key);
   if (!ranks.any(known == nullptr))
   {
     return known;
@@ -197,15 +160,20 @@ std::shared_ptr<const BodyShape> findShape(
   const TriangleSpans surface = whole.spans();
   const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface));
   const float* all = whole.normals.data();
-  made->curvature =
-    std::make_unique<SurfaceCurvature>(terms.edges ? SurfaceCurvature::ofFaces(surface, all, steps)
-                                                   : SurfaceCurvature(surface, all, steps));
+  auto curvature = std::async(std::launch::async,
+    [&]
+    {
+      return std::make_unique<SurfaceCurvature>(terms.edges
+          ? SurfaceCurvature::ofFaces(surface, all, steps)
+          : SurfaceCurvature(surface, all, steps));
+    });
   if (wantsEdges)
   {
     constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
     made->edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
   }
-  kept.keep(key, made, 28 * surface.pointCount);
+  made->curvature = curvature.get();
+  recent.keep(key, made, 28 * surface.pointCount);
   return made;
 }
 

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RecentValues_h
+#define palpate_RecentValues_h
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+/// Results that take long to compute, by their whole input: the last ones used, up to a number and
+/// a sum of bytes. Thread-safe. Keys are compared one by one: meant for tens of values.
+template <class Key, class Value>
+class RecentValues
+{
+public:
+  RecentValues(std::size_t mostValues, std::size_t mostBytes)
+    : MostValues(mostValues)
+    , MostBytes(mostBytes)
+  {
+  }
+
+  /// Null if there is none.
+  std::shared_ptr<const Value> find(const Key& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto found = std::find_if(
+      this->All.begin(), this->All.end(), [&key](const Entry& one) { return one.key == key; });
+    if (found == this->All.end())
+    {
+      return nullptr;
+    }
+    std::rotate(this->All.begin(), found, found + 1);
+    return this->All.front().value;
+  }
+
+  /// A value of `bytes`, which replaces those that were not used for longest.
+  void keep(const Key& key, std::shared_ptr<const Value> value, std::size_t bytes)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->All.insert(this->All.begin(), { key, std::move(value), bytes });
+    std::size_t sum = 0;
+    const auto last = std::find_if(this->All.begin(), this->All.end(),
+      [&](const Entry& one) { return (sum += one.bytes) > this->MostBytes; });
+    this->All.erase(last, this->All.end());
+    this->All.resize(std::min(this->All.size(), this->MostValues));
+  }
+
+private:
+  struct Entry
+  {
+    Key key;
+    std::shared_ptr<const Value> value;
+    std::size_t bytes;
+  };
+  std::size_t MostValues;
+  std::size_t MostBytes;
+  std::mutex Mutex;
+  std::vector<Entry> All;
+};
+} // namespace palpate
+
+#endif
