@@ -34,8 +34,9 @@ CreaseCut::CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t 
   std::vector<std::int32_t> ends;
   for (const PackedMesh::CreaseSide& side : this->Sides)
   {
-    ends.push_back(this->Triangles[static_cast<std::size_t>(
-      side.triangle)][static_cast<std::size_t>(side.edge)]); // its end: the other side's start
+    // Its end is the start of the other side.
+    ends.push_back(this->Triangles[static_cast<std::size_t>(side.triangle)]
+                                  [static_cast<std::size_t>(side.edge)]);
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());

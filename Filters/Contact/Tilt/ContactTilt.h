@@ -38,7 +38,7 @@ public:
   /// Whether the tilt at the contact changes the force of the upright tool.
   bool isTilted() const noexcept
   {
-    constexpr double upright = 1e-7; // rad: M and the change of F are as small a part of F
+    constexpr double upright = 1e-7; // rad; M and the change of F are of this order, relative to F
     return this->IsFelt && this->Angle > upright;
   }
 
