@@ -47,7 +47,7 @@ struct EdgeEffect
  * (30°) to 43 % (75°) less. The factor Ψ at sharp edges is then the sum of the factors of the
  * faces, each weighted by its part of that sum.
  *
- * A re-entrant edge needs nothing: the nearest point of the surface stays on it, and the force
+ * A re-entrant edge needs no treatment: the nearest point of the surface stays on it, and the force
  * turns from one wall to the other.
  */
 class PALPATE_EXPORT BodyEdges

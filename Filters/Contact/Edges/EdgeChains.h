@@ -78,7 +78,7 @@ public:
       this->NearPlaces.empty() ? None : this->NearPlaces[static_cast<std::size_t>(triangle)];
     return place < 0 ? nullptr : &this->NearLists[static_cast<std::size_t>(place)];
   }
-  /// Asks for the memory that near() reads, ahead of its use.
+  /// Prefetches the memory that near() reads.
   void prefetch(std::int32_t triangle) const noexcept
   {
     if (!this->NearPlaces.empty())
