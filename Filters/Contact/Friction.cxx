@@ -125,7 +125,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
     const double half = 0.5 * missing;
     const double middle = 1.0 - half;
     const double w = eighthPower(middle * middle) - this->Breakaway8;
-    const double bit = missing * (1.0 + w * this->InverseWidth8); // way cos θ, by 1/(1 - α|z|)
+    const double bit = missing * (1.0 + w * this->InverseWidth8); // path cos θ, by 1/(1 - α|z|)
     left -= bit * (longest * (size / z.x()));
     if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
     {

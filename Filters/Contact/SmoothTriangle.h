@@ -19,7 +19,7 @@ struct PALPATE_EXPORT SurfaceJet
   Vector3 dvw = Vector3::Zero();
   Vector3 dww = Vector3::Zero();
 
-  /// dv × dw: outward where the triangle winds counter-clockwise seen from outside; not unit.
+  /// dv × dw: outward if the triangle is wound counter-clockwise seen from outside; not unit.
   Vector3 across() const noexcept;
 };
 

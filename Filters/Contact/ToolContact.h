@@ -159,7 +159,7 @@ private:
   /// Fills everything except friction. Returns false if the force is not finite or has no
   /// direction. The state is None if a body that relaxes has not yet come back to the tool.
   bool blend(const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept;
-  /// From the tip to the contact point.
+  /// The vector from the tip to the contact point.
   Vector3 wayOut(const ContactPlace& place) const noexcept;
   /// The force of unlike curves, and that of edges, can point into the body: removes that part.
   void keepOutward(const ContactPlace& place, Contact& result) const noexcept;
