@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// A triangle is degenerate when its height is lost in the rounding of its coordinates.
+/// A triangle is degenerate if its height is lost in the rounding of its coordinates.
 bool hasArea(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double longest =
@@ -44,7 +44,7 @@ void addNormal(const double* points, const TriangleCorners& corner, std::vector<
   }
 }
 
-/// Where there is a direction.
+/// Normalizes all vectors except zeros.
 void normalize(std::vector<double>& normals)
 {
   for (std::size_t i = 0; i < normals.size(); i += 3)

@@ -19,18 +19,18 @@ namespace palpate
 {
 /**
  * The undeformed surface of a body in the order and with the coordinates of its input, for filters
- * that traverse it: which triangles meet at a point, where it is open, which side is outside. The
- * servo tick reads the PackedMesh instead.
+ * that traverse it: the triangles that meet at a point, open borders, the outer side. The servo
+ * tick reads the PackedMesh instead.
  *
- * Triangles wind counter-clockwise seen from outside. Triangles with a vertex that is not finite,
- * an index out of range or no area are ignored, and counted.
+ * Triangles are wound counter-clockwise seen from outside. Triangles with a vertex that is not
+ * finite, an index out of range or no area are ignored, and counted.
  *
  * Cost: built in O(n), about 90 bytes per triangle. Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT BodyMesh
 {
 public:
-  /// Numbers of defects of the triangles.
+  /// Counts of the defects of the triangles.
   struct Defects
   {
     std::size_t notFinite = 0;
@@ -83,7 +83,7 @@ public:
   }
   /// No border and no defect: the surface encloses a volume.
   bool isClosed() const noexcept;
-  /// Volume enclosed by the usable triangles, mm³, negative when they wind inward.
+  /// Volume enclosed by the usable triangles, mm³; negative if they are wound inward.
   double enclosedVolume() const noexcept;
 
   /// Unsigned closest point of one triangle.
@@ -101,8 +101,8 @@ private:
   Defects Found;
 };
 
-/// The normals of a BodyMesh without the mesh, x, y, z of each point: for triangles whose corners
-/// are points.
+/// The normals of a BodyMesh without the mesh, x, y, z of each point. The corners of all triangles
+/// must be points.
 PALPATE_EXPORT std::vector<double> angleWeightedNormals(const double* points,
   std::size_t pointCount, const std::int32_t* triangles, std::size_t triangleCount);
 } // namespace palpate

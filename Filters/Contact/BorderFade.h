@@ -14,34 +14,38 @@
 namespace palpate
 {
 /**
- * What is left of the force on a tip that has slid off an open border.
+ * The force that remains on a tip that has slid off an open border.
  *
- * Beyond a border there is no surface and no depth, but a force that ends between two ticks is a
- * knock. So it fades with the place of the tip: h deep under the surface at the border and l beyond
- * it, measured within the surface, the tip keeps the fraction (1 - l/h)² (1 + 2 l/h) of the force
- * at depth h: all of it right under the border, nothing from l = h on, without a kink at either
- * end. The force stays along the surface's normal: nothing pulls the tip back to the border.
+ * Beyond a border there is no surface and no depth, but a force that ends between two ticks is felt
+ * as a knock. So the force fades with the position of the tip. The tip is h deep under the surface
+ * at the border and l beyond it, measured within the surface. It keeps the fraction
+ *   (1 - l/h)² (1 + 2 l/h)
+ * of the force at depth h: the whole force right under the border, nothing from l = h on, without a
+ * kink at either end. The force stays along the surface's normal: nothing pulls the tip back to the
+ * border.
  *
- * A function of place alone, whatever the way there; continuous where the surface at the border is
- * flat or bends along it, and else but for the angle between neighbouring triangles. Energy is not
- * conserved: a tip may come in from beside without the work it takes to press.
+ * The fade is a function of the position alone, not of the path. It is continuous where the surface
+ * at the border is flat or bends along the border; elsewhere it jumps only with the angle between
+ * neighbouring triangles. Energy is not conserved: a tip may come in from the side without the work
+ * of pressing.
  */
 struct BorderFade
 {
   double depth = 0.0;    ///< h, mm, >= 0
   double fraction = 0.0; ///< of the force at that depth, 0 to 1
 
-  /// For a point on the border of a triangle, given by its area coordinates: one is zero on an
-  /// edge, two at a corner. `offset` leads from there to the tip, on the inner side.
+  /// Evaluates the fade for a point on the border of a triangle. `weights` are its area
+  /// coordinates: one is zero on an edge, two at a corner. `offset` is the vector from that point
+  /// to the tip, on the inner side.
   static BorderFade at(const PackedMesh& mesh, std::int32_t triangle, const Vector3& weights,
     const Vector3& offset) noexcept;
 
 private:
-  /// Length of the part of a vector that lies in the cone between two unit vectors, >= 0.
+  /// Length (>= 0) of the part of a vector that is in the cone between two unit vectors.
   static double lengthBetween(
     const Vector3& vector, const Vector3& one, const Vector3& other) noexcept;
-  /// Depth under a corner: along the normals of the triangles whose borders end there, and between
-  /// them. Of the two that a border has on a manifold; of any two where more meet.
+  /// Depth under a corner: along the normals of the triangles whose border edges end there, and
+  /// between these normals. On a manifold these are two triangles; where more meet, any two.
   static double depthAtCorner(
     const PackedMesh& mesh, std::int32_t triangle, int corner, const Vector3& offset) noexcept;
 };
@@ -55,7 +59,7 @@ inline double BorderFade::lengthBetween(
   const double alpha = a - cosine * b;
   const double beta = b - cosine * a;
   const double squaredSine = 1.0 - cosine * cosine;
-  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // else the two are one
+  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // else both are one direction
   {
     return std::sqrt((alpha * a + beta * b) / squaredSine);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a tick is told, and what it finds, from the closest point to the force: values.
+// Input and results of a tick, from the closest point to the force, as plain values.
 #ifndef palpate_Contact_h
 #define palpate_Contact_h
 
@@ -11,10 +11,10 @@
 
 namespace palpate
 {
-/// Where a tool is: the body's frame, mm.
+/// Pose of a tool in the body's frame, mm.
 struct ToolPose
 {
-  /// The axis is not known, and taken to be the body's normal.
+  /// The axis is unknown, and taken to be the body's normal.
   explicit ToolPose(const Eigen::Vector3d& at) noexcept
     : tip(at)
   {
@@ -36,32 +36,32 @@ struct ToolPose
   Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< unit, from the tip up the shaft; or zero
 };
 
-/// A closest point of the body: its triangle (-1: none), where on it, and on which side the tip is.
+/// The closest point of a body: its triangle (-1: none), the place on it, and the side of the tip.
 struct SurfacePoint
 {
   std::int32_t triangle = -1; ///< of the PackedMesh, not of the input
   TriangleProjection projection;
   /// Distance from the surface to the tip, mm: > 0 outside, < 0 inside.
   double signedDistance = 0.0;
-  /// The closest point lies on an open border, where inside and outside are not defined.
+  /// The closest point is on an open border, where inside and outside are not defined.
   bool onBorder = false;
-  /// The closest point lies where the surface was cut along a sharp edge (PackedMesh::Crease): the
+  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease): the
   /// side of the tip is that of the triangle's own face alone.
   bool onCrease = false;
 };
 
-/// One that is followed, and how it moves with the tip. Normal and gradients are those of the
-/// smooth surface, or EnergyGradient::onFacet.
+/// A closest point that is followed, with its motion by the tip. Normal and gradients are those of
+/// the smooth surface, or of EnergyGradient::onFacet.
 struct ContactPlace : SurfacePoint
 {
   bool isSmooth = false; ///< on the smooth surface, or on the facets
-  /// Of the surface, unit, outward; at an edge or corner of facets from the tip to the point.
+  /// Surface normal, unit, outward; at an edge or corner of facets from the tip to the point.
   Vector3 normal = Vector3::Zero();
   /// Column i: gradient of area coordinate i as the tip moves, 1/mm; tangential.
   Eigen::Matrix3d weightGradients = Eigen::Matrix3d::Zero();
 };
 
-/// What a contact is doing.
+/// State of a contact.
 enum class ContactState : std::uint8_t
 {
   None,
@@ -70,20 +70,20 @@ enum class ContactState : std::uint8_t
   BeyondRange,
   LostAtBorder,
   Invalid,
-  TiltedTooFar ///< felt as at the largest tilt of the response
+  TiltedTooFar ///< the force is that at the response's largest tilt
 };
 
-/// What the tool feels in one tick: force, torque, place and state. Body frame; mm, N, N/mm.
+/// Result of one tick for a tool: force, torque, place and state. Body frame; mm, N, N/mm.
 struct Contact
 {
   ContactState state = ContactState::None;
   Vector3 force = Vector3::Zero();    ///< total, on the tool
   Vector3 friction = Vector3::Zero(); ///< its part that is friction
-  /// On the tool, about its tip, N mm; zero where its axis is not known, or the response knows
-  /// nothing of tilts.
+  /// Torque on the tool about its tip, N mm; zero if its axis is unknown, or the response has no
+  /// tilt data.
   Vector3 torque = Vector3::Zero();
   double normalForce = 0.0;
-  /// What of normalForce is more than the slow response, of a body that relaxes.
+  /// Part of normalForce in addition to the slow response, for a body that relaxes.
   double memory = 0.0;
   double stiffness = 0.0;           ///< Σ n_i dF_i/dδ
   double deflection = 0.0;          ///< of the deepest point of the tool

@@ -16,8 +16,9 @@
 
 namespace palpate
 {
-/// All a tick needs of a body: its surface, the search tree over it, the response at its points.
-/// Immutable once built; shared by any number of ToolContacts. Independent of what it was made of.
+/// All data of a body that a tick needs: its surface, the search tree over it, the response at its
+/// points. Immutable once built; shared by any number of ToolContacts. Independent of its input
+/// data.
 struct ContactBody
 {
   /// `points` (x, y, z each), `triangles` (three point indices each), and a response for every
@@ -37,7 +38,8 @@ struct ContactBody
       progress(1.0);
     }
   }
-  /// The surface of another, copied, under other responses; both of them feel edges, or neither.
+  /// A copy of the surface of another body with other responses. Either both bodies use sharp
+  /// edges, or neither does.
   ContactBody(const ContactBody& same, const ResponseArrays& responses)
     : surface(same.surface)
     , tree(same.tree, surface)
@@ -54,10 +56,10 @@ struct ContactBody
   const PackedMesh surface;
   const TriangleTree tree;
   const ResponseField response;
-  const std::unique_ptr<const BodyEdges> edges;           ///< null: sharp edges are not felt
+  const std::unique_ptr<const BodyEdges> edges;           ///< null: edges have no effect
   const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes
-  const std::unique_ptr<const BodyCoupling> coupling;     ///< null: contacts do not feel each other
-  const std::unique_ptr<const BodyTilt> tilt;             ///< null: tilts are not felt
+  const std::unique_ptr<const BodyCoupling> coupling;     ///< null: contacts are not coupled
+  const std::unique_ptr<const BodyTilt> tilt;             ///< null: tilts have no effect
 
 private:
   static double creaseTurn(const ResponseArrays& responses)

@@ -4,18 +4,19 @@
 
 namespace palpate
 {
-/// How the curves of the three vertices of a triangle become one force.
+/// How the curves of a triangle's three vertices are combined into one force.
 enum class ForceForm : int
 {
   /// Σ n_i f_i U_i (Mahvash and Hayward 2002, eq. 3). The sum of unit normals is shorter than 1, so
   /// the force loses about h²/(6 R²) in the middle of a facet of size h on a body of radius R.
   Paper,
-  /// (Σ n_i f_i) along the normalised Σ n_i U_i: magnitude and direction blended apart. On the
-  /// smooth surface along that surface's own normal, so that equal responses have an energy.
+  /// (Σ n_i f_i) along the normalised Σ n_i U_i: magnitude and direction are blended separately. On
+  /// the smooth surface along that surface's own normal, so that equal responses have an energy.
   NormalizedDirection,
   /// -∇ of the energy Σ n_i e_i, e_i = ∫f_i: Σ n_i f_i n - Σ e_i ∇n_i with the surface's own normal
-  /// n. Closed loops within one contact neither gain nor lose energy, whatever the responses; on
-  /// facets but for what the energy itself jumps by from facet to facet, where responses differ.
+  /// n. Closed loops within one contact neither gain nor lose energy, whatever the responses. On
+  /// facets with different responses the energy itself jumps from facet to facet; this jump is the
+  /// exception.
   EnergyConsistent
 };
 
@@ -26,15 +27,15 @@ enum class ContactSurface : int
   Smooth  ///< one patch per triangle through its vertices and their normals, G1 across edges
 };
 
-/// What resists sliding; see Friction.h.
+/// The friction model; see Friction.h.
 enum class FrictionModel : int
 {
   ElastoPlastic, ///< Hayward and Armstrong 2000: stick, creep, slide; no drift below breakaway
-  Dahl,          ///< the same with creep from the first displacement on: drifts
+  Dahl,          ///< the same, but creeps from the first displacement on: drifts
   ShapeDerived   ///< from the stored response itself (Jaeger; Ciavarella): only μ and ν
 };
 
-/// Which friction, and how much.
+/// The friction model and its parameters.
 struct FrictionSettings
 {
   FrictionModel model = FrictionModel::ElastoPlastic;
@@ -43,27 +44,27 @@ struct FrictionSettings
   /// Stiffness of the stuck contact, σ₀, N/mm, > 0. A servo loop of period T at a device of damping
   /// b is stable only for σ₀ <= 2b/T. Not used by ShapeDerived.
   double tangentialStiffness = 1.0;
-  /// Share of the sliding limit up to which a stuck contact is elastic and nothing creeps, 0 to 1.
-  /// 0: Hayward and Armstrong's z⁸, which creeps a little under any load. Only used by
+  /// Fraction of the sliding limit up to which a stuck contact is elastic and nothing creeps, 0 to
+  /// 1. 0: Hayward and Armstrong's z⁸, which creeps a little under any load. Only used by
   /// ElastoPlastic.
   double breakaway = 0.8;
-  /// Share of the limit at which half of a further displacement creeps, z_st/z_max, >= breakaway.
-  /// Only used by ElastoPlastic.
+  /// Fraction of the limit at which half of a further displacement is creep, z_st/z_max, >=
+  /// breakaway. Only used by ElastoPlastic.
   double stickRadius = 0.9;
-  /// Of the body, 0 to 0.5. Only used by ShapeDerived.
+  /// Poisson's ratio of the body, 0 to 0.5. Only used by ShapeDerived.
   double poissonRatio = 0.5;
 };
 
-/// How a ToolContact turns a tip into a force. Ranges, names and words stand in SettingTable.h;
-/// what comes from outside may be out of them, an enumeration too, until it has been seen there.
+/// Settings of a ToolContact. Ranges, names and texts are in SettingTable.h. Values from outside,
+/// also enumerations, may be out of range until faultOfContact() has checked them.
 struct ContactSettings
 {
   ForceForm form = ForceForm::NormalizedDirection;
   ContactSurface surface = ContactSurface::Facets;
   FrictionSettings friction = {};
-  /// Elements side by side that a body which relaxes is felt with, 0 to MostRelaxationElements; 0:
-  /// one, quasi-linear. More are more exact when the tool comes out again: within 0.9 % of the
-  /// largest force with 16, 3 % with 8, 12 % with 0.
+  /// Number of parallel elements for a body that relaxes, 0 to MostRelaxationElements; 0: one,
+  /// quasi-linear. More elements are more accurate when the tool moves out again: within 0.9 % of
+  /// the largest force with 16, 3 % with 8, 12 % with 0.
   int relaxationElements = 16;
   static constexpr int MostRelaxationElements = 32;
 };

@@ -35,14 +35,14 @@ double longestEdge(const PackedMesh& mesh, std::int32_t triangle) noexcept
   return std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
 }
 
-/// The nearest place so far, in its triangle.
+/// The nearest place so far, and its triangle.
 struct Place
 {
   std::int32_t triangle;
   TriangleProjection projection;
 };
 
-/// Moves across the edge the projection lies on, if that is nearer.
+/// Moves across the edge of the projection if the triangle there is nearer.
 bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const int edge = static_cast<int>(place.projection.feature) - 3;
@@ -60,7 +60,7 @@ bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcep
   return true;
 }
 
-/// Moves to the nearest of the triangles around the corners, if it is nearer.
+/// Moves to the nearest of the triangles around the corners, if one is nearer.
 bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const std::int32_t current = place.triangle;
@@ -103,7 +103,7 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
     }
     if (onFace && mesh.isCertainlyNearest(tip, place.triangle, place.projection))
     {
-      const double depth = std::sqrt(place.projection.squaredDistance); // it is so only inside
+      const double depth = std::sqrt(place.projection.squaredDistance); // inside only
       return { place.triangle, place.projection, -depth, false };
     }
     if (!searchAround(mesh, tip, place))
@@ -144,7 +144,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
     const SurfacePoint facet = follow(this->Mesh, tip, triangle);
     if (facet.triangle < 0)
     {
-      return {}; // the tip outran it: to be searched for
+      return {}; // the tip moved too far: search the whole body
     }
     if (facet.triangle != triangle)
     {
@@ -162,7 +162,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
   if (this->Smooth)
   {
-    // From where the contact should have moved with the tip, to first order.
+    // Start where the contact should have moved with the tip, to first order.
     return this->touch(tip, this->Last.triangle,
       this->Last.projection.weights + this->Last.weightGradients.transpose() * (tip - this->Tip));
   }
@@ -185,7 +185,7 @@ ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
   {
     return classified(nearest);
   }
-  // No patch rises as high over its facet as that is long.
+  // A patch never rises above its facet by more than the facet's length.
   if (nearest.signedDistance > longestEdge(this->Mesh, nearest.triangle))
   {
     return {};

@@ -14,36 +14,37 @@
 namespace palpate
 {
 /**
- * Where the tip touches, tick after tick: found globally once, then followed.
+ * Position of the contact, tick after tick: found globally once, then followed.
  *
  * The first contact is the globally closest point of the body, once the tip is inside. From then on
- * the contact is the local minimum of the distance reached from the last triangle: it moves across
- * the edge towards the tip while that is nearer, and stops at a point to which no triangle that
- * shares a corner with its own is nearer, to the rounding of double arithmetic. That last is
- * certain from a bound stored with each triangle (PackedMesh::isCertainlyNearest), or tried out.
- * (Stopping where no triangle across an edge is nearer would not do: under a convex pair of facets
- * each has such a point.)
+ * the contact is the local minimum of the distance that is reached from the last triangle. It moves
+ * across an edge towards the tip while that brings it nearer. It stops when no triangle that shares
+ * a corner with its own is nearer, to the rounding of double arithmetic. This is certain from a
+ * bound stored with each triangle (PackedMesh::isCertainlyNearest); otherwise these triangles are
+ * checked. (Checking only the triangles across the edges is not enough: under a convex pair of
+ * facets each facet has such a point.)
  *
  * So a tip that has passed the middle of a thin slab stays in contact with the side it entered, as
- * a god-object would (Zilles and Salisbury 1995). The contact ends when the tip passes the surface
- * outward there (and another may begin in the same tick), or beyond an open border, where nothing
- * is left of its force (BorderFade).
+ * a god-object does (Zilles and Salisbury 1995). The contact ends when the tip passes this side of
+ * the surface outward (another contact may begin in the same tick). It also ends beyond an open
+ * border, where its force has faded to 0 (BorderFade).
  *
  * On the smooth surface the local minimum is that of SmoothContact. The first contact starts from
- * the closest point of the facets, and begins where the tip is inside the smooth surface, which
- * lies a little above convex facets and below concave ones. Where there is no smooth point (see
- * SmoothContact), the contact goes on with the facets from there, and returns as soon as there is
- * one; the force may jump at such a change, by what facets and surface differ.
+ * the closest point of the facets and begins when the tip is inside the smooth surface, which is a
+ * little above convex facets and below concave ones. If there is no smooth point (see
+ * SmoothContact), the contact continues on the facets from there and returns to the smooth surface
+ * as soon as there is a point. The force may jump at such a change, by the difference of facets and
+ * surface.
  *
- * Where the surface is cut along sharp edges (PackedMesh), a contact stays on its face: beyond a
- * crease it is held at its closest point until the caller lets go (BodyEdges). None begins there,
- * since a tip whose closest point is on a convex edge is outside.
+ * If the surface is cut along sharp edges (PackedMesh), a contact stays on its face: beyond a
+ * crease it is held at its closest point until the caller ends it (BodyEdges). No contact begins
+ * there, because a tip whose closest point is on a convex edge is outside.
  *
- * The tick neither allocates nor locks nor throws. Steps per tick are bounded by MaximumSteps, a
- * step being about one triangle: 30 mm on a body of 0.2 mm triangles. A tip that outruns them is
- * searched for in the whole body, as a new contact is: a point on the way there would be no local
- * minimum, and its distance no deflection. One tracker serves one thread; mesh, tree
- * and response may be shared and must outlive it.
+ * A tick neither allocates nor locks nor throws. The steps of a tick are limited to MaximumSteps,
+ * one step being about one triangle: 30 mm on a body of 0.2 mm triangles. For a tip that moves
+ * farther, the whole body is searched as for a new contact: a point on the path would be no local
+ * minimum, and its distance no deflection. One tracker serves one thread; mesh, tree and response
+ * may be shared and must outlive it.
  */
 class PALPATE_EXPORT ContactTracker
 {
@@ -54,28 +55,28 @@ public:
   {
     Outside,
     Inside,
-    Border, ///< under an open border: there is no inside there
-    Crease, ///< under a face, beyond a crease that bounds it; only while followed
+    Border, ///< under an open border, where the body has no inside
+    Crease, ///< under a face, beyond a crease that bounds the face; only for a followed contact
     Invalid ///< the tip is not finite, or the body has no usable triangle
   };
 
-  /// Where a tip stands.
+  /// State of a tip.
   struct Result
   {
     Outcome outcome = Outcome::Outside;
-    /// Its point in the body's frame. Of facets without normal and gradients, unless they stand in
-    /// for the smooth surface.
+    /// The contact point in the body's frame. Normal and gradients are not set on facets, except
+    /// where the facets replace the smooth surface.
     ContactPlace place;
   };
 
-  /// On the facets.
+  /// Tracks on the facets.
   ContactTracker(const PackedMesh& mesh, const TriangleTree& tree) noexcept
     : Mesh(mesh)
     , Tree(tree)
     , Search(tree)
   {
   }
-  /// On the smooth surface.
+  /// Tracks on the smooth surface.
   ContactTracker(
     const PackedMesh& mesh, const TriangleTree& tree, const ResponseField& response) noexcept
     : ContactTracker(mesh, tree)
@@ -94,29 +95,29 @@ public:
     return result;
   }
 
-  /// Goes on from another triangle, if the tip is inside under its face: else nothing changes, and
-  /// the result is another than Inside.
+  /// Continues from another triangle if the tip is inside under the face of that triangle.
+  /// Otherwise changes nothing and returns an outcome other than Inside.
   Result handOver(const Vector3& tip, std::int32_t triangle) noexcept;
 
   /// Forgets the contact; the next update searches the whole body.
   void reset() noexcept { this->Last.triangle = -1; }
 
-  /// Of the last contact, -1 if there was none.
+  /// Triangle of the last contact, -1 if there was none.
   std::int32_t triangle() const noexcept { return this->Last.triangle; }
 
-  /// Under which triangle the contact will likely be when the tip is there: by a short walk over
-  /// faces, on which nothing is certain. -1 without a contact.
+  /// The triangle of the contact that is likely when the tip is there, found by a short walk over
+  /// faces without any check. -1 without a contact.
   std::int32_t triangleAhead(const Vector3& tip) const noexcept;
 
   /// Local minimum of the distance reached from a triangle, in the mesh's local frame; triangle -1
-  /// if that takes more than MaximumSteps.
+  /// if this takes more than MaximumSteps.
   static SurfacePoint follow(
     const PackedMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept;
 
 private:
-  /// Most ticks: the tip is under the face it was under, or one a few edges on, and it is certain
-  /// that nothing around is nearer. False, and nothing is changed but `surface`, where it is not so
-  /// or cannot be told this way.
+  /// The case of most ticks: the tip is under the face of the last tick or a few edges away from
+  /// it, and certainly no triangle around is nearer. Otherwise returns false and changes nothing
+  /// except `surface`.
   bool staysOnFaces(const Vector3& tip, SurfacePoint& surface) noexcept
   {
     constexpr int crossings = 3;
@@ -144,21 +145,21 @@ private:
     return true;
   }
   Result search(const Vector3& tip) noexcept;
-  // All in the mesh's local frame:
-  /// From the last contact.
+  // All in the mesh's local frame.
+  /// Continues from the last contact.
   Result goOn(const Vector3& tip) noexcept;
-  /// From the closest point of the whole body.
+  /// Starts from the closest point of the whole body.
   Result begin(const Vector3& tip) noexcept;
-  /// On the smooth surface from a point of it, or on the facets.
+  /// Contact on the smooth surface, started from one of its points, or on the facets.
   Result touch(const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept;
   bool isHeld(const Result& result, const Vector3& tip) const noexcept;
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
-  TriangleSearch Search; ///< of the whole body; what it has seen saves time and changes nothing
-  std::optional<SmoothContact> Smooth; ///< else on the facets
+  TriangleSearch Search;               ///< of the whole body; its cache saves time only
+  std::optional<SmoothContact> Smooth; ///< empty: on the facets
   ContactPlace Last;                   ///< triangle -1: no contact
-  Vector3 Tip = Vector3::Zero();       ///< then; only if smooth
+  Vector3 Tip = Vector3::Zero();       ///< at the last contact; only if smooth
 };
 } // namespace palpate
 

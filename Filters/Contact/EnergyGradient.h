@@ -12,26 +12,28 @@ namespace palpate
  * The force that has an energy. Let the tip be in contact at area coordinates n_i, δ deep, where
  * the curves of the corners give f_i(δ) and have taken the work e_i(δ) = ∫₀^δ f_i. Then
  *   E = Σ n_i e_i,   F = -∇E = Σ n_i f_i n - Σ e_i ∇n_i,
- * because ∇δ = -n, n from the tip to the contact point (the surface's outward normal). The second
- * sum is what a force along the normal alone forgets where responses differ: pressing at one place
- * and letting go at another gains the difference of their e. As Σ ∇n_i = 0, it vanishes for equal
- * responses. Both terms are needed in exactly this form: no closed path of a tip that stays in one
- * contact gives or takes energy then. What F does not do is turn continuously: the ∇n_i jump across
- * edges, and so does the second sum, by the second differences of e.
+ * because ∇δ = -n, n from the tip to the contact point (the surface's outward normal). A force
+ * along the normal alone lacks the second sum. Where responses differ, pressing at one place and
+ * unloading at another would then gain the difference of their e. As Σ ∇n_i = 0, the second sum
+ * vanishes for equal responses. Both terms are needed in exactly this form: then no closed path of
+ * a tip that stays in one contact gives or takes energy. The direction of F is not continuous: the
+ * ∇n_i jump across edges, and the second sum with them, by the second differences of e.
  */
 struct EnergyGradient
 {
-  /// Column i: ∇n_i on the triangle abc as the tip moves, 1/mm: in its plane while the closest
-  /// point is on the face; along the edge while on an edge; zero while at a corner.
+  /// Column i: ∇n_i on the triangle abc as the tip moves, 1/mm. It is in the plane of the triangle
+  /// while the closest point is on the face, along the edge while it is on an edge, and zero while
+  /// it is at a corner.
   static Eigen::Matrix3d facetWeightGradients(
     TriangleFeature feature, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
 
-  /// The same where a tip is closest to a mesh, with the normal there; tip and point in one frame.
+  /// The same for the point of a mesh closest to a tip, with the normal there; tip and point in one
+  /// frame.
   static ContactPlace onFacet(
     const PackedMesh& mesh, const Vector3& tip, const SurfacePoint& surface) noexcept;
 
-  /// Force on the tool, N: `normalForce` Σ n_i f_i along the surface's outward normal; element i of
-  /// `energies` e_i, from any common zero.
+  /// Force on the tool, N. `normalForce` is Σ n_i f_i, along the surface's outward normal. Element
+  /// i of `energies` is e_i; their common zero is arbitrary.
   static Vector3 force(double normalForce, const Vector3& normal,
     const Eigen::Matrix3d& weightGradients, const Vector3& energies) noexcept
   {

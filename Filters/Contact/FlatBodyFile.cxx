@@ -21,7 +21,7 @@ std::uint64_t aligned(std::uint64_t offset)
   return (offset + Header::Alignment - 1) / Header::Alignment * Header::Alignment;
 }
 
-/// FNV-1a over 64-bit words (Fowler, Noll, Vo), the rest byte by byte: finds damage, not malice.
+/// FNV-1a over 64-bit words (Fowler, Noll, Vo), the rest byte by byte. Detects damage, not attacks.
 class Checksum
 {
 public:
@@ -50,7 +50,7 @@ private:
   std::uint64_t Value = 0xcbf29ce484222325ULL;
 };
 
-/// Over the header, with the checksum's field taken as 0, and the sections.
+/// Checksum over the header, with its checksum field taken as 0, and the sections.
 std::uint64_t checksumOf(const std::array<const void*, Header::SectionCount>& data, Header header)
 {
   const auto sizes = header.sectionSizes();
@@ -162,8 +162,8 @@ std::string checkCoupling(const FlatBody& body)
   return fault.empty() ? fault : "couples wrongly: " + fault;
 }
 
-/// Checks for strengths or compliances that are not finite, or negative, which the servo tick
-/// excludes.
+/// Checks for strengths or compliances that are negative or not finite; the servo tick requires
+/// valid values.
 std::string checkRelaxation(const FlatBody& body)
 {
   const RelaxationTerms& terms = body.response.relaxation;

@@ -36,20 +36,20 @@ struct FlatBody
  * Header (see FlatBodyHeader.h): magic "PALPATE", format version, byte-order mark, size of the
  * file, checksum of header and arrays, counts, and the start of each array. Files that are
  * truncated, of another kind or byte order, damaged, or of a newer format are refused with a
- * reason; nothing is loaded partly. Files of format 1, which has no model parts, are read: the
- * parts follow from the text; files of format 2 have no EdgeTerms, of format 3 no RelaxationTerms,
- * of format 4 no CouplingTerms and no tilts.
+ * reason; no file is loaded in part. Older formats are read: format 1 has no model parts (they
+ * follow from the text), format 2 no EdgeTerms, format 3 no RelaxationTerms, format 4 no
+ * CouplingTerms and no tilts.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
 public:
   static constexpr std::uint32_t Version = 5;
 
-  /// Writes a new file, then replaces an old one by it, so that a failure leaves the old one
+  /// Writes a new file, then replaces an old one by it, so that a failure leaves the old file
   /// unchanged. Returns an error that names the file, or "".
   static std::string write(const std::string& path, const FlatBody& body);
 
-  /// Maps a file. Returns an error that names the file and what is wrong with it, or "".
+  /// Maps a file. Returns an error that names the file and its fault, or "".
   std::string open(const std::string& path);
 
   /// The content; its pointers live as long as this object and until the next open.

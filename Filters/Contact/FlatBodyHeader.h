@@ -14,7 +14,8 @@
 
 namespace palpate
 {
-/// The first bytes of a FlatBodyFile. Fixed layout: only append members, and raise the version.
+/// The first bytes of a FlatBodyFile. The layout is fixed: only append members, and raise the
+/// version.
 struct FlatBodyHeader
 {
   static constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
@@ -50,13 +51,13 @@ struct FlatBodyHeader
   static constexpr std::size_t LaterSectionCount = CouplingKnots;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
-  /// Which parts of a relaxation there are besides the series.
+  /// The parts of a relaxation in addition to the series.
   enum RelaxationPart : std::int32_t
   {
     LocalPart = 1,
     ElasticPart = 2
   };
-  /// Which parts of a coupling there are besides one modulus.
+  /// The parts of a coupling in addition to one modulus.
   enum CouplingPart : std::int32_t
   {
     KnotsPart = 1,
@@ -74,15 +75,15 @@ struct FlatBodyHeader
   std::int32_t samples;
   std::int32_t laws; ///< 0: per point; k: compact
   double exponent;
-  /// From the start of the file; 0: absent.
+  /// Offsets from the start of the file; 0: absent.
   std::array<std::uint64_t, FirstSectionCount> firstOffset;
   std::array<char, 128> tool; ///< ends with '\0'
   std::array<char, 128> model;
   std::int64_t modelParts; ///< since format 2
-  /// Since format 3, of EdgeTerms: exponent, 0 if there are none, radius, Poisson's ratio, extent,
-  /// and 1 if they are in the curves.
+  /// EdgeTerms, since format 3: exponent (0 if there are none), radius, Poisson's ratio, extent,
+  /// and 1 if edges are in the curves.
   std::array<double, 5> edges;
-  /// Since format 4, of RelaxationTerms: branches, sum of RelaxationPart, p_i, τ_i, exponent and
+  /// RelaxationTerms, since format 4: branches, sum of RelaxationPart, p_i, τ_i, exponent and
   /// contact radius.
   std::int32_t branches;
   std::int32_t relaxationParts;
@@ -90,21 +91,21 @@ struct FlatBodyHeader
   std::array<double, PronySeries::LargestCount> time;
   std::array<double, 2> contact;
   std::array<std::uint64_t, LaterSectionCount - FirstSectionCount> laterOffset;
-  /// Since format 5, of CouplingTerms: sum of CouplingPart, modes, E* and thickness.
+  /// CouplingTerms, since format 5: sum of CouplingPart, modes, E* and thickness.
   std::int32_t couplingParts;
   std::int32_t couplingModes;
   std::array<double, 2> coupling;
-  /// Of TiltTerms: range, largest tilt and scale of the drop; numbers of depths,
-  /// angles, drops, and laws, 0 if there are none; and 1 if the points have weights.
+  /// TiltTerms, since format 5: range, largest tilt and scale of the drop; numbers of depths,
+  /// angles, drops, and laws (0 if there are none); and 1 if the points have weights.
   std::array<double, 3> tiltNumbers;
   std::array<std::int32_t, 4> tiltCounts;
   std::int64_t tiltWeights;
   std::array<std::uint64_t, SectionCount - LaterSectionCount> latestOffset;
 
-  /// The header of a file of at least SmallestSize; members that an older format lacks are 0.
+  /// Reads the header of a file of at least SmallestSize; members that an older format lacks are 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
 
-  /// Bytes, in a file of this version.
+  /// Bytes of the header in a file of this version.
   std::size_t size() const;
   std::uint64_t& offset(std::size_t section);
   std::uint64_t offset(std::size_t section) const;
@@ -123,7 +124,7 @@ struct FlatBodyHeader
   void setTilt(const TiltViews& tilt);
   TiltTerms tiltTerms() const;
 
-  /// Why a file of so many bytes with this header cannot be used, or "".
+  /// The reason why a file of `fileBytes` bytes with this header cannot be used, or "".
   std::string fault(std::uint64_t fileBytes) const;
 
 private:

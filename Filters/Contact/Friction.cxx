@@ -25,10 +25,10 @@ bool isValid(const FrictionSettings& settings)
 
 constexpr int MostPieces = 40;
 constexpr double LongestPiece = 1.0 / 8.0; ///< of z_max
-constexpr double LastBit = 0.005;          ///< of z_max
+constexpr double LastBit = 0.005;          ///< largest distance from the limit, of z_max
 constexpr double Ahead = 0.1;              ///< largest slope of z against the path
 constexpr double AtLimit = 1.0 - 1e-9;
-constexpr double Shortest = 1e-150; ///< z_max, mm, whose square is a number
+constexpr double Shortest = 1e-150; ///< mm; the square of such a z_max is not 0
 
 double eighthPower(double square)
 {
@@ -100,13 +100,13 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   return { -this->Stiffness * this->Z, sliding };
 }
 
-/// What a sliding contact does in most ticks: it is at the limit of the last load, goes the last
-/// bit to that of this one, or is taken back to it, and is dragged on. All of it changes the angle
-/// θ from path to z alone, so that roots and divisions are of what is known before the load is, and
-/// what the load changes is a factor near 1, taken by its series.
+/// The usual step of a sliding contact: it is at the limit of the last load, moves a last bit to
+/// the limit of this load (or is clipped back to it), and is dragged on. Only the angle θ from path
+/// to z changes. Roots and divisions therefore use only values that are known before the load. The
+/// load enters by a factor near 1, evaluated by its series.
 ///
 /// The bit is one step with the creep of its middle, in polar coordinates d|z|/dx = (1 - α|z|) cos
-/// θ, dθ/dx = -sin θ/|z|; errors are of the second order in the angle and the third in the bit.
+/// θ, dθ/dx = -sin θ/|z|. Errors are of second order in the angle and of third order in the bit.
 [[gnu::hot]] bool ElastoPlasticFriction::slideOn(
   const StraightStep& step, double longest, double inverse) noexcept
 {
@@ -125,13 +125,14 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
     const double half = 0.5 * missing;
     const double middle = 1.0 - half;
     const double w = eighthPower(middle * middle) - this->Breakaway8;
-    const double bit = missing * (1.0 + w * this->InverseWidth8); // way cos θ, by 1/(1 - α|z|)
+    const double bit = missing * (1.0 + w * this->InverseWidth8); // path cos θ, by 1/(1 - α|z|)
     left -= bit * (longest * (size / z.x()));
     if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
     {
       return false;
     }
-    // Half the turn, divided by the middle, and the tangent of a sum, divided by 1 - both: series.
+    // Series for half the turn divided by the middle, and for the tangent of a sum, divided by 1 -
+    // both.
     const double turn = -0.5 * bit * slope * (1.0 + half) * (1.0 + half * half);
     const double both = tangent * turn;
     tangent = (tangent + turn * (1.0 - turn * turn)) * (1.0 + both * (1.0 + both));
@@ -143,7 +144,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   return true;
 }
 
-/// Forwards until z is at the limit; the length that is left.
+/// Moves forwards until z is at the limit. Returns the remaining length.
 double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) const noexcept
 {
   double squared = z.squaredNorm();
@@ -155,7 +156,7 @@ double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) c
     double reached = next.squaredNorm();
     if (reached > longest * longest)
     {
-      // Past the limit: the part of the piece before it, by a secant.
+      // Past the limit: take the part of the piece before the limit, by a secant.
       const double before = std::sqrt(squared);
       piece *= (longest - before) / (std::sqrt(reached) - before);
       next = this->rungeKutta(z, longest, piece);

@@ -16,15 +16,17 @@ namespace palpate
 {
 /**
  * Dahl's friction (1968), the baseline of the studies: dz = dx - |dx| z/z_max, force -σ₀ z, with
- * z_max = limit/σ₀. Creeps from the first displacement on, and so drifts under a load that swings
- * within the limit, z_max [ln((1-z₁)/(1-z₂)) - ln((1+z₂)/(1+z₁))] per cycle (z in units of z_max).
+ * z_max = limit/σ₀. It creeps from the first displacement on. Under a load that swings within the
+ * limit it therefore drifts by z_max [ln((1-z₁)/(1-z₂)) - ln((1+z₂)/(1+z₁))] per cycle (z in units
+ * of z_max).
  *
- * Along a straight step the equation is linear and solved exactly: z e^-y/z_max + z_max (1 -
- * e^-y/z_max) d. So it does not matter in how many ticks a way is gone; the explicit step of
- * Hayward and Armstrong 2000 would slide at z_max - |dx|, at a force that depends on speed.
+ * Along a straight step of length y and direction d the equation is linear and solved exactly:
+ *   z e^(-y/z_max) + z_max (1 - e^(-y/z_max)) d.
+ * So the number of ticks on a path does not matter. The explicit step of Hayward and Armstrong 2000
+ * would slide at z_max - |dx|, at a force that depends on speed.
  *
- * It comes near the limit but never reaches it: sliding is from 99 % on. On a circle of radius ρ it
- * lags by atan(z_max/ρ), with cos of that of the limit.
+ * The force comes near the limit but never reaches it: 99 % counts as sliding. On a circle of
+ * radius ρ it lags by atan(z_max/ρ) and has the cosine of that angle times the limit.
  */
 class PALPATE_EXPORT DahlFriction
 {
@@ -35,7 +37,7 @@ public:
   }
   void reset() noexcept { this->Z.setZero(); }
 
-  /// At most `limit` = μ f_n, N.
+  /// Returns a force of at most `limit` = μ f_n, N.
   TangentialForce update(const StraightStep& step, double limit) noexcept
   {
     const double longest = limit / this->Stiffness;
@@ -59,29 +61,31 @@ private:
 /**
  * Elasto-plastic friction of Hayward and Armstrong 2000: stick, creep, slide.
  *
- * The contact point's displacement x over the surface is elastic, z, plus plastic, w; the force is
- * -σ₀ z. Forwards (dx along z) a share of the displacement is plastic,
- *   dw = α(|z|) z (dx·z/|z|),   and |z| <= z_max = limit/σ₀;
- * backwards none is: a contact unloads elastically (Dupont, Hayward, Armstrong and Altpeter 2002).
- * With r = |z|/z_max, b = breakaway, s = stick radius, both in units of z_max:
+ * The displacement x of the contact point over the surface is the sum of an elastic part z and a
+ * plastic part w; the force is -σ₀ z. Forwards (dx along z) a share of the displacement is plastic,
+ *   dw = α(|z|) z (dx·z/|z|),   and |z| <= z_max = limit/σ₀.
+ * Backwards no displacement is plastic: a contact unloads elastically (Dupont, Hayward, Armstrong
+ * and Altpeter 2002). With r = |z|/z_max, b = breakaway, s = stick radius, both in units of z_max:
  *   α z_max = w/(w + s⁸ - b⁸),   w = max(r⁸ - b⁸, 0).
- * b = 0 is α = z⁸/(z_st⁸ + z⁸)/z_max, as Hayward and Armstrong write it; b = s = 1 their stick and
- * slide.
+ * b = 0 gives α = z⁸/(z_st⁸ + z⁸)/z_max, as Hayward and Armstrong write it; b = s = 1 gives their
+ * stick and slide.
  *
- * Why b > 0: α small is not α = 0. Under 0.1 kg, 0.5 ± 0.2 of the limit at 2 Hz, z⁸ alone creeps by
- * 6 µm per cycle at s = 0.9 and 0.2 mm at s = 0.5 (z_max = 1 mm), and goes on. That a contact stays
- * where it is needs a neighbourhood of z = 0 in which α is exactly 0, as Dupont et al. prove.
+ * Reason for b > 0: a small α is not α = 0. Under 0.1 kg, 0.5 ± 0.2 of the limit at 2 Hz, z⁸ alone
+ * creeps by 6 µm per cycle at s = 0.9 and by 0.2 mm at s = 0.5 (z_max = 1 mm), without end. A
+ * contact stays in place only if α is exactly 0 in a neighbourhood of z = 0, as Dupont et al.
+ * prove.
  *
- * Why the displacement counts forwards only: with |dx| instead, z would be stiffer than σ₀ on the
- * way back (up to 2 σ₀, past what the loop was made stable for), and shrink under displacements
- * across it. At the limit this is Coulomb's law with the force against the sliding direction.
+ * Reason for counting only the forward displacement: with |dx| instead, z would be stiffer than σ₀
+ * on the way back (up to 2 σ₀, more than the stability of the loop was designed for). It would also
+ * shrink under displacements across it. At the limit this is Coulomb's law with the force against
+ * the sliding direction.
  *
- * A step of any length goes, in this order, the free way to the breakaway circle and, at the limit,
- * the tractrix, both exactly; between them the creep by fourth-order Runge-Kutta in pieces of at
- * most 1/8 z_max, at most 40 (within 2e-5 of the limit). On a circle of radius ρ > z_max the force
- * is at the limit and lags by asin(z_max/ρ).
+ * A step of any length has three parts in this order: free motion to the breakaway circle, creep,
+ * and the tractrix at the limit. Free motion and tractrix are exact. Creep is integrated by
+ * fourth-order Runge-Kutta in pieces of at most 1/8 z_max, at most 40 (within 2e-5 of the limit).
+ * On a circle of radius ρ > z_max the force is at the limit and lags by asin(z_max/ρ).
  *
- * σ₀ is constant and |z| clipped, so that a changing normal force takes energy but creates none
+ * σ₀ is constant and |z| is clipped, so that a changing normal force takes energy but creates none
  * (σ₀ = limit/z_max would create ½ z² Δσ₀ per cycle).
  */
 class PALPATE_EXPORT ElastoPlasticFriction
@@ -90,11 +94,11 @@ public:
   explicit ElastoPlasticFriction(const FrictionSettings& settings) noexcept;
   void reset() noexcept { this->Z.setZero(); }
 
-  /// At most `limit` = μ f_n, N.
+  /// Returns a force of at most `limit` = μ f_n, N.
   TangentialForce update(const StraightStep& step, double limit) noexcept;
 
 private:
-  /// False where more than that happens: nothing is done.
+  /// A step that only slides on. Returns false and does nothing if more happens in the step.
   bool slideOn(const StraightStep& step, double longest, double inverse) noexcept;
   double creep(Vector2& z, double longest, double length) const noexcept;
   Vector2 rate(const Vector2& z, double longest) const noexcept;
@@ -109,48 +113,51 @@ private:
 };
 
 /**
- * Friction that follows from the stored response f(δ) itself; of its own it has only μ and ν.
+ * Friction derived from the stored response f(δ); its only parameters are μ and ν.
  *
- * Where normal and tangential contact are similar (Jaeger 1998; Ciavarella 1998; for spheres
- * Mindlin 1949), a displacement u at constant depth meets
+ * If normal and tangential contact are similar (Jaeger 1998; Ciavarella 1998; for spheres Mindlin
+ * 1949), a displacement u at constant depth causes the force
  *   Q(u) = μ [f(δ) - f(δ - u/(μc))],   c = (2-ν)/(2(1-ν)),
- * and slides from u = μcδ on. As the method of dimensionality reduction has it (Popov and Hess
- * 2015), the contact is a row of springs: f''(η) dη of them touch when the depth passes the level
- * η, a flat's f'(0) at 0. A spring of normal stiffness k has tangential stiffness k/c, carries its
- * own displacement u and slides at |u| = μc(δ - η), where its force is μ times its load. History -
- * loading under a varying depth, reversals (Masing's rule), paths that turn - is in these u, all
- * vectors in the tangent plane.
+ * and slides from u = μcδ on. In the method of dimensionality reduction (Popov and Hess 2015) the
+ * contact is a row of springs: springs of stiffness f''(η) dη touch when the depth passes the level
+ * η; for a flat end, springs of stiffness f'(0) touch at level 0. A spring of normal stiffness k
+ * has the tangential stiffness k/c and its own displacement u. It slides at |u| = μc(δ - η), where
+ * its force is μ times its load. The history (loading under a varying depth, reversals by Masing's
+ * rule, paths that turn) is in these u, all vectors in the tangent plane.
  *
- * Here the springs of each of the cells between the depths range·(j/Cells)², the last one ending at
- * δ, are `PerCell`. Force and stiffness of the response at the ends of a cell give stiffness and
- * load of its springs, so that all together carry exactly f(δ) at any depth, and slide at exactly
- * μ f_n. Cells are fixed in depth (on a body of one range), so springs keep their history as δ
- * changes:
- * - δ grows: the last cell gets wider and stiffer, then others follow, undisplaced at first;
- * - δ shrinks: limits shrink and displacements with them; springs whose cell is above δ are gone,
- *   and have no force left by then;
- * - beyond the range: no more springs, as the response has its last tangent there; limits grow;
- * - below range/256, where the force is under a thousandth of its largest: one cell.
+ * The depths range·(j/Cells)² divide the depth into cells; the last cell ends at δ. Each cell has
+ * `PerCell` springs. Force and stiffness of the response at the ends of a cell give stiffness and
+ * load of its springs. So all springs together carry exactly f(δ) at any depth, and slide at
+ * exactly μ f_n. Cells are fixed in depth (on a body of one range), so springs keep their history
+ * as δ changes:
+ * - δ grows: the last cell gets wider and stiffer, then other cells follow, without displacement at
+ *   first;
+ * - δ shrinks: limits shrink and displacements with them; springs whose cell is above δ are
+ *   removed, and have no force left by then;
+ * - beyond the range: no more springs, because the response has its last tangent there; limits
+ *   grow;
+ * - below range/256, where the force is under a thousandth of its largest value: one cell.
  *
- * Energy. A spring that gets stiffer keeps its force, not its displacement; one that gets softer
- * keeps its displacement. Either way it loses energy, so that no change of depth, force or response
- * along the way can create any. The price: where the response differs from point to point, a stuck
- * contact that is moved to and fro creeps by that difference.
+ * Energy: a spring that gets stiffer keeps its force, not its displacement. A spring that gets
+ * softer keeps its displacement. Both lose energy, so that no change of depth, force or response
+ * along the path can create any. The disadvantage: where the response differs from point to point,
+ * a stuck contact that is moved back and forth creeps by that difference.
  *
- * Where a response is not convex (f'' < 0, or measured with noise), cells of falling stiffness have
- * no spring and the others are scaled to carry f_n; so they are if f_n is not the curve's own
- * (ForceForm::Paper).
+ * If a response is not convex (f'' < 0, or measured with noise), cells of falling stiffness have no
+ * spring, and the other springs are scaled to carry f_n. They are also scaled if f_n is not the
+ * force of the curve (ForceForm::Paper).
  *
- * Largest error of Q, of μ f_n, paraboloid / cone (a flat: rounding):
+ * Largest error of Q, over μ f_n, paraboloid / cone (a flat: rounding):
  *   springs      16             32             64            16 cells of 4
  *   at range     1.4e-3/3.6e-3  3.4e-4/9.0e-4  8.5e-5/2.2e-4  9.3e-5/2.2e-4
  *   at range/4   5.5e-3/1.4e-2  1.4e-3/3.6e-3  3.4e-4/9.0e-4  4.5e-4/8.5e-4
- * It falls with the square of their number, however they are shared out. A cell costs an evaluation
- * of the response, a spring a few operations; so 16 cells of 4: below 1e-3, as 8 samples hold the
- * response itself, with a quarter of the evaluations.
+ * The error falls with the square of the number of springs, however they are distributed over
+ * cells. A cell costs an evaluation of the response, a spring a few operations. Therefore 16 cells
+ * of 4 are used: the error is below 1e-3, like that of 8 samples of the response, with a quarter of
+ * the evaluations.
  *
- * Cost, besides an evaluation of the response per cell within the depth: 5 to 25 ns per spring
- * (stuck or straight; sliding in a curve, an exponential each).
+ * Cost, in addition to one evaluation of the response per cell within the depth: 5 to 25 ns per
+ * spring (stuck or straight; sliding on a curve needs one exponential per spring).
  */
 class PALPATE_EXPORT ShapeFriction
 {
@@ -161,8 +168,8 @@ public:
   explicit ShapeFriction(const FrictionSettings& settings) noexcept;
   void reset() noexcept;
 
-  /// At most μ normalForce, N. `curve` is the response at this contact: evaluate(depth) ->
-  /// ResponseValue, range() -> mm.
+  /// Returns a force of at most μ normalForce, N. `curve` is the response at this contact:
+  /// evaluate(depth) -> ResponseValue, range() -> mm.
   template <class Curve>
   TangentialForce update(
     const Vector2& displacement, double normalForce, double deflection, const Curve& curve) noexcept
@@ -231,24 +238,24 @@ private:
 };
 
 /**
- * What resists the sliding of one contact: a tangential force from the pre-sliding displacement of
- * the contact point over the undeformed surface (Mahvash and Hayward 2002, section 3). The normal
- * force is not changed by it.
+ * Friction of one contact: a tangential force from the pre-sliding displacement of the contact
+ * point over the undeformed surface (Mahvash and Hayward 2002, section 3). It does not change the
+ * normal force.
  *
  * The displacement is a vector in the tangent plane and is carried over curved bodies by parallel
- * transport (FrictionFrame); what force it gives is up to FrictionSettings::model. All three depend
- * on the way, not on time nor on the number of ticks the way takes; their force never exceeds
+ * transport (FrictionFrame). FrictionSettings::model selects the force that it causes. All three
+ * models depend on the path, not on time or on the number of ticks. Their force never exceeds
  * Coulomb's limit μ f_n.
  *
  * Energy: from first touch on, the work against friction along the displacements over the surface
  * is never negative, however point, depth, normal force and response change (for short ticks; a
- * servo loop that holds the force for a period leaks what any spring does). The tip itself, δ deep
- * under a curvature κ, moves 1 - δκ times as far.
+ * servo loop that holds the force for a period leaks energy as with any spring). The tip itself, δ
+ * deep under a curvature κ, moves 1 - δκ times as far.
  *
- * One Friction is one history. No heap; update() neither throws nor waits.
+ * One Friction object is one history. No heap; update() neither throws nor waits.
  *
- * Cost of an update: 40 ns (stuck) to 70 ns (sliding under a changing load) with
- * ElastoPlastic and Dahl, 0.5 to 2.5 µs for ShapeDerived; nothing with coefficient 0.
+ * Cost of an update: 40 ns (stuck) to 70 ns (sliding under a changing load) with ElastoPlastic and
+ * Dahl, 0.5 to 2.5 µs with ShapeDerived; none with coefficient 0.
  */
 class PALPATE_EXPORT Friction
 {
@@ -256,20 +263,21 @@ public:
   /// Settings out of their range give no friction.
   explicit Friction(const FrictionSettings& settings) noexcept;
 
-  /// Contact lost: the next one starts without pre-sliding displacement.
+  /// The contact is lost: the next one starts without pre-sliding displacement.
   void reset() noexcept;
 
-  /// What resists sliding in one tick.
+  /// Friction of one tick.
   struct Result
   {
     Vector3 force = Vector3::Zero(); ///< on the tool, tangential, N
     bool sliding = true;             ///< Coulomb's limit is reached; else the contact sticks
   };
 
-  /// The contact of this tick: point on the undeformed surface, mm; unit outward normal; normal
-  /// force, N; depth δ, mm; the response there, with evaluate(depth) -> ResponseValue and range()
-  /// -> mm (only used by ShapeDerived). The first after reset() gives no force.
-  /// What is not finite, or a normal not of unit length, gives none and ends the history.
+  /// Parameters of the contact of this tick: point on the undeformed surface, mm; unit outward
+  /// normal; normal force, N; depth δ, mm; the response there, with evaluate(depth) ->
+  /// ResponseValue and range() -> mm (only used by ShapeDerived). The first call after reset()
+  /// gives no force. Values that are not finite, or a normal that is not of unit length, give no
+  /// force and end the history.
   template <class Curve>
   [[gnu::hot]] Result update(const Vector3& contactPoint, const Vector3& normal, double normalForce,
     double deflection, const Curve& curve) noexcept
@@ -311,7 +319,7 @@ private:
   ShapeFriction Shape;
 };
 
-/// Whether there is a contact that makes sense.
+/// Whether the values are those of a contact.
 inline bool Friction::advance(const Vector3& contactPoint, const Vector3& normal,
   double normalForce, double deflection) noexcept
 {

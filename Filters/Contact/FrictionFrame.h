@@ -15,20 +15,20 @@ namespace palpate
 using Vector2 = Eigen::Vector2d;
 
 /**
- * The displacement of one tick as a straight piece of path, and what pre-sliding displacements z do
- * along it, exactly, however long it is.
+ * The displacement of one tick as a straight piece of a path, and the exact motion of pre-sliding
+ * displacements z along it, for any length.
  *
- * In the coordinates (along, across) of the path z moves in order through: free inside a circle,
- * z' = (1, 0), which it leaves forwards; and on the circle, |z| = limit, where the contact is
- * dragged behind like a stone on a string: z' = (1, 0) - cos θ z/|z|, θ from path to z. That curve
- * is the tractrix: tan(θ/2) falls by exp(-length/limit).
+ * In the coordinates (along, across) of the path z passes two states in order. Inside a circle it
+ * moves freely, z' = (1, 0), and leaves the circle forwards. On the circle, |z| = limit, the
+ * contact is dragged behind like a stone on a string: z' = (1, 0) - cos θ z/|z|, with θ the angle
+ * from the path to z. That curve is the tractrix: tan(θ/2) falls by exp(-length/limit).
  */
 class StraightStep
 {
 public:
   /// No displacement.
   StraightStep() = default;
-  /// Along `direction`, of any length but 0; `length` mm.
+  /// Along `direction`, of any length except 0; `length` in mm.
   StraightStep(const Vector2& direction, double length) noexcept
     : Length(length)
     , Direction(direction * (1.0 / direction.norm()))
@@ -55,13 +55,13 @@ public:
       this->Direction.y() * z.x() + this->Direction.x() * z.y() };
   }
 
-  /// Moves z freely as long as it lies behind, against the path, or within the circle; from outside
-  /// the circle, up to where the path passes its centre. Returns the length that is left.
+  /// Moves z freely as long as it is behind (against the path) or within the circle. From outside
+  /// the circle it moves to where the path passes the centre. Returns the remaining length.
   static double moveFreely(Vector2& z, double radius, double length) noexcept
   {
     if (z.x() >= 0.0 && z.squaredNorm() >= radius * radius)
     {
-      return length; // spares a sliding contact the root
+      return length; // saves a sliding contact the root
     }
     const double inside = radius * radius - z.y() * z.y();
     const double free = (inside > 0.0 ? std::sqrt(inside) : 0.0) - z.x();
@@ -70,7 +70,7 @@ public:
     return length - moved;
   }
 
-  /// From a point of the circle's front half.
+  /// Moves z along the tractrix, from a point of the circle's front half.
   static void drag(Vector2& z, double limit, double length) noexcept
   {
     const double tangent = z.y() == 0.0 ? 0.0 : z.y() / (limit + z.x()) * decay(length / limit);
@@ -78,8 +78,8 @@ public:
     z = Vector2(scale * (1.0 - tangent * tangent), scale * 2.0 * tangent);
   }
 
-  /// e^-x. For the small x of a tick Taylor's polynomial is exact to the last digit; its numbers
-  /// stand in the code, where the library's function reads a table.
+  /// e^-x. For the small x of a tick Taylor's polynomial is exact to rounding. Its coefficients are
+  /// in the code, while the library's function reads a table.
   static double decay(double x) noexcept
   {
     constexpr double little = 0.25; // x^12/12! is 1e-16
@@ -87,7 +87,7 @@ public:
     {
       return std::exp(-x);
     }
-    // In fours, which do not wait for each other.
+    // In groups of four that are independent of each other.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x) + x2 * (1.0 / 2 - x * (1.0 / 6));
@@ -97,7 +97,7 @@ public:
     return low + x4 * (middle + x4 * high);
   }
 
-  /// z shortened to the limit.
+  /// Shortens z to the limit.
   static void clip(Vector2& z, double limit) noexcept
   {
     const double squared = z.squaredNorm();
@@ -114,7 +114,7 @@ private:
 
 using Vector3 = Eigen::Vector3d;
 
-/// What a friction model answers, in the frame below.
+/// Result of a friction model, in the frame below.
 struct TangentialForce
 {
   Vector2 force = Vector2::Zero(); ///< on the tool, N
@@ -122,30 +122,32 @@ struct TangentialForce
 };
 
 /**
- * A tangent frame that goes along with the contact point, so that what happened along the surface
- * can be kept in two numbers.
+ * A tangent frame that moves with the contact point, so that the history along the surface can be
+ * stored in two numbers.
  *
  * Parallel transport: from one tick to the next the frame takes the smallest rotation that brings
- * the last normal to the new one. A vector of fixed components neither turns nor changes length as
- * seen on the surface; around a closed path it comes back turned by the integral of the curvature
- * inside (on a sphere, the solid angle). No trigonometry; going back undoes it.
+ * the last normal to the new one. On the surface, a vector of fixed components neither turns nor
+ * changes its length. On a closed path it returns turned by the integral of the curvature inside
+ * (on a sphere, the solid angle). No trigonometry is needed; going back reverses the rotation.
  *
- * Displacement over the surface: the chord from the last contact point, its components averaged
- * over the two frames (on a circular arc that is the arc's own direction), with the length of the
- * arc that has this chord and turns as much as the normals: 5e-7 too short at 0.3 rad per tick,
- * 0.8 % at a right angle. What of the chord lies along the normals only lengthens the rest, to no
- * more than twice: a contact that moves along its normal is not displaced.
+ * Displacement over the surface: its direction is that of the chord from the last contact point,
+ * with components averaged over the two frames (on a circular arc this is the arc's own direction).
+ * Its length is that of the arc that has this chord and turns as much as the normals: 5e-7 too
+ * short at 0.3 rad per tick, 0.8 % at a right angle. The part of the chord along the normals only
+ * lengthens the displacement, to at most twice its length: a contact that moves along its normal is
+ * not displaced.
  *
- * Normals more than 177 degrees apart have no smallest rotation: history ends there.
+ * Normals more than 177 degrees apart have no smallest rotation: the history ends there.
  */
 class PALPATE_EXPORT FrictionFrame
 {
 public:
-  /// Forget the last contact.
+  /// Forgets the last contact.
   void reset() noexcept { this->Started = false; }
 
-  /// To the next contact: `point` on the undeformed surface, mm; `normal` unit. Whether the last
-  /// one was carried along; if not, the frame starts here, and the displacement is 0.
+  /// Moves to the next contact: `point` on the undeformed surface, mm; `normal` unit. Returns
+  /// whether the frame was carried along from the last contact. If not, the frame starts here with
+  /// displacement 0.
   bool advance(const Vector3& point, const Vector3& normal) noexcept;
 
   /// The displacement of the last advance, mm, in this frame.
@@ -184,8 +186,8 @@ private:
   Vector3 Second = Vector3::Zero();
   StraightStep Step;
 };
-// What the displacement needs comes first, in scalar products that do not wait for each other: the
-// rest of a tick waits for it, and for nothing else of the frame.
+// The values for the displacement are computed first, in independent scalar products: the rest of a
+// tick waits only for them.
 [[gnu::hot]] inline bool FrictionFrame::advance(
   const Vector3& point, const Vector3& normal) noexcept
 {
@@ -195,7 +197,7 @@ private:
     this->start(point, normal);
     return false;
   }
-  // An axis e becomes e - (n·e)/(1 + cos φ) (n + n'), with n the new normal.
+  // An axis e becomes e - (n·e)/(1 + cos φ) (n + n'), with n the new and n' the old normal.
   const Vector3 chord = point - this->Point;
   const Vector3 normals = this->Normal + normal;
   const double share = 1.0 / (1.0 + cosine);
@@ -207,7 +209,7 @@ private:
   const double seen = along.squaredNorm();
   if (seen > 0.0)
   {
-    // LargestStretch times the chord that is seen, |along|/2.
+    // LargestStretch times the tangential chord, |along|/2.
     const double longest = 0.25 * LargestStretch * LargestStretch * seen;
     const double arc = std::sqrt(std::min(chord.squaredNorm(), longest)) * arcOfChord(cosine);
     this->Step = StraightStep(along, arc);
@@ -216,7 +218,7 @@ private:
   {
     this->Step = StraightStep();
   }
-  // Rounding would add up: back into the plane, and one Newton step of 1/√ to unit length.
+  // Rounding would accumulate: back into the plane, and one Newton step of 1/√ to unit length.
   const Vector3 turned = this->First - (share * first) * normals;
   const double unit = 1.5 - 0.5 * turned.squaredNorm();
   this->First = unit * (turned - normal.dot(turned) * normal);

@@ -58,7 +58,7 @@ Eigen::Vector3d centroid(const std::int32_t* corner, const float* coordinates)
 
 std::uint64_t hilbertKey(std::array<std::uint32_t, 3> cell) noexcept
 {
-  // From the finest but one bit to the coarsest but one: invert or exchange the lower bits.
+  // From the highest bit to the second lowest: invert or exchange the lower bits.
   for (std::uint32_t bit = 1U << (Bits - 1); bit > 1; bit >>= 1)
   {
     const std::uint32_t lower = bit - 1;

@@ -8,14 +8,14 @@
 
 namespace palpate
 {
-/// Position along Hilbert's space-filling curve of a cell of a 2^16 x 2^16 x 2^16 grid: cells next
-/// to each other along the curve are neighbours in space (Skilling 2004, Programming the Hilbert
+/// Position of a cell of a 2^16 x 2^16 x 2^16 grid along Hilbert's space-filling curve: cells that
+/// are adjacent along the curve are neighbours in space (Skilling 2004, Programming the Hilbert
 /// curve, AIP Conf. Proc. 707, 381).
 std::uint64_t hilbertKey(std::array<std::uint32_t, 3> cell) noexcept;
 
-/// Sorts triangles by the position of their centroids along the curve, those of one cell by number.
-/// `corners` are three point indices for each triangle, `coordinates` three floats for each point,
-/// finite. Threaded; the same result for any number of threads.
+/// Sorts triangles by the position of their centroids along the curve; triangles of one cell by
+/// number. `corners` are three point indices for each triangle, `coordinates` three finite floats
+/// for each point. Threaded; the same result for any number of threads.
 void sortAlongCurve(
   std::vector<std::int32_t>& triangles, const std::int32_t* corners, const float* coordinates);
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 constexpr std::size_t PageSize = LargePageMemory::PageSize;
-constexpr std::size_t CacheLine = 64; ///< of a cache line
+constexpr std::size_t CacheLine = 64; ///< bytes
 constexpr std::size_t SmallestShared = 4096;
 
 /// The first line of a shared page: the bytes handed out, and the number of parts.
@@ -23,14 +23,14 @@ struct alignas(CacheLine) SharedPage
 };
 
 std::mutex Guard;
-SharedPage* Open = nullptr; ///< from which the next part is cut
+SharedPage* Open = nullptr; ///< the page from which the next part is taken
 
 std::size_t roundedUp(std::size_t bytes, std::size_t unit) noexcept
 {
   return (bytes + unit - 1) / unit * unit;
 }
 
-/// Not under the address sanitizer, which finds accesses beside a vector only in ordinary memory.
+/// Off with the address sanitizer, which finds accesses outside a vector only in ordinary memory.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool IsMapped = false;
 #elif defined(__has_feature)
@@ -60,12 +60,12 @@ void* ordinary(std::size_t bytes)
   return memory;
 }
 
-/// New from the system: memory of malloc may have been used before in small pages, and stays in
-/// them.
+/// Mapped directly from the system: memory of malloc may have been used in small pages before, and
+/// stays in them.
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
-  const std::size_t asked = size + PageSize; // which contains an aligned one
+  const std::size_t asked = size + PageSize; // contains an aligned block of `size`
   void* memory = mmap(nullptr, asked, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
   {
@@ -130,7 +130,7 @@ void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
   }
   else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
   {
-    page->used -= size; // the newest part, so that growing parts leave no hole
+    page->used -= size; // the newest part: a growing part leaves no hole
   }
 }
 } // namespace palpate

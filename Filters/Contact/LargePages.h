@@ -9,10 +9,10 @@
 
 namespace palpate
 {
-/// Memory in 2 MiB pages, if possible: a servo tick that reads anywhere in some hundred megabytes
-/// then misses the cache, but not the address translation as well. Smaller parts share a page, also
-/// between bodies; such a page is freed when its last part is. Less than 4 KiB is ordinary memory.
-/// Aligned to 64 bytes; thread-safe.
+/// Memory in 2 MiB pages, if possible. A servo tick that reads anywhere in some hundred megabytes
+/// then misses the cache, but not the address translation. Smaller parts share a page, also between
+/// bodies; such a page is freed with its last part. Less than 4 KiB is ordinary memory. Aligned to
+/// 64 bytes; thread-safe.
 class PALPATE_EXPORT LargePageMemory
 {
 public:
@@ -61,8 +61,8 @@ public:
 template <class Value>
 using LargeVector = std::vector<Value, LargePages<Value>>;
 
-/// Prefetches a cache line; any address is allowed. The empty statement keeps g++ from treating a
-/// function that does nothing else as one without effect, whose calls it omits.
+/// Prefetches a cache line; any address is allowed. Without the empty asm statement g++ treats a
+/// function that only prefetches as one without effect and omits its calls.
 inline void prefetchLine(const void* memory) noexcept
 {
   __builtin_prefetch(memory);

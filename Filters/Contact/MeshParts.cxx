@@ -19,18 +19,18 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestCaps = 0.25; ///< of a solid's area
-constexpr double LargestGap = 0.01;  ///< caps of a part that counts as closed, of its area
-constexpr double LargestScrap = 0.1; ///< of the whole area
-constexpr double LeastVolume = 1e-9; ///< of area^1.5: a sheet of 1 µm by 1 m has more
+constexpr double LargestCaps = 0.25; ///< area of the caps of a solid, over its area
+constexpr double LargestGap = 0.01;  ///< the same for a part that counts as closed
+constexpr double LargestScrap = 0.1; ///< area of a part that may be left out, over the whole area
+constexpr double LeastVolume = 1e-9; ///< over area^1.5: a sheet of 1 µm by 1 m has more
 
 struct Part
 {
-  std::size_t first; ///< of its triangles, in Parts::Order
+  std::size_t first; ///< first of its triangles in Parts::Order
   std::size_t count;
   double area = 0.0;   ///< mm²
   double volume = 0.0; ///< mm³, with caps over its holes
-  double caps = 0.0;   ///< mm², their area
+  double caps = 0.0;   ///< mm², area of these caps
   Eigen::AlignedBox3d box = {};
 
   bool isSolid() const { return this->caps <= LargestCaps * this->area; }
@@ -92,7 +92,7 @@ private:
   {
     return { this->place(corners[0]), this->place(corners[1]), this->place(corners[2]) };
   }
-  /// `around`: the solids that the part lies inside.
+  /// `around`: the solids that contain the part.
   void orientPart(std::size_t i, const std::vector<std::size_t>& around, OrientedParts& result)
   {
     const Part& part = this->All[i];
@@ -126,7 +126,7 @@ private:
     }
   }
 
-  /// Neither empty nor a copy.
+  /// Whether the part is neither empty nor a copy.
   bool isKept(const Part& part) const
   {
     const auto seed = static_cast<std::size_t>(this->Order[part.first]);
@@ -193,7 +193,7 @@ private:
       });
   }
 
-  /// The corners of the triangles that close the holes of a part.
+  /// Visits the corners of the triangles that close the holes of a part.
   template <class Visit>
   void forCaps(const Part& part, const Visit& visit) const
   {
@@ -245,7 +245,7 @@ private:
     this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
   }
 
-  /// Walls that two solids share; copies are left out.
+  /// Returns the walls that two solids share; copies are left out of the mesh.
   std::vector<std::int32_t> findWalls()
   {
     if (this->All.size() < 2)
@@ -270,7 +270,7 @@ private:
     return walls;
   }
 
-  /// For each part, the solids that it lies inside; a fault where two solids overlap.
+  /// Finds the solids that contain each part. Returns a fault if two solids overlap.
   std::string findContainers(std::vector<std::vector<std::size_t>>& around) const
   {
     std::string fault;
@@ -286,7 +286,7 @@ private:
           return;
         }
         const PartOverlap overlap = this->overlapOf(inner, outer);
-        // A part may leave an open one through its hole.
+        // A part may leave an open solid through its hole.
         const bool isCertain = part.isClosed() && this->All[outer].isClosed();
         if (overlap.inside > (isCertain || !part.isSolid() ? 1.0 - PartOverlap::Least : 0.5))
         {
@@ -301,8 +301,8 @@ private:
     return fault;
   }
 
-  /// Calls visit(one, other) for parts whose boxes meet, each pair once: a sweep along the axis on
-  /// which they are spread most.
+  /// Calls visit(one, other) once for each pair of parts whose boxes meet. The sweep goes along the
+  /// axis on which the parts are spread most.
   template <class Visit>
   void forMeetingBoxes(const Visit& visit) const
   {
@@ -324,7 +324,7 @@ private:
     std::stable_sort(parts.begin(), parts.end(),
       [&](std::size_t a, std::size_t b)
       { return this->All[a].box.min()[axis] < this->All[b].box.min()[axis]; });
-    std::vector<std::size_t> open; // those that reach the current one
+    std::vector<std::size_t> open; // parts that reach the current one
     for (const std::size_t i : parts)
     {
       const Eigen::AlignedBox3d& box = this->All[i].box;
@@ -386,7 +386,7 @@ private:
   const TriangleLinks& Links;
   std::vector<std::int32_t> Order; ///< triangles, part by part
   std::vector<Part> All;
-  std::vector<bool> IsWall; ///< by triangle; empty: none is
+  std::vector<bool> IsWall; ///< by triangle; empty: no triangle is a wall
   mutable std::unordered_map<std::size_t, TriangleColumns> Columns;
 };
 } // namespace

@@ -11,31 +11,32 @@
 
 namespace palpate
 {
-/// What orientParts has done.
+/// Result of orientParts().
 struct OrientedParts
 {
   std::size_t leftOut = 0; ///< triangles of small parts that enclose nothing; first corner -1 now
   /// Triangles of sheets inside a closed solid; first corner -1 now.
   std::vector<std::int32_t> hidden;
-  /// Whether walls between two solids are left out: these share open borders now.
+  /// Whether walls between two solids are left out; these solids now share open borders.
   bool hasJoined = false;
-  std::string fault; ///< names the part that is no body; "" if there is none
+  std::string fault; ///< names the part that is not a body; "": no fault
 };
 
 /**
- * Reverses the parts of a surface that wind inward. A part is connected across edges of two
- * triangles; neighbours wind alike (makeWindingConsistent).
+ * Reverses the parts of a surface that are wound inward. A part is connected across edges of two
+ * triangles; neighbours are wound alike (makeWindingConsistent).
  *
- * - A part at the place of another one, triangle by triangle, is left out. So are the walls
- *   between two solids that touch: what they enclose is one body.
- * - A part is a solid if it is closed, or if caps over its holes have at most a quarter of its
- * area. Its enclosed volume tells inside from outside.
- * - A solid that winds inward inside another one is a cavity, and stays as it is.
- * - A solid that winds outward inside another one is a second body in the same place: a fault.
- * - A solid without volume has its two sides at one place. It is left out if it has at most
- *   a tenth of the whole area, and otherwise a fault.
+ * - A part at the place of another one, triangle by triangle, is left out. So are the walls between
+ *   two solids that touch: they enclose one body.
+ * - A part is a solid if it is closed, or if the caps over its holes have at most a quarter of its
+ *   area. The sign of its enclosed volume distinguishes inside and outside.
+ * - A solid that is wound inward inside another one is a cavity, and stays as it is.
+ * - A solid that is wound outward inside another one is a second body in the same place: a fault.
+ * - A solid without volume has its two sides at one place. It is left out if it has at most a tenth
+ *   of the whole area; otherwise it is a fault.
  * - Two solids that overlap are a fault.
- * - Other open parts stay as they are. One inside a closed solid is left out: no tool touches it.
+ * - Other open parts stay as they are. An open part inside a closed solid is left out: no tool
+ *   touches it.
  *
  * `coordinates`: 3 floats per point. O(n); solids inside the box of another one cost a ray each.
  */

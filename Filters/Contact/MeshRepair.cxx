@@ -26,7 +26,7 @@ struct Link
   bool agrees;
 };
 
-/// For each edge i of each triangle the other triangle of an edge of two, or -1.
+/// For each edge of each triangle the other triangle, if the edge has two triangles; else -1.
 std::vector<std::array<Link, 3>> linkByEdges(const std::vector<TriangleCorners>& triangles)
 {
   std::vector<EdgeUse> uses;
@@ -184,7 +184,7 @@ void joinEmptyEdges(
 
 void followJoints(std::vector<std::int32_t>& first)
 {
-  for (std::int32_t& point : first) // the first of each is done before it
+  for (std::int32_t& point : first) // the first point of each is already done
   {
     point = first[static_cast<std::size_t>(point)];
   }

@@ -11,25 +11,25 @@
 namespace palpate
 {
 /**
- * Reverses triangles until neighbours wind alike: in each part connected by edges of two triangles,
- * the minority is reversed. Returns how many were reversed. A part that cannot agree (a Moebius
- * band) is unchanged.
+ * Reverses triangles until neighbours are wound alike: in each part connected by edges of two
+ * triangles, the minority is reversed. Returns the number of reversed triangles. A part that cannot
+ * be consistent (a Moebius band) is unchanged.
  */
 std::size_t makeWindingConsistent(std::vector<TriangleCorners>& triangles);
 
 /**
  * For each point, the first point with the same coordinates (3 floats per point) among the points
- * on an edge without neighbour; points elsewhere map to themselves. Joins the triangles of files
- * that list every triangle's corners separately, and surfaces split for their normals, but never
- * two closed bodies that touch.
+ * on an edge without neighbour; other points map to themselves. Joins the triangles of files that
+ * list every triangle's corners separately, and surfaces split for their normals, but never two
+ * closed bodies that touch.
  */
 std::vector<std::int32_t> findTwins(
   const float* coordinates, std::size_t pointCount, const TriangleLinks& links);
 
 /**
- * Adds to such a list the ends of a triangle's edges without length: a contour through a grid point
- * has a separate point from each cell around, connected to the others by triangles without area.
- * The list may lead to the first point in several steps then, until followJoints.
+ * Adds the ends of a triangle's edges without length to such a list. A contour through a grid point
+ * has a separate point from each cell around it; triangles without area connect these points. The
+ * list may then lead to the first point in several steps, until followJoints() is called.
  */
 void joinEmptyEdges(
   const float* coordinates, const TriangleCorners& corners, std::vector<std::int32_t>& first);

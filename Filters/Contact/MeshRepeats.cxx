@@ -40,8 +40,8 @@ Entry entryOf(const TriangleCorners& corners, std::size_t triangle)
   return made;
 }
 
-/// Triangles at an edge of more than two, and pairs that share all three edges: copies are among
-/// them.
+/// Triangles at an edge of more than two triangles, and pairs that share all three edges. All
+/// copies are among them.
 std::vector<Entry> candidates(
   const std::vector<TriangleCorners>& triangles, const TriangleLinks& links)
 {
@@ -66,7 +66,7 @@ Edge edgeOf(const TriangleCorners& corners, std::size_t e)
   return std::minmax(corners[e], corners[(e + 1) % 3]);
 }
 
-/// Patches of triangles that occur with their reverse too; one of each is in `doubtful`.
+/// Patches of triangles that also occur with their reverse; one of each pair is in `doubtful`.
 class Patches
 {
 public:
@@ -85,7 +85,7 @@ public:
     }
   }
 
-  /// Drops those that fill no hole.
+  /// Drops the patches that fill no hole.
   void dropFlaps(Repeats& repeats)
   {
     std::set<std::int32_t> seen;
@@ -96,8 +96,8 @@ public:
         continue;
       }
       std::vector<std::int32_t> patch{ seed };
-      int filled = 0; // edges at which the patch has one neighbour, minus the others
-      int walled = 0; // edges at which it has several, minus those where it has none
+      int filled = 0; // edges with one other triangle, minus all others
+      int walled = 0; // edges with several others, minus edges without any
       for (std::size_t i = 0; i < patch.size(); ++i)
       {
         const TriangleCorners corners = this->corners(patch[i]);
@@ -129,7 +129,7 @@ private:
   {
     return this->Triangles[static_cast<std::size_t>(triangle)];
   }
-  /// Triangles at an edge that occur once.
+  /// Number of triangles at an edge that are not doubtful.
   std::ptrdiff_t othersAt(const Edge& edge) const
   {
     const auto around = this->Links.around(edge.first);
@@ -174,7 +174,7 @@ void mergeRepeats(
 void dropFlaps(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats)
 {
-  // A joint can have taken the area of a doubtful triangle.
+  // Joining points can have removed a doubtful triangle.
   for (auto each = repeats.doubtful.begin(); each != repeats.doubtful.end();)
   {
     const bool isLeftOut = triangles[static_cast<std::size_t>(*each)][0] < 0;

@@ -14,20 +14,20 @@ namespace palpate
 /// Triangles that occur more than once.
 struct Repeats
 {
-  std::size_t copies = 0;          ///< left out; one triangle of the same corners is kept
+  std::size_t copies = 0;          ///< left out; one triangle with the same corners is kept
   std::set<std::int32_t> doubtful; ///< kept ones that occurred with their reverse
-  std::size_t flaps = 0;           ///< of these, left out since they enclose nothing
-  std::size_t sheets = 0;          ///< of the flaps, those that are no walls between two solids
+  std::size_t flaps = 0;           ///< of these, left out because they enclose nothing
+  std::size_t sheets = 0;          ///< of the flaps, those that are not walls between two solids
 };
 
-/// Leaves out all but the first of the triangles with the same corners: their first corner is -1
-/// then.
+/// Leaves out all triangles with the same corners except the first; sets their first corner to -1.
 void mergeRepeats(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats);
 
-/// Leaves out those triangles that occurred with their reverse, patch by patch, unless they fill a
-/// hole: more edges around a patch have one other triangle than not. The others are flaps, as at
-/// the seams of merged scans, or walls, whose edges have two other triangles or more.
+/// Leaves out the triangles that occurred with their reverse, patch by patch, unless the patch
+/// fills a hole. A patch fills a hole if more than half of its outer edges have exactly one other
+/// triangle. The other patches are flaps, as at the seams of merged scans, or walls, whose edges
+/// have two or more other triangles.
 void dropFlaps(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats);
 } // namespace palpate

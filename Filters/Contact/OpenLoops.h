@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Open edges of a surface, joined to loops by their points.
+/// Open edges of a surface, connected to loops by common points.
 class OpenLoops
 {
 public:

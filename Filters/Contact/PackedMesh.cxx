@@ -33,7 +33,7 @@ bool PackedMesh::isPlaneBeyond(
 {
   const Vector3 normal = this->areaNormal(triangle);
   const double height = normal.dot(tip - this->corner(triangle, 0));
-  // 1e-12: a triangle is passed over only if it is farther by more than rounding.
+  // 1e-12: a triangle is skipped only if it is farther by more than rounding.
   return height * height > (1.0 + 1e-12) * squaredDistance * normal.squaredNorm();
 }
 

@@ -19,35 +19,35 @@
 
 namespace palpate
 {
-/// Told how far a body is built, 0 to 1; called by the thread that builds.
+/// Receives the progress of building a body, 0 to 1; called by the thread that builds.
 using BuildProgress = std::function<void(double)>;
 
 /**
  * The undeformed surface of a body as a tick reads it: one cache line per triangle, with its
  * coordinates, its points and its neighbours; and the triangles around each point.
  *
- * Triangles wind counter-clockwise seen from outside. They and the points are renumbered along a
- * space-filling curve, so that what is near in space is near in memory whatever the order of the
- * input; inputTriangle and inputPoint lead back.
+ * Triangles are wound counter-clockwise seen from outside. Triangles and points are renumbered
+ * along a space-filling curve, so that neighbours in space are neighbours in memory whatever the
+ * order of the input; inputTriangle() and inputPoint() return the numbers in the input.
  *
  * Coordinates are float32 about the centre of the body's box ("local"); all arithmetic is double.
- * A coordinate is off by at most half an ulp of its distance from the centre: 2^-25 of it, rounded
- * up to a power of two (4e-6 mm at 64 to 128 mm).
+ * The error of a coordinate is at most half an ulp of its distance from the centre: 2^-25 of it,
+ * rounded up to a power of two (4e-6 mm at 64 to 128 mm).
  *
  * The side of a tip is the sign of its offset along the angle-weighted pseudonormal of the closest
- * feature - face, edge or corner - which is right for the closest point of any closed 2-manifold
+ * feature (face, edge or corner). This is right for the closest point of any closed 2-manifold
  * (Baerentzen and Aanaes 2005).
  *
- * The triangles are those of a SoundMesh. Triangles without area take no part in contact, but their
- * neighbours are not left with a border. An edge of more than two triangles has no neighbour across
- * and counts as border.
+ * The triangles are those of a SoundMesh. Triangles without area take no part in contact, but give
+ * their neighbours no border. An edge of more than two triangles has no neighbour across and counts
+ * as border.
  *
- * On demand the surface is cut along its sharp convex edges (creases), so that a contact followed
- * from triangle to triangle stays on its face: triangles at a crease are no neighbours, and a point
- * there is one point per face, each with the normal of its face. An edge is sharp where the surface
- * turns by no less than the angle given, and, below BluntTurn, by twice as much as at the other
- * sides of its two triangles where they turn least: the facets of a coarse ball are no faces. An
- * edge between two points at which no other crease ends is not cut.
+ * On request the surface is cut along its sharp convex edges (creases), so that a contact followed
+ * from triangle to triangle stays on its face. Triangles at a crease are not neighbours, and a
+ * point there becomes one point per face, each with the normal of its face. An edge is sharp if the
+ * surface turns there by at least the given angle. Below BluntTurn, the turn must also be at least
+ * twice the smallest turn at the other sides of each of its two triangles: the facets of a coarse
+ * ball are not faces. An edge between two points at which no other crease ends is not cut.
  *
  * Cost: about 105 bytes per triangle; built in O(n log n), threaded, the same for any number of
  * threads. Immutable, safe from any number of threads.
@@ -58,10 +58,10 @@ public:
   using Defects = MeshDefects;
 
   static constexpr std::int32_t Border = -1; ///< no triangle across an edge
-  static constexpr std::int32_t Seam = -2;   ///< one without area across an edge
-  static constexpr std::int32_t Crease = -3; ///< cut along a sharp edge
+  static constexpr std::int32_t Seam = -2;   ///< a triangle without area across an edge
+  static constexpr std::int32_t Crease = -3; ///< the surface is cut along a sharp edge
 
-  /// Creases that turn by less are blunt, rad.
+  /// Creases with a smaller turn (rad) are blunt.
   static constexpr double BluntTurn = 1.309; // 75°
 
   /// One side of a crease.
@@ -74,14 +74,15 @@ public:
   };
 
   /// Copies `pointCount` points (x, y, z) and `triangleCount` triangles (three point indices).
-  /// `creaseTurn` (rad): see above; 0: nothing is cut.
+  /// `creaseTurn` (rad): least turn of a sharp edge, see above; 0: no edge is cut.
   PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, const BuildProgress& progress = {}, double creaseTurn = 0.0);
 
-  /// Triangles that take part in contact, and all points; those on creases several times.
+  /// Numbers of the triangles that take part in contact and of all points; points on creases count
+  /// several times.
   std::size_t triangleCount() const noexcept { return this->Records.size(); }
   std::size_t pointCount() const noexcept { return this->InputPoints.size(); }
-  /// Points of the input.
+  /// Number of points of the input.
   std::size_t inputPointCount() const noexcept { return this->InputPointCount; }
   std::int32_t inputTriangle(std::int32_t triangle) const noexcept
   {
@@ -100,7 +101,7 @@ public:
   {
     return this->record(triangle).points;
   }
-  /// Across edge i, or Border, or Seam, or Crease.
+  /// The triangle across edge i, or Border, Seam or Crease.
   std::int32_t neighbour(std::int32_t triangle, int edge) const noexcept
   {
     return this->record(triangle).neighbours[static_cast<std::size_t>(edge)];
@@ -112,12 +113,12 @@ public:
       this->record(triangle).corner[static_cast<std::size_t>(k)].data())
       .cast<double>();
   }
-  /// Local coordinates of the three corners, as they are kept.
+  /// Local coordinates of the three corners, as stored.
   const float* coordinates(std::int32_t triangle) const noexcept
   {
     return this->record(triangle).corner.front().data();
   }
-  /// Outward, twice the area long; and as a unit vector.
+  /// Outward normal with twice the area as its length; faceNormal() is the unit vector.
   Vector3 areaNormal(std::int32_t triangle) const noexcept
   {
     const Vector3 a = this->corner(triangle, 0);
@@ -137,7 +138,7 @@ public:
     const Vertex& vertex = this->Vertices[static_cast<std::size_t>(point)];
     return vertex.ring != NoRing && (vertex.ring & CreaseFlag) != 0;
   }
-  /// Both sides of each crease, by triangle.
+  /// Both sides of each crease, ordered by triangle.
   const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
 
   /// Calls visit(triangle) for each triangle around a point.
@@ -164,7 +165,7 @@ public:
       tip, this->corner(triangle, 0), this->corner(triangle, 1), this->corner(triangle, 2));
   }
 
-  /// The same if it lies on the face, inline.
+  /// The same if the point is on the face, inline.
   PlaneFoot projectOnFace(
     const Vector3& tip, std::int32_t triangle, TriangleProjection& projection) const noexcept
   {
@@ -173,12 +174,13 @@ public:
   }
 
   /**
-   * Whether the triangle's closest point, on its face, is certain to be no farther from a tip
-   * inside the body than any triangle it shares a corner with. Those lie no deeper under its plane
-   * than a slope b times their distance from it, so that a point at distance s beyond it is at
-   * least √((m + s)² + (d - b s)²) away from a tip at depth d whose foot is m from the triangle's
-   * border; that is no less than d if m >= d b / 2. The smallest area coordinate times the smallest
-   * altitude is no more than m, and it is the one asked for: exact at the longest edge.
+   * Whether the triangle's closest point, on its face, is certain to be at most as far from a tip
+   * inside the body as any triangle that shares a corner with it. These triangles are under its
+   * plane by at most a slope b times their distance from it. A point at distance s beyond the
+   * triangle is therefore at least √((m + s)² + (d - b s)²) away from a tip at depth d whose
+   * projection is m from the triangle's border. That is at least d if m >= d b / 2. The test
+   * replaces m by the smallest area coordinate times the smallest altitude, which is at most m, and
+   * equal at the longest edge.
    */
   bool isCertainlyNearest(
     const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept
@@ -190,7 +192,7 @@ public:
       this->areaNormal(triangle).dot(inward) > 0.0;
   }
 
-  /// Whether the tip is surely farther than the given distance: farther from the triangle's plane.
+  /// Whether the tip is certainly farther than the given distance, because the triangle's plane is.
   bool isPlaneBeyond(
     const Vector3& tip, std::int32_t triangle, double squaredDistance) const noexcept;
 
@@ -198,19 +200,19 @@ public:
   SurfacePoint orient(
     const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept;
 
-  /// Asks for the memory of a triangle ahead of its use.
+  /// Prefetches the memory of a triangle.
   void prefetch(std::int32_t triangle) const noexcept
   {
     prefetchLine(this->Records.data() + triangle);
   }
-  /// The same of its number in the input.
+  /// Prefetches its number in the input.
   void prefetchInput(std::int32_t triangle) const noexcept
   {
     prefetchLine(this->InputTriangles.data() + triangle);
   }
 
   const Defects& defects() const noexcept { return this->Found; }
-  /// Why the surface is no body (SoundMesh), or "".
+  /// The reason why the surface is not a body (SoundMesh), or "".
   const std::string& fault() const noexcept { return this->Fault; }
   /// Bytes held.
   std::size_t memory() const noexcept;
@@ -221,8 +223,8 @@ private:
     std::array<std::array<float, 3>, 3> corner;
     TriangleCorners points;
     std::array<std::int32_t, 3> neighbours;
-    /// b over twice the smallest altitude, see isCertainlyNearest; 1/mm, rounded up; infinite where
-    /// a neighbour lies under the triangle.
+    /// b over twice the smallest altitude, see isCertainlyNearest(); 1/mm, rounded up; infinite if
+    /// a neighbour is under the triangle.
     float steepness;
   };
   static_assert(sizeof(Record) == 64, "one cache line");
@@ -230,7 +232,7 @@ private:
   struct Vertex
   {
     std::array<float, 3> normal;
-    /// Where its triangles begin in Ring, shifted, and flags; or NoRing.
+    /// Start of its triangles in Ring, shifted, and flags; or NoRing.
     std::uint32_t ring;
   };
   static constexpr std::uint32_t BorderFlag = 1;

@@ -139,7 +139,7 @@ void PackedMesh::Builder::findNeighbours(const SoundMesh& sound)
 void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
 {
   constexpr std::int32_t unseen = -1;
-  std::vector<std::int32_t> packed(this->PointCount, unseen); // by input point: the first there
+  std::vector<std::int32_t> packed(this->PointCount, unseen); // the first at each place
   this->Twins.resize(this->PointCount);
   for (std::size_t i = 0; i < this->PointCount; ++i)
   {
@@ -157,7 +157,7 @@ void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      corners[0] = -1; // without area, and now without a third corner: its neighbours are adjacent
+      corners[0] = -1; // without a third corner its neighbours are adjacent
     }
   }
 }
@@ -183,7 +183,7 @@ void PackedMesh::Builder::packRings()
   };
   for (std::size_t point = 0; point < this->PointCount; ++point)
   {
-    if (this->twinOf(point) == point) // it comes before its twins
+    if (this->twinOf(point) == point) // the first of its twins
     {
       pack(point);
     }

@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// How far the neighbours of a triangle fall away from its plane, over its smallest altitude: what
-/// PackedMesh::isCertainlyNearest asks for, 1/mm, rounded up; infinite where a neighbour lies under
-/// the triangle.
+/// How steeply the neighbours of a triangle fall below its plane, over its smallest altitude: the
+/// value that PackedMesh::isCertainlyNearest needs, 1/mm, rounded up; infinite if a neighbour is
+/// under the triangle.
 float steepnessOf(const PackedMesh& mesh, std::int32_t triangle);
 
-/// Builds a PackedMesh, step by step: repair the triangles, sort them along the curve, number the
-/// points in that order, find neighbours, cut, pack. Not installed.
+/// Builds a PackedMesh step by step: repairs the triangles, sorts them along the curve, numbers the
+/// points in that order, finds neighbours, cuts, packs. Not installed.
 class PackedMesh::Builder
 {
 public:
@@ -58,11 +58,11 @@ private:
   std::size_t PointCount = 0;
   std::vector<float> Coordinates;         ///< local; by packed point
   std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area
-  std::size_t Usable = 0;                 ///< how many of them
+  std::size_t Usable = 0;                 ///< number of usable ones
   std::vector<TriangleCorners> Triangles; ///< in that order; packed points
-  std::vector<std::int32_t> Twins; ///< the first at the same place; empty: every point is its own
-  std::vector<TriangleCorners> Joined;  ///< Triangles with twins as one point, if there are any
-  std::unique_ptr<TriangleLinks> Links; ///< of joined()
+  std::vector<std::int32_t> Twins;        ///< the first at the same place; empty: no twins
+  std::vector<TriangleCorners> Joined;    ///< Triangles with twins as one point, if there are any
+  std::unique_ptr<TriangleLinks> Links;   ///< of joined()
 };
 } // namespace palpate
 

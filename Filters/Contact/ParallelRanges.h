@@ -11,16 +11,16 @@
 
 namespace palpate
 {
-/// The number of ranges of forRanges for `count` items: one per thread, unless they would be small.
+/// The number of ranges of forRanges() for `count` items: one per thread, but no small ranges.
 inline std::size_t rangeCount(std::size_t count)
 {
-  constexpr std::size_t smallest = 8192; // below that a thread costs more than it saves
+  constexpr std::size_t smallest = 8192; // smaller ranges cost more than a thread saves
   return std::max<std::size_t>(1, std::min(threadCount(), count / smallest));
 }
 
 /// Calls body(first, last) for contiguous ranges that cover 0..count, each on its own thread. For
 /// building, not for the servo tick. `body` must not throw, and must not write where another range
-/// does.
+/// writes.
 template <class Body>
 void forRanges(std::size_t count, const Body& body)
 {

@@ -11,14 +11,14 @@
 
 namespace palpate
 {
-/// How much of a surface is inside a solid, and how much of it lies on the solid's surface: there
-/// one of its two sides is inside. Both are shares of places that are spread over the surface.
+/// Fractions of a surface that are inside a solid and on the solid's surface (where only one of the
+/// two sides is inside). Both are fractions of places spread over the surface.
 struct PartOverlap
 {
-  static constexpr std::size_t Places = 4000; ///< that are tried, at least half as many
-  static constexpr double Least = 0.002;      ///< share from which parts overlap, or touch
+  static constexpr std::size_t Places = 4000; ///< number of places tried; at least half of it
+  static constexpr double Least = 0.002;      ///< fraction from which parts overlap or touch
 
-  /// `size` of the surface, mm: its two sides are looked at a hundred-thousandth of it away.
+  /// `size` of the surface, mm: the two sides are tested at 1e-5 of it from the surface.
   PartOverlap(const std::vector<TriangleColumns::Corners>& surface, double size,
     const TriangleColumns& solid, const Eigen::AlignedBox3d& box);
 

@@ -26,7 +26,7 @@ enum class ResponseStatus : std::uint8_t
   Edge ///< interpolated from its neighbours; usable
 };
 
-/// Which of the law's assumptions breaks first at a point: the codes of the array `Limit`.
+/// The assumption of the law that breaks first at a point: the codes of the array `Limit`.
 enum class ResponseLimit : std::uint8_t
 {
   None, ///< within Range
@@ -41,22 +41,22 @@ enum class ResponseLimit : std::uint8_t
 };
 constexpr std::size_t ResponseLimitCount = 9;
 
-/// What breaks it: "strain", "layer thickness"; "" for 0 and for a number that is not a code. These
-/// and the next are static texts.
+/// Name of the limit: "strain", "layer thickness"; "" for 0 and for a number that is not a code.
+/// This and the next function return static texts.
 PALPATE_EXPORT const char* limitInWords(int code) noexcept;
 
-/// What was assumed: "small strain", "a flat surface"; "" likewise.
+/// Name of the assumption: "small strain", "a flat surface"; "" likewise.
 PALPATE_EXPORT const char* assumptionInWords(int code) noexcept;
 
-/// The state of a contact, by its ContactState: "contact, sliding"; "unknown" for a number that is
-/// not a code. A static text, as the next.
+/// Name of the state of a contact, by its ContactState: "contact, sliding"; "unknown" for a number
+/// that is not a code. This and the next function return static texts.
 PALPATE_EXPORT const char* contactInWords(int state) noexcept;
 
 /// A remark on such a contact: a sentence without its full stop; "" for a normal one.
 PALPATE_EXPORT const char* contactRemark(int state) noexcept;
 
-/// The parts of a response's model: their sum is in the array `ModelParts`. The text `Model` says
-/// the same in words; it is parsed only for old files.
+/// The parts of a response's model; their sum is in the array `ModelParts`. The text `Model` has
+/// the same content in words; it is parsed only for old files.
 enum ModelPart : int
 {
   HalfSpacePart = 1,
@@ -69,7 +69,7 @@ enum ModelPart : int
   TrueShapePart = 128 ///< finite elements of the whole body, under each point
 };
 
-/// The parts of a response that was saved without them, from its text; 0: nothing known.
+/// The model parts of a response that was saved without them, from its text; 0: unknown.
 PALPATE_EXPORT int modelPartsOfText(const std::string& model);
 
 /// The arrays of a response, in the order of the table.
@@ -106,7 +106,7 @@ enum class ResponseArray : std::uint8_t
   TiltWeight
 };
 
-/// One array of a response: with the response's name before `suffix` it is the array's name.
+/// One array of a response. Its name is the response's name followed by `suffix`.
 struct ContractArray
 {
   /// Point data, or field data.
@@ -115,7 +115,7 @@ struct ContractArray
     Points,
     Fields
   };
-  /// Of its values.
+  /// Type of its values.
   enum class Type : std::uint8_t
   {
     Float,
@@ -136,17 +136,17 @@ struct ContractArray
     Samples,
     TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
     Laws,
-    Branches, ///< of the relaxation; of a field array as many tuples of one
+    Branches, ///< of the relaxation; a field array has as many tuples of one
     Modes,    ///< of the body, at most CouplingTerms::MostModes
     TiltLaws  ///< of the table of tilts
   };
-  /// Who needs it.
+  /// Purpose of the array.
   enum class Use : std::uint8_t
   {
     Evaluation, ///< in either form
     PerPoint,   ///< evaluation where each point has a curve of its own
     Compact,    ///< evaluation where curves are combinations of laws
-    Trust,      ///< how far the law holds
+    Trust,      ///< depth to which the law holds
     Words,      ///< the description in the file
     Edges,      ///< contacts leave over sharp edges; may be absent
     Relaxation, ///< how the body relaxes; may be absent
@@ -221,8 +221,8 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
   return contractOf(array).named(response);
 }
 
-/// Components of a tuple of the array, in a response of so many samples, laws, branches of the
-/// relaxation, modes of the body and laws of tilts.
+/// Components of a tuple of the array, for a response with these numbers of samples, laws, branches
+/// of the relaxation, modes of the body and laws of tilts.
 constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0,
   int modes = 0, int tiltLaws = 0)
 {

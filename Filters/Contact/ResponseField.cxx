@@ -207,7 +207,7 @@ double BlendedResponse::range() const noexcept
 std::array<ResponseValue, 3> BlendedResponse::evaluateEach(double deflection) const noexcept
 {
   std::array<ResponseValue, 3> values;
-  ResponseSampling::Place at; // of range 0: fits none
+  ResponseSampling::Place at; // range 0 matches no curve
   for (std::size_t k = 0; k < 3; ++k)
   {
     if (this->Weights[static_cast<Eigen::Index>(k)] == 0.0)

@@ -22,10 +22,10 @@ namespace palpate
 class RisingStiffness;
 
 /**
- * The response arrays of a body, as views of somebody else's memory. One of two forms:
- * per point (force and stiffness, n floats per point) or compact (laws k >= 1: `basis` of k rows of
- * n forces then n stiffnesses, `coefficient` of k floats per point, curve = Σ_k coefficient_k
- * basis_k). normal (3 floats), range (1) and status (1 byte) are per point in both.
+ * The response arrays of a body. The views do not own their memory. One of two forms: per point
+ * (force and stiffness, n floats per point), or compact (laws k >= 1: `basis` of k rows of n forces
+ * then n stiffnesses, `coefficient` of k floats per point, curve = Σ_k coefficient_k basis_k). Both
+ * forms have normal (3 floats), range (1) and status (1 byte) per point.
  */
 struct ResponseArrays
 {
@@ -40,12 +40,12 @@ struct ResponseArrays
   const float* normal = nullptr;
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
-  EdgeTerms edges; ///< of all points; how the tool leaves over sharp edges, if they are felt
-  RelaxationTerms relaxation; ///< how the body relaxes, if it does
-  CouplingTerms coupling;     ///< how contacts on it feel one another, if they do
-  TiltViews tilt;             ///< what tilting the tool makes of its force, if that is known
+  EdgeTerms edges;            ///< of all points; for contacts over sharp edges
+  RelaxationTerms relaxation; ///< if the body relaxes
+  CouplingTerms coupling;     ///< if contacts on the body are coupled
+  TiltViews tilt;             ///< the effect of tilting the tool, if known
 
-  /// δ_max of all points, mm; 0 without a response.
+  /// The longest δ_max of all points, mm; 0 without a response.
   double longestRange() const noexcept
   {
     float longest = 0.0F;
@@ -66,15 +66,16 @@ struct ResponseArrays
 
 /**
  * The kernel's own packed copy of a response: one record per point, in the order of the mesh's
- * points, so that a tick reads one place for each of its three vertices. 80 bytes with 8 samples;
- * in the compact form 16 bytes and 4 per law, and 16 where all points share one law and its
+ * points, so that a tick reads one place for each of its three vertices. A record has 80 bytes with
+ * 8 samples; in the compact form 16 bytes and 4 per law, and 16 if all points share one law and its
  * coefficient. Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT ResponseField
 {
 public:
-  /// In the order of the mesh's points, the arrays being in that of its input; without a mesh in
-  /// the order of the arrays. Points on the mesh's creases take its normals.
+  /// With a mesh, the field has the order of the mesh's points, and the arrays have that of its
+  /// input; without a mesh, both have the order of the arrays. Points on the mesh's creases take
+  /// the mesh's normals.
   explicit ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh = nullptr);
 
   std::size_t pointCount() const noexcept { return this->Points; }
@@ -90,7 +91,7 @@ public:
     return { head[1], head[2], head[3] };
   }
   ResponseValue evaluate(std::int32_t point, double deflection) const noexcept;
-  /// At a place that sampling() found for the point's range.
+  /// Evaluates at a place that sampling() found for the point's range.
   ResponseValue evaluate(std::int32_t point, const ResponseSampling::Place& at) const noexcept;
 
   /// F, K of sample `lower` and of the next, blended.
@@ -102,7 +103,7 @@ public:
   /// Whether two points have the same curve, bit by bit.
   bool haveSameCurve(std::int32_t point, std::int32_t other) const noexcept;
 
-  /// Asks for the memory of a point ahead of its use.
+  /// Prefetches the memory of a point.
   void prefetch(std::int32_t point) const noexcept
   {
     prefetchLine(this->record(point));
@@ -127,7 +128,7 @@ private:
     const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
   void shareCoefficient(const ResponseArrays& arrays);
   void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
-  /// Of the points from the first to before the last.
+  /// Checks the points from `first` to before `last`.
   bool areRising(const RisingStiffness& rising, std::size_t first, std::size_t last) const noexcept;
 
   ResponseSampling Sampling;
@@ -139,7 +140,7 @@ private:
   /// coefficients.
   LargeVector<float> Records;
   std::vector<float> Basis;
-  /// The one coefficient of one law; then records hold none.
+  /// The one coefficient if all points share one law and coefficient; records then hold none.
   float Shared = 0.0F;
   ResponseEnergy Energy; ///< last: a tick reads the others
 };
@@ -161,7 +162,7 @@ inline Eigen::Vector4d ResponseField::blendSamples(
   return sum;
 }
 
-/// The curve of a contact: those of three points, blended by area coordinates.
+/// The curve of a contact: the curves of three points, blended by area coordinates.
 class PALPATE_EXPORT BlendedResponse
 {
 public:
@@ -176,7 +177,7 @@ public:
 
   /// Blended δ_max, mm.
   double range() const noexcept;
-  /// Of each point; zeros for those of weight 0. The deflection is > 0.
+  /// Value of each point's curve; zeros for points of weight 0. The deflection is > 0.
   std::array<ResponseValue, 3> evaluateEach(double deflection) const noexcept;
   ResponseValue evaluate(double deflection) const noexcept
   {
@@ -185,8 +186,8 @@ public:
       ? sum
       : this->evaluateApart(deflection);
   }
-  /// ∫₀^δ F of each point, N mm, but for a common constant: zeros if their curves are the same; of
-  /// a point without response, which has weight 0, that of the blend.
+  /// ∫₀^δ F of each point, N mm, except for a common constant: zeros if their curves are the same.
+  /// For a point without response, which has weight 0, the value of the blend.
   Vector3 energies(double deflection) const noexcept;
   /// ∫₀^δ F of the blend, N mm.
   double energy(double deflection) const noexcept;
@@ -197,16 +198,18 @@ public:
     return this->Field.range(this->Points[0]) == range &&
       this->Field.range(this->Points[1]) == range && this->Field.range(this->Points[2]) == range;
   }
-  /// Whether its stiffness only rises with the deflection, of a field where that is so everywhere.
+  /// Whether the stiffness is known to only rise with the deflection: true if it rises at all
+  /// points of the field.
   bool hasRisingStiffness() const noexcept { return this->Field.hasRisingStiffness(); }
-  /// F, K of sample `lower` and of the next, blended: curves of one range.
+  /// F, K of sample `lower` and of the next, blended; for curves of one range.
   Eigen::Vector4d samples(int lower) const noexcept
   {
     return this->Field.blendSamples(this->Points, this->Weights, lower);
   }
 
 private:
-  /// Where the three curves have one range, the sum of their samples does.
+  /// Evaluates the sum of the samples, which suffices if the three curves have one range; else
+  /// false.
   bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
   ResponseValue evaluateApart(double deflection) const noexcept;
   bool areAlike() const noexcept

@@ -39,8 +39,8 @@ struct Cubic
   long double c0, c1, c2, c3;
 };
 
-/// ∫ s^p over a cell of width h that begins at `first` widths, times a cubic in its own t. Long
-/// double: by parts, terms of the order of first³ cancel.
+/// Integral over a cell of width h, which begins at `first` widths, of s^p times a cubic in the
+/// cell's t. Long double, because terms of the order of first³ cancel in the integration by parts.
 long double integral(const Cubic& c, long double first, long double h, long double p)
 {
   const auto primitive = [&](long double t)
@@ -67,8 +67,8 @@ ResponseEnergy::ResponseEnergy(const ResponseSampling& sampling)
   const long double m = this->Exponent;
   const long double h = 1.0L / this->Samples;
   const auto weight = [&](int i) { return std::pow(h * i, -2.0L * m); };
-  // A sample's force counts by the value of ρ and, with -2m/s of it, by the slope; its stiffness by
-  // the slope alone.
+  // A sample's force contributes through the value of ρ and, times -2m/s, through the slope; its
+  // stiffness contributes through the slope alone.
   const auto share = [&](long double value, long double slope, int i) -> Share
   {
     const long double s = h * i;

@@ -11,7 +11,8 @@
 
 namespace palpate
 {
-/// The samples of one point's curve as arrays hold them, for ResponseSampling::evaluate(). A view.
+/// The samples of one point's curve as they are stored in arrays, for ResponseSampling::evaluate().
+/// A view.
 struct FloatCurve
 {
   const float* forces;      ///< N
@@ -20,7 +21,7 @@ struct FloatCurve
   double stiffness(int i) const noexcept { return static_cast<double>(this->stiffnesses[i]); }
 };
 
-/// A curve at one depth.
+/// Value of a curve at one depth.
 struct ResponseValue
 {
   double force = 0.0;     ///< N
@@ -29,20 +30,21 @@ struct ResponseValue
 };
 
 /**
- * How a force-deflection curve is stored in n samples, and evaluated from them.
+ * Storage of a force-deflection curve in n samples, and its evaluation.
  *
- * Samples i = 1..n lie at s_i = i/n, δ_i = δ_max s_i²; F(0) = 0 is not stored. Between them
+ * Samples i = 1..n are at s_i = i/n, δ_i = δ_max s_i²; F(0) = 0 is not stored. Between them
  *   F(δ) = δ^m r(s), s = √(δ/δ_max),
  * with r the cubic Hermite interpolant whose values and slopes follow from the stored F_i and
- * K_i = dF/dδ. Below δ_1 the power start F = F_1 (δ/δ_1)^q, q = K_1 δ_1/F_1 (0 if F_1 = 0). Beyond
- * δ_max the last tangent. The curve is continuously differentiable, and exact for F ∝ δ^m.
+ * K_i = dF/dδ. Below δ_1 the curve is the power F = F_1 (δ/δ_1)^q, q = K_1 δ_1/F_1 (0 if F_1 = 0).
+ * Beyond δ_max it is the last tangent. The curve is continuously differentiable, and exact for F ∝
+ * δ^m.
  *
  * δ <= 0 gives 0, NaN gives NaN. evaluate() neither allocates nor throws.
  */
 class PALPATE_EXPORT ResponseSampling
 {
 public:
-  /// More samples than this are taken for a damaged file or a slip.
+  /// A larger number of samples counts as a damaged file or a mistake.
   static constexpr int LargestCount = 256;
 
   /// 2 to LargestCount samples; m > 0 finite.
@@ -50,14 +52,14 @@ public:
 
   int samples() const noexcept { return this->Samples; }
   double exponent() const noexcept { return this->Exponent; }
-  /// δ_i of sample i = 0..n-1 (the i+1-th of the text above).
+  /// δ_i of sample i = 0..n-1 (number i+1 in the text above).
   double depth(int i, double range) const noexcept
   {
     const double s = static_cast<double>(i + 1) / this->Samples;
     return range * (s * s);
   }
 
-  /// s^(2m), by products where 2m is a small whole number.
+  /// s^(2m), by products if 2m is a small whole number.
   double rootPower(double s) const noexcept
   {
     if (this->WholePower == 0)
@@ -72,8 +74,8 @@ public:
     return power;
   }
 
-  /// Where a deflection lies among the samples: for curves of the same range at the same place, so
-  /// that it is found once for the three vertices of a triangle.
+  /// Position of a deflection among the samples. It is valid for all curves of the same range, so
+  /// that it is computed once for the three vertices of a triangle.
   struct Place
   {
     int lower = -1; ///< between samples `lower` and `lower + 1`; -1: below the first
@@ -82,7 +84,7 @@ public:
     double range = 0.0;
     double inverseRoot = 0.0; ///< 1/s
     double root = 0.0;        ///< s
-    double share = 0.0;       ///< of the way from sample `lower` to the next
+    double share = 0.0;       ///< fraction of the way from sample `lower` to the next
   };
 
   /// For δ > 0; range > 0.
@@ -99,7 +101,7 @@ public:
       at.share = 1.0;
       return at;
     }
-    // 1/s first: with it, one root and two divisions that do not wait for each other give all.
+    // 1/s first: then one root and two independent divisions give all values.
     at.inverseRoot = std::sqrt(range / deflection);
     at.root = deflection / range * at.inverseRoot;
     const double position = at.root * n;
@@ -115,7 +117,7 @@ public:
     double lowerForce, lowerStiffness, upperForce, upperStiffness;
   };
 
-  /// At a place that is not below the first sample.
+  /// Evaluates at a place that is not below the first sample.
   ResponseValue between(const Samples2& samples, const Place& at) const noexcept
   {
     if (at.deflection >= at.range)
@@ -166,8 +168,8 @@ private:
   }
 
   /// With ρ(s) = F/s^(2m), the factor δ_max^m cancels; sample i holds ρ_i = w_i F_i and
-  /// dρ/ds = w_i (2 δ_max s_i K_i - 2m F_i/s_i), w_i = s_i^(-2m). Between two of them, t of the
-  /// way, ρ = ρ_0 + t (a + t (b + t c)).
+  /// dρ/ds = w_i (2 δ_max s_i K_i - 2m F_i/s_i), w_i = s_i^(-2m). Between two samples, at the
+  /// fraction t, ρ = ρ_0 + t (a + t (b + t c)).
   ResponseValue hermite(const Samples2& samples, const Place& at) const noexcept
   {
     const Node* const nodes = this->Samples <= FewNodes ? this->Few.data() : this->Many.data();
@@ -203,18 +205,18 @@ private:
     double weight;  ///< s_i^(-2m)
     double ofForce; ///< -2m/s_i
   };
-  /// So many stand here, where a tick need not look for them; more elsewhere.
+  /// Up to this number, nodes are stored in the object, which saves the tick an indirection.
   static constexpr int FewNodes = 16;
   std::array<Node, FewNodes> Few{};
   std::vector<Node> Many;
 };
 
 /**
- * The work e(δ) = ∫₀^δ F done by a stored response, N mm, as ResponseSampling evaluates it: exact
- * but for rounding, no quadrature in the tick.
+ * The work e(δ) = ∫₀^δ F done by a stored response, N mm, as ResponseSampling evaluates the
+ * response. Exact except for rounding; there is no quadrature in the tick.
  *
  * Whole cells between samples are linear in their forces and stiffnesses, with weights that depend
- * on n and m alone; they are computed once, here. The last, partial cell is integrated by parts:
+ * on n and m alone and are computed once, here. The last, partial cell is integrated by parts:
  * with ρ the cubic of the cell and p = 2m + 1,
  *   ∫ s^p ρ ds = s^(p+1) (ρ/(p+1) - s ρ'/((p+1)(p+2)) + s² ρ''/(…(p+3)) - s³ ρ'''/(…(p+4))).
  * Below δ_1 the power start gives F_1 δ_1/(q+1) (δ/δ_1)^(q+1), which needs q > -1; beyond δ_max the
@@ -255,8 +257,8 @@ public:
   }
 
 private:
-  /// Of one sample to the energy of the cell on one side of it: e = δ_max (force F + stiffness
-  /// δ_max K).
+  /// Share of one sample in the energy of the cell on one side of it: e = δ_max (force F +
+  /// stiffness δ_max K).
   struct Share
   {
     double force = 0.0;
@@ -293,7 +295,7 @@ private:
     return this->toFirstSample(curve, range) + range * sum;
   }
 
-  /// From sample i-1 to s, a share t of the cell further on, 1 <= i < n.
+  /// Integral from sample i-1 to s, which is the fraction t of the cell, 1 <= i < n.
   template <class Curve>
   double partOfCell(const Curve& curve, double range, double s, double t, int i) const noexcept
   {
@@ -313,14 +315,14 @@ private:
     return 2.0 * range * (here - start);
   }
 
-  /// The bracket of the text above; derivatives by t, x = s/h.
+  /// The bracket of the text above; derivatives are by t, x = s/h.
   double byParts(double x, double rho, double d1, double d2, double d3) const noexcept
   {
     const double p = 2.0 * this->Exponent + 1.0;
     return (rho - x / (p + 2.0) * (d1 - x / (p + 3.0) * (d2 - x / (p + 4.0) * d3))) / (p + 1.0);
   }
 
-  /// As in ResponseSampling: ρ = s^(-2m) F and its slope.
+  /// ρ = s^(-2m) F and its slope, as in ResponseSampling.
   struct Node
   {
     double position;
@@ -342,8 +344,8 @@ private:
   int Samples;
   double Exponent;
   std::vector<double> Weights; ///< s_i^(-2m)
-  std::vector<Share> Left;     ///< of each sample to the cell before it; none at the first
-  std::vector<Share> Right;    ///< and after it; none at the last
+  std::vector<Share> Left;     ///< of each sample in the cell before it; none at the first
+  std::vector<Share> Right;    ///< in the cell after it; none at the last
 };
 } // namespace palpate
 

@@ -5,9 +5,9 @@ namespace palpate
 {
 namespace
 {
-using Cubic = std::array<double, 4>; // of t, from the constant on
+using Cubic = std::array<double, 4>; // polynomial in t, constant first
 
-/// What the sign of dK/dδ is, of a ρ in a cell that begins at `first` widths.
+/// The cubic with the sign of dK/dδ, for a ρ in a cell that begins at `first` widths.
 Cubic slopeOfStiffness(const Cubic& rho, double first, double p)
 {
   const double a = first;

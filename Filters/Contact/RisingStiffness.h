@@ -11,20 +11,21 @@
 namespace palpate
 {
 /**
- * Whether the stiffness of a stored curve only rises with the deflection, as ResponseSampling
- * evaluates it, all the way: then so does that of every blend of such curves, and a stiffness that
- * is reached is passed once (CappedResponse).
+ * Whether the stiffness of a stored curve, as ResponseSampling evaluates it, rises with the
+ * deflection everywhere. If so, the stiffness of every blend of such curves rises too, and passes a
+ * given value only once (CappedResponse).
  *
  * Between two samples dK/dδ has the sign of
  *   p(p-2) ρ + (2p-1) s ρ' + s² ρ'',  p = 2m,
- * a cubic of the way from one to the other, whose coefficients in Bernstein's form are linear in
- * the forces and stiffnesses of the two: where none of these is negative, the cubic is not. (That
- * is sufficient; a curve that rises and does not show it so counts as one that does not.) Below the
- * first sample the power must be at least 1; beyond the last the stiffness is constant.
+ * a cubic in the fraction of the way between them. Its Bernstein coefficients are linear in the
+ * forces and stiffnesses of the two samples. If none of these coefficients is negative, the cubic
+ * is not negative. (This is sufficient only: a rising curve that fails the test counts as not
+ * rising.) Below the first sample the power must be at least 1; beyond the last the stiffness is
+ * constant.
  *
- * Samples are floats: what could be their rounding does not count as a fall.
+ * Samples are floats: a fall within their rounding does not count.
  *
- * Made once for a sampling, asked once for each point when a body is built: some 100 ns with 8
+ * Constructed once per sampling and called once per point when a body is built: some 100 ns with 8
  * samples.
  */
 class RisingStiffness
@@ -62,12 +63,13 @@ public:
   }
 
 private:
-  /// Of a float, and once more for the range's.
+  /// Rounding of a sample as a float, plus that of the range.
   static constexpr double Rounding = 1.2e-7;
-  /// Bernstein's four coefficients, of force, range times stiffness, and those of the next sample.
+  /// The four Bernstein coefficients, each as weights of the force, of range times stiffness, and
+  /// of the same two at the next sample.
   using Cell = std::array<std::array<double, 4>, 4>;
 
-  double FirstDepth; ///< of the first sample, of the range
+  double FirstDepth; ///< depth of the first sample over the range
   std::vector<Cell> Cells;
 };
 } // namespace palpate

@@ -7,14 +7,13 @@
 
 namespace palpate
 {
-/// What is wrong with one setting; nothing if there is no name.
+/// A fault of one setting; none if the name is empty.
 struct SettingFault
 {
   std::string name;   ///< as the filters' property, "FrictionCoefficient"
   std::string remark; ///< "must be finite and not negative, but is -1"
 
-  /// A setting that is none of the numbers it may be; the demand goes on after "must": "be
-  /// positive".
+  /// A setting outside its allowed values; `demand` continues after "must": "be positive".
   template <class Value>
   static SettingFault must(const std::string& name, const std::string& demand, const Value& is)
   {
@@ -24,7 +23,7 @@ struct SettingFault
   }
 
   explicit operator bool() const noexcept { return !this->name.empty(); }
-  /// Both as a clause; "" of nothing.
+  /// Name and remark as a clause; "" without fault.
   std::string words() const { return *this ? this->name + ' ' + this->remark : std::string(); }
 };
 } // namespace palpate

@@ -16,8 +16,8 @@ namespace palpate
 /// One of the values of a setting that is an enumeration.
 struct SettingWord
 {
-  const char* name = nullptr;   ///< of the enumerator, "NormalizedDirection"; null: none
-  const char* option = nullptr; ///< on a command line, "normalized"
+  const char* name = nullptr;   ///< name of the enumerator, "NormalizedDirection"; null: none
+  const char* option = nullptr; ///< name on a command line, "normalized"
 };
 using SettingWords = std::array<SettingWord, 3>;
 
@@ -30,7 +30,7 @@ struct SettingText
   const char* help;   ///< begins with a small letter and ends without a full stop
 };
 
-/// The range of a setting, all finite.
+/// The range of a setting; all its values are finite.
 struct SettingRange
 {
   static constexpr double Endless = std::numeric_limits<double>::infinity();
@@ -56,9 +56,9 @@ struct SettingRow
 {
   SettingText text;
   SettingRange range;
-  SettingWords words; ///< by number; none for a number
+  SettingWords words; ///< by number; empty for a number
   double (*get)(const ContactSettings&);
-  void (*set)(ContactSettings&, double); ///< to any value: see faultOfContact
+  void (*set)(ContactSettings&, double); ///< accepts any value, see faultOfContact()
 
   constexpr bool isEnumeration() const { return this->words[0].name != nullptr; }
   constexpr double usual() const { return this->get(ContactSettings{}); }
@@ -112,8 +112,8 @@ constexpr SettingRow choice(const SettingText& text, const SettingWords& words)
 
 /**
  * The settings of a contact: the single source of their texts and ranges. Filters, sessions and the
- * C interface check by it, the program's options are made from it, and ParaView's properties are
- * tested against it.
+ * C interface check values by it, the program's options are made from it, and ParaView's properties
+ * are tested against it.
  */
 inline constexpr std::array<SettingRow, 9> SettingTable = { {
   setting::choice<&ContactSettings::form>(
@@ -162,11 +162,11 @@ inline constexpr std::array<SettingRow, 9> SettingTable = { {
       0.0, ContactSettings::MostRelaxationElements, "a number of elements, e.g. 16")),
 } };
 
-/// The row of this name, or of this option of a command line; null if there is none.
+/// The row with this name or command-line option; null if there is none.
 PALPATE_EXPORT const SettingRow* findSetting(const std::string& nameOrOption);
 
-/// The first setting out of its range, or NaN, even if the chosen model does not use it. Kernels
-/// require settings without fault.
+/// The first setting that is out of its range or NaN, even if the chosen model does not use it.
+/// Kernels require settings without fault.
 PALPATE_EXPORT SettingFault faultOfContact(const ContactSettings& settings);
 } // namespace palpate
 

@@ -13,16 +13,17 @@ namespace
 {
 using Matrix2 = Eigen::Matrix2d;
 
-/// Steps of the parameters below this are the last: Newton's method squares them.
+/// A step of the parameters below this is the last: the error of Newton's method is its square.
 constexpr double LastStep = 1e-6;
-/// A minimum this little beyond an edge is on it.
+/// A minimum beyond an edge by at most this is on the edge.
 constexpr double OnEdge = 1e-9;
 
-/// Half the squared distance to the surface: how it changes with the parameters.
+/// Half the squared distance to the surface: derivatives by the parameters.
 struct Distance
 {
   Eigen::Vector2d slope;
-  /// Where it is not a minimum's, as much of the metric is added as makes the step one downhill.
+  /// If it is not that of a minimum, a multiple of the metric is added, so that the step goes
+  /// downhill.
   Matrix2 hessian;
   bool isConvex;
 
@@ -61,14 +62,14 @@ struct Distance
   }
 };
 
-/// A change of the parameters as one of the three area coordinates, and back.
+/// A change of the parameters as a change of the three area coordinates.
 Vector3 asWeights(const Eigen::Vector2d& step)
 {
   return { -step[0] - step[1], step[0], step[1] };
 }
 
-/// Weights may leave the triangle a little while the minimum is sought, less so near corners,
-/// where the patch ends.
+/// Weights may leave the triangle a little during the search, but less near corners, where the
+/// patch ends.
 bool isNearby(const Vector3& weights)
 {
   Eigen::Index least = 0;
@@ -99,7 +100,7 @@ bool SmoothContact::load(std::int32_t triangle) noexcept
   return this->IsSound;
 }
 
-/// Where the search stands.
+/// State of the search.
 class SmoothContact::Descent
 {
 public:
@@ -147,7 +148,7 @@ private:
                              : SmoothPoint{};
   }
 
-  /// The last step needs no new derivatives: what it neglects is its square.
+  /// The last step needs no new derivatives: the error is its square.
   SmoothPoint describe(SmoothPoint::Outcome outcome, const Distance& distance,
     const Eigen::Vector2d& step) const noexcept
   {
@@ -170,8 +171,8 @@ private:
     return found;
   }
 
-  /// On the way to `next` to the edge that comes first, and to the triangle across. False if the
-  /// search ends there.
+  /// Moves on the way to `next` to the first edge, and to the triangle across it. Returns false if
+  /// the search ends there.
   bool leave(const Distance& distance, const Vector3& next, bool isMinimum) noexcept
   {
     if (this->HeldEdge >= 0)
@@ -200,8 +201,8 @@ private:
     return true;
   }
 
-  /// Along an edge that neither side lets go of, or that is a border: to the minimum there. There
-  /// both sides agree, but for rounding, on which one goes on.
+  /// Moves along an edge to the minimum on it, if both sides lead to the edge or if the edge is a
+  /// border. At that minimum both sides agree, except for rounding, on the side to continue on.
   bool slide(const Distance& distance) noexcept
   {
     const int edge = this->HeldEdge;
@@ -241,7 +242,7 @@ private:
       {
         this->Result = this->finish(distance, change.tail<2>());
       }
-      return false; // on to and fro between two sides that are not convex: not found
+      return false; // back and forth between two sides that are not convex: not found
     }
     this->cross(across, edge, next);
     this->IsSettled = true;
@@ -250,11 +251,11 @@ private:
 
   struct Exit
   {
-    int corner; ///< opposite of the edge
+    int corner; ///< opposite the edge
     double share;
   };
-  /// The share of the way to `next` after which its first weight becomes 0; a weight that is
-  /// negative already goes first.
+  /// The fraction of the way to `next` at which the first weight becomes 0; weights that are
+  /// already negative come first.
   Exit firstEdge(const Vector3& next) const noexcept
   {
     Exit first{ 0, 2.0 };
@@ -275,7 +276,7 @@ private:
     return first;
   }
 
-  /// Same point, in the coordinates of the neighbour.
+  /// Converts the point to the coordinates of the neighbour.
   void cross(std::int32_t across, int edge, const Vector3& at) noexcept
   {
     const TriangleCorners& from = this->Contact.Mesh.corners(this->Triangle);
@@ -298,8 +299,8 @@ private:
   SmoothContact& Contact;
   const Vector3& Tip;
   std::int32_t Triangle;
-  std::int32_t Previous = -1; ///< where it came from
-  bool IsSettled = false;     ///< and that its own minimum, or that along the edge, is not there
+  std::int32_t Previous = -1; ///< the triangle before this one
+  bool IsSettled = false;     ///< and the minimum is known not to be in it
   int HeldEdge = -1;          ///< the search is held to this edge
   Vector3 Weights;
   SurfaceJet Jet;

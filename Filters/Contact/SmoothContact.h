@@ -18,9 +18,9 @@ struct SmoothPoint
   enum class Outcome : std::uint8_t
   {
     Found,
-    Border,  ///< on an open border, beyond which the distance would go on to fall
-    Crease,  ///< likewise where the surface is cut along a sharp edge
-    NotFound ///< no such point here: take the facets
+    Border,  ///< on an open border, beyond which the distance would still fall
+    Crease,  ///< the same where the surface is cut along a sharp edge
+    NotFound ///< no such point here: use the facets
   };
 
   Outcome outcome = Outcome::NotFound;
@@ -31,21 +31,21 @@ struct SmoothPoint
  * The true closest point of the smooth surface of a body: one SmoothTriangle per triangle, through
  * the points of the mesh and perpendicular to the normals of the response.
  *
- * follow() descends by Newton's method from a point nearby, that of the last tick, to the local
- * minimum of the distance, and walks to the neighbour where that lies beyond an edge. As the
- * surface is G1, the point, the normal and the distance are continuous in the tip as long as it is
- * less deep than the surface's radius of convex curvature; the weights are too, because an edge
- * belongs to both of its triangles alike. With H the Hessian of half the squared distance by the
- * parameters α of the patch, the parameters move with the tip by H⁻¹ ∂P/∂α (implicit function
+ * follow() descends by Newton's method from a nearby point (that of the last tick) to the local
+ * minimum of the distance, and moves to the neighbour if the minimum is beyond an edge. As the
+ * surface is G1, point, normal and distance are continuous in the tip as long as the tip is less
+ * deep than the surface's radius of convex curvature. The weights are continuous too, because an
+ * edge belongs to both of its triangles alike. With H the Hessian of half the squared distance by
+ * the parameters α of the patch, the parameters move with the tip by H⁻¹ ∂P/∂α (implicit function
  * theorem).
  *
- * NotFound, for the caller to take the facet's own point instead: within about a thousandth of the
- * radius of curvature or deeper (det H <= FocalShare of what it is at the surface: the closest
- * point is about to part in two), at a crease (see SmoothTriangle), at a seam of triangles without
- * area, and after MaximumSteps.
+ * The result is NotFound, and the caller uses the facet's own point, in these cases: within about a
+ * thousandth of the radius of curvature or deeper (det H <= FocalShare times its value at the
+ * surface: the closest point is about to split in two), at a crease (see SmoothTriangle), at a seam
+ * of triangles without area, and after MaximumSteps.
  *
  * A step costs some 0.1 µs, the patch of a new triangle 0.2 µs; a tick takes two or three steps.
- * follow() neither allocates nor locks nor throws. It keeps the last patch: one SmoothContact
+ * follow() neither allocates nor locks nor throws. It stores the last patch: one SmoothContact
  * serves one thread. Mesh and response may be shared and must outlive it.
  */
 class PALPATE_EXPORT SmoothContact
@@ -60,8 +60,8 @@ public:
   {
   }
 
-  /// From area coordinates of a triangle of the mesh, sum 1; they may lie beyond its edges. A tip
-  /// that is not finite is not found.
+  /// Starts from area coordinates of a triangle of the mesh, sum 1, which may be beyond its edges.
+  /// For a tip that is not finite, the result is NotFound.
   SmoothPoint follow(const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept;
 
 private:

@@ -32,8 +32,8 @@ void cut(const Vector4* from, const Vector3& u, Vector4* to) noexcept
   }
 }
 
-/// xy(x-y)/(x+y) and its derivatives: what turns one interior point into the other between the two
-/// edges of a corner.
+/// xy(x-y)/(x+y) and its derivatives: the factor that changes one interior point into the other
+/// between the two edges of a corner.
 struct Blend
 {
   double value = 0.0;
@@ -45,7 +45,7 @@ struct Blend
     const double sum = a + b;
     if (std::abs(sum) < 1e-30)
     {
-      return; // at the corner: the value and the slopes are 0, the second derivatives their mean
+      return; // at the corner: value and slopes are 0, the second derivatives their mean
     }
     const double p = a / sum;
     const double q = b / sum;
@@ -83,7 +83,7 @@ struct SmoothTriangle::Edge
     {
       return;
     }
-    // 2l/(1 + cos θ) long, cos θ = projected/l.
+    // Length 2l/(1 + cos θ), cos θ = projected/l.
     const Vector3 unitA = alongA / projectedA;
     const Vector3 unitB = alongB / projectedB;
     const double square = 2.0 * length * length;
@@ -93,7 +93,7 @@ struct SmoothTriangle::Edge
     this->across[2] = nb.cross(unitB);
     const Vector3 sum = this->across[0] + this->across[2];
     const double norm = sum.norm();
-    if (!(norm > 1e-3)) // turned back: half a turn of the normal along one edge
+    if (!(norm > 1e-3)) // the normal turns by half a turn along the edge
     {
       return;
     }
@@ -121,7 +121,7 @@ struct SmoothTriangle::Edge
   }
 };
 
-/// Of step 0..4 from corner `edge` to the next.
+/// Index of the control point of step 0..4 from corner `edge` to the next.
 int SmoothTriangle::alongEdge(int edge, int step) noexcept
 {
   switch (edge)
@@ -135,7 +135,7 @@ int SmoothTriangle::alongEdge(int edge, int step) noexcept
   }
 }
 
-/// Of the interior point nearest to corner `edge` (step 0) or to the next one (step 1).
+/// Index of the interior point nearest to corner `edge` (step 0) or to the next one (step 1).
 int SmoothTriangle::insideEdge(int edge, int step) noexcept
 {
   switch ((edge + step) % 3)
@@ -187,7 +187,7 @@ bool SmoothTriangle::build(
       this->Control[static_cast<std::size_t>(alongEdge(e, step))] = padded(edge.quartic(step));
     }
     // The derivative across the edge is λ(t) times its tangent plus μ(t) times the direction
-    // across, λ and μ linear; at the ends the neighbouring edges say what it is.
+    // across, with λ and μ linear. At the ends the neighbouring edges give the derivative.
     const Vector3 first = last.quartic(3) - 0.5 * (edge.quartic(0) + edge.quartic(1));
     const Vector3 end = next.quartic(1) - 0.5 * (edge.quartic(3) + edge.quartic(4));
     const double lambda0 = first.dot(edge.leg(0)) / edge.leg(0).squaredNorm();

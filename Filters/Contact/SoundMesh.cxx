@@ -20,7 +20,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestShareOfFlaps = 0.1; ///< of the triangles: more are the two sides of a sheet
+constexpr double LargestShareOfFlaps = 0.1; ///< of the triangles; more are a sheet with two sides
 
 Vector3 pointAt(const double* points, std::int32_t index)
 {
@@ -40,7 +40,7 @@ bool keepsItsArea(const std::array<Vector3, 3>& given, const std::array<Vector3,
   const Vector3 normal = normalOf(rounded);
   const double longest = std::max({ (rounded[1] - rounded[0]).squaredNorm(),
     (rounded[2] - rounded[1]).squaredNorm(), (rounded[0] - rounded[2]).squaredNorm() });
-  // Differences of floats are exact in double: only the products round.
+  // Differences of floats are exact in double; only the products are rounded.
   return normal.norm() > 4e-16 * longest && normal.dot(normalOf(given)) > 0.0;
 }
 } // namespace
@@ -162,7 +162,7 @@ void SoundMesh::repair(bool isPiece)
       link();
     }
   };
-  merge(); // before: a copy closes the hole around a triangle that has points of its own
+  merge(); // before joining: a copy closes the hole around a triangle that has its own points
   if (links->borderEdges() > 0 || losesArea)
   {
     this->joinPoints(*links, joined);
@@ -236,7 +236,7 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
     }
     if (hasCornerTwice(corners))
     {
-      corners[0] = -1; // without area, and now without a third corner: its neighbours are adjacent
+      corners[0] = -1; // without a third corner its neighbours are adjacent
     }
   }
   this->Found.joinedPoints = 0;

@@ -195,10 +195,10 @@ Contact ToolContact::comeOff() noexcept
 
 EdgeEffect ToolContact::edgeEffect(ContactPlace& place) const noexcept
 {
-  const Vector3 tip = this->LastTip; // of facets, the point followed
+  const Vector3 tip = this->LastTip; // on facets: the followed point
   if (!place.isSmooth)
   {
-    // Beyond a crease its plane goes on.
+    // Beyond a crease the plane of the face continues.
     place = EnergyGradient::onFacet(this->Body.surface, tip, place);
     place.normal = place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
   }
@@ -232,7 +232,7 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
   const EdgeEffect effect = this->onNearestFace(place);
   if (!(effect.depth > 0.0) && effect.depth + this->Sunk > 0.0 && effect.share > 0.0)
   {
-    return this->end(ContactState::None); // under the tool, and not up to it
+    return this->end(ContactState::None); // the lowered surface does not reach the tool
   }
   if (!(effect.depth > 0.0 && effect.share > 0.0))
   {
@@ -241,7 +241,7 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
     return this->end(ContactState::None);
   }
   place.signedDistance = -effect.depth;
-  if (place.onCrease) // beyond the edge: on the plane of the face, which goes on there
+  if (place.onCrease) // beyond the edge: on the continued plane of the face
   {
     place.projection.point =
       this->LastTip + place.normal.dot(place.projection.point - this->LastTip) * place.normal;
@@ -318,7 +318,8 @@ Contact ToolContact::fade(ContactPlace& place) noexcept
 void ToolContact::prefetchLast() const noexcept
 {
   const std::int32_t triangle = this->Tracker.triangle();
-  // The contact is likely there again, or next to it: its responses come while it is sought.
+  // The contact is likely to be there again or next to it. Its responses are loaded during the
+  // search.
   if (triangle >= 0)
   {
     this->prefetchResponses(triangle);
@@ -340,7 +341,8 @@ void ToolContact::rehearse(double elapsed) const noexcept
   this->IsInTime ? scratch.update(ahead, elapsed) : scratch.update(ahead);
 }
 
-// A tick on new ground would wait for the triangle, then for its new corner: here nobody waits.
+// On a new triangle a tick would wait for the triangle, then for its new corner. A prefetch does
+// not wait.
 void ToolContact::foresee() const noexcept
 {
   const PackedMesh& surface = this->Body.surface;
@@ -367,7 +369,7 @@ void ToolContact::foresee() const noexcept
       ask(across);
     }
   }
-  // Where a face is not certain to be nearest, the tick looks at those around its corners.
+  // If a face is not certainly the nearest, the tick checks the triangles around its corners.
   for (const std::int32_t corner : surface.corners(triangle))
   {
     surface.visitAround(corner, [&surface](std::int32_t near) { surface.prefetch(near); });
@@ -380,7 +382,7 @@ void ToolContact::foresee() const noexcept
   bool valid = true;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // On an edge, neither neighbour's opposite corner has a say.
+    // On an edge the opposite corners of both triangles do not matter.
     valid = valid &&
       (place.projection.weights[static_cast<Eigen::Index>(k)] == 0.0 ||
         this->Body.response.isValid(corners[k]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is felt where a ToolContact presses: force, torque, friction, energy.
+// The force of a ToolContact: normal force, torque, friction, energy.
 #include "Contact/ToolContact.h"
 
 #include "Contact/CappedResponse.h"
@@ -12,8 +12,8 @@ namespace palpate
 {
 namespace
 {
-/// 1/√x. A sum of normals that are nearly parallel has a square near 1: there the series does, to
-/// the last digit, where a tick would wait for a root and then for a division.
+/// 1/√x. The square of a sum of nearly parallel normals is near 1. There the series is exact to
+/// rounding and saves a tick the latency of a root and a division.
 double inverseRoot(double x) noexcept
 {
   constexpr double little = 0.01; // its eighth power, times 0.2, is 2e-17
@@ -22,22 +22,22 @@ double inverseRoot(double x) noexcept
   {
     return 1.0 / std::sqrt(x);
   }
-  // In pairs, which do not wait for each other.
+  // In pairs that are independent of each other.
   const double e2 = e * e;
   const double low = (1.0 + 1.0 / 2 * e) + e2 * (3.0 / 8 + 5.0 / 16 * e);
   const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);
   return low + e2 * e2 * high;
 }
 
-/// A force without its part against `out`, of any length. On a thin fin the normals of the vertices
-/// can point into the body, as can that of a face beyond its border.
+/// A force without its part against `out` (of any length). On a thin fin the normals of the
+/// vertices can point into the body; so can the normal of a face beyond its border.
 Vector3 outwardPart(const Vector3& force, const Vector3& out) noexcept
 {
   const double along = force.dot(out);
   return along < 0.0 ? Vector3(force - along / out.squaredNorm() * out) : force;
 }
 
-/// The same of a direction: along `out` if nothing is left.
+/// The same for a direction; `out` if nothing remains.
 Vector3 outward(const Vector3& direction, const Vector3& out) noexcept
 {
   constexpr double rounding = 1e-12; // of the square
@@ -71,7 +71,7 @@ Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const no
 
 Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
 {
-  constexpr double rounding = 1e-9; // mm: of a shorter way the direction is not known
+  constexpr double rounding = 1e-9; // mm; the direction of a shorter way is uncertain
   const Vector3 way = place.projection.point - this->LastTip;
   return way.squaredNorm() > rounding * rounding ? way
                                                  : this->Body.surface.areaNormal(place.triangle);
@@ -108,7 +108,7 @@ Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
       this->weightGradients(place), this->energies(response, result.deflection));
     return result.force.allFinite();
   }
-  Vector3 direction = place.normal; // a smooth surface has one of its own
+  Vector3 direction = place.normal; // a smooth surface has its own normal
   if (!place.isSmooth)
   {
     direction = this->sumOfNormals(place, Vector3::Ones());
@@ -126,13 +126,13 @@ Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
   const double squared = direction.squaredNorm();
   result.normal = inverseRoot(squared) * direction;
   result.force = result.normalForce * result.normal;
-  return squared > 0.0 && result.force.allFinite(); // neither of them infinite
+  return squared > 0.0 && result.force.allFinite(); // then `squared` is finite, too
 }
 
 void ToolContact::relax(const ContactPlace& place, const BlendedResponse& response,
   const ResponseValue& slow, Contact& result) noexcept
 {
-  // The material under a tilted tool has moved as under the upright one of the same force.
+  // The material under a tilted tool has moved as under an upright tool with the same force.
   ContactTilt::Alike upright;
   upright.depth = result.deflection;
   upright.value = slow;
@@ -157,8 +157,8 @@ Vector3 ToolContact::energies(const BlendedResponse& response, double deflection
   }
   if (this->IsInTime)
   {
-    // What memory stores is shared out among the corners as their slow work is: curves of one tool
-    // on bodies of unlike stiffness have one form.
+    // The energy stored by memory is divided among the corners like their slow work: the curves of
+    // one tool on bodies of different stiffness have the same form.
     const double work = energies.isZero(0.0) ? 0.0 : this->work(response, deflection);
     energies *= work > 0.0 ? 1.0 + this->Relaxation.storedEnergy() / work : 1.0;
     energies += this->Relaxation.strengthEnergies();
@@ -235,7 +235,8 @@ void ToolContact::addTorque(const ContactPlace& place, double share, Contact& re
   const double moment = this->Tilt.moment(result.normalForce, share * memory);
   result.tilt = this->Tilt.angle();
   result.torque = this->Tilt.torque(moment);
-  // Where the form promises an energy, what its tilt changes by from place to place belongs to it.
+  // If the force form has an energy, the force includes the change of the tilt from place to
+  // place.
   if (this->Settings.form == ForceForm::EnergyConsistent ||
     (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth))
   {

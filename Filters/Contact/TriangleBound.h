@@ -19,26 +19,27 @@
 namespace palpate
 {
 /**
- * How far a tip is from four triangles at least, all at once, in float: so that only those that may
- * be nearest are looked at in double.
+ * A lower bound of the distance between a tip and four triangles, all at once in float, so that
+ * only triangles that may be the nearest are computed in double.
  *
- * The bound of a triangle: from its plane, and in the plane from the half-plane of each edge. It is
- * the distance itself but where a corner is nearest.
+ * The bound of a triangle combines the distance from its plane and, within the plane, from the
+ * half-plane of each edge. It is the exact distance except where a corner is nearest.
  */
 class TriangleBound
 {
 public:
   using Lane = Eigen::Array<float, 4, 1>;
 
-  /// A bound is larger than the true one by less than this share of the largest coordinate of tip
-  /// and triangles: a dozen roundings, thirty times as large where an angle is as sharp as it may
-  /// be.
+  /// A bound exceeds the true one by less than this part of the largest coordinate of tip and
+  /// triangles. It covers a dozen roundings, magnified thirty times by the sharpest angle that is
+  /// allowed.
   static constexpr double Rounding = 2e-5;
-  /// Of tip and triangles together, mm: beyond it sixth powers of lengths do not fit a float.
+  /// Largest coordinate of tip and triangles, mm: beyond it sixth powers of lengths do not fit a
+  /// float.
   static constexpr double LargestCoordinate = 3e5;
 
   /// Squared bounds. `corners`: nine coordinates of each triangle. 0 for slivers, whose planes are
-  /// lost in floats.
+  /// lost in float rounding.
   [[gnu::always_inline]] static Lane squaredDistances(
     const Eigen::Vector3f& tip, const std::array<const float*, 4>& corners) noexcept
   {
@@ -53,12 +54,12 @@ public:
     const Lanes ab = minus(to[1], to[0]);
     const Lanes bc = minus(to[2], to[1]);
     const Lanes ca = minus(to[0], to[2]);
-    const Lanes normal = cross(ab, ca); // inward; twice the area long
+    const Lanes normal = cross(ab, ca); // inward; its length is twice the area
     const Lane area2 = dot(normal, normal);
     const Lane height = dot(normal, to[0]);
     const Lane ab2 = dot(ab, ab);
     const Lane ca2 = dot(ca, ca);
-    // Where the foot on the plane lies beyond an edge's line it is negative: times |normal| |edge|.
+    // Negative if the projection on the plane is beyond the line of an edge; times |normal| |edge|.
     const Lanes turned = cross(to[0], normal);
     const Lane insideAb = dot(ab, turned);
     const Lane insideCa = dot(ca, turned);
@@ -80,7 +81,7 @@ private:
   using Lanes = std::array<Lane, 3>; ///< x, y, z
 
   static constexpr float SliverSine2 = 1e-3F;
-  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4: what is divided by is no denormal
+  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4, so that no divisor is denormal
 
   /// Corner by corner, coordinate by coordinate.
   static std::array<Lanes, 3> load(const std::array<const float*, 4>& corners) noexcept
@@ -122,12 +123,12 @@ private:
   }
 };
 
-/// What a search for the closest triangle has found so far, and the squared distances in float
-/// beyond which a box, or a triangle by its bound, cannot help.
+/// The result so far of a search for the closest triangle, and the squared distances in float
+/// beyond which a box, or a triangle by its bound, cannot be nearer.
 class NearestTriangle
 {
 public:
-  /// `size`: largest coordinate of the body, local as the tip.
+  /// `size`: largest local coordinate of the body.
   NearestTriangle(const Vector3& tip, double size)
   {
     const double largest = tip.cwiseAbs().maxCoeff();
@@ -145,16 +146,16 @@ public:
     const double distance = std::sqrt(there.squaredDistance);
     this->BoxReach = static_cast<float>(
       std::min(squared(distance + this->TipRounding), static_cast<double>(LargestFloat)));
-    // Where it does not fit a float a bound need not either: every triangle is looked at.
+    // If the bound does not fit a float, every triangle is checked.
     const double bound = squared(distance + this->BoundRounding);
     this->BoundReach = bound < static_cast<double>(LargestFloat)
       ? static_cast<float>(bound)
       : std::numeric_limits<float>::infinity();
   }
 
-  /// Squared distance within which a box may hold something nearer.
+  /// Squared distance within which a box may contain a nearer triangle.
   float boxReach() const noexcept { return this->BoxReach; }
-  /// Whether a triangle of this TriangleBound may be nearer.
+  /// Whether a triangle with this TriangleBound may be nearer.
   bool canReach(float bound) const noexcept { return !(bound > this->BoundReach); }
 
   std::int32_t triangle() const noexcept { return this->Triangle; }

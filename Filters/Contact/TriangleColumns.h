@@ -11,9 +11,9 @@
 
 namespace palpate
 {
-/// Triangles in columns along z, for counting those above a place. A column holds a few triangles
-/// of a surface whose triangles have about one size; slivers across many columns make these wider.
-/// At most Most entries a triangle.
+/// Triangles in columns along z, used to count the triangles above a place. If the triangles of a
+/// surface have about one size, a column holds a few of them. Slivers across many columns make the
+/// columns wider. At most Most entries per triangle.
 class TriangleColumns
 {
 public:

@@ -12,8 +12,8 @@ namespace
 /// The triangles at the edge from -> to.
 struct EdgeFan
 {
-  int alike = 0;  ///< running from -> to, as the given triangle
-  int across = 0; ///< running to -> from
+  int alike = 0;  ///< triangles that run from -> to, as the given one
+  int across = 0; ///< triangles that run to -> from
   std::int32_t neighbour = TriangleLinks::Border;
   bool askerIsFirst = true; ///< so that an edge is counted once
 };

@@ -13,13 +13,13 @@
 namespace palpate
 {
 /**
- * Which triangles meet at each point, and across each edge. Edge i of a triangle runs from its
+ * The triangles that meet at each point and across each edge. Edge i of a triangle runs from its
  * corner i to its corner i + 1 (mod 3).
  *
- * Two triangles are neighbours if they alone share an edge and wind alike, so that they run along
- * it in opposite directions. An edge with one triangle is border. One with more than two, or with
- * two of opposite winding, is not manifold and has no neighbours either. Triangles whose first
- * corner is negative are ignored; the others' corners must be points.
+ * Two triangles are neighbours if only they share an edge and are wound alike, so that they run
+ * along it in opposite directions. An edge with one triangle is a border. An edge with more than
+ * two, or with two of opposite winding, is not manifold and has no neighbours either. Triangles
+ * whose first corner is negative are ignored; the corners of the others must be points.
  *
  * Cost: O(n); threaded, the same for any number of threads.
  */
@@ -31,7 +31,7 @@ public:
 
   TriangleLinks(const std::vector<TriangleCorners>& triangles, std::size_t pointCount);
 
-  /// Across edge i, or Border, or NonManifold.
+  /// The triangle across each edge, or Border, or NonManifold.
   const std::array<std::int32_t, 3>& neighbours(std::size_t triangle) const noexcept
   {
     return this->Neighbours[triangle];
@@ -49,7 +49,7 @@ public:
   }
   std::size_t borderEdges() const noexcept { return this->BorderEdges; }
   std::size_t nonManifoldEdges() const noexcept { return this->NonManifoldEdges; }
-  /// Of the latter, edges of just two triangles, which reversing one of them would repair.
+  /// Number of non-manifold edges of just two triangles: reversing one triangle would repair them.
   std::size_t twistedEdges() const noexcept { return this->TwistedEdges; }
 
 private:

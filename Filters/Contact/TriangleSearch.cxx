@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Bit k says that the k-th of eight distances is within reach.
+/// Bit k is set if the k-th of eight distances is within reach.
 unsigned within(const Eigen::Array<float, 8, 1>& distances, float reach) noexcept
 {
 #ifdef __SSE2__
@@ -88,7 +88,7 @@ bool TriangleSearch::gather(const Vector3& tip, const Place& near, double reach)
 {
   const auto row = static_cast<std::size_t>(near.triangle) / (Width * TriangleTree::LeafSize);
   const TriangleTree::Boxes& here = this->Tree.Levels.front()[row];
-  double size2 = 0.0; // of the box around the last tip
+  double size2 = 0.0; // squared diagonal of the box of this row
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double side{ here.high[k].maxCoeff() - here.low[k].minCoeff() };
@@ -97,7 +97,7 @@ bool TriangleSearch::gather(const Vector3& tip, const Place& near, double reach)
   this->Radius = -1.0;
   if (reach * reach > size2)
   {
-    return false; // there would be too many
+    return false; // too many boxes
   }
   const double radius = reach + 0.5 * std::sqrt(size2);
   NearestTriangle around(tip, this->Tree.Size);

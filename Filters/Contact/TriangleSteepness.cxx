@@ -12,17 +12,17 @@ namespace palpate
 {
 namespace
 {
-/// A triangle seen from above: how deep others lie under its plane, over their distance from it
-/// within the plane.
+/// A triangle seen from above: how deep other triangles are under its plane, over their distance
+/// from it within the plane.
 class TrianglePlane
 {
 public:
   explicit TrianglePlane(const std::array<Vector3, 3>& corners);
 
-  /// Smallest slope b such that every point of another triangle at corner k lies no deeper under
-  /// the plane than b times its distance from this one; infinite if there is none. Sought along a
-  /// few directions: a distance from the corner along any direction that leads away from the
-  /// triangle is no longer than the one from the triangle. Any slope <= `enough` will do.
+  /// The smallest slope b such that every point of another triangle at corner k is at most b times
+  /// its distance from this triangle under the plane; infinite if there is none. The search uses a
+  /// few directions: along any direction that leads away from the triangle, the distance from the
+  /// corner is at most the distance from the triangle. The search stops at a slope <= `enough`.
   double slopeTo(const std::array<Vector3, 3>& other, std::size_t k, double enough) const;
 
   /// mm.
@@ -37,7 +37,7 @@ private:
   std::array<Vector3, 3> FromEdge;   ///< unit, away from the triangle across edge i
   std::array<Vector3, 3> FromCorner; ///< unit, between those of the edges that meet there
   double Altitude;
-  double Rounding; ///< lengths below are nothing
+  double Rounding; ///< shorter lengths count as 0
 };
 
 TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
@@ -56,7 +56,7 @@ TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // No direction at the tip of a needle: NaN, and no slope follows from it.
+    // The tip of a needle has no direction: NaN, which gives no slope.
     this->FromCorner[k] = this->FromEdge[k] + this->FromEdge[(k + 2) % 3];
     this->FromCorner[k] /= this->FromCorner[k].norm();
   }
@@ -126,7 +126,7 @@ float steepnessOf(const PackedMesh& mesh, std::int32_t triangle)
     mesh.visitAround(mesh.corners(triangle)[corner],
       [&](std::int32_t other)
       {
-        // The neighbour across the edge that ends here was met where that begins.
+        // The neighbour across the edge that ends here was visited at the start of that edge.
         if (other != triangle && other != mesh.neighbour(triangle, (k + 2) % 3))
         {
           slope = std::max(slope, plane.slopeTo(cornersOf(other), corner, slope));

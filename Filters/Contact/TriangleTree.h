@@ -20,11 +20,11 @@ class NearestTriangle;
 /**
  * Finds the closest point of the whole body.
  *
- * A tree of boxes without pointers: the triangles lie along a space-filling curve, so each box of
- * the lowest level holds the next four of them, and each box of a higher level the next eight boxes
- * below. Eight boxes are tested at once, in float with a margin for its rounding, so that the
- * answer is exact in the mesh's coordinates. Of triangles equally near, to the last bit, it takes
- * the one whose boxes are nearer, from the top down.
+ * A tree of boxes without pointers: the triangles are sorted along a space-filling curve, so each
+ * box of the lowest level holds the next four triangles, and each box of a higher level the next
+ * eight boxes below. Eight boxes are tested at once, in float with a margin for its rounding, so
+ * that the result is exact in the mesh's coordinates. Of triangles that are equally near to the
+ * last bit, the one whose boxes are nearer is taken, from the top level down.
  *
  * Queries neither allocate nor recurse; their stack is bounded by the number of levels. Built in
  * O(n), 7 bytes per triangle. Immutable, safe from any number of threads. The mesh must outlive the
@@ -34,7 +34,7 @@ class PALPATE_EXPORT TriangleTree
 {
 public:
   explicit TriangleTree(const PackedMesh& mesh);
-  /// A copy of the tree of an equal mesh, for this one.
+  /// A copy of the tree of an equal mesh, for this mesh.
   TriangleTree(const TriangleTree& equal, const PackedMesh& mesh)
     : Mesh(mesh)
     , Levels(equal.Levels)
@@ -46,14 +46,14 @@ public:
   TriangleTree& operator=(const TriangleTree&) = delete;
 
   /// Globally closest point, in the body's frame; triangle -1 if the body has no usable triangle or
-  /// the tip is not finite. For a tip farther off than 10000 times the body's size the point that
-  /// is closest seen from there.
+  /// the tip is not finite. If the tip is farther away than 10000 times the body's size, the point
+  /// is the one closest to the tip moved to this distance.
   SurfacePoint closest(const Vector3& tip) const noexcept;
 
   /// The same in the mesh's local frame.
   SurfacePoint closestLocal(const Vector3& tip) const noexcept;
 
-  /// Whether a tip, local, is that far off.
+  /// Whether a tip (local) is farther away than that.
   bool isBeyondHorizon(const Vector3& tip) const noexcept
   {
     return tip.cwiseAbs().maxCoeff() > this->Horizon;
@@ -69,7 +69,7 @@ private:
   static constexpr std::size_t Width = 8;    ///< boxes tested at once
   using Row = Eigen::Array<float, Width, 1>;
 
-  /// Eight boxes, coordinate by coordinate; those that are missing are empty.
+  /// Eight boxes, coordinate by coordinate; missing boxes are empty.
   struct Boxes
   {
     std::array<Row, 3> low;
@@ -90,9 +90,9 @@ private:
 
   void buildLeaves();
   void buildLevel(const LargeVector<Boxes>& below);
-  /// Of a tip within the horizon.
+  /// For a tip within the horizon.
   SurfacePoint closestWithin(const Vector3& tip) const noexcept;
-  /// Looks at the triangles of a box of the lowest level. `rounded`: the tip in floats.
+  /// Checks the triangles of a box of the lowest level. `rounded`: the tip in floats.
   void searchLeaf(std::size_t leaf, const Vector3& tip, const Eigen::Vector3f& rounded,
     NearestTriangle& nearest) const noexcept;
   /// Whether the boxes of a triangle are nearer than those of another.
@@ -102,17 +102,18 @@ private:
   const PackedMesh& Mesh;
   std::vector<LargeVector<Boxes>> Levels; ///< from the leaves up; the last has one row of boxes
   double Size = 0.0;                      ///< largest coordinate of the body, local
-  double Horizon = 0.0; ///< coordinates of tips beyond which nothing more is to be seen
+  double Horizon = 0.0;                   ///< limit of tip coordinates, see isBeyondHorizon()
 };
 
 /**
- * Closest points of tips that come one after another, each near the last: the same as
- * TriangleTree::closestLocal, to the bit, in a fraction of its time.
+ * Closest points of a sequence of tips, each near the last: the same as TriangleTree::closestLocal,
+ * to the bit, in a fraction of its time.
  *
- * From the last closest triangle it walks over the faces to under the tip, which gives a distance
- * that is nearly always the right one; then it looks whether anything is nearer. For that it keeps
- * at hand the boxes of 32 triangles each within Radius of Centre, so that the tree is not entered
- * from the top for tips around there. A tip that leaps is searched for in the whole tree.
+ * From the last closest triangle the search walks over the faces to the face under the tip. This
+ * gives a distance that is nearly always the right one; then the search checks whether any triangle
+ * is nearer. For this it stores the boxes of 32 triangles each within Radius of Centre, so that
+ * tips around there do not need the tree from the top. After a large jump of the tip the whole tree
+ * is searched.
  *
  * Neither allocates nor throws. One search serves one thread; the tree may be shared and must
  * outlive it.
@@ -130,7 +131,7 @@ public:
 
 private:
   static constexpr std::size_t Width = TriangleTree::Width;
-  static constexpr std::size_t Capacity = 8 * Width; ///< boxes at hand
+  static constexpr std::size_t Capacity = 8 * Width; ///< boxes stored
   static constexpr int MaximumSteps = 8;             ///< of a walk over faces
 
   struct Place
@@ -139,23 +140,23 @@ private:
     TriangleProjection projection;
   };
 
-  /// A triangle near the tip, if not the nearest.
+  /// A triangle near the tip, not always the nearest.
   Place walk(const Vector3& tip) const noexcept;
-  /// Whether all that is within `reach` of the tip is in a box at hand.
+  /// Whether the stored boxes contain everything within `reach` of the tip.
   bool isAtHand(const Vector3& tip, double reach) const noexcept
   {
     return (tip - this->Centre).norm() + reach <= this->Radius;
   }
-  /// Takes the boxes around a tip at hand; false if they are too many.
+  /// Stores the boxes around a tip; returns false if they are too many.
   bool gather(const Vector3& tip, const Place& near, double reach) noexcept;
   SurfacePoint searchAtHand(const Vector3& tip, const Place& near) const noexcept;
 
   const TriangleTree& Tree;
   std::int32_t Last = -1; ///< closest triangle of the last tip
   Vector3 Centre = Vector3::Zero();
-  double Radius = -1.0; ///< mm; < 0: nothing is at hand
+  double Radius = -1.0; ///< mm; < 0: no boxes are stored
   std::size_t Count = 0;
-  std::array<std::uint32_t, Capacity> Rows; ///< of the tree's lowest level, of each box
+  std::array<std::uint32_t, Capacity> Rows; ///< row of the tree's lowest level, for each box
   std::array<TriangleTree::Boxes, Capacity / Width> Boxes;
 };
 } // namespace palpate

@@ -12,15 +12,15 @@ namespace palpate
 {
 namespace
 {
-/// Two triangles at one place.
+/// Two triangles at the same place.
 struct TwinTriangles
 {
   std::int32_t first;
   std::int32_t second;
-  bool areReversed; ///< they wind against each other
+  bool areReversed; ///< they are wound in opposite directions
 };
 
-/// Each triangle of `candidates` with the first at its place.
+/// Pairs each triangle of `candidates` with the first triangle at its place.
 std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& candidates)
 {
@@ -30,7 +30,7 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
     const float* p = coordinates + 3 * static_cast<std::size_t>(point);
     return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // -0 is 0
   };
-  // The places of the corners, ascending, and whether an even permutation leads there.
+  // The places of the corners, ascending, and whether an even permutation sorts them.
   const auto placesOf = [&](std::int32_t t)
   {
     const TriangleCorners& corners = triangles[static_cast<std::size_t>(t)];
@@ -105,7 +105,8 @@ public:
     }
   }
 
-  /// A part of which each triangle has a twin in one other part is a copy; of two, the later one.
+  /// A part is a copy if each of its triangles has a twin in one other part; of two equal parts the
+  /// later one is the copy.
   void dropCopies()
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared; // earlier part, later part

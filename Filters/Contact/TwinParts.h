@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A range of an order of triangles: those that are connected.
+/// A range of connected triangles in an order of triangles.
 struct MeshPart
 {
   std::size_t first;
@@ -19,8 +19,8 @@ struct MeshPart
 };
 
 /// Leaves out parts that are copies of another part, or of a piece of it, with points of their own:
-/// the first corner of their triangles is -1 then. Returns the triangles of walls that two solids
-/// share, one behind the other.
+/// the first corner of their triangles becomes -1. Returns the triangles of walls that two solids
+/// share, each pair in sequence.
 ///
 /// `coordinates`: 3 floats per point; `order`: triangles, part by part. O(n log n), 16 bytes a
 /// triangle.

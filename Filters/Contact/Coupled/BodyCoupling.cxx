@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// mm: two contacts that have no radius yet are not in one place.
+/// Least distance between two contacts, mm; used while they have no contact radius yet.
 constexpr double LeastDistance = 1e-6;
 
 std::vector<CouplingKnot> knotsOf(const CouplingTerms& terms)

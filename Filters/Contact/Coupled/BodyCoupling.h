@@ -16,47 +16,49 @@
 namespace palpate
 {
 /**
- * By how much a force at one place of a body lets the surface down at another, mm/N:
+ * How far a force at one place of a body lowers the surface at another, mm/N:
  *   C_ij = (n_i·n_j)⁺ g(r/h) / (πr √(E*_i E*_j)) + Σ_m φ_m(i) φ_m(j),
- * g of CouplingLaw, h = √(h_i h_j), r the straight distance, no less than the sum of the contact
- * radii: nearer, rigid tools collide. Places that face away from each other feel nothing through
- * the surface, only what the modes of the body tell. Symmetric; with g = 1 and the contacts' own
- * compliance 1/K_i on the diagonal positive definite, so that forces exist and are unique.
+ * with g of CouplingLaw, h = √(h_i h_j), and r the straight distance. r is at least the sum of the
+ * contact radii, because rigid tools would collide at a smaller distance. Places that face away
+ * from each other are coupled by the modes of the body only, not through the surface. Symmetric.
+ * With g = 1 and the contacts' own compliances 1/K_i on the diagonal it is positive definite, so
+ * that the forces exist and are unique.
  *
- * All of it is a function of the area coordinates of the two places, with its gradients, so that
- * contacts that move have an energy. Immutable, safe from any number of threads.
+ * It is a function of the area coordinates of the two places and has gradients by them, so that
+ * moving contacts have an energy. Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT BodyCoupling
 {
 public:
-  /// A contact, as others feel it.
+  /// Data of a contact for its coupling with the others.
   struct Spot
   {
     TriangleCorners corners{};
     Vector3 point = Vector3::Zero();  ///< local
-    Vector3 normal = Vector3::Zero(); ///< unit: the blended one
-    double normalLength = 1.0;        ///< before it was
+    Vector3 normal = Vector3::Zero(); ///< unit; the blended normal
+    double normalLength = 1.0;        ///< of the blended normal before it is normalized
     double modulus = 0.0;
     double thickness = 0.0;
     double radius = 0.0;
     std::array<double, CouplingTerms::MostModes> modes{};
   };
 
-  /// `response` is the body's, of the same mesh; both must outlive this. Terms without fault.
+  /// `response` is that of the body, for the same mesh; both must outlive this object. `terms` must
+  /// be valid (faultOfCoupling).
   BodyCoupling(const PackedMesh& mesh, const ResponseField& response, const CouplingTerms& terms);
 
-  /// Of a contact of this stiffness (N/mm).
+  /// The spot of a contact of this stiffness (N/mm).
   Spot at(std::int32_t triangle, const Vector3& weights, double stiffness) const noexcept;
   /// C_ij, mm/N.
   double compliance(const Spot& one, const Spot& other) const noexcept;
-  /// Its derivatives by the area coordinates of the first, but for a common constant; zero of the
-  /// surface's part where the distance is held.
+  /// Derivatives of C_ij by the area coordinates of the first contact, except for a common
+  /// constant. The distance contributes nothing where it is held at the sum of the contact radii.
   Vector3 gradient(const Spot& of, std::int32_t triangle, const Spot& other) const noexcept;
 
   bool hasModes() const noexcept { return this->ModeCount > 0; }
 
 private:
-  /// What of C_ij the surface has.
+  /// The part of C_ij that acts through the surface.
   struct Surface
   {
     double value = 0.0;

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Forces that change by less in a round, as part of the largest, are settled.
+/// Forces are settled if the largest change in a round is below this part of the largest force.
 constexpr double Settled = 1e-14;
 } // namespace
 
@@ -93,7 +93,7 @@ void CoupledContacts::load(std::size_t contact) noexcept
     load.isOff = false;
     return;
   }
-  // As it went in the tick before.
+  // Extrapolated from the two ticks before.
   const double last = load.force;
   load.force = last > 0.0 && load.before > 0.0 ? std::max(0.0, 2.0 * last - load.before) : last;
   load.before = last;
@@ -157,7 +157,8 @@ double CoupledContacts::goRound() noexcept
 
 double CoupledContacts::solveRound() noexcept
 {
-  // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i, of those that touch; the others come to none.
+  // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i for contacts that touch; the forces of the
+  // others become 0.
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MostSolved, MostSolved>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, MostSolved, 1>;
   const std::size_t count = this->Loads.size();
@@ -201,7 +202,8 @@ double CoupledContacts::solveRound() noexcept
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    // Compliances that are no body's: as if the others stayed.
+    // If the compliances are not positive definite (impossible for a body): as if the other forces
+    // stayed.
     const double step = isSolved ? right[static_cast<Eigen::Index>(i)] : lack[i];
     this->Loads[i].force = std::max(0.0, this->Loads[i].force + step);
   }
@@ -255,7 +257,7 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
         this->Body.coupling->gradient(own.spot, own.pressed.place.triangle, other.spot);
     }
   }
-  // As the area coordinates sum to 1, a common constant of the derivatives is nothing.
+  // The area coordinates sum to 1, so a common constant of the derivatives has no effect.
   const Eigen::Matrix3d& gradients = own.pressed.place.weightGradients;
   const Vector3 side = own.force *
     (gradients.col(1) * (byWeights[1] - byWeights[0]) +

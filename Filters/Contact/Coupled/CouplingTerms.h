@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// What contacts on one body need to feel one another, beside its curves. Views of somebody else's
+/// Data that couple contacts on one body, in addition to its curves. The views do not own their
 /// memory.
 struct CouplingTerms
 {
@@ -18,22 +18,23 @@ struct CouplingTerms
 
   /// E* of the half-space, or of the top layer, MPa; 0: only the modes couple, if there are any.
   double modulus = 0.0;
-  /// Of the layer, mm; 0: a half-space.
+  /// Thickness of the layer, mm; 0: a half-space.
   double thickness = 0.0;
-  /// Of a layer, CouplingLaw::KnotCount; null: a half-space.
+  /// CouplingLaw::KnotCount knots of the layer's law; null: a half-space.
   const CouplingKnot* knots = nullptr;
-  /// E* and thickness at each point instead; null: everywhere the same.
+  /// E* and thickness at each point, instead of the values above; null: the same at all points.
   const float* localModulus = nullptr;
   const float* localThickness = nullptr;
-  /// By how much modes of the body move each point inward along its normal, √(mm/N), so many a
-  /// point: C_ij = Σ φ(i) φ(j) beside that of the surface. Null: none.
+  /// Displacement of each point inward along its normal by each mode of the body, √(mm/N);
+  /// `modeCount` values per point. Adds C_ij = Σ φ(i) φ(j) to the compliance of the surface. Null:
+  /// no modes.
   const float* modes = nullptr;
   int modeCount = 0;
 
   bool areFelt() const noexcept { return this->modulus > 0.0 || this->modeCount > 0; }
 };
 
-/// What is wrong with the terms of a body of so many points, or "".
+/// Checks the terms for a body with `points` points. Returns "" if they are valid, else a message.
 PALPATE_EXPORT std::string faultOfCoupling(const CouplingTerms& terms, std::size_t points);
 } // namespace palpate
 

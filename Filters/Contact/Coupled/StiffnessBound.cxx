@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// Inverts a positive definite matrix of so many rows in place (Gauss and Jordan); false if it is
-/// none.
+/// Inverts a positive definite matrix with this number of rows in place (Gauss-Jordan). Returns
+/// false if the matrix is not positive definite.
 bool invert(double* matrix, std::size_t rows) noexcept
 {
   const auto at = [matrix, rows](std::size_t i, std::size_t j) -> double&
@@ -46,8 +46,8 @@ bool invert(double* matrix, std::size_t rows) noexcept
   return true;
 }
 
-/// A bound of the largest eigenvalue of a symmetric matrix of so many rows: the eighth root of the
-/// largest sum of a row of its eighth power, no more than rows^(1/16) too large. Both are
+/// An upper bound of the largest eigenvalue of a symmetric matrix: the eighth root of the largest
+/// row sum of its eighth power. It is at most rows^(1/16) times too large. Both arrays are
 /// overwritten.
 double largestEigenvalue(double* matrix, double* power, std::size_t rows) noexcept
 {

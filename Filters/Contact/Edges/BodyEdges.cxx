@@ -9,19 +9,21 @@ namespace palpate
 {
 namespace
 {
-/// Faces across blunt edges are looked for so many of the range (mm) away.
+/// Faces across blunt edges are searched within this multiple of the range.
 constexpr double BluntReach = 6.0;
-/// What takes less than this of the fillet is none of it; from twice as much on all.
+/// Faces with less than this part of the fillet do not count; from twice this part on they count in
+/// full.
 constexpr double LeastPart = 1e-3;
-/// A tip is outside where it is above the plane across a blunt edge that is this many depths away:
-/// 1/tan 20°. Farther planes say nothing of it.
+/// A tip is outside if it is above a plane across a blunt edge that is at most this many depths
+/// away, 1/tan 20°. Planes farther away are ignored.
 constexpr double OutsideWithin = 2.75;
-/// Less than this part of the depth under the contact's own face is nearer; so that none goes to
-/// and fro.
+/// Another face is nearer only if its depth is below this part of the depth under the contact's own
+/// face. So the contact does not alternate between two faces.
 constexpr double Nearer = 1.0 - 1e-6;
 constexpr std::size_t MostFaces = 8;
-/// Of the softness of an edge, by its distance over the depth of the body: e^-2.75x, from 1.5 on
-/// nothing. Over the edge without a kink, within a fiftieth of the depth.
+/// Decay of the softness of an edge with x, its distance over the depth of the body: e^-2.75x,
+/// nothing from x = 1.5 on. Within a fiftieth of the depth it is rounded, so that there is no kink
+/// at the edge.
 constexpr double Holding = 2.75;
 constexpr double ExtentsAway = 1.5;
 constexpr double RoundedWithin = 0.02;
@@ -40,7 +42,7 @@ Fade fade(double x, double end) noexcept
   return { 1.0 - t * t * (3.0 - 2.0 * t), -12.0 * t * (1.0 - t) / end };
 }
 
-/// Without its part along a unit normal.
+/// The vector without its part along a unit normal.
 Vector3 within(const Vector3& normal, const Vector3& vector) noexcept
 {
   return vector - normal.dot(vector) * normal;
@@ -57,7 +59,8 @@ double contactRadius(const EdgeTerms& terms, double depth) noexcept
                                : terms.radius * std::pow(depth, terms.exponent - 1.0);
 }
 
-/// How far from a triangle a sharp edge counts: at least where a contact may hang over it.
+/// Distance from a triangle within which a sharp edge counts: at least where a contact may extend
+/// beyond it.
 double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcept
 {
   const double least = 2.0 * end * largestRadius;
@@ -66,7 +69,7 @@ double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcep
   return terms.isInCurves ? least : std::max(least, usual);
 }
 
-/// Part r of the fillet, without what is next to nothing; and by r.
+/// Part r of the fillet, 0 if r is negligible; and the derivative by r.
 Fade partOf(double r) noexcept
 {
   const double t = std::clamp(r / LeastPart - 1.0, 0.0, 1.0);
@@ -83,7 +86,7 @@ BodyEdges::BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double rang
 {
 }
 
-/// What is left of the work beside the sharp edges of one face, as EdgeEffect has it.
+/// The factor Ψ of the work near the sharp edges of one face, with derivatives as in EdgeEffect.
 struct BodyEdges::Share
 {
   double value = 1.0;
@@ -92,8 +95,8 @@ struct BodyEdges::Share
   Vector3 byPlace = Vector3::Zero();
 };
 
-/// The faces that a tip is under near blunt edges: that of the contact, those across its edges,
-/// those across theirs.
+/// The faces near blunt edges that the tip is under: the face of the contact, the faces across its
+/// edges, and the faces across theirs.
 class BodyEdges::Faces
 {
 public:
@@ -131,19 +134,19 @@ private:
   struct Face
   {
     std::int32_t triangle = EdgeChains::None;
-    std::int32_t number = EdgeChains::None; ///< of the face; None: not known
+    std::int32_t number = EdgeChains::None; ///< number of the face; None: unknown
     Vector3 normal = Vector3::Zero();
     double depth = 0.0;
-    /// 1 of a neighbour; of another as much as the one between counts, so that it comes as that is
-    /// about to become the contact's own.
+    /// 1 for a neighbour. For a face behind a neighbour it rises from 0 to the weight of the
+    /// neighbour, as the neighbour comes to be as near as the contact's own face.
     double weight = 1.0;
-    Vector3 weightChange = Vector3::Zero(); ///< with the tip
-    double part = 1.0;                      ///< of the sum of δ^-4
+    Vector3 weightChange = Vector3::Zero(); ///< gradient by the tip
+    double part = 1.0;                      ///< part of the sum of δ^-4
     Vector3 partChange = Vector3::Zero();
   };
 
   const Face& own() const noexcept { return this->Known[0]; }
-  /// (δ_own/δ)^4, and its change with the tip; a depth falls along its normal.
+  /// (δ_own/δ)^4, and its gradient by the tip; a depth decreases along its normal.
   double ratio(const Face& face) const noexcept
   {
     const double x = this->own().depth / face.depth;
@@ -154,7 +157,7 @@ private:
     return 4.0 * ratio * (face.normal / face.depth - this->own().normal / this->own().depth);
   }
 
-  /// Finds what is across the blunt edges of a face.
+  /// Finds the faces across the blunt edges of a face.
   void look(std::size_t i) noexcept
   {
     const EdgeChains& chains = this->Edges.Chains;
@@ -255,7 +258,8 @@ private:
       face.part /= sum;
       face.partChange = (face.partChange - face.part * sumChange) / sum;
     }
-    // What of it is along the contact's own normal is told apart: a curved surface has its own.
+    // The part along the contact's own normal is kept separate: a curved surface has a normal of
+    // its own.
     effect.ownNormal = effect.depth / this->own().depth * this->own().part;
     effect.otherNormals = outward - effect.ownNormal * this->own().normal;
   }
@@ -297,7 +301,7 @@ EdgeEffect BodyEdges::at(
   return Faces(*this, tip, triangle, normal, depth).effect();
 }
 
-/// What is left of an edge's sharpness at a distance, and by that.
+/// Remaining part of an edge's sharpness at a distance, and its derivative by the distance.
 struct BodyEdges::Softness
 {
   double part = 1.0;
@@ -320,7 +324,8 @@ BodyEdges::Softness BodyEdges::softnessAt(double distance) const noexcept
   return { far.value * held, held * (far.slope + far.value * bySlope) };
 }
 
-/// The product of what each sharp edge of a face leaves; `foot` is under the tip on its plane.
+/// The product of the factors Ψ of all sharp edges of a face. `foot` is the tip's projection on its
+/// plane.
 BodyEdges::Share BodyEdges::shareOf(
   std::int32_t triangle, const Vector3& foot, const Vector3& normal, double depth) const noexcept
 {
@@ -345,7 +350,7 @@ BodyEdges::Share BodyEdges::shareOf(
     const double share = law.share;
     const double byDepth = law.slope * one;
     const double byDepthTwice = law.bend * one * one + law.slope * two;
-    // Ψ = 1/(1 + s k) with s the sharpness: dΨ/ds = -Ψ (1 - Ψ)/s.
+    // Ψ = 1/(1 + s k), with s the sharpness: dΨ/ds = -Ψ (1 - Ψ)/s.
     const double bySharpness = softness.part > 0.0 ? -share * (1.0 - share) / softness.part : 0.0;
     const double byDistance = law.slope / radius + bySharpness * softness.slope;
     all.byPlace = all.byPlace * share + all.value * byDistance * within(normal, place.gradient);

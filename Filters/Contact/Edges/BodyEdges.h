@@ -12,60 +12,62 @@
 
 namespace palpate
 {
-/// What the sharp edges around a contact do to it, all as functions of the tip's place alone.
+/// Effect of the sharp edges around a contact, as functions of the tip's position alone.
 struct EdgeEffect
 {
-  double depth = 0.0; ///< δ, mm, at which the curve is to be taken; <= 0: no contact
-  /// Of the normals of depth: that of the contact's own face, and the sum of the others'.
+  double depth = 0.0; ///< δ at which the curve is evaluated, mm; <= 0: no contact
+  /// -∇δ, as ownNormal times the normal of the contact's own face plus otherNormals.
   double ownNormal = 1.0;
   Vector3 otherNormals = Vector3::Zero();
-  /// Ψ, of the work at that depth, and how it changes with the depth (1/mm, 1/mm²) and with the
-  /// place at the same depth.
+  /// Ψ, the factor of the work at that depth. Its derivatives by the depth (1/mm, 1/mm²) and its
+  /// gradient by the tip's position at constant depth (1/mm).
   double share = 1.0;
   double byDepth = 0.0;
   double byDepthTwice = 0.0;
   Vector3 byPlace = Vector3::Zero();
-  /// The triangle on the other side of a blunt edge, where that is nearer; else -1.
+  /// The triangle on the other side of a blunt edge if its face is nearer; else -1.
   std::int32_t nearerAcross = -1;
 };
 
 /**
- * The sharp convex edges of a body, as a contact feels them that is followed on one face.
+ * The sharp convex edges of a body and their effect on a contact that is followed on one face.
  *
- * Over an edge of BluntTurn and more the contact stays with its face, whose plane goes on: it has
- * the work W₀(δ) Π Ψ(d/a₀(δ)), over the chains of edges nearby (EdgeLaw; at a corner the product),
- * and ends where nothing is left of it. So no force drops and no energy is gained, whatever the
- * way. A base at a depth h holds what an edge lets go: the softness 1/Ψ - 1 falls as e^(-2.75 d/h)
- * with the distance from the edge (finite elements of bonded blocks: 2.5 to 3.1, d/h to 0.5, ν 0.3
- * and 0.45). More than Reach contact radii away, or 1.5 h, an edge is not felt; it fades from half
- * of that.
+ * At an edge with a turn of BluntTurn or more, the contact stays on its face, and the plane of the
+ * face continues beyond the edge. The contact has the work W₀(δ) Π Ψ(d/a₀(δ)), where the product is
+ * over the chains of edges nearby (EdgeLaw). It ends where this work is zero. So no force drops
+ * suddenly and no energy is gained on any path. A base at a depth h reduces the effect of an edge:
+ * the softness 1/Ψ - 1 falls as e^(-2.75 d/h) with the distance d from the edge (finite elements of
+ * bonded blocks: 2.5 to 3.1, d/h to 0.5, ν 0.3 and 0.45). An edge has no effect beyond a distance
+ * of Reach contact radii or 1.5 h; its effect fades from half of that distance.
  *
- * Over a blunt edge the depth is that of both faces: δ^-4 = δ_A^-4 + δ_B^-4, nearly the lesser of
- * the two but beside the edge, which is a fillet as large as the tip is deep. Over a micrometre the
- * force turns by no more than 0.0038 mm/δ of itself; right under the edge a sphere's is 23 % less
- * than far from it, where an elastic wedge takes 3 % (30°) to 43 % (75°). What is left beside sharp
- * edges is then that of each face, by its part of the sum.
+ * At a blunt edge the depth combines both faces: δ^-4 = δ_A^-4 + δ_B^-4. This is nearly the smaller
+ * of the two, except near the edge, where it is a fillet as large as the tip is deep. Over 1 µm of
+ * motion the turning of the force changes it by at most 0.0038 mm/δ of its magnitude. Directly
+ * under the edge the force of a sphere is 23 % less than far from it; on an elastic wedge it is 3 %
+ * (30°) to 43 % (75°) less. The factor Ψ at sharp edges is then the sum of the factors of the
+ * faces, each weighted by its part of that sum.
  *
- * A re-entrant edge needs nothing: the nearest point of the surface stays on it, and the force
- * turns from wall to wall.
+ * A re-entrant edge needs no treatment: the nearest point of the surface stays on it, and the force
+ * turns from one wall to the other.
  */
 class PALPATE_EXPORT BodyEdges
 {
 public:
-  /// The least turn (rad) of a surface to be cut for this.
+  /// The least turn (rad) of an edge at which the surface is cut.
   static constexpr double LeastTurn = 0.349; // 20°
   static constexpr double Reach = 32.0;
 
-  /// `mesh` is cut along its creases; `range` is the longest of its curves, mm.
+  /// `mesh` is cut along its creases; `range` is the longest range of the curves, mm.
   BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double range);
 
-  /// Whether any edge is felt over a triangle.
+  /// Whether any edge has an effect over a triangle.
   bool areNear(std::int32_t triangle) const noexcept
   {
     return this->Chains.near(triangle) != nullptr;
   }
   void prefetch(std::int32_t triangle) const noexcept { this->Chains.prefetch(triangle); }
-  /// The effect on a contact `depth` under the plane whose normal is `normal`; local coordinates.
+  /// The effect on a contact at `depth` under the plane with the normal `normal`; local
+  /// coordinates.
   EdgeEffect at(
     const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept;
 

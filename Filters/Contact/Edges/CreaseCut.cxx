@@ -34,8 +34,9 @@ CreaseCut::CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t 
   std::vector<std::int32_t> ends;
   for (const PackedMesh::CreaseSide& side : this->Sides)
   {
+    // Its end is the start of the other side.
     ends.push_back(this->Triangles[static_cast<std::size_t>(side.triangle)]
-                                  [static_cast<std::size_t>(side.edge)]); // its end is another's
+                                  [static_cast<std::size_t>(side.edge)]);
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -50,7 +51,7 @@ void CreaseCut::findSides(
   std::size_t usable, const std::vector<float>& coordinates, double leastTurn)
 {
   std::vector<Vector3> normals(usable);
-  std::vector<std::array<float, 3>> turns(usable); // < 0: away, as on concave edges
+  std::vector<std::array<float, 3>> turns(usable); // < 0: concave edge
   forRanges(usable,
     [&](std::size_t first, std::size_t last)
     {
@@ -156,7 +157,7 @@ void CreaseCut::partAround(std::int32_t point)
   }
 }
 
-/// An edge at neither end of which the parts differ still hangs together.
+/// Removes edges whose sides are still connected: the parts are the same at both ends.
 void CreaseCut::dropUncut()
 {
   const auto isWhole = [this](const PackedMesh::CreaseSide& side)

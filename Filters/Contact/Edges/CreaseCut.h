@@ -13,21 +13,21 @@
 namespace palpate
 {
 /**
- * Where a surface is to be cut so that its faces hang together no more across sharp convex edges:
- * which edges those are (see PackedMesh), and in how many parts the triangles around a point fall.
- * While it is built, and for the curvature of its faces.
+ * Decides where a surface is cut so that its faces are no longer connected across sharp convex
+ * edges: which edges are cut (see PackedMesh), and the parts into which the triangles around a
+ * point are divided. Used while a mesh is built, and for the curvature of its faces.
  */
 class PALPATE_EXPORT CreaseCut
 {
 public:
-  /// Of triangles wound alike, with their links and three floats per point. Only the first
-  /// `usable` of them have an area.
+  /// `triangles` are wound alike; `coordinates` has three floats per point. Only the first `usable`
+  /// triangles have an area.
   CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t usable,
     const std::vector<float>& coordinates, const TriangleLinks& links, double leastTurn);
 
-  /// Both sides of each edge that is cut, by triangle.
+  /// Both sides of each edge that is cut, ordered by triangle.
   const std::vector<PackedMesh::CreaseSide>& sides() const noexcept { return this->Sides; }
-  /// Which of the parts around its point a corner of a triangle is in; 0 where nothing is cut.
+  /// The part around its point to which a corner of a triangle belongs; 0 where nothing is cut.
   int part(std::size_t triangle, std::size_t corner) const noexcept
   {
     return this->Parts[3 * triangle + corner];

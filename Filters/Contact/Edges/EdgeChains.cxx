@@ -17,7 +17,7 @@ namespace palpate
 namespace
 {
 constexpr double CornerCosine = 0.8660254037844386; // 30°
-constexpr std::size_t MostSteps = 32;               // of a tick's walk along a chain
+constexpr std::size_t MostSteps = 32;               // of a search along a chain in a tick
 constexpr int MostAround = 64;                      // triangles around a point
 
 Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
@@ -25,7 +25,8 @@ Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
   return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3.0;
 }
 
-/// The side of its face that follows one which ends at a point; { -1, 0 } if that is no crease.
+/// The next side on the border of the same face, after the end of a side; { -1, 0 } if it is no
+/// crease.
 std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t triangle, int edge)
 {
   edge = (edge + 1) % 3;
@@ -48,7 +49,7 @@ std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t tria
   return { -1, 0 };
 }
 
-/// The number of the face each triangle is of: what hangs together.
+/// The number of the face of each triangle. A face is a set of connected triangles.
 std::vector<std::int32_t> facesOf(const PackedMesh& mesh)
 {
   std::vector<std::int32_t> faces(mesh.triangleCount(), EdgeChains::None);
@@ -186,7 +187,7 @@ void EdgeChains::linkSegments(const PackedMesh& mesh)
   }
 }
 
-/// Where a chain goes on, what differs from segment to segment meets half-way.
+/// Values that differ between consecutive segments of a chain are averaged where the segments meet.
 void EdgeChains::roundEnds()
 {
   const std::vector<Segment> before = this->Segments;
@@ -205,7 +206,8 @@ void EdgeChains::roundEnds()
   }
 }
 
-/// From the creases outwards over the triangles; each takes the nearest chains it is told of.
+/// Goes from the creases outwards over the triangles. Each triangle stores the nearest chains that
+/// reach it.
 void EdgeChains::findNear(const PackedMesh& mesh)
 {
   struct Told
@@ -238,7 +240,7 @@ void EdgeChains::findNear(const PackedMesh& mesh)
     const Vector3 middle = centroid(mesh, triangle);
     const Place place = this->closest(middle, segment, this->Segments.size());
     const double distance = std::abs(place.distance);
-    double size = 0.0; // a large triangle comes nearer than its middle
+    double size = 0.0; // a large triangle extends nearer to the edge than its middle
     for (int k = 0; k < 3; ++k)
     {
       size = std::max(size, (mesh.corner(triangle, k) - middle).norm());
@@ -314,7 +316,7 @@ EdgeChains::Place EdgeChains::closest(
   found.part = clamped / at.length;
   found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
   Vector3 offset = place - found.point;
-  offset -= at.normal.dot(offset) * at.normal; // a curved face leaves the plane of its side
+  offset -= at.normal.dot(offset) * at.normal; // a curved face is not in the segment's plane
   bool isInside = offset.dot(at.outward) <= 0.0;
   if (isBeyond && !goesOn)
   {

@@ -13,12 +13,12 @@
 namespace palpate
 {
 /**
- * The creases of a surface as the chains that bound its faces, and which of them are near each
- * triangle.
+ * The creases of a surface as chains that bound its faces, and the chains near each triangle.
  *
- * A chain goes along the border of one face, counter-clockwise seen from outside, up to where that
- * turns left by more than 30° (the corner of a face: another chain begins there, and each goes on
- * straight beyond it) or where the crease ends. Where two faces meet, each has a chain of its own.
+ * A chain follows the border of one face, counter-clockwise seen from outside. It ends where the
+ * border turns left by more than 30° (the corner of a face), where blunt and sharp edges meet, or
+ * where the crease ends. At a corner of a face another chain begins, and each of the two continues
+ * straight beyond the corner. Where two faces meet, each face has a chain of its own.
  *
  * Built in O(n log n) on one thread; 4 bytes a triangle and 32 for those within reach. Immutable.
  */
@@ -35,50 +35,50 @@ public:
     Vector3 start;
     Vector3 along;   ///< unit
     Vector3 outward; ///< unit, in the plane of its triangle
-    Vector3 normal;  ///< of that
+    Vector3 normal;  ///< unit, of that triangle
     double length;
-    std::int32_t next = None; ///< of the chain
+    std::int32_t next = None; ///< next segment of the chain
     std::int32_t previous = None;
     std::int32_t chain = None;
-    std::int32_t face = None;  ///< that it bounds
-    std::int32_t other = None; ///< on the other side
+    std::int32_t face = None;  ///< the face it bounds
+    std::int32_t other = None; ///< the face on the other side
     std::int32_t across;       ///< the triangle on the other side
     bool isBlunt;
-    bool turnsLeft = false;             ///< to the next
-    bool goesOnBefore = false;          ///< straight, beyond a corner of the face
-    bool goesOnBehind = false;          ///< likewise
+    bool turnsLeft = false;             ///< to the next segment
+    bool goesOnBefore = false;          ///< straight, beyond a corner of the face at its start
+    bool goesOnBehind = false;          ///< the same at its end
     std::array<double, 2> sharpness;    ///< at its ends, see edgeSharpness
-    std::array<Vector3, 2> otherNormal; ///< of the other side, at its ends
+    std::array<Vector3, 2> otherNormal; ///< normal of the other side, at its ends
   };
 
-  /// The closest point of a chain.
+  /// The closest point on a chain.
   struct Place
   {
     std::int32_t segment = None;
-    double part = 0.0; ///< of the way along it
+    double part = 0.0; ///< fraction of the segment's length
     Vector3 point = Vector3::Zero();
     double distance = 0.0; ///< mm, in the plane of the segment, > 0 on the side of the face
-    Vector3 gradient = Vector3::Zero(); ///< of the distance, as the place that is asked for moves
+    Vector3 gradient = Vector3::Zero(); ///< of the distance, by the position asked for
   };
 
-  /// How far from a triangle (mm) a chain is not near it any more.
+  /// Distance from a triangle (mm) within which a chain counts as near.
   struct Reach
   {
     double sharp;
     double blunt;
   };
 
-  /// ν: of the body.
+  /// `poissonRatio` is that of the body.
   EdgeChains(const PackedMesh& mesh, double poissonRatio, const Reach& reach);
 
-  /// Null where no crease is near.
+  /// The chains near a triangle; null if there is no crease near it.
   const Near* near(std::int32_t triangle) const noexcept
   {
     const std::int32_t place =
       this->NearPlaces.empty() ? None : this->NearPlaces[static_cast<std::size_t>(triangle)];
     return place < 0 ? nullptr : &this->NearLists[static_cast<std::size_t>(place)];
   }
-  /// Asks for the memory that near() reads, ahead of its use.
+  /// Prefetches the memory that near() reads.
   void prefetch(std::int32_t triangle) const noexcept
   {
     if (!this->NearPlaces.empty())
@@ -91,8 +91,8 @@ public:
     return this->Segments[static_cast<std::size_t>(number)];
   }
 
-  /// The local minimum of the distance along a chain, from one of its segments; `place` local.
-  /// In bounded time: as far as some segments on.
+  /// The local minimum of the distance along a chain, searched from one of its segments. `place` in
+  /// local coordinates. Bounded time: the search stops after a fixed number of segments.
   Place closest(const Vector3& place, std::int32_t segment) const noexcept;
 
   double reach() const noexcept { return this->Limits.sharp; }

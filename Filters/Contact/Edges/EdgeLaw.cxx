@@ -28,8 +28,8 @@ constexpr TableRow Table[] = {
 #include "Contact/Edges/EdgeLawTable.inc"
 };
 
-/// Where a rigid tool leaves the edge of a quarter space, and how far beyond the table's last place
-/// it does here.
+/// Where a rigid tool of this exponent leaves the edge of a quarter space: u = -end. For the flat
+/// end, `end` is larger than the theoretical 1, see EdgeLaw.
 struct Leaving
 {
   double exponent;
@@ -66,7 +66,8 @@ std::array<double, Ratios> weightsOf(double poissonRatio)
   std::array<double, Ratios> node{};
   std::transform(TableRatios.begin(), TableRatios.end(), node.begin(),
     [](double ratio) { return std::log(pointLoadSoftness(ratio)); });
-  // The parabola is for between the nodes: below them, the line through the first two.
+  // The parabola is valid only between the nodes. Below the first node: the line through the first
+  // two.
   if (x < node[0])
   {
     const double part = (x - node[0]) / (node[1] - node[0]);
@@ -84,7 +85,7 @@ std::array<double, Ratios> weightsOf(double poissonRatio)
   return weight;
 }
 
-/// Of one m of the table, from where it leaves to u = 8 and the tail's slope there.
+/// Spline for one exponent of the table, from the end to u = 8. Its last slope is that of the tail.
 Spline splineOf(const Leaving& tool, double poissonRatio)
 {
   const std::array<double, Ratios> weight = weightsOf(poissonRatio);
@@ -109,7 +110,7 @@ Spline splineOf(const Leaving& tool, double poissonRatio)
     }
   }
   const double last = spline.value.back();
-  spline.slope.back() = last * (1.0 - last) / spline.at.back(); // of u/(u + k)
+  spline.slope.back() = last * (1.0 - last) / spline.at.back(); // slope of u/(u + k)
   return spline;
 }
 } // namespace
@@ -164,7 +165,8 @@ EdgeLaw::EdgeLaw(const EdgeTerms& terms)
     found = {};
     for (std::size_t k = 0; k < 2; ++k)
     {
-      // Tools leave at different u: beyond the edge each at its own, and alike at the edge itself.
+      // Tools leave at different u. Beyond the edge each spline is stretched to the common end; at
+      // the edge itself they are not stretched.
       const double stretch = Ends[lower + k].end / this->End - 1.0;
       const double x = u < 0.0 ? u / this->End : 0.0;
       const Value one = splines[k].evaluate(u * (1.0 + stretch * x * x));
@@ -238,7 +240,7 @@ double pointLoadSoftness(double poissonsRatio)
   {
     ++i;
   }
-  // 1/ψ is all but linear in ν: within 0.15 % of 0.809 - 0.890 ν from 0.3 on.
+  // 1/ψ is nearly linear in ν: within 0.15 % of 0.809 - 0.890 ν from 0.3 on.
   const double part = (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
   return 1.0 / ((1.0 - part) / value[i - 1] + part / value[i]);
 }
@@ -251,7 +253,8 @@ double edgeSharpness(double poissonsRatio, double turn)
   {
     return std::pow(t, 3.4);
   }
-  // The surface itself is strained in proportion to 1 - 2ν: (1+ν)(1-2ν)² 2/9 over cos² inside.
+  // The strain at the surface is proportional to 1 - 2ν. Its part is (1+ν)(1-2ν)² 2/9, compared
+  // with cos² inside, whose mean is 1/3.
   const double n = 1.0 - 2.0 * poissonsRatio;
   const double skin = (1.0 + poissonsRatio) * n * n * 2.0 / 9.0;
   const double part = 0.65 * skin / (1.0 / 3.0 + skin);

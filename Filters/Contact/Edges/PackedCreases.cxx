@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How PackedMesh::Builder cuts a mesh along its creases, and marks what it has cut.
+// How PackedMesh::Builder cuts a mesh along its creases and marks the cuts.
 #include "Contact/PackedMeshBuilder.h"
 
 #include "Contact/Edges/CreaseCut.h"
@@ -50,7 +50,7 @@ void PackedMesh::Builder::cutCreases()
       if (hasTwins)
       {
         std::int32_t& first = this->Joined[t][k];
-        first = partOf(first, part); // before its twin
+        first = partOf(first, part); // numbered before its twin
         point = partOf(point, part);
         this->Twins.resize(this->PointCount, -1);
         this->Twins[static_cast<std::size_t>(point)] = first;
@@ -69,7 +69,7 @@ void PackedMesh::Builder::cutCreases()
   this->Links = std::make_unique<TriangleLinks>(this->joined(), this->PointCount);
 }
 
-/// What a cut leaves without neighbour is no border.
+/// An edge that has no neighbour because of a cut is not a border edge.
 void PackedMesh::Builder::markCreases()
 {
   this->Mesh.Found.borderEdges -= this->Mesh.Creases.size();

@@ -8,15 +8,15 @@
 
 namespace palpate
 {
-/// The polygons of a mesh file, or what is wrong with it. A file that is wrong gives no polygons.
+/// The polygons of a mesh file, or its fault. A file with a fault gives no polygons.
 struct FileMesh
 {
   std::vector<float> points;         ///< x, y, z of each, finite
-  std::vector<float> normals;        ///< x, y, z of each point; empty if the file has none to use
+  std::vector<float> normals;        ///< x, y, z of each point; empty if none are usable
   std::vector<std::int64_t> corners; ///< numbers of points, polygon after polygon
-  std::vector<std::int64_t> starts;  ///< of each polygon in `corners`, and the end of the last one
-  std::vector<std::string> notes;    ///< what was left out, a part of a sentence each
-  std::string fault;                 ///< names the line or the facet; "": nothing is wrong
+  std::vector<std::int64_t> starts;  ///< start of each polygon in `corners`; end of the last one
+  std::vector<std::string> notes;    ///< the parts left out, each as a part of a sentence
+  std::string fault;                 ///< names the line or the facet; "": no fault
 };
 } // namespace palpate
 

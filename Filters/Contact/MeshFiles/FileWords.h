@@ -14,7 +14,7 @@ namespace palpate
 class FileWords
 {
 public:
-  /// `continued`: at the end of a line it joins the next one to it; 0: lines are not joined.
+  /// `continued`: a character that at the end of a line joins the next line to it; 0: none.
   FileWords(std::istream& stream, char continued = '\0')
     : Stream(stream)
     , Continued(continued)
@@ -25,9 +25,9 @@ public:
   bool nextLine();
   /// The next word of the line; "" at its end. Valid until the next line.
   std::string_view word();
-  /// Reads the next word as a finite number; otherwise `wrong` is the word.
+  /// Reads the next word as a finite number; otherwise sets `wrong` to the word.
   bool number(float& value, std::string_view& wrong);
-  /// Of the line, from 1.
+  /// Number of the line, from 1.
   std::size_t lineNumber() const { return this->Number; }
 
   /// The word, or its beginning, in quotes.

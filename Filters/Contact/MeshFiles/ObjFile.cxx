@@ -165,7 +165,7 @@ private:
     return true;
   }
 
-  /// A corner may name what comes later.
+  /// Checks the numbers at the end, because a corner may name a later vertex.
   void checkLargest()
   {
     for (std::size_t part = 0; part < Parts && this->Mesh.fault.empty(); ++part)
@@ -225,9 +225,9 @@ private:
   FileMesh Mesh;
   std::vector<float> Normals;               ///< as the file lists them
   std::vector<std::int64_t> CornerNormals;  ///< of each corner; -1: none
-  std::array<std::int64_t, Parts> Counts{}; ///< so far
+  std::array<std::int64_t, Parts> Counts{}; ///< number of lines so far
   std::array<std::int64_t, Parts> Largest{};
-  std::array<std::size_t, Parts> LargestAt{}; ///< its line
+  std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest number
   std::size_t LeftOut = 0;
 };
 } // namespace

@@ -17,8 +17,8 @@ namespace palpate
  * A corner is `v`, `v/t`, `v//n` or `v/t/n`, counted from 1, or from the last one back if negative.
  * Lines and points are left out; groups, materials and curves are ignored.
  *
- * Faults name the line: a number that is none, a face of fewer than three corners, a corner that
- * names a vertex, texture coordinate or normal that is not there.
+ * Faults name the line: text that is not a number, a face of fewer than three corners, a corner
+ * that names a missing vertex, texture coordinate or normal.
  */
 PALPATE_EXPORT FileMesh readObj(std::istream& file);
 } // namespace palpate

@@ -83,7 +83,7 @@ bool hasCoordinates(const Element& element)
   return has("x") && has("y") && has("z");
 }
 
-/** vtkPLYReader takes whatever comes first for vertices. */
+/** vtkPLYReader takes the first element for the vertices. */
 std::string elementFault(const PlyHeader& header)
 {
   bool vertices = false;
@@ -183,7 +183,7 @@ public:
     return this->stream.good() && this->line.size() <= LongestLine;
   }
 
-  /** Reads a value as unsigned, which makes a negative one large; in a binary file, the bytes. */
+  /** Reads a value as unsigned, so that a negative one is large; in a binary file, the bytes. */
   bool next(int size, std::uint64_t& value)
   {
     if (this->ascii)
@@ -211,7 +211,7 @@ private:
   bool bigEndian;
 };
 
-/** What is wrong with one row of an element. */
+/** The fault of one row of an element, or "". */
 std::string rowFault(Values& values, const Element& element, std::uint64_t vertices)
 {
   for (const Property& property : element.properties)

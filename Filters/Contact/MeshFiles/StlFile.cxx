@@ -48,7 +48,7 @@ FileMesh faulty(const std::string& fault)
   return mesh;
 }
 
-/// A text of facets; keywords in their order, on one line or several.
+/// Reads facets from text. Keywords must be in order, on one line or several.
 class AsciiFacets
 {
 public:
@@ -142,7 +142,7 @@ private:
     this->expect(isNamed, "facet");
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Words.word(); // of any value: some writers leave it undefined
+      this->Words.word(); // any value: some writers leave it undefined
     }
   }
 

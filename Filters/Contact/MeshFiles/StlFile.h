@@ -10,15 +10,15 @@
 namespace palpate
 {
 /**
- * The facets of a .stl file, with three points of their own each. Normals of facets are ignored.
+ * The facets of a .stl file, each with three points of its own. Normals of facets are ignored.
  *
- * Binary: 80 bytes, the number of facets, 50 bytes for each; what follows is ignored, with a note.
- * ASCII: begins with "solid", after a byte order mark and blanks if there are any; keywords in
- * upper or lower case. A file that begins with "solid" is binary if its length is that of its
- * number of facets, or a zero byte is among its first 84.
+ * Binary: 80 bytes, the number of facets, 50 bytes for each facet; bytes after that are ignored,
+ * with a note. ASCII: begins with "solid", possibly after a byte order mark and blanks; keywords in
+ * upper or lower case. A file that begins with "solid" is binary if its length matches its number
+ * of facets, or if there is a zero byte among its first 84.
  *
- * Faults name the line or the facet: a file that is neither, or ends too early, a keyword out of
- * order, a facet without three corners, a number that is not finite.
+ * Faults name the line or the facet: a file that is neither binary nor ASCII, or that ends too
+ * early, a keyword out of order, a facet without three corners, a number that is not finite.
  */
 PALPATE_EXPORT FileMesh readStl(std::istream& file);
 } // namespace palpate

@@ -75,7 +75,7 @@ std::string taken(const ResponseChoice& choice, const ChoiceSettings& settings)
     (settings.share < 1.0 ? " at " + percentOfPoints(settings.share) : std::string());
 }
 
-/// Why there is no point force.
+/// The reason why no point force was chosen.
 std::string noPointForce(const ResponseChoice& choice, const ChoiceSettings& settings)
 {
   if (!choice.regimeKnown || choice.need == ResponseNeed::PointForce)

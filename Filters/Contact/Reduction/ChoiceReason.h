@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// The choice in a sentence: what is chosen, its error, why nothing simpler, and where the law does
-/// not hold. `before`: numbers per point of the original.
+/// A sentence about the choice: the form chosen, its error, the reason why no simpler form
+/// suffices, and where the law does not hold. `before`: numbers per point of the original.
 PALPATE_EXPORT std::string choiceReason(
   const ResponseChoice& choice, const ChoiceSettings& settings, int before);
 } // namespace palpate

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A curve in n forces, then n stiffnesses.
+/// A curve as n forces, then n stiffnesses.
 struct SampledCurve
 {
   const Eigen::VectorXd& columns;
@@ -24,7 +24,8 @@ struct SampledCurve
   }
 };
 
-/// The largest error of curves, and its point; += keeps the larger, of equals the first.
+/// The largest error of curves, and its point; += keeps the larger error, or the first of two equal
+/// ones.
 struct CurveError
 {
   double force = 0.0; ///< |F' - F|/F, or /F_1 before the first sample; inf if not finite
@@ -43,7 +44,7 @@ struct CurveError
   }
 };
 
-/// At four depths in each interval between the samples of `right`.
+/// The error of a curve, evaluated at four depths in each interval between the samples of `right`.
 CurveError curveError(
   const SampledCurve& right, const SampledCurve& reduced, double range, std::size_t point);
 } // namespace palpate

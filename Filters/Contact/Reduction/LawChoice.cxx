@@ -20,7 +20,7 @@ Matrix asStored(const Matrix& values)
   return values.template cast<float>().template cast<double>();
 }
 
-/// How many errors are within the tolerance, and the largest; += adds.
+/// Number of errors within the tolerance, and the largest error; += adds.
 struct Kept
 {
   std::size_t count = 0;
@@ -93,8 +93,8 @@ double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& 
   return curveError({ curve, curves.sampling() }, { reduced, curves.sampling() }, range, 0).force;
 }
 
-/// The multiple of a law in the middle of the curves, leaving out a fraction (1 - share)/2 of them
-/// at either end.
+/// The multiple of a law in the middle of the curves. A fraction (1 - share)/2 of the curves is
+/// left out at each end.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& law, double share)
 {
   std::vector<double> scales(sample.count());
@@ -133,8 +133,8 @@ bool isOneCurve(const ResponseArrays& arrays, const ReducibleCurves& curves)
   return true;
 }
 
-/// How many curves the laws keep within the tolerance, with the coefficients that errorOf(curves,
-/// i, coefficients) finds and use(i, coefficients) receives.
+/// The number of curves that the laws keep within the tolerance. errorOf(curves, i, coefficients)
+/// finds the coefficients, use(i, coefficients) receives them.
 template <class Error, class Use>
 Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorOf, const Use& use)
 {
@@ -147,7 +147,7 @@ Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorO
     });
 }
 
-/// Accepts the laws if they keep the tolerance at the required fraction of the points: of the
+/// Accepts the laws if they keep the tolerance at the required fraction of the points: first of the
 /// sample, then of all.
 template <class Error>
 bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves,

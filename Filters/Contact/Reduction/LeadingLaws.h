@@ -16,8 +16,9 @@ Eigen::VectorXd columnWeights(
 
 /**
  * Up to `most` laws, one per column, the most important first: the leading eigenvectors of the Gram
- * matrix of the curves, each over its force at full range, with columns weighted as above at their
- * mean. The first law is 1 N at full range. There must be curves, with positive forces.
+ * matrix of the curves. Each curve is divided by its force at full range, and columns are weighted
+ * as above at their mean. The first law is 1 N at full range. There must be curves, with positive
+ * forces.
  */
 Eigen::MatrixXd leadingLaws(const ReducibleCurves& curves, int most);
 

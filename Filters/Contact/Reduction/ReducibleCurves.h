@@ -25,8 +25,8 @@ public:
   const ResponseSampling& sampling() const { return this->Sampling; }
   Eigen::VectorXd curve(std::size_t i) const;
 
-  /// The sum by add(sum, i) over every `step`-th curve. In blocks that are summed in order, so that
-  /// it does not depend on the threads.
+  /// Sums by add(sum, i) over every `step`-th curve. The blocks are summed in order, so that the
+  /// result does not depend on the threads.
   template <class Sum, class Add>
   Sum sum(const Sum& zero, const Add& add, std::size_t step = 1) const;
 
@@ -39,7 +39,7 @@ private:
 template <class Sum, class Add>
 Sum ReducibleCurves::sum(const Sum& zero, const Add& add, std::size_t step) const
 {
-  constexpr std::size_t BlockSize = 8192; // the least that forRanges uses a thread for
+  constexpr std::size_t BlockSize = 8192; // the smallest range that forRanges gives a thread
   const std::size_t items = (this->count() + step - 1) / step;
   const std::size_t blocks = (items + BlockSize - 1) / BlockSize;
   std::vector<Sum> sums(blocks, zero);

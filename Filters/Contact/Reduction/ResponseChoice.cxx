@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// Regime, validity, depths and ranges of the points that have a response.
+/// Finds regime, validity, depths and ranges of the points that have a response.
 void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
   const ChoiceEvidence& evidence, const ChoiceSettings& settings)
 {
@@ -56,7 +56,7 @@ double secant(const ReducibleCurves& curves, std::size_t i, const Eigen::VectorX
   return curve[curves.sampling().samples() - 1] / curves.range(i);
 }
 
-/// The largest |k δ - F| up to the range, over F there; inf for what is no number.
+/// The largest |k δ - F| up to the range, over F at the range; inf if a value is not finite.
 double lossOf(const ReducibleCurves& curves, std::size_t i)
 {
   const Eigen::VectorXd curve = curves.curve(i);
@@ -79,7 +79,7 @@ double lossOf(const ReducibleCurves& curves, std::size_t i)
   return loss;
 }
 
-/// Of the springs of some points.
+/// Results of springs at some points.
 struct SpringsFound
 {
   std::size_t kept = 0;
@@ -97,8 +97,8 @@ struct SpringsFound
   }
 };
 
-/// F = k δ: with one range, k times one law; else the force at the range, k range, times one law
-/// and k times another.
+/// F = k δ. With one range: k times one law. Otherwise the force at the range, k range, times one
+/// law plus k times another.
 void storeSprings(
   ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves)
 {
@@ -125,8 +125,8 @@ void storeSprings(
   choice.exponent = 1.0;
 }
 
-/// Takes a spring per point, where the evidence allows a point force and the springs lose no more
-/// than the tolerance at the share of the points. Notes what is found either way.
+/// Chooses a spring per point if the evidence allows a point force and the error of the springs is
+/// within the tolerance at the fraction `share` of the points. Stores the findings in either case.
 bool chooseSprings(ResponseChoice& choice, const ResponseArrays& arrays,
   const ReducibleCurves& curves, const ChoiceSettings& settings)
 {

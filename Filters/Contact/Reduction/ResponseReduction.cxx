@@ -46,8 +46,8 @@ Eigen::VectorXd resampled(
   return stored(samples);
 }
 
-/// The error of the curves reduced(i) over all i; over some first, which may suffice to reject the
-/// form.
+/// The error of the curves reduced(i) over all i. It is tested on some first, which may suffice to
+/// reject the form.
 template <class Reduced>
 CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampling,
   double tolerance, const Reduced& reduced)
@@ -94,7 +94,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
     });
 }
 
-/// The law in the middle of all curves, which are multiples of one.
+/// The law in the middle of all curves, which are multiples of one law.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& curves, const Eigen::MatrixXd& law)
 {
   struct Span

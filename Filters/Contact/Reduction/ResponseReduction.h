@@ -17,7 +17,7 @@ enum class ReducedForm
   Scale,    ///< one law for the body, times one number per point
   Basis,    ///< a few laws, combined with as many numbers per point
   Samples,  ///< a curve of its own per point, in fewer samples
-  Unchanged ///< nothing less is within the tolerance
+  Unchanged ///< no smaller form is within the tolerance
 };
 
 /// How much a reduction may change the forces, and the largest number of laws.
@@ -43,9 +43,9 @@ struct ReducedResponse
   std::vector<float> stiffness;
 
   int numbersPerPoint = 0;        ///< stored, without normal, range and status
-  double largestError = 0.0;      ///< of the force, relative, over all points and depths
-  std::size_t worstPoint = 0;     ///< where it is
-  double largestSlopeError = 0.0; ///< of dF/dδ, relative to the point's largest
+  double largestError = 0.0;      ///< relative error of the force, over all points and depths
+  std::size_t worstPoint = 0;     ///< point of that error
+  double largestSlopeError = 0.0; ///< of dF/dδ, over the point's largest dF/dδ
 };
 
 /**
@@ -66,7 +66,7 @@ struct ReducedResponse
  *
  * tolerance > 0; below about 1e-6 the rounding of floats prevails. Arrays in either form; points
  * without response (by status) are ignored. Same bits for any number of threads. Cost: about 3 µs
- * per point, core and number of laws tried, of which all but the last are tried on 4096 points.
+ * per point, core and number of laws tried, of which all except the last are tried on 4096 points.
  */
 PALPATE_EXPORT ReducedResponse reduceResponse(
   const ResponseArrays& arrays, const ReductionSettings& settings);

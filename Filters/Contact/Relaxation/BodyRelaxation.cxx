@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// The depth d at which a whole curve has its local part at `local`: d - C F(d) = local.
+/// The depth d of the whole curve at which its local part is `local`: d - C F(d) = local.
 double wholeDepth(const ResponseField& whole, std::int32_t point, double compliance, double local)
 {
   return increasingRoot(
@@ -26,11 +26,11 @@ double wholeDepth(const ResponseField& whole, std::int32_t point, double complia
     local, whole.range(point), local + compliance * whole.evaluate(point, local).force);
 }
 
-/// Whether a curve gets no less stiff with depth, but for noise.
+/// Whether the stiffness of a curve never falls with depth, except by noise.
 bool isConvex(const ResponseField& curves, std::int32_t point)
 {
   constexpr int chords = 16;
-  constexpr double noise = 0.01; // of the steepest
+  constexpr double noise = 0.01; // of the steepest chord
   const double range = curves.range(point);
   double depth = 0.0;
   double force = 0.0;
@@ -96,7 +96,7 @@ void BodyRelaxation::separate(const PackedMesh& mesh, const ResponseArrays& arra
         }
         const auto compliance = static_cast<double>(arrays.relaxation.elasticCompliance[i]);
         const double end = whole.range(point);
-        // No less than a thousandth: a body that gives way only as a whole has no local part.
+        // At least a thousandth of the range: a body that only bends as a whole has no local part.
         const double local =
           std::max(end - compliance * whole.evaluate(point, end).force, 1e-3 * end);
         range[i] = static_cast<float>(local);

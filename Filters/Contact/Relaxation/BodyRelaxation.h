@@ -14,18 +14,19 @@
 namespace palpate
 {
 /**
- * How a body relaxes, as a tick asks for it: of all points, or of each.
+ * The relaxation data of a body, as a tick uses them: the same for all points, or one set per
+ * point.
  *
- * Where a part of the compliance is elastic and in series (RelaxationTerms::elasticCompliance),
- * only the rest of the curve relaxes: δ = δ_local + C F, and the curves of the local part are kept
- * beside those of the response (80 bytes per point more).
+ * A part of the compliance may be elastic and in series (RelaxationTerms::elasticCompliance). Then
+ * only the rest of the curve relaxes: δ = δ_local + C F. The curves of the local part are stored in
+ * addition to those of the response (80 bytes more per point).
  *
  * Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT BodyRelaxation
 {
 public:
-  /// `response` is the body's, of the same mesh, and must outlive this.
+  /// `response` is that of the body, for the same mesh; it must outlive this object.
   BodyRelaxation(
     const PackedMesh& mesh, const ResponseField& response, const ResponseArrays& arrays);
 
@@ -33,16 +34,16 @@ public:
   /// The curves that relax.
   const ResponseField& curves() const noexcept { return this->Local ? *this->Local : this->Whole; }
   bool isInSeries() const noexcept { return this->Local != nullptr; }
-  /// The longest range of these curves, mm.
+  /// The longest range of curves(), mm.
   double range() const noexcept { return this->Range; }
-  /// Whether all of these get stiffer with depth, by more than noise would have it: others are only
-  /// felt as one element (QuasiLinearElement).
+  /// Whether the stiffness of all these curves rises with depth, except for noise. Other curves can
+  /// only be used with one element (QuasiLinearElement).
   bool areConvex() const noexcept { return this->AreConvex; }
-  /// A point with a curve, where all have the same; else -1.
+  /// A point with a curve if the curves of all points are the same; else -1.
   std::int32_t sameEverywhere() const noexcept { return this->Same; }
   bool isPerPoint() const noexcept { return !this->Strength.empty(); }
 
-  /// m of F ∝ δ^m, about.
+  /// m of F ∝ δ^m, approximate.
   double exponent() const noexcept { return this->Exponent; }
   /// Contact radius at a depth, mm; 0: unknown.
   double contactRadius(double depth) const noexcept
@@ -57,10 +58,10 @@ public:
   double strongest() const noexcept;
   /// p_i at a point.
   RelaxationStep::Branches strength(std::int32_t point) const noexcept;
-  /// The same, blended.
+  /// p_i blended over three points.
   RelaxationStep::Branches strength(
     const TriangleCorners& points, const Vector3& weights) const noexcept;
-  /// mm/N, blended; 0 where all relaxes.
+  /// Blended, mm/N; 0 if the whole curve relaxes.
   double elasticCompliance(const TriangleCorners& points, const Vector3& weights) const noexcept;
 
 private:
@@ -70,8 +71,8 @@ private:
   const ResponseField& Whole;
   std::unique_ptr<const ResponseField> Local;
   PronySeries Series;
-  LargeVector<float> Strength;   ///< k per point of the mesh, or none
-  LargeVector<float> Compliance; ///< 1 per point of the mesh, or none
+  LargeVector<float> Strength;   ///< Series.count values per point of the mesh, or empty
+  LargeVector<float> Compliance; ///< one value per point of the mesh, or empty
   double Exponent;
   double Radius;
   double Range;

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double Nowhere = -std::numeric_limits<double>::infinity();
 
-/// Of new material, over a way at a contact radius: 1 - e^(-way/2a).
+/// Fraction of new material after a path of length `way` at a contact radius: 1 - e^(-way/2a).
 double shareOfWay(double way, double radius) noexcept
 {
   const double x = 0.5 * way / radius;
@@ -154,7 +154,7 @@ void ContactRelaxation::pressElements(
       ++used;
     }
     this->Nodes.chordsOf(curve, used, this->Chords);
-    // Of the curve that is here now: what differs from the one before is no increment.
+    // Evaluated on the present curve: a difference between this curve and the last is no increment.
     before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   }
   this->LastRest = before;
@@ -195,8 +195,8 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcep
   {
     return tip;
   }
-  // A force that rises with the depth: the root lies between these, and a secant of either end
-  // finds it (Illinois), as the slope has steps.
+  // The force rises with the depth, so the root is between these bounds. The slope has steps, so a
+  // secant method with a bracket finds the root (Illinois).
   double high = tip;
   double overHigh = compliance * atTip;
   double low = tip - overHigh;
@@ -231,7 +231,7 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcep
 
 void ContactRelaxation::pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept
 {
-  // Its forces are those of the curve that is here now.
+  // The stored force is scaled to the present curve.
   const double same = this->OneDepth > 0.0 ? curve.evaluate(this->OneDepth).force : 0.0;
   if (same > 0.0 && this->OneSlow > 0.0)
   {
@@ -269,13 +269,13 @@ void ContactRelaxation::pressOne(const BlendedResponse& curve, const ResponseVal
 
 double ContactRelaxation::secantCompliance() const noexcept
 {
-  // 2 e/f² of f ∝ δ^m
+  // 2 e/f² for f ∝ δ^m, where e is the work of f.
   return this->Slow > 0.0 ? 2.0 * this->Depth / ((this->Body->exponent() + 1.0) * this->Slow) : 0.0;
 }
 
 Vector3 ContactRelaxation::slide(const Vector3& contactPoint, const Vector3& normal) noexcept
 {
-  // Of a flat end on an incompressible body, 2 (1-ν)/(2-ν): tangential over normal.
+  // Ratio of tangential to normal stiffness: 2 (1-ν)/(2-ν) of a flat end on an incompressible body.
   constexpr double tangential = 2.0 / 3.0;
   const double way = this->Drag.advance(contactPoint, normal);
   const double radius = this->Body->contactRadius(this->Depth);
@@ -325,7 +325,8 @@ double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness
 double ContactRelaxation::stiffening() const noexcept
 {
   const double felt = this->Step.sampledStiffening();
-  // One element's force is scaled by what a cap leaves of the slow one: m times as stiff a memory.
+  // The force of the one element is multiplied by the ratio of the capped to the full slow force,
+  // so that its memory counts as m times as stiff.
   return this->IsOne ? 1.0 + std::max(this->Body->exponent(), 1.0) * (felt - 1.0) : felt;
 }
 

@@ -12,13 +12,14 @@
 namespace palpate
 {
 /**
- * What it takes to lead a tool on to material that was not pressed yet (hysteresis friction): a
- * contact that sticks, with the tangential stiffness of the body itself, until the pull is what the
- * new material stores per length.
+ * The force needed to move a tool on to material that has not been pressed yet (hysteresis
+ * friction). The contact sticks with the tangential stiffness of the body until the tangential
+ * force reaches the energy that new material stores per length.
  *
- * The stiffness changes with the depth: a spring that gets stiffer keeps its force, one that gets
- * softer its displacement, so that no change gives energy (ShapeFriction does the same). What the
- * contact does not slide, it does not exchange: to and fro about one place nothing is new.
+ * The stiffness changes with the depth. When the spring gets stiffer, its force is kept; when it
+ * gets softer, its displacement is kept. So no change creates energy (as in ShapeFriction). Only
+ * the sliding part of the motion exchanges material: moving back and forth about one place brings
+ * nothing new.
  */
 class SlidingDrag
 {
@@ -29,7 +30,8 @@ public:
     this->Displacement.setZero();
   }
 
-  /// Moves to the contact of this tick. Returns the way there, mm; 0 for the first after reset().
+  /// Moves to the contact of this tick. Returns the length of the path, mm; 0 for the first after
+  /// reset().
   double advance(const Vector3& contactPoint, const Vector3& normal) noexcept
   {
     if (!this->Frame.advance(contactPoint, normal))
@@ -40,7 +42,8 @@ public:
     return this->Frame.step().length();
   }
 
-  /// Along that way. `limit` in N, `stiffness` in N/mm. Returns the length that slid, mm.
+  /// Slides along the path of advance(). `limit` in N, `stiffness` in N/mm. Returns the length that
+  /// slid, mm.
   double slide(double limit, double stiffness) noexcept
   {
     if (stiffness > this->Stiffness)
@@ -66,7 +69,7 @@ public:
     return slid;
   }
 
-  /// On the tool, N.
+  /// Force on the tool, N.
   Vector3 force() const noexcept
   {
     return -this->Stiffness * this->Frame.toSpace(this->Displacement);
@@ -83,26 +86,27 @@ private:
 /**
  * The force of one contact on a body that relaxes, tick by tick.
  *
- * The stored curve f is the slow response. Elements side by side (RelaxationElements) whose slow
- * force f_N is f by chords carry what memory adds, each letting go by itself; the rest f - f_N
- * relaxes as one quasi-linear branch. F = Σ w_j q_j + (f - f_N) + QLV[f - f_N] is no less than 0,
- * and 0 when the first element lets go. Loading is exact for any number of elements. The contact
- * ends before the tool is out of where it was pressed in, and the dent comes back while nobody
- * touches it. One memory is shared by the three curves of a triangle: q depends on depth and time.
- * Over ramps, holds, releases, triangles, sines and random presses of three materials (P to 4) the
- * largest error, of the largest force, with a sphere and a cone is 0.40 and 0.91 % in 16 elements,
- * 1.3 and 3.0 % in 8, 10 and 12 % quasi-linear (0); with a flat end 0.01 % always.
+ * The stored curve f is the slow response. Parallel elements (RelaxationElements) carry the force
+ * of memory; each separates from the tool on its own. Their slow force f_N is f approximated by
+ * chords. The rest f - f_N relaxes as one quasi-linear branch (QLV). The force F = Σ w_j q_j +
+ * (f - f_N) + QLV[f - f_N] is at least 0, and 0 when the first element separates. Loading is exact
+ * for any number of elements. On release the contact ends before the tool has left the dent, and
+ * the dent then recovers without contact. The three curves of a triangle share one memory, because
+ * q depends on depth and time only. Largest errors over ramps, holds, releases, triangles, sines
+ * and random presses of three materials (P to 4), as a part of the largest force, for a sphere and
+ * a cone: 0.40 and 0.91 % with 16 elements, 1.3 and 3.0 % with 8, 10 and 12 % quasi-linear (no
+ * elements). With a flat end the error is 0.01 % in all cases.
  *
  * With an elastic compliance C in series, δ = δ_local + C F is solved, and the local part relaxes.
  *
- * Sliding leads the tool on to new material, on which it has pressed but now: the force rises. A
- * share λ = 1 - e^(-s/2a) of the elements is exchanged over a way s (a: contact radius); the energy
- * that takes is the drag's (SlidingDrag). Against a half-space of 3-D cells, sphere and cone: -5.3
- * to 4.7 % of (1 + P) f.
+ * Sliding moves the tool on to new material, which counts as pressed just now: the force rises.
+ * Over a path of length s a share λ = 1 - e^(-s/2a) of the elements is exchanged (a: contact
+ * radius). The energy for this comes from the drag (SlidingDrag). Error against a half-space of 3-D
+ * cells, for sphere and cone: -5.3 to 4.7 % of (1 + P) f.
  *
- * Energy: elements and quasi-linear branches of any increasing curve give back no more than was put
- * in, whatever is done. A strength that differs from point to point stores other energy elsewhere:
- * strengthEnergies() is for the force beside.
+ * Energy: for any increasing curve and any motion, elements and quasi-linear branches return no
+ * more energy than was put in. If the strength differs from point to point, the stored energy
+ * differs between places: strengthEnergies() gives the data for the resulting sideways force.
  *
  * Sources: Lee and Radok 1960; Ting 1966; Fung 1981. Allocates nothing, throws nothing. One object
  * is one history.
@@ -110,26 +114,26 @@ private:
 class PALPATE_EXPORT ContactRelaxation
 {
 public:
-  /// `body` must outlive it; null: nothing relaxes.
+  /// `body` must outlive this object; null: nothing relaxes. `elements` 0 or less: quasi-linear.
   ContactRelaxation(const BodyRelaxation* body, int elements) noexcept;
 
   bool isFelt() const noexcept { return this->Body != nullptr; }
-  /// Forgets everything: the next contact is taken to have rested where it is found.
+  /// Forgets everything: the next contact is taken to be at rest in the place where it is found.
   void reset() noexcept;
 
-  /// Adds to the time (s) that the next press() or lift() accounts for; also while the position of
-  /// the tip is not known.
+  /// Adds to the time (s) for which the next press() or lift() accounts, also while the position of
+  /// the tip is unknown.
   void pass(double elapsed) noexcept { this->Elapsed += elapsed > 0.0 ? elapsed : 0.0; }
   /// A tick without contact.
   void lift() noexcept;
-  /// The contact is no longer followed; what the body remembers stays.
+  /// The contact is no longer followed; the memory of the body stays.
   void lose() noexcept
   {
     this->WasTouched = false;
     this->Drag.reset();
   }
 
-  /// A contact in time.
+  /// A contact: its triangle, place and deflection.
   struct Place
   {
     TriangleCorners corners{};
@@ -137,47 +141,48 @@ public:
     Vector3 point = Vector3::Zero();
     double deflection = 0.0;
   };
-  /// What is felt there.
+  /// Result of a press.
   struct Force
   {
     double total = 0.0;     ///< N
     double stiffness = 0.0; ///< d total/dδ in this tick, N/mm
-    bool isTouched = false; ///< else the material has not come back to the tool
+    bool isTouched = false; ///< false: the material has not come back to the tool
   };
-  /// `slow` is what the response gives there.
+  /// `slow` is the value of the response at that deflection.
   Force press(const Place& place, const ResponseValue& slow) noexcept;
 
-  /// After a press: leads the tool on along the surface. The force beside, on the tool, N.
+  /// After a press: moves the tool on along the surface. Returns the sideways force on the tool, N.
   Vector3 slide(const Vector3& contactPoint, const Vector3& normal) noexcept;
 
-  /// Of the force of the last press, what stays under a curve whose stiffness is capped:
-  /// `cappedSlow` is that of the slow response, `maximumStiffness` (N/mm) its cap.
+  /// The part of the force of the last press that remains under a curve whose stiffness is capped.
+  /// `cappedSlow` (N) is the capped slow force, `maximumStiffness` (N/mm) the cap.
   double cappedForce(double cappedSlow, double maximumStiffness) const noexcept;
-  /// Of the last press, N.
+  /// Force of the last press, N.
   double force() const noexcept { return this->Now.total; }
-  /// How many times the slow stiffness a loop feels that holds the force from tick to tick.
+  /// Stiffness of the contact over the slow stiffness, for a loop that holds the force from tick to
+  /// tick.
   double stiffening() const noexcept;
 
-  /// Of the last press, N mm: what memory stores, ...
+  /// Energy stored by memory in the last press, N mm.
   double storedEnergy() const noexcept;
-  /// ... and how it differs between the corners for their strengths alone.
+  /// The energy that memory would store with the strengths of each corner, N mm.
   Vector3 strengthEnergies() const noexcept;
 
 private:
   void beginTick() noexcept;
-  /// To another place, without having been in touch on the way.
+  /// Continues at another place; the tool was not in contact on the way.
   void jumpTo(const Place& place) noexcept;
   void exchange(double share) noexcept;
   void pressElements(const BlendedResponse& curve, const ResponseValue& slow) noexcept;
   void pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept;
-  /// The local depth at which the elements, with the compliance in series, are at the tip's.
+  /// The local depth for which depth + C F is the depth of the tip.
   double localDepth(const BlendedResponse& curve) const noexcept;
   /// f - f_N of a curve.
   double restAt(const BlendedResponse& curve, double depth) const noexcept
   {
     return curve.evaluate(depth).force - this->Nodes.slowForce(this->Chords, depth);
   }
-  /// Of QuasiLinearElement: 1/K, so that squares of forces are energies.
+  /// 1/K for the QuasiLinearElement, so that squares of forces become energies.
   double secantCompliance() const noexcept;
 
   const BodyRelaxation* Body;
@@ -185,13 +190,13 @@ private:
   bool IsOne; ///< quasi-linear
 
   double Elapsed = 0.0;
-  double StepTime = -1.0; ///< of Step
+  double StepTime = -1.0; ///< time step of Step, s
   RelaxationStep Step;
   RelaxationElements Elements;
   QuasiLinearElement Rest; ///< of f - f_N
   QuasiLinearElement One;
-  double OneDepth = 0.0; ///< at which One was told its force
-  double OneSlow = 0.0;  ///< which was this
+  double OneDepth = 0.0; ///< depth of the last press of One
+  double OneSlow = 0.0;  ///< slow force there
 
   Place Last; ///< of the last press
   bool HasBegun = false;
@@ -201,10 +206,10 @@ private:
   double Slow = 0.0;       ///< f there
   double Stiffness = 0.0;  ///< df/dδ there
   double LastRest = 0.0;   ///< f - f_N there
-  double RestMemory = 0.0; ///< what memory adds to it
+  double RestMemory = 0.0; ///< force of memory on f - f_N
   Force Now;
   ForceNodes::Chords Chords;
-  bool HasChords = false; ///< all of them, the same everywhere
+  bool HasChords = false; ///< all chords are known, the same everywhere
   SlidingDrag Drag;
 };
 } // namespace palpate

@@ -12,10 +12,10 @@
 namespace palpate
 {
 /**
- * Depths between which a curve is taken by its chords, for RelaxationElements: g_j = range (j/N)²,
- * j = 0..N, where samples of curves of that range lie. With N = 16 and the usual 8 samples every
- * other node is one, and those between are sums of two samples: a curve's chords take no root and
- * no power. Curves of another range are evaluated node by node.
+ * Depths between which a curve is replaced by its chords, for RelaxationElements: g_j = range
+ * (j/N)², j = 0..N, where curves of that range have their samples. With N = 16 and the usual 8
+ * samples every second node is a sample, and the nodes between are sums of two samples: the chords
+ * of a curve need no root and no power. Curves of another range are evaluated node by node.
  */
 class PALPATE_EXPORT ForceNodes
 {
@@ -27,12 +27,13 @@ public:
   /// `elements` from 1; `range` in mm.
   ForceNodes(const ResponseSampling& sampling, double range, int elements) noexcept;
 
-  /// N + 1.
+  /// Number of nodes, N + 1.
   std::size_t count() const noexcept { return this->Count; }
   const RelaxationElements::Gaps& gaps() const noexcept { return this->Gaps; }
 
-  /// The chords of a curve, f_N: each begins at a gap with a force, N, and has a slope, N/mm; none
-  /// is less steep than the one before. The steps of the slopes are the weights of elements.
+  /// The chords of a curve, f_N. Each begins at a gap with a force (N) and has a slope (N/mm). No
+  /// chord is less steep than the one before. The steps of the slopes are the weights of the
+  /// elements.
   struct Chords
   {
     Values force{};
@@ -40,7 +41,8 @@ public:
     Values weight{};
   };
 
-  /// The first `count` chords; the last of all is the tangent at the end.
+  /// Computes the first `count` chords. The last of all chords is the tangent at the end of the
+  /// range.
   void chordsOf(const BlendedResponse& curve, std::size_t count, Chords& chords) const noexcept;
   /// The chord over a depth > 0.
   std::size_t chordAt(double depth) const noexcept
@@ -49,9 +51,9 @@ public:
     const double place = std::sqrt(depth * this->InverseRange) * static_cast<double>(last);
     const std::size_t chord =
       place < static_cast<double>(last) ? static_cast<std::size_t>(place) : last;
-    return depth > this->Gaps[chord] ? chord : chord - 1; // of two that meet, the first
+    return depth > this->Gaps[chord] ? chord : chord - 1; // where two chords meet: the first
   }
-  /// f_N; 0 where nothing is pressed.
+  /// f_N; 0 at a depth of 0 or less.
   double slowForce(const Chords& chords, double depth) const noexcept
   {
     if (!(depth > 0.0))

@@ -6,19 +6,19 @@
 
 namespace palpate
 {
-/// What a tick needs of a body that relaxes, beside its curves, which are its slow response; of one
-/// that does not the series is empty. Views of somebody else's memory.
+/// Relaxation data of one tick, in addition to the curves, which are the slow response. If a body
+/// does not relax, the series is empty. The views do not own their memory.
 struct RelaxationTerms
 {
   PronySeries series;
-  /// p_i at each point, as many as the series has, instead of the series' own; null: everywhere
-  /// the same.
+  /// p_i at each point, series.count values per point, instead of those of the series; null: the
+  /// same at all points.
   const float* strength = nullptr;
-  /// What of the compliance of each point (mm/N, >= 0) is in series and does not relax, as of a
-  /// beam of another material below; null: all relaxes.
+  /// The part of the compliance of each point (mm/N, >= 0) that is in series and does not relax,
+  /// for example that of a beam of another material below; null: everything relaxes.
   const float* elasticCompliance = nullptr;
-  /// m of F ∝ δ^m, and radius of the contact at a depth of 1 mm, mm: how far the tool is led until
-  /// what lies under it is new. Radius 0: unknown, nothing is ever new.
+  /// m of F ∝ δ^m, and the contact radius at a depth of 1 mm, mm. The radius gives the distance a
+  /// tool must move to be on new material. Radius 0: unknown; material never counts as new.
   double exponent = 1.0;
   double radius = 0.0;
 

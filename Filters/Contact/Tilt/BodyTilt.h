@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// How a body answers a tilted tool, as a tick asks for it: the table of its laws, and the weights
-/// of each point. Immutable, safe from any number of threads.
+/// Response of a body to a tilted tool, as a tick uses it: the table of the laws and the weights of
+/// each point. Immutable, safe from any number of threads.
 class BodyTilt
 {
 public:
@@ -27,7 +27,7 @@ public:
   }
 
   const TiltTable& table() const noexcept { return this->Table; }
-  /// The deepest that the end of a tool goes under its tip, mm.
+  /// The largest drop: depth of the tool's deepest point below its tip at the largest tilt, mm.
   double largestDrop() const noexcept
   {
     return this->Table.deepest(this->Table.terms().largest).drop;
@@ -46,7 +46,7 @@ public:
     }
     return all;
   }
-  /// Those of three points, blended.
+  /// The weights at a place of a triangle, blended from its three points.
   Weights weights(const TriangleCorners& points, const Vector3& areas) const noexcept
   {
     if (!this->isPerPoint())

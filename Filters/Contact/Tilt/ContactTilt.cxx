@@ -13,9 +13,11 @@ namespace palpate
 {
 namespace
 {
-/// A tool turns by no more in a tick, rad: so much earlier its end is followed.
+/// Largest turn of a tool in one tick, rad. The followed point is as deep as if the tool had turned
+/// by it.
 constexpr double MostTurn = 0.035;
-/// Below this (rad) the axis is the normal, and no direction across it is certain.
+/// Below this angle (rad) the axis counts as the normal: its direction across the normal is
+/// uncertain.
 constexpr double Upright = 1e-9;
 
 Vector3 sumOfNormals(
@@ -29,7 +31,7 @@ Vector3 sumOfNormals(
   return sum;
 }
 
-/// Of two unit vectors, exact for small ones too.
+/// Angle between two unit vectors, exact for small angles too.
 double angleBetween(const Vector3& a, const Vector3& b) noexcept
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -76,7 +78,7 @@ double ContactTilt::turn(
   if (!(this->NormalLength > 0.0))
   {
     this->NormalLength = 1.0;
-    this->Normal = this->Axis; // of opposite normals, which have no sum: taken to be upright
+    this->Normal = this->Axis; // opposite normals have no sum: the tool counts as upright
   }
   else
   {
@@ -90,7 +92,7 @@ double ContactTilt::turn(
 Eigen::Matrix3d ContactTilt::ofTip(const Eigen::Matrix3d& weightGradients,
   const TriangleCorners& corners, const ResponseField& response) const noexcept
 {
-  // The point followed is p = tip - e n(p): a step of the tip is (1 + e dn/dp) times one of p.
+  // The followed point is p = tip - e n(p): a step of the tip is (1 + e dn/dp) times a step of p.
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < 3; ++k)
   {

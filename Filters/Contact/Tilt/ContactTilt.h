@@ -9,79 +9,82 @@
 namespace palpate
 {
 /**
- * One contact of a tool that is tilted, tick by tick: its energy is the work of the upright tool
- * times the table's τ (TiltTable), at the depth D of the tool's deepest point and the angle θ
- * between its axis and the body's smooth normal, the blend of the response's normals.
+ * One contact of a tilted tool, tick by tick. Its energy is the work of the upright tool times the
+ * factor τ of the table (TiltTable). τ is evaluated at the depth D of the tool's deepest point and
+ * at the angle θ between the axis of the tool and the smooth normal of the body, which is the blend
+ * of the response's normals.
  *
- * The deepest point of a tilted end lies beside the tip and lower: there is contact while the tip
- * is still outside. So a point is followed that lies under the tip by as much, along the normal
- * that was last found (the axis, before there is one); the depth is told back from it.
+ * The deepest point of a tilted end is lower than the tip and to its side, so contact begins while
+ * the tip is still outside. The tracker therefore follows a point that is below the tip by the
+ * drop, along the normal found last (along the axis if there is none yet). The depth follows from
+ * that point.
  *
- * On a curved body θ changes with the place: the energy then has the force -M ∇θ beside that along
- * the normal. The torque M (axis × normal)/sin θ about the tip sets the tool upright.
+ * On a curved body θ changes with the place: the energy then adds the force -M ∇θ to the force
+ * along the normal. The torque M (axis × normal)/sin θ about the tip turns the tool upright.
  *
  * Allocates nothing, throws nothing. One object is one history.
  */
 class PALPATE_EXPORT ContactTilt
 {
 public:
-  /// `body` must outlive it; null: tilts are not felt.
+  /// `body` must outlive this object; null: tilts have no effect.
   explicit ContactTilt(const BodyTilt* body) noexcept
     : Body(body)
   {
   }
 
-  /// Whether the last pose had an axis, and the body knows of tilts.
+  /// Whether the last pose had an axis and the body has tilt data.
   bool isFelt() const noexcept { return this->IsFelt; }
   /// Whether the tilt at the contact changes the force of the upright tool.
   bool isTilted() const noexcept
   {
-    constexpr double upright = 1e-7; // rad: M and the change of F are as small a part of F
+    constexpr double upright = 1e-7; // rad; M and the change of F are of this order, relative to F
     return this->IsFelt && this->Angle > upright;
   }
 
-  /// The point to be followed, of a tool in this pose; its tip, if no tilt is felt.
+  /// The point to follow for a tool in this pose; the tip if tilts have no effect.
   Vector3 follow(const ToolPose& pose, bool isFollowed) noexcept;
 
-  /// Where the contact is: sets the tilt by the smooth normal there. By how much the point followed
-  /// lies deeper than the deepest point of the tool, mm.
+  /// Sets the tilt from the smooth normal at the contact. Returns how much deeper the followed
+  /// point is than the deepest point of the tool, mm.
   double turn(
     const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept;
 
-  /// The gradients of the area coordinates as the tip moves, from those as the point followed does,
-  /// which lies under it and, on a curved body, goes another way.
+  /// Gradients of the area coordinates by the position of the tip, from those by the position of
+  /// the followed point. On a curved body the two points move differently.
   Eigen::Matrix3d ofTip(const Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
     const ResponseField& response) const noexcept;
 
-  /// What press() would give at another depth.
+  /// The result of press() at another depth.
   ResponseValue tilted(const TriangleCorners& corners, const Vector3& weights, double depth,
     const ResponseValue& upright, double work) const noexcept;
-  /// The force of the tilted tool at a depth > 0 of its deepest point, from that of the upright one
-  /// and its work there.
+  /// The force of the tilted tool at a depth > 0 of its deepest point, from the force of the
+  /// upright tool and its work at that depth.
   ResponseValue press(const TriangleCorners& corners, const Vector3& weights, double depth,
     const ResponseValue& upright, double work) noexcept;
 
-  // Of the last press:
-  /// The work it has taken, N mm.
+  // Results of the last press.
+  /// The work done, N mm.
   double work() const noexcept { return this->Factor.value * this->Work; }
-  /// The depth at which the upright tool has the same force, mm, and how stiff it is there.
+  /// The depth at which the upright tool has the same force, mm, and its force and stiffness there.
   struct Alike
   {
     double depth = 0.0;
     ResponseValue value;
-    double stiffening = 1.0; ///< that of the tilted tool over it
+    double stiffening = 1.0; ///< stiffness of the tilted tool over that of the upright tool
   };
   Alike alike(const BlendedResponse& curve) const noexcept;
   /// The energies at the corners, from those of the upright tool (BlendedResponse::energies).
   Vector3 energies(const TriangleCorners& corners, const Vector3& upright) const noexcept;
-  /// M/N mm, where `force` (N) is what has become of the force and `share` of the energy.
+  /// Moment M in N mm. `force` (N) is the force after all changes, `share` the remaining fraction
+  /// of the work.
   double moment(double force, double share) const noexcept
   {
     return force * this->Deepest.offset + share * this->Work * this->Factor.byAngle;
   }
-  /// On the tool, about its tip, N mm.
+  /// Torque on the tool about its tip, N mm.
   Vector3 torque(double moment) const noexcept;
-  /// -M ∇θ, N; gradients ofTip.
+  /// -M ∇θ, N; `weightGradients` as returned by ofTip().
   Vector3 forceBeside(double moment, const TriangleCorners& corners,
     const Eigen::Matrix3d& weightGradients, const ResponseField& response) const noexcept;
 
@@ -92,10 +95,10 @@ private:
   const BodyTilt* Body;
   bool IsFelt = false;
   Vector3 Axis = Vector3::Zero();
-  Vector3 Down = Vector3::Zero();   ///< unit, from the tip to the point followed
-  double Under = 0.0;               ///< how far, mm
-  Vector3 Normal = Vector3::Zero(); ///< smooth, where the contact was last
-  double NormalLength = 1.0;        ///< of the sum it is made of
+  Vector3 Down = Vector3::Zero();   ///< unit, from the tip to the followed point
+  double Under = 0.0;               ///< distance of that point from the tip, mm
+  Vector3 Normal = Vector3::Zero(); ///< smooth, at the last contact
+  double NormalLength = 1.0;        ///< length of the sum of normals it is made of
   double Angle = 0.0;
   DeepestPoint Deepest;
   double Depth = 0.0;

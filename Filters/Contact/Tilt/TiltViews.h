@@ -10,21 +10,21 @@
 
 namespace palpate
 {
-/// What a tick needs of a tool that may be tilted, beside the curves, which are those of the tool
-/// upright; of one that may not there are no laws. Views of somebody else's memory.
+/// Tilt data of one tick, in addition to the curves of the upright tool. A tool that cannot be
+/// tilted has no laws. The views do not own their memory.
 struct TiltViews
 {
   TiltTerms terms;
   const double* drops = nullptr; ///< see TiltTable
   const double* nodes = nullptr;
-  /// Of the table's laws at each point, sum 1; null: there is one law.
+  /// Weights of the table's laws at each point, sum 1; null: there is one law.
   const float* weight = nullptr;
 
   bool areFelt() const noexcept { return this->terms.areFelt(); }
 };
 
-/// What is wrong with those of a body of so many points, naming it and the number; "" for what can
-/// be felt.
+/// Checks the views for a body with `points` points. Returns "" if they can be used, else a message
+/// that names the fault and the number.
 PALPATE_EXPORT std::string faultOfTiltViews(const TiltViews& views, std::size_t points);
 } // namespace palpate
 
