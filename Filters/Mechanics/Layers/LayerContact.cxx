@@ -63,7 +63,7 @@ LayerContact::Contact LayerContact::contactAt(double a) const
     profile };
 }
 
-/// The contact radius for δ > 0; NaN beyond the valid range.
+/// The contact radius for δ > 0; NaN beyond the validity.
 double LayerContact::solveRadius(double deflection, Contact& contact) const
 {
   if (deflection >= this->LargestDepth)

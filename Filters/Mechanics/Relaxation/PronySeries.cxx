@@ -30,7 +30,7 @@ double kummer(double m, double x)
     }
     return sum;
   }
-  // e^-x M(m; m+1; x), of terms that are all positive.
+  // e^-x M(m; m+1; x), all of whose terms are positive.
   double sum = 0.0;
   double term = 1.0;
   for (int k = 0; k < x || term > enough * sum; ++k)

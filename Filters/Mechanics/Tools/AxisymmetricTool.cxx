@@ -68,7 +68,7 @@ double AxisymmetricTool::pressure(double r, double deflection, double reducedMod
   {
     return 0.0;
   }
-  if (this->isStillFlat(a)) // a was rounded to the flat's radius, and so g(a)
+  if (this->isStillFlat(a)) // a and g(a) were rounded to those of the flat
   {
     return reducedModulus * deflection / (Pi * std::sqrt((a - r) * (a + r)));
   }
