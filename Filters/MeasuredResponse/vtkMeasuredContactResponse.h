@@ -27,6 +27,7 @@
  * - it is farther from the surface than MaximumSiteDistance,
  * - its curves do not determine the parameters separately, such as those of a flat punch alone, or
  * - the signs or units of its curves are impossible (CurveSigns.h).
+ *
  * A warning names the refused sites. It is an error if all sites are refused.
  *
  * The response of any Tool follows from the identified bodies. E*, C_g and 1/h are interpolated
@@ -102,10 +103,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The files of curves; at least one, unless there are tables. The filter reads them on every
-   * update.
-   */
+  /** The files of curves; at least one unless there are tables. Read on every update. */
   void AddFileName(const std::string& fileName);
   void ClearFileNames();
   int GetNumberOfFileNames();
@@ -116,9 +114,7 @@ public:
   void AddCurvesConnection(vtkAlgorithmOutput* table);
 
   ///@{
-  /**
-   * The tool of the tables on port 1, such as `sphere:6.35`; required with tables. Default: none.
-   */
+  /** The tool of the tables on port 1, as `sphere:6.35`; required with tables. Default: none. */
   vtkSetMacro(MeasuringTool, std::string);
   vtkGetMacro(MeasuringTool, std::string);
   ///@}
