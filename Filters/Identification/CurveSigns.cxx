@@ -22,7 +22,7 @@ constexpr double AtRest = 0.25;       // of the change of force: a smaller force
 constexpr double SomeDepth = 0.1;     // of the range of deflection
 constexpr std::size_t MostFirst = 20; // readings that count as the first
 constexpr double UnitStrain = 0.4;    // contact radius over tip radius, for the check of units
-constexpr double FarTooDeep = 100.0;  // times the depth of that strain
+constexpr double FarTooDeep = 100.0;  // in depths of that strain
 
 double median(std::vector<double> values)
 {

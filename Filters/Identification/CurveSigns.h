@@ -12,7 +12,7 @@ namespace palpate
  * Checks the signs of a curve. If deflection or force seems to fall while the tool is pressed in,
  * returns the reason as a question, with the numbers; "" if both rise.
  *
- * The first readings are taken for those without contact, or with the least contact. Forces are
+ * The first readings count as those without contact, or with the least contact. Forces are
  * negative if from there they fall, at greater depth, by more than three times as much as they
  * rise. The deflection is negative if it falls while forces rise. Both are negative if forces fall
  * from nearly 0 together with the deflection. A single reading does not count.

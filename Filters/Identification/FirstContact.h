@@ -7,7 +7,7 @@ namespace palpate
 /// The force that an instrument shows without contact: a straight line over the depth.
 struct ForceBaseline
 {
-  double offset = 0.0;    ///< N, at the reference
+  double offset = 0.0;    ///< N, at the reference depth
   double drift = 0.0;     ///< N/mm
   double reference = 0.0; ///< mm
 

@@ -17,7 +17,7 @@ namespace FitLimits
 {
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
 // Fractions of the largest force. LeastNoise: no law is more accurate, so a smaller residual does
-// not justify a richer body. LeastError: bound for the intervals of readings without noise.
+// not justify a richer body. LeastError: least noise for intervals, if the readings have none.
 constexpr double LeastNoise = 0.003;
 constexpr double LeastError = 0.0003;
 constexpr int LargestPassCount = 6;  // of alternating fits and choices of readings

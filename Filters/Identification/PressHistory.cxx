@@ -14,7 +14,7 @@ namespace
 {
 constexpr std::size_t ManyReadings = 600; // more readings are averaged
 constexpr double DepthShare = 0.005;      // of the range: readings within it are averaged
-constexpr double TimeShare = 0.03;        // of the time since the last turn, likewise
+constexpr double TimeShare = 0.03;        // of the time since the last turn, for averaging, too
 // Fraction of the range. Points that are farther apart get others between them.
 constexpr double StepShare = 0.02;
 constexpr double RampShare = 1.0 / 15.0; // of the time of a press: shorter times are not resolved

@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  static constexpr double ThicknessStep = 1e-5; // of ln h; the law is smooth to 1e-10
+  static constexpr double ThicknessStep = 1e-5; // step of ln h; the law is smooth to 1e-10
 
   BodyParameters Body;
   const AxisymmetricTool& Tool;

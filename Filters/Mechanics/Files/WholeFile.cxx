@@ -42,7 +42,7 @@ std::string targetOf(const std::string& path)
   return fs::is_regular_file(status) && !failed ? target.string() : std::string();
 }
 
-/// The part up to and including the last line break.
+/// The part of a file up to and including its last line break.
 struct WholeLines
 {
   std::size_t count = 0;

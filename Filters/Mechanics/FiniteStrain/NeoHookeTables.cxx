@@ -24,13 +24,13 @@ using HalfSpaceTable = double[Ratios][Roots];
 constexpr double SphereDeepest = 1.0; // radii
 constexpr double FlatDeepest = 1.3;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
-// Largest depth relative to the thinnest layer. Beyond the end of the table c is constant, and its
-// error grows.
+// Largest depth relative to the thinnest layer. Beyond the end of the table c is extrapolated
+// (StrainTable.h), and its error grows.
 constexpr double LayerAnswers = 0.7;
 // A table is used up to this many times its largest depth, with a growing error.
 constexpr double Beyond = 1.8;
 constexpr double BeyondLayers = 2.25;
-constexpr double TableError = 0.003; // of mesh, far field and interpolation
+constexpr double TableError = 0.003; // due to mesh, far field and interpolation
 // For a sharp flat, since the table's flat has a rounded rim.
 constexpr double FlatError = 0.015;
 constexpr double FlatLayerError = 0.022; // difference from another code's result for a sharp flat
@@ -56,7 +56,7 @@ std::vector<double> flattened(const HalfSpaceTable& table)
   return values;
 }
 
-/// For layers of thicknesses `heights`, in radii.
+/// The table for layers of the thicknesses `heights`, in radii.
 template <std::size_t Heights>
 std::unique_ptr<StrainTable> layerTable(const double (&heights)[Heights],
   const HalfSpaceTable (&tables)[Heights], double radius, const StrainReach& reach, double error)

@@ -38,10 +38,11 @@ struct StrainBodies
  * strain is multiplied by c = F_finite/F_small. The stiffness is c k_small + F_small dc/dδ.
  *
  * Stored tables of the solver cover Neo-Hooke
- *   on a half-space, below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the
+ * - on a half-space: below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the
  *   radius, to δ = 1.3 R) and a cone (45° to 75°);
- *   on a bonded layer of half to four radii, below a sphere (to δ = h/2);
- *   on bonded layers of two radii or more, below a sphere and a flat (to 0.7 to 1.2 radii).
+ * - on a bonded layer of half to four radii: below a sphere (to δ = h/2);
+ * - on bonded layers of two radii or more: below a sphere and a flat end (to 0.7 to 1.2 radii).
+ *
  * At larger depths the error grows (NeoHookeTables.h).
  *
  * All other cases are solved at four Poisson's ratios (or the single one), at thicknesses in a

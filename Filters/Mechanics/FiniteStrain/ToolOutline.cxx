@@ -27,7 +27,7 @@ double cross(const Vector2d& a, const Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Rotated by 90° to the left: into the tool.
+/// The direction rotated by 90° to the left, into the tool.
 Vector2d leftOf(const Vector2d& direction)
 {
   return { -direction.y(), direction.x() };

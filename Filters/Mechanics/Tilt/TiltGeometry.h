@@ -26,7 +26,8 @@ PALPATE_EXPORT double largestTilt(const AxisymmetricTool& tool);
 /// The reason why a tool cannot be tilted by an angle (rad), with both angles; "" if it can.
 PALPATE_EXPORT std::string checkTilt(const AxisymmetricTool& tool, double angle);
 
-/// κ of a tool: 3 if its deepest point jumps to a rim at any tilt, 0 if it moves continuously. See
+/// κ of a tool: 3 if its deepest point jumps to a rim at the smallest tilt, 0 if it moves
+/// continuously. See
 /// TiltTerms::dropScale.
 PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
 

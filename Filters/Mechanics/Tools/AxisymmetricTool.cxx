@@ -93,7 +93,8 @@ SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
   {
     return { 0.0, normal };
   }
-  // Every circular load draws the surface inward by its load inside r (Johnson 1985, eq. 3.18).
+  // A circular load moves the surface inward in proportion to its load inside r (Johnson 1985, eq.
+  // 3.18).
   const double load = r >= a ? this->forcePerModulus(a, deflection)
     : this->isStillFlat(a)   ? 2.0 * deflection * r * r / (a + std::sqrt((a - r) * (a + r)))
                              : this->loadInside(r, a, deflection);

@@ -105,7 +105,7 @@ protected:
 private:
   /// Whether the law is valid at a depth; false for NaN.
   bool answers(double deflection) const { return deflection <= this->depthLimit().depth; }
-  /// Whether the contact is hardly wider than the flat it started from.
+  /// Whether the contact is still as wide as the flat end, to 1e-8.
   bool isStillFlat(double a) const { return a <= (1.0 + 1e-8) * this->smallestContactRadius(); }
 };
 } // namespace palpate

@@ -13,7 +13,7 @@ namespace
 constexpr double Tolerance = 1e-3;          // relative to the depth, see the header
 constexpr std::size_t LeastSamples = 512;   // of g, in total
 constexpr double SamplesPerFactor = 12.0;   // per factor e of the radius
-constexpr std::size_t MostCandidates = 512; // radii at which the gap is followed
+constexpr std::size_t MostCandidates = 512; // radii at which the gap is computed
 
 struct Sample
 {
@@ -71,7 +71,7 @@ std::vector<double> candidates(const std::vector<Sample>& samples)
       lowest = std::min(lowest, samples[end].g);
       ++end;
     }
-    // The gap is never below the dip: (2/π) ∫ dx/√(r²-x²) <= 1.
+    // The gap is at most as negative as the dip of g: (2/π) ∫ dx/√(r²-x²) <= 1.
     if (level - lowest > Tolerance * level)
     {
       const double dipEnd = samples[std::min(end, samples.size() - 1)].x;

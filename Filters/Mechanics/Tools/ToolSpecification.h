@@ -41,7 +41,7 @@ struct ToolSpecification
   std::vector<ProfilePoint> Profile = {};
 };
 
-/// What parseTool accepts, for help texts: "flat:R, sphere:R, …".
+/// The texts that parseTool accepts, for help texts: "flat:R, sphere:R, …".
 PALPATE_EXPORT const char* toolSyntax();
 
 /// The fault of the specification, which names the parameter and its value; empty if nothing is
