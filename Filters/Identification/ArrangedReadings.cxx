@@ -22,17 +22,19 @@ using Eigen::VectorXd;
 
 constexpr int ScanGroups = 100;
 constexpr int ScanCandidates = 60;
-constexpr double ScanBefore = 0.5; // of the range: how far before the first reading contact may be
+constexpr double ScanBefore = 0.5; // of the range: largest distance of the contact before the first
+                                   // reading
 constexpr int MostScans = 12;
-constexpr double BaselineDepths = 4.0; // of contact, over which a baseline is used
+constexpr double BaselineDepths = 4.0; // baseline length in depths of contact
 constexpr std::size_t EnoughBefore = 30;
-constexpr std::size_t MostReadings = 200; // up to here readings are not averaged
+constexpr std::size_t MostReadings = 200; // more readings are averaged
 constexpr int ContactGroups = 160;
 constexpr int BaselineGroups = 40;
-constexpr double Unknown = std::numeric_limits<double>::infinity(); // of a noise
-constexpr double KinkShare = 0.1; // of the depth of contact, before it, grouped as finely
+constexpr double Unknown = std::numeric_limits<double>::infinity(); // noise
+constexpr double KinkShare = 0.1; // of the depth of contact: readings this near before contact are
+                                  // grouped as finely
 
-/// Averages the readings from `first` to before `last` over `count` equal depths.
+/// Averages the readings `first` <= i < `last` over `count` equal intervals of depth.
 void appendGroups(const IndentationCurve& curve, std::size_t first, std::size_t last, int count,
   IndentationCurve& groups)
 {
@@ -135,7 +137,8 @@ BaselineTerms baselineTerms(double readings, double range, double depth, double 
   {
     return BaselineTerms::None;
   }
-  // The standard error of the slope of a line through evenly spaced readings.
+  // The error of the force over the depth, from the standard error of the slope of a line through
+  // evenly spaced readings.
   const double error =
     std::max(noise, FitLimits::LeastNoise) * depth * std::sqrt(12.0 / readings) / range;
   return readings >= fewestForDrift && (range >= longEnough * depth || error <= wellEnough)
@@ -192,7 +195,7 @@ FirstContact findFirstContact(const IndentationCurve& curve)
       return found;
     }
     found = best.contact;
-    // Closer, if most of what was scanned precedes the contact.
+    // Scans a shorter range if most of the scanned range precedes the contact.
     const double contactDepth = depths.back() - found.depth;
     const double from = found.depth - (BaselineDepths - 1.0) * contactDepth - step;
     const auto next = static_cast<std::size_t>(
@@ -220,7 +223,7 @@ IndentationCurve arrangeReadings(const IndentationCurve& curve, bool findContact
       std::lower_bound(depths.begin(), depths.end(), depth) - depths.begin());
   };
   std::size_t first = 0;
-  std::size_t middle = 0; // from which on groups are fine
+  std::size_t middle = 0; // groups are fine from here on
   if (findContact)
   {
     FirstContact& start = arranged.start;

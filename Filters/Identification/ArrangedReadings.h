@@ -8,37 +8,39 @@
 
 namespace palpate
 {
-/// All loads of a curve, by depth.
+/// All loads of a curve, sorted by depth.
 IndentationCurve loadsByDepth(const AxisymmetricTool& tool, const PreparedCurve& prepared);
 
 /**
- * Estimates the first contact of a curve of ascending depths: the half-space on a straight line
- * with the least squares, from a scan. The scan closes in on the contact, so that a baseline a
- * thousand times as long costs some more scans, and no accuracy.
+ * Estimates the first contact of a curve with ascending depths. A scan finds the half-space on a
+ * straight baseline with the least squares. The scan repeats on shorter ranges around the contact.
+ * So a baseline that is a thousand times as long costs a few more scans and no accuracy.
  *
- * Cost: a millisecond, and as much for each factor of ten by which the baseline is longer than the
- * contact.
+ * Cost: a millisecond, and another one for each factor of ten by which the baseline is longer than
+ * the contact.
  */
 FirstContact findFirstContact(const IndentationCurve& curve);
 
 /**
- * What so many readings before contact, over this range (mm), tell of the baseline of a contact of
- * this depth (mm); `noise` is relative to the largest force. An offset takes four readings. A drift
- * takes eight, over half of the depth, or such that over the depth it is known to 1 % of the
- * largest force, with a noise not below the accuracy of a law: else E* would become far more
- * uncertain by a drift than by its noise, and the errors of a law would count as drift.
+ * The terms of a baseline that can be fitted from `readings` readings before contact, over `range`
+ * (mm) of depth, for a contact of the given `depth` (mm). `noise` is relative to the largest force.
+ * An offset needs four readings. A drift needs eight, and one of two conditions: their range is at
+ * least half of the depth, or the force due to the drift over the depth is known to 1 % of the
+ * largest force. For that condition the noise counts as no smaller than the accuracy of a law.
+ * Otherwise a drift would make E* far more uncertain than the noise does, and the errors of a law
+ * would count as drift.
  */
 BaselineTerms baselineTerms(double readings, double range, double depth, double noise);
 
 /// The largest change of the force by a drift over the depth of contact, relative to the largest
-/// force: more is no drift.
+/// force. A larger change is no drift.
 constexpr double LargestDrift = 0.1;
 
 /**
- * The readings of a curve of ascending depths as they are fitted, with the estimate of first
- * contact: all those in contact, and of those before it the last over four times the depth of
- * contact. Many are averaged over equal depths: 160 groups in contact, within which the curve is
- * nearly straight, and 40 before.
+ * Prepares the readings of a curve with ascending depths for a fit, with an estimate of first
+ * contact: all readings in contact, and the last readings before contact, over four times the depth
+ * of contact. Many readings are averaged over equal intervals of depth: 160 groups in contact, in
+ * which the curve is nearly straight, and 40 before.
  *
  * Without `findContact` depths count from first contact, and there is no baseline.
  */

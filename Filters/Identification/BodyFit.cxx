@@ -19,13 +19,14 @@ using Eigen::VectorXd;
 
 constexpr std::size_t FewReadings = 16;
 
-/// The force at the end of a curve on the estimated half-space, which one reading does not spoil.
+/// The force at the end of a curve on the estimated half-space. One wrong reading does not spoil
+/// it.
 double endForce(const IndentationCurve& curve)
 {
   return curve.tool->force(curve.deflection.back() - curve.start.depth, curve.start.modulus);
 }
 
-/// E* that gives the first curve its end, with the other parameters given.
+/// The E* that gives the first curve its end force, with the other parameters given.
 double matchModulus(BodyParameters body, const IndentationCurve& curve,
   const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -69,7 +70,7 @@ std::vector<BodyParameters> startingBodies(
   return starts;
 }
 
-/// Some of the readings, evenly, the deepest among them.
+/// Some of the readings, evenly chosen, including the deepest.
 IndentationCurve thin(const IndentationCurve& curve)
 {
   IndentationCurve few;
@@ -127,7 +128,7 @@ std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves, Body
     baselines.push_back(curve.start.baseline);
     few.push_back(thin(curve));
   }
-  // Every start is fitted to few readings, the best result to all.
+  // Each start is fitted to few readings; the best result is then fitted to all.
   FitResiduals coarse(few, model, findContact, kernel);
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();

@@ -19,12 +19,12 @@
 
 namespace palpate
 {
-/// The models of a site.
+/// The models of a body under a site.
 enum class BodyModel
 {
-  HalfSpace,        ///< E*
-  GlobalCompliance, ///< E*, and C_g in series
-  Layer             ///< E*, and h over a rigid base
+  HalfSpace,        ///< fits E*
+  GlobalCompliance, ///< fits E*, and C_g in series
+  Layer             ///< fits E*, and h on a rigid base
 };
 
 /// The parameters of a body.
@@ -33,17 +33,17 @@ struct BodyParameters
   BodyModel model = BodyModel::HalfSpace;
   double reducedModulus = 0.0; ///< E*, MPa
   double compliance = 0.0;     ///< C_g, mm/N
-  double thickness = 0.0;      ///< h, mm; 0 where there is no layer
+  double thickness = 0.0;      ///< h, mm; 0 without a layer
 };
 
-/// Loading of one tool: readings of ascending depth, from any origin. For a fit arranged
-/// (ArrangedReadings.h), with an estimate of first contact.
+/// The loading of one tool: readings of ascending depth, from any origin. For a fit the readings
+/// are arranged (ArrangedReadings.h), with an estimate of first contact.
 struct IndentationCurve
 {
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  std::vector<double> readings;   ///< averaged in each value; empty: one
+  std::vector<double> readings;   ///< number of readings averaged in each value; empty: one
   FirstContact start;
 
   void append(double depth, double value, double count)
@@ -52,7 +52,7 @@ struct IndentationCurve
     this->force.push_back(value);
     this->readings.push_back(count);
   }
-  /// Of the net forces.
+  /// Largest net force, N.
   double largestForce() const
   {
     double largest = -std::numeric_limits<double>::infinity();
@@ -62,40 +62,41 @@ struct IndentationCurve
     }
     return largest;
   }
-  /// The force of a reading without that of the baseline as estimated, N.
+  /// The force of a reading minus the estimated baseline, N.
   double netForce(std::size_t reading) const
   {
     return this->force[reading] - this->start.baseline.at(this->deflection[reading]);
   }
 };
 
-/// The response of a body to a tool; `kernel` is needed for a layer only.
+/// The response of a body to a tool; `kernel` is needed only for a layer.
 PALPATE_EXPORT SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 
-/// The contact alone, without a compliance in series; `kernel` is needed for a layer only.
+/// The contact without the compliance in series; `kernel` is needed only for a layer.
 PALPATE_EXPORT IndentationPoint localContact(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double deflection);
 
-/// A body fitted to curves, and its accuracy.
+/// A body fitted to curves, with its accuracy.
 struct PALPATE_EXPORT BodyFit
 {
   BodyParameters body;
   std::vector<double> contactOffset;   ///< depth of first contact of each curve, mm
-  std::vector<ForceBaseline> baseline; ///< of each curve
-  std::vector<BaselineTerms> terms;    ///< that were fitted of it
-  double sumOfSquares = 0.0;           ///< of residuals of force over all single readings, N²
+  std::vector<ForceBaseline> baseline; ///< for each curve
+  std::vector<BaselineTerms> terms;    ///< terms of each baseline that were fitted
+  double sumOfSquares = 0.0; ///< sum of squares of the residuals of force over all single readings,
+                             ///< N²
   int degreesOfFreedom = 0;
   bool converged = false;
-  /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the depths of contact, of
-  /// what is fitted of each baseline; +inf where the curves do not determine them.
+  /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the depths of contact, and
+  /// of the fitted terms of each baseline; +inf where the curves do not determine them.
   Eigen::VectorXd errorPerNoise;
-  /// S, a row each for ln E* and for C_g or ln h: S Sᵀ is their covariance per square newton of
-  /// noise. Empty where the curves do not determine them.
+  /// S, one row for ln E* and one for C_g or ln h: S Sᵀ is their covariance per square newton of
+  /// noise. Empty if the curves do not determine them.
   Eigen::MatrixXd spreadPerNoise;
-  /// The smallest sine of the angle between the effect of one parameter on the forces and those of
-  /// the others: 0 where two cannot be separated.
+  /// The smallest sine of the angle between the effect of one parameter on the forces and the
+  /// effects of the others. 0 if two parameters cannot be separated.
   double separation = 0.0;
 
   /// The residual per reading, N.
@@ -103,15 +104,15 @@ struct PALPATE_EXPORT BodyFit
 };
 
 /**
- * Non-linear least squares (Levenberg and Marquardt) of the force over E*, C_g or h, and of each
- * curve the depth of first contact, which is 0 unless `findContact`, and its baseline as far as its
- * readings tell it. Nothing where no start leads to
- * a body of finite E*, or the readings are no more than the parameters.
+ * Non-linear least squares (Levenberg and Marquardt) of the force. Parameters: E*, C_g or h; for
+ * each curve the depth of first contact, which is 0 unless `findContact`; and the terms of its
+ * baseline that its readings determine. Returns nothing if no start leads to a body with finite E*,
+ * or if there are no more readings than parameters.
  */
 PALPATE_EXPORT std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
-/// The standard error of ln E* per newton of noise, were C_g (0 here) unknown as well.
+/// The standard error of ln E* per newton of noise if C_g (0 here) were unknown, too.
 PALPATE_EXPORT double modulusErrorBesideCompliance(
   const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact);
 } // namespace palpate

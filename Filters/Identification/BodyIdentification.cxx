@@ -39,7 +39,7 @@ void sortByDepth(IndentationCurve& curve)
   curve = std::move(sorted);
 }
 
-/// Noise of all curves together.
+/// The noise of all curves together.
 ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
 {
   double squares = 0.0;
@@ -98,7 +98,7 @@ BodyIdentification::BodyIdentification(const IdentificationOptions& options)
 {
 }
 
-/// Whether the fit determines its body.
+/// Returns "" if the fit determines its body, else the reason why not.
 std::string BodyIdentification::checkDetermined(
   const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const
 {
@@ -127,7 +127,7 @@ std::string BodyIdentification::checkDetermined(
   return {};
 }
 
-/// Returns why none can be chosen, or "".
+/// Chooses a model. Returns the reason if none can be chosen, or "".
 std::string BodyIdentification::choose(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -182,7 +182,8 @@ std::string BodyIdentification::choose(
   return {};
 }
 
-/// Identifies from these readings unchanged; returns why not, or "".
+/// Identifies a body from these readings without a further choice of readings. Returns the reason
+/// of a failure, or "".
 std::string BodyIdentification::judge(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -218,8 +219,8 @@ std::string BodyIdentification::judge(
                          : unclear;
 }
 
-/// The readings of all curves that lie within small strain, arranged, and their number; returns why
-/// they do not suffice, or "".
+/// Selects and arranges the readings of all curves that are within small strain, and counts them.
+/// Returns the reason if they do not suffice, or "".
 std::string BodyIdentification::select(const std::vector<IndentationCurve>& all, const BodyFit& fit,
   std::vector<IndentationCurve>& used, std::size_t& count) const
 {
@@ -242,7 +243,7 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
 {
   IdentifiedBody result;
   result.refusal = curves.empty() ? "there is no loading" : "";
-  std::size_t count = 0; // of the readings used
+  std::size_t count = 0; // number of readings used
   for (IndentationCurve& curve : curves)
   {
     result.refusal = result.refusal.empty() ? checkCurve(curve) : result.refusal;
@@ -265,7 +266,7 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
     used.push_back(arrangeReadings(curve, this->Options.findContact));
   }
 
-  // Which readings lie within small strain depends on the body to be found.
+  // The readings within small strain depend on the body, so fit and choice of readings alternate.
   Judgement judgement;
   result.refusal = this->judge(used, noise, judgement);
   for (int pass = 0; pass < LargestPassCount && judgement.fit; ++pass)
@@ -304,7 +305,7 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   return result;
 }
 
-/// The numbers of the fit with their confidence intervals, and where the data end.
+/// Stores the parameters of the fit with their confidence intervals, and the end of the data.
 void BodyIdentification::report(const std::vector<IndentationCurve>& curves, bool noiseGiven,
   const BodyFit& fit, IdentifiedBody& result) const
 {

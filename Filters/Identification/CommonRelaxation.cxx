@@ -13,11 +13,12 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double OneTime = 2.0;     // ratio of times below which they are merged
-constexpr int PointsPerDecade = 10; // at which ψ is compared
-constexpr double Beyond = 5.0;      // times the shortest and longest τ, likewise
+constexpr double OneTime = 2.0;     // times with a smaller ratio are merged
+constexpr int PointsPerDecade = 10; // for the comparison of ψ
+constexpr double Beyond = 5.0; // ψ is compared from the shortest τ divided by this to the longest τ
+                               // times this
 
-/// All branches of the sites by their times.
+/// All branches of the sites, sorted by their times.
 RelaxationSpectrum gather(const std::vector<const IdentifiedBody*>& sites)
 {
   std::vector<std::pair<double, double>> branches;

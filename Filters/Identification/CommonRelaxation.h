@@ -11,21 +11,22 @@
 
 namespace palpate
 {
-/// The relaxation of all sites of a body, with common times and separate strengths, which can be
-/// interpolated between the sites.
+/// The relaxation of all sites of a body, with common times and separate strengths. The strengths
+/// can be interpolated between the sites.
 struct CommonRelaxation
 {
-  PronySeries mean; ///< of all sites; no branch where none relaxes
-  /// p_i of each site, as many as `mean` has branches, followed by 0.
+  PronySeries mean; ///< mean over all sites; no branch if no site relaxes
+  /// p_i of each site, one for each branch of `mean`, then zeros.
   std::vector<std::array<double, PronySeries::LargestCount>> strength;
-  /// The largest relative difference of ψ from a site's own, over the times of that site.
+  /// The largest relative difference of ψ from the site's own ψ, over the times of that site.
   double worst = 0.0;
 };
 
 /**
- * Times within a factor of two are merged, then the closest and weakest until four are left; the
- * strengths of each site are fitted to its own ψ(t) (non-negative least squares in ln t). E* and
- * all else of a site are unchanged. Exact for one site, and for sites of equal times.
+ * Times within a factor of two are merged; then the closest and weakest times are merged until four
+ * are left. The strengths of each site are fitted to its own ψ(t) (non-negative least squares,
+ * evenly in ln t). E* and the other parameters of a site are unchanged. Exact for one site, and for
+ * sites with equal times.
  */
 PALPATE_EXPORT CommonRelaxation commonRelaxation(const std::vector<const IdentifiedBody*>& sites);
 } // namespace palpate

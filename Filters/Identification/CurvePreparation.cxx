@@ -12,11 +12,12 @@ namespace palpate
 {
 namespace
 {
-// Fraction of the range of deflection: a smaller step back is noise.
+// Fraction of the range of deflection. A smaller step back is noise.
 constexpr double TurnShare = 0.1;
-constexpr double RestShare = 0.01;   // of the range: within it of the turning point, it rests
-constexpr double NearlyShare = 0.03; // likewise: within it a hold may have begun
-constexpr double SpeedRatio = 1.5;   // below, two loads have the same speed
+constexpr double RestShare = 0.01;   // of the range: readings this near to the turning point are at
+                                     // rest
+constexpr double NearlyShare = 0.03; // of the range: within it a hold may have begun
+constexpr double SpeedRatio = 1.5;   // two loads with a smaller ratio have the same speed
 
 /// Readings first..last, both included, all in one phase.
 struct Segment
@@ -46,7 +47,7 @@ std::vector<std::size_t> turningPoints(const std::vector<double>& deflection, do
   std::vector<std::size_t> turns = { 0 };
   std::size_t low = 0;
   std::size_t high = 0;
-  int direction = 0; // +1 rising, -1 falling, 0 not known yet
+  int direction = 0; // +1 rising, -1 falling, 0 unknown
   for (std::size_t i = 1; i < deflection.size(); ++i)
   {
     low = deflection[i] < deflection[low] ? i : low;
@@ -83,7 +84,7 @@ std::vector<Segment> foundSegments(const std::vector<double>& deflection, double
     const bool rises = rise > 0.0;
     Segment segment{ rises ? CurvePhase::Loading : CurvePhase::Unloading, turns[i - 1], turns[i] };
     // A branch begins with the last reading at rest at its first turning point, and ends with the
-    // first one at rest at its second.
+    // first reading at rest at its second.
     const auto rests = [&](std::size_t reading, std::size_t turn)
     { return std::abs(deflection[reading] - deflection[turn]) <= RestShare * range; };
     if (i > 1)
@@ -150,7 +151,7 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Fraction of the force lost between two readings during which the depth rests.
+/// Fraction of the force that is lost between two readings while the depth is at rest.
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;
@@ -176,7 +177,7 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Finds the largest loss of the holds that end a loading, and the turning points of all segments.
+/// Finds the largest loss of the holds at the end of a loading, and the ends of all segments.
 void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
   PreparedCurve& prepared)
 {
@@ -189,8 +190,8 @@ void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments
     {
       continue;
     }
-    // Either recorded as a hold, or the readings between the branches, including those misplaced by
-    // noise of the depth.
+    // A recorded hold, or the readings between the branches, including readings that noise of the
+    // depth has misplaced.
     const bool isNext = s + 1 < segments.size();
     const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
     const std::size_t end = isHeld ? segments[s + 1].last

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// The readings of one loading, in the order they were taken.
+/// The readings of one loading, in the order in which they were taken.
 struct LoadingBranch
 {
   std::vector<double> deflection;
@@ -21,7 +21,7 @@ struct LoadingBranch
   double hysteresis = std::numeric_limits<double>::quiet_NaN(); ///< NaN without an unloading
 };
 
-/// The branches of a curve, and measures of its deviation from that of an elastic body.
+/// The branches of a curve, and measures of its deviation from the curve of an elastic body.
 struct PreparedCurve
 {
   std::vector<LoadingBranch> loads;
@@ -29,7 +29,7 @@ struct PreparedCurve
   /// unloading.
   double hysteresis = std::numeric_limits<double>::quiet_NaN();
   /// Relative difference in energy, over their common depths, between the fastest and the slowest
-  /// loading; NaN where no two speeds differ by half.
+  /// loading; NaN unless the ratio of their speeds is at least 1.5.
   double rateEffect = std::numeric_limits<double>::quiet_NaN();
   /// Largest fraction of its force that a hold at the end of a loading loses; NaN without a hold.
   double holdLoss = std::numeric_limits<double>::quiet_NaN();
@@ -37,27 +37,28 @@ struct PreparedCurve
     turns; ///< readings at which a branch or a hold begins or ends, ascending
 };
 
-/// Limits within which a curve counts as elastic.
+/// Limits for a curve to count as elastic.
 struct ElasticityLimits
 {
   double hysteresis = 0.2;
-  double rateEffect = 0.1; ///< and largest fraction of the force that a hold loses
+  double rateEffect = 0.1; ///< also the largest fraction of the force that a hold loses
 };
 
 /**
- * Separates the loading branches of a curve from unloading and hold, and measures these.
+ * Separates the loading branches of a curve from unloading and hold, and measures hysteresis, rate
+ * effect and loss in holds.
  *
- * By its phases where they were recorded; otherwise by the turning points of the deflection: a
+ * The branches follow the recorded phases, or without them the turning points of the deflection: a
  * branch ends where the deflection turns back by more than a tenth of its whole range. Readings
- * during a rest at a turning point belong to no branch, as the force may relax there.
+ * during a rest at a turning point belong to no branch, since the force may relax there.
  *
- * Returns why the curve is refused, or "". `prepared` is filled in either case.
+ * Returns the reason why the curve is refused, or "". `prepared` is filled in either case.
  */
 PALPATE_EXPORT std::string prepareCurve(
   const MeasuredCurve& curve, const ElasticityLimits& limits, PreparedCurve& prepared);
 
-/// Whether a prepared curve exceeds the limits as if the body relaxed: it loses energy in loops, is
-/// stiffer when pressed faster, or its force falls during a hold.
+/// Whether a prepared curve exceeds the limits in a way that shows relaxation: it loses energy in
+/// loops, is stiffer when pressed faster, or its force falls during a hold.
 PALPATE_EXPORT bool relaxes(const PreparedCurve& prepared, const ElasticityLimits& limits);
 } // namespace palpate
 

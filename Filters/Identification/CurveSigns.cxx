@@ -15,13 +15,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double Clearly = 3.0;       // times as much one way as the other
-constexpr double LeastInNoise = 8.0;  // a change of force that is none of its noise
-constexpr double AtRest = 0.25;       // of the change of force: less is no contact
+constexpr double Clearly = 3.0;       // ratio of the change in one direction to that in the other
+constexpr double LeastInNoise = 8.0;  // in standard deviations of the noise: a larger change of
+                                      // force is not noise
+constexpr double AtRest = 0.25;       // of the change of force: a smaller force is no contact
 constexpr double SomeDepth = 0.1;     // of the range of deflection
 constexpr std::size_t MostFirst = 20; // readings that count as the first
-constexpr double UnitStrain = 0.4;    // contact radius over tip radius
-constexpr double FarTooDeep = 100.0;  // times the depth of that strain
+constexpr double UnitStrain = 0.4;    // contact radius over tip radius, for the check of units
+constexpr double FarTooDeep = 100.0;  // in depths of that strain
 
 double median(std::vector<double> values)
 {
@@ -30,7 +31,7 @@ double median(std::vector<double> values)
   return *middle;
 }
 
-/// Of the forces, N, by their neighbours in depth.
+/// Noise of the forces, N, estimated from neighbours in depth.
 double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDepth)
 {
   std::vector<double> depths;
@@ -45,7 +46,8 @@ double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDep
 
 std::string fromTo(double from, double to, const char* unit)
 {
-  return "from " + shortly(from + 0.0) + " to " + shortly(to + 0.0) + " " + unit; // not from -0
+  return "from " + shortly(from + 0.0) + " to " + shortly(to + 0.0) + " " + unit; // + 0.0 avoids
+                                                                                  // "-0"
 }
 } // namespace
 
@@ -70,7 +72,7 @@ std::string doubtSigns(const MeasuredCurve& curve)
   sortBy(curve.deflection);
   const double noise = LeastInNoise * noiseOf(curve, order);
   sortBy(curve.force);
-  const std::size_t skipped = std::min<std::size_t>(2, count / 8); // they may be astray
+  const std::size_t skipped = std::min<std::size_t>(2, count / 8); // they may be outliers
   const std::size_t lowest = order[skipped];
   const std::size_t highest = order[count - 1 - skipped];
   const double fall = force - curve.force[lowest];

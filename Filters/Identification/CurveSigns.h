@@ -9,18 +9,19 @@
 namespace palpate
 {
 /**
- * Why deflection or force of a curve seems to fall where the tool is pressed in, with the numbers,
- * as a question; "" where both rise.
+ * Checks the signs of a curve. If deflection or force seems to fall while the tool is pressed in,
+ * returns the reason as a question, with the numbers; "" if both rise.
  *
- * The first readings are those without contact, or with the least. Forces that from there fall by
- * three times as much as they rise, at greater depth, are negative; so is a deflection that falls
- * while forces rise; so are both where forces fall from nearly 0 with the deflection. A single
- * reading does not count.
+ * The first readings count as those without contact, or with the least contact. Forces are
+ * negative if from there they fall, at greater depth, by more than three times as much as they
+ * rise. The deflection is negative if it falls while forces rise. Both are negative if forces fall
+ * from nearly 0 together with the deflection. A single reading does not count.
  */
 std::string doubtSigns(const MeasuredCurve& curve);
 
-/// Why the deflections of a curve are in another unit than mm, as a question: pressed in by `depth`
-/// (mm) a tool would be a hundred times as deep as small strains reach. "" where they are not.
+/// Checks the unit of the deflections of a curve. They are in another unit than mm if the `depth`
+/// (mm) is more than a hundred times the depth of small strains under the tool. Returns the reason
+/// as a question; "" if the unit is plausible.
 std::string doubtUnits(const AxisymmetricTool& tool, double depth);
 } // namespace palpate
 

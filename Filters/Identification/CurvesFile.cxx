@@ -26,7 +26,7 @@ enum Column : std::size_t
   RequiredColumns = Site
 };
 
-/// A column, and what its numbers are multiplied by.
+/// A column, and the factor for its numbers.
 struct UnitColumn
 {
   const char* name;
@@ -40,7 +40,7 @@ constexpr std::array<UnitColumn, 6> ForceColumns = { { { "force_N", 1.0 }, { "fo
 constexpr std::array<UnitColumn, 4> TimeColumns = { { { "time_s", 1.0 }, { "time_us", 1e-6 },
   { "time_ms", 1e-3 }, { "time_min", 60.0 } } };
 
-/// What is multiplied to the numbers of a file: units, and -1 for what falls on pressing.
+/// The factors for the numbers of a file: units, and -1 for a quantity that falls on pressing.
 struct Factors
 {
   double deflection = 1.0;
@@ -69,7 +69,7 @@ std::string readTool(std::string_view text, MeasuredCurves& curves)
   return parseTool(curves.toolText, curves.tool, error) ? std::string() : "tool: " + error;
 }
 
-/// "force", "deflection", or both with a comma between.
+/// Reads "force", "deflection", or both separated by a comma. Returns a fault, or "".
 std::string readNegative(std::string_view text, Factors& factors)
 {
   for (std::size_t begin = 0; begin <= text.size();)
@@ -86,8 +86,8 @@ std::string readNegative(std::string_view text, Factors& factors)
   return {};
 }
 
-/// The column of this record that has a quantity in one of its units; the first of them if none
-/// has. `factor` is multiplied by its own.
+/// The column of this record that has a quantity in one of its units; the first of `columns` if the
+/// record has none of them. `factor` is multiplied by the factor of the column.
 template <std::size_t N>
 const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns, double& factor)
 {
@@ -110,7 +110,7 @@ const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns,
   return found ? found->name : columns.front().name;
 }
 
-/// Names a column of a quantity without one of its units.
+/// Reports a column of a quantity whose name has no known unit.
 template <std::size_t N>
 void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
 {
@@ -150,18 +150,19 @@ void nameColumns(CsvReader& csv, Factors& factors)
     { "x_mm", "y_mm", "z_mm", deflection, force, "site", time, "phase" }, RequiredColumns);
 }
 
-/// "(10, 0, 50)", of a file that names no site.
+/// The name of a site in a file without site names: "(10, 0, 50)".
 std::string nameOf(const Eigen::Vector3d& position)
 {
   return "(" + shortestDecimals(position[0]) + ", " + shortestDecimals(position[1]) + ", " +
     shortestDecimals(position[2]) + ")";
 }
 
-/// Adds the last record of `csv` to the curve of its site; `index`: site -> curve.
+/// Adds the last record of `csv` to the curve of its site. `index` maps sites to curves.
 void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, std::size_t>& index,
   std::vector<MeasuredCurve>& curves)
 {
-  const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) }; // in order
+  const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) }; // evaluated in
+                                                                                 // this order
   const bool isNamed = csv.hasColumn(Site);
   const std::string site = isNamed ? std::string(csv.text(Site))
     : curves.empty()               ? nameOf(position)
@@ -210,7 +211,7 @@ void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, s
   curve.force.push_back(force);
 }
 
-/// Reads from the names of the columns on; `read` may have the tool already.
+/// Reads the readings, starting with the names of the columns. `read` may already have the tool.
 std::string readReadings(
   CsvReader& csv, const std::string& name, MeasuredCurves read, MeasuredCurves& curves)
 {
@@ -282,7 +283,7 @@ std::string readCurves(const CurvesTable& table, MeasuredCurves& curves)
   {
     return table.name + ": " + fault;
   }
-  std::size_t records = 0; // the first are the names of the columns
+  std::size_t records = 0; // the first record is the names of the columns
   CsvReader csv(
     [&](std::vector<std::string>& fields)
     {

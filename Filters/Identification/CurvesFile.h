@@ -14,23 +14,24 @@
 namespace palpate
 {
 /**
- * Reads measured force-deflection curves, or computed ones of any finite-element code:
+ * Reads force-deflection curves, measured or computed by any finite-element code:
  *
  *   # tool: sphere:6.35
  *   # synthetic: how they were made              (only if they were not measured)
  *   site,x_mm,y_mm,z_mm,deflection_mm,force_N,time_s,phase
  *   A,10,0,50,0.02,0.0013,0.1,loading
  *
- * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be left out, and site, of a file
- * of one curve, whose site is then named by its position. Columns may be in any order; other
- * columns (CsvReader) and other comments are ignored. The rows of a site share its position; they
- * are in the order in which they were taken, and time does not decrease.
+ * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be missing. site may be missing
+ * in a file with one curve; the site is then named by its position. Columns may be in any order.
+ * Other columns (CsvReader) and other comments are ignored. All rows of a site have the same
+ * position. They are in the order in which they were taken, and time does not decrease.
  *
- * Units: a column names its own: deflection_nm, _um, _mm, _cm or _m; force_nN, _uN, _mN, _N or _kN;
- * time_us, _ms, _s or _min. Signs: deflection and force rise as the tool is pressed in; what falls
- * instead stands in the head, as `# negative: force` or `# negative: deflection, force`.
+ * Units: the name of a column gives its unit: deflection_nm, _um, _mm, _cm or _m; force_nN, _uN,
+ * _mN, _N or _kN; time_us, _ms, _s or _min. Signs: deflection and force rise while the tool is
+ * pressed in. A quantity that falls instead is listed in the head, as `# negative: force` or `#
+ * negative: deflection, force`.
  *
- * Returns an error "file:line: what is wrong", or "". After an error `curves` is unchanged.
+ * Returns an error "file:line: reason", or "". After an error `curves` is unchanged.
  */
 PALPATE_EXPORT std::string readCurves(const std::string& path, MeasuredCurves& curves);
 
@@ -38,18 +39,18 @@ PALPATE_EXPORT std::string readCurves(const std::string& path, MeasuredCurves& c
 PALPATE_EXPORT std::string readCurves(
   std::istream& stream, const std::string& name, MeasuredCurves& curves);
 
-/// The readings of one tool as a table that has been read already: its columns, named as in a file,
-/// and their fields as texts.
+/// The readings of one tool as a table in memory: its columns, named as in a file, and its fields
+/// as texts.
 struct CurvesTable
 {
   std::string name; ///< stands for the file in errors
-  std::string tool; ///< specification, as sphere:6.35
+  std::string tool; ///< specification, such as sphere:6.35
   std::vector<std::string> columns;
   std::size_t rowCount = 0;
   std::function<std::string(std::size_t row, std::size_t column)> field;
 };
 
-/// The same from a table; an error is "name: row 7: what is wrong", rows counting from 0.
+/// The same from a table. An error is "name: row 7: reason"; rows count from 0.
 PALPATE_EXPORT std::string readCurves(const CurvesTable& table, MeasuredCurves& curves);
 } // namespace palpate
 

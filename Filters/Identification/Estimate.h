@@ -16,7 +16,7 @@ struct Estimate
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// `error` is half the interval: of ln value, or of value.
+/// `error` is half the width of the interval: of ln value in the first, of value in the second.
 PALPATE_EXPORT Estimate logarithmicEstimate(double value, double error);
 PALPATE_EXPORT Estimate linearEstimate(double value, double error);
 

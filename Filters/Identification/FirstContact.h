@@ -4,10 +4,10 @@
 
 namespace palpate
 {
-/// The force that an instrument shows without contact, a straight line over the depth.
+/// The force that an instrument shows without contact: a straight line over the depth.
 struct ForceBaseline
 {
-  double offset = 0.0;    ///< N, at the reference
+  double offset = 0.0;    ///< N, at the reference depth
   double drift = 0.0;     ///< N/mm
   double reference = 0.0; ///< mm
 
@@ -17,7 +17,7 @@ struct ForceBaseline
   }
 };
 
-/// What the readings before contact tell of it; the rest counts as 0.
+/// The terms of a baseline that the readings before contact determine; other terms count as 0.
 enum class BaselineTerms
 {
   None,
@@ -25,7 +25,7 @@ enum class BaselineTerms
   OffsetAndDrift
 };
 
-/// Where contact begins, on what force, and how hard the body is: an estimate to start from.
+/// Depth of first contact, baseline of the force and modulus of the body: a start for fits.
 struct FirstContact
 {
   double depth = 0.0;   ///< mm

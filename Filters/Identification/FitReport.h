@@ -9,27 +9,29 @@
 
 namespace palpate
 {
-/// Ratio of half a 95 % interval to a standard error per newton of noise, N, for a body with noise,
-/// misfit and largest force set: Student's t where the noise is estimated from the data, or is less
-/// than the residual.
+/// Ratio of half a 95 % interval to a standard error per newton of noise, N. Noise, misfit and
+/// largest force of `found` must be set. Student's t if the noise is estimated from the data, or is
+/// less than the residual.
 double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody& found);
 
-/// Why there is no fit of a model.
+/// The reason why a model has no fit.
 std::string noBody(const std::string& model);
 
-/// Why so many readings of a curve do not suffice, and that small strain leaves out the others.
+/// The reason why the readings of a curve do not suffice; it mentions those that small strain
+/// excludes.
 std::string tooFew(std::size_t readings, std::size_t of, double largestStrain);
-/// What small strain leaves out; "" where that is nothing.
+/// The number of readings that small strain excludes, in words; "" if it excludes none.
 std::string leftOut(std::size_t readings, std::size_t of, double largestStrain);
-/// What the readings before contact do not tell of a curve's baseline; "" where that is nothing, or
-/// contact is not to be found.
+/// The terms of the curves' baselines that the readings before contact do not determine, in words.
+/// "" if they determine all, or if first contact is not to be found.
 std::string untoldBaseline(const BodyFit& fit, bool findContact);
 
-/// Stores the body of a fit, with intervals of this width. Returns the index of the fit's next
-/// error.
+/// Stores the body of a fit, with intervals of this width. Returns the index of the next error of
+/// the fit.
 Eigen::Index reportBody(const BodyFit& fit, double width, bool findContact, IdentifiedBody& found);
 
-/// Stores the end of a tool's readings, at this depth (mm) below its first contact with the body.
+/// Stores the end of a tool's readings, at this depth (mm) below first contact, if it is the
+/// largest.
 void reportEnd(const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double depth, IdentifiedBody& found);
 } // namespace palpate

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// The residuals of arranged loading curves for Eigen's LevenbergMarquardt; parameters as in
+/// The residuals of arranged loading curves, for Eigen's LevenbergMarquardt. Parameters as in
 /// PackedBody.
 class FitResiduals : public PackedBody
 {

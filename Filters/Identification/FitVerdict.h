@@ -16,19 +16,20 @@ namespace palpate
 namespace FitLimits
 {
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
-// Fractions of the largest force: no law is more accurate, so that no richer body is taken for
-// less; and what is left of an interval without any noise.
+// Fractions of the largest force. LeastNoise: no law is more accurate, so a smaller residual does
+// not justify a richer body. LeastError: least noise for intervals, if the readings have none.
 constexpr double LeastNoise = 0.003;
 constexpr double LeastError = 0.0003;
-constexpr int LargestPassCount = 6;  // of alternating fit and choice of readings
-constexpr double Inseparable = 1e-4; // sine of an angle that rounding and a kink can cause
+constexpr int LargestPassCount = 6;  // of alternating fits and choices of readings
+constexpr double Inseparable = 1e-4; // sine of an angle; rounding and a kink can cause such an
+                                     // angle
 } // namespace FitLimits
 
-/// Errors of the packed parameters by a Jacobian, per unit residual.
+/// Errors of the packed parameters from a Jacobian, per unit residual.
 struct JacobianVerdict
 {
   Eigen::VectorXd error;  ///< standard errors
-  Eigen::MatrixXd spread; ///< S, S Sᵀ their covariance; empty where they are not determined
+  Eigen::MatrixXd spread; ///< S; S Sᵀ is their covariance; empty if they are not determined
   double separation = 0.0;
 };
 JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
@@ -36,24 +37,24 @@ JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
 /// Whether the residual of a fit is within the noise: an F test at three standard deviations.
 bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
 
-/// Why a global compliance of 0 or less is no body; "" where there is none. `width`: of the
-/// interval, per standard error for a newton of noise, N.
+/// The reason why a global compliance of 0 or less is no body; "" otherwise. `width` is the width
+/// of the interval, per standard error for a newton of noise, N.
 std::string checkCompliance(const BodyFit& fit, double width);
 
-/// Why an arranged curve tells nothing of a body, or "": no force rises in it, or it goes deeper
-/// than its unit can mean.
+/// The reason why an arranged curve determines no body, or "": no force rises in it, or it goes
+/// deeper than its unit can mean.
 std::string checkLoading(const IndentationCurve& curve);
 
-/// Why the readings before the contact of one of the curves of a fit are no baseline, or "": they
-/// do not lie on a straight line, within the noise or `allowed` (N), or it drifts too much
-/// (LargestDrift) beyond its interval of this `width`.
+/// The reason why the readings before contact of one of the curves of a fit are no baseline, or "".
+/// They may not be on a straight line, within the noise or `allowed` (N), or the line may drift too
+/// much (LargestDrift), beyond its interval of this `width`.
 std::string checkBaseline(const std::vector<IndentationCurve>& curves, const BodyFit& fit,
   const ForceNoise& noise, double width, double allowed);
 
 /// Whether the contact of a tool has the same radius at every depth.
 bool isFlat(const AxisymmetricTool& tool);
 
-/// Why curves of flat punches alone cannot be identified.
+/// The reason why curves of flat punches alone cannot be identified.
 extern const char* const FlatAlone;
 } // namespace palpate
 

@@ -10,10 +10,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double DeviationPerMedian = 1.482602218505602; // 1/Φ⁻¹(3/4), of normal noise
-constexpr double TieShare = 1e-9; // of the range of depths: closer readings count as at one depth
+constexpr double DeviationPerMedian = 1.482602218505602; // 1/Φ⁻¹(3/4), for normal noise
+constexpr double TieShare = 1e-9; // of the range of depths: closer readings count as equal in depth
 
-/// The combination of four readings that vanishes for a parabola, scaled to the noise of one.
+/// A combination of four readings that is 0 for a parabola, scaled to the noise of one reading.
 double residual(const double* x, const double* y, double tie)
 {
   for (int i = 0; i < 3; ++i)

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Standard deviation of the readings of force, N, and the number of independent readings to which
-/// its accuracy corresponds.
+/// Standard deviation of the force readings, N, and the number of independent readings to which its
+/// accuracy corresponds.
 struct ForceNoise
 {
   double deviation = 0.0;
@@ -18,13 +18,13 @@ struct ForceNoise
 };
 
 /**
- * Estimated as the median of the residuals of parabolas through each run of four neighbouring
- * readings, so that the kink at first contact and single outliers do not count. Depths ascend;
- * readings of several loads at one depth are compared with each other, so that what is not
- * repeatable counts as noise.
+ * Estimates the noise as the median of the residuals of parabolas through each run of four
+ * neighbouring readings. So the kink at first contact and single outliers do not count. Depths
+ * ascend. Readings of several loads at one depth are compared with each other, so that differences
+ * between loads count as noise.
  *
  * A median of absolute deviations is as accurate as 0.37 n independent readings (Rousseeuw and
- * Croux 1993); overlapping runs share readings, so n/4 is used. Fewer than four readings: NaN.
+ * Croux 1993). Overlapping runs share readings, so n/4 is used. NaN for fewer than four readings.
  */
 PALPATE_EXPORT ForceNoise estimateForceNoise(
   const std::vector<double>& deflection, const std::vector<double>& force);

@@ -13,8 +13,8 @@ struct Minimum
   bool converged;
 };
 
-/// Moves p to the nearest minimum of the squares (Levenberg and Marquardt); `tolerance` is that of
-/// a step, relative, `evaluations` the largest number of evaluations.
+/// Moves p to the nearest minimum of the sum of squares (Levenberg and Marquardt). `tolerance` is
+/// the relative tolerance of a step, `evaluations` the largest number of evaluations.
 template <class Residuals>
 Minimum minimize(Residuals& residuals, Eigen::VectorXd& p, double tolerance, int evaluations = 200)
 {

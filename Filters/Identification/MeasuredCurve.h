@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// What the instrument was doing when it took a reading.
+/// The phase of the test in which a reading was taken.
 enum class CurvePhase
 {
   Unknown,
@@ -21,7 +21,8 @@ enum class CurvePhase
 };
 
 /**
- * The readings of one tool at one site, in the order they were taken; possibly several loads.
+ * The readings of one tool at one site, in the order in which they were taken; there may be several
+ * loads.
  *
  * Deflection (mm) and force (N) are > 0 into the body. The origin of the deflection is that of the
  * instrument; the contact point is found later (BodyIdentification.h).
@@ -41,7 +42,7 @@ struct MeasuredCurves
 {
   std::string file;
   ToolSpecification tool;
-  std::string toolText;  ///< as the file writes it
+  std::string toolText;  ///< as in the file
   std::string synthetic; ///< how computed curves were made; empty: measured
   std::vector<MeasuredCurve> curves;
 };

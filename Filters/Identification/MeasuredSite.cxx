@@ -52,7 +52,8 @@ bool hasTimes(const SiteCurve& curve)
   return time.size() > 1 && time.back() > time.front();
 }
 
-/// Prepares a curve, and judges it without the force of its baseline, which counts in every energy.
+/// Prepares a curve, and judges it without the force of its baseline, which would count in every
+/// energy.
 std::string prepareNet(const ElasticityLimits& limits, bool findContact, SiteCurve& curve)
 {
   std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
@@ -77,7 +78,7 @@ std::string prepareNet(const ElasticityLimits& limits, bool findContact, SiteCur
   return fault;
 }
 
-/// Identifies a body that relaxes; sets why not, if its curves have no times.
+/// Identifies a body that relaxes; sets the reason of a refusal.
 void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<PressHistory> histories;
@@ -90,7 +91,7 @@ void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
   site.refusal = site.body.refusal;
 }
 
-/// Which loops, holds and speeds show that the site relaxes; "" if none does.
+/// A text that says which loop, hold or speed shows that the site relaxes; "" if none does.
 std::string flowOf(const MeasuredSite& site, const ElasticityLimits& limits)
 {
   for (const SiteCurve& curve : site.curves)

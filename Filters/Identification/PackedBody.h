@@ -12,10 +12,10 @@
 namespace palpate
 {
 /**
- * The packing of a fitted body, and of the first contacts of its curves, into parameters of order
- * one: ln E*, then C_g over a reference or ln h, then the depths of contact over a reference depth,
- * then the offset and the drift of each baseline that has them, over the largest force. Residuals
- * are relative to the largest force. The common base of all residuals.
+ * Packs a fitted body, and the first contacts of its curves, into parameters of order one: ln E*;
+ * then C_g over a reference, or ln h; then the depths of contact over a reference depth; then,
+ * divided by the largest force, the offset and the drift of each baseline that has them. Residuals
+ * are relative to the largest force. This is the common base class of all residuals.
  */
 class PackedBody
 {
@@ -33,14 +33,14 @@ public:
 
   Eigen::Index values() const { return this->Count; }
   Eigen::Index materialCount() const { return this->Model == BodyModel::HalfSpace ? 1 : 2; }
-  /// Number of parameters of material and first contacts.
+  /// Number of parameters for the material and the first contacts.
   Eigen::Index bodyInputs() const
   {
     return this->materialCount() + this->Offsets + this->BaselineInputs;
   }
   double force() const { return this->Force; }
   double depth() const { return this->Depth; }
-  /// The C_g of the whole depth under the whole force.
+  /// The C_g that would give the whole depth under the whole force.
   double compliance() const { return this->Depth / this->Force; }
 
   BodyParameters body(const Eigen::VectorXd& p) const;
@@ -52,23 +52,24 @@ public:
   }
   ForceBaseline baseline(const Eigen::VectorXd& p, std::size_t curve) const;
 
-  /// Whether a sum of squares is that of a body, and not of steps that led to none.
+  /// Whether a sum of squares is that of a valid body; steps to an invalid body give Astray
+  /// residuals.
   static bool isBody(double squares) { return squares < Astray * Astray; }
 
-  /// Finds separation, spread, and errors of body and offsets from the Jacobian at the minimum;
-  /// errors of further parameters stay packed.
+  /// Computes separation, spread, and errors of body and offsets from the Jacobian at the minimum.
+  /// Errors of further parameters stay packed.
   void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
-  /// The standard error of ln E* per newton of noise, from that Jacobian.
+  /// The standard error of ln E* per newton of noise, from the same Jacobian.
   double modulusError(const Eigen::MatrixXd& jacobian) const;
 
 protected:
-  /// For loading curves with these estimates of their first contacts.
+  /// `starts` are the estimated first contacts of the curves.
   PackedBody(BodyModel model, bool findContact, std::vector<FirstContact> starts);
 
-  /// Into the first of the parameters.
+  /// Packs into the first of the parameters.
   void packBody(const BodyParameters& body, const std::vector<double>& offsets,
     const std::vector<ForceBaseline>& baselines, Eigen::VectorXd& p) const;
-  /// The derivatives of a residual by the baseline of its curve.
+  /// The derivatives of a residual with respect to the baseline of its curve.
   void fillBaseline(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
     double deflection, double readings) const;
   /// Whether a step led to a valid body.
@@ -79,18 +80,19 @@ protected:
     return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
   }
 
-  /// The residual where there is no force, so that the method rejects the step.
+  /// The residual if the body is invalid or has no finite force; so large that the method rejects
+  /// the step.
   static constexpr double Astray = 1e3;
 
   BodyModel Model;
-  Eigen::Index Offsets; ///< depths of first contact that are fitted
+  Eigen::Index Offsets; ///< number of depths of first contact that are fitted
   Eigen::Index BaselineInputs = 0;
-  Eigen::Index Count = 0; ///< of residuals
-  double Force = 0.0;     ///< largest, N
+  Eigen::Index Count = 0; ///< number of residuals
+  double Force = 0.0;     ///< largest force, N
   double Depth = 0.0;     ///< largest range of a curve, mm
 
 private:
-  /// The first parameter of a curve's baseline, and how many it has.
+  /// Index of the first parameter of a curve's baseline, and the number of its parameters.
   Eigen::Index firstOfBaseline(std::size_t curve) const;
   Eigen::Index countOfBaseline(std::size_t curve) const
   {

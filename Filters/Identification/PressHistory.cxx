@@ -12,16 +12,17 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ManyReadings = 600; // up to here readings are not averaged
-constexpr double DepthShare = 0.005;      // of the range, within which readings are averaged
-constexpr double TimeShare = 0.03;        // of the time since the last turn, likewise
-// Fraction of the range: points farther apart get others between them.
+constexpr std::size_t ManyReadings = 600; // more readings are averaged
+constexpr double DepthShare = 0.005;      // of the range: readings within it are averaged
+constexpr double TimeShare = 0.03;        // of the time since the last turn, for averaging, too
+// Fraction of the range. Points that are farther apart get others between them.
 constexpr double StepShare = 0.02;
-constexpr double RampShare = 1.0 / 15.0; // fraction of a press: faster times are not resolved
-constexpr double ContactShare = 0.1; // of the depth: nearer to the estimated contact it may be one
+constexpr double RampShare = 1.0 / 15.0; // of the time of a press: shorter times are not resolved
+constexpr double ContactShare = 0.1; // of the depth: nearer to the estimated contact, the contact
+                                     // may be there
 constexpr double LittleShare = 0.02; // of the depth: a smaller step back is noise
 
-/// Where the groups of readings begin, and their end.
+/// The first reading of each group, and the end of the readings.
 std::vector<std::size_t> groupsOf(
   const MeasuredCurve& curve, const std::vector<std::size_t>& turns, double range, double slack)
 {
@@ -89,7 +90,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
        slack *= 1.5)
   {
     starts = groupsOf(curve, prepared.turns, range, slack);
-    if (slack > 1e6) // as many turns as readings
+    if (slack > 1e6) // there are as many turns as readings
     {
       break;
     }
@@ -105,7 +106,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
     };
     const double time = mean(curve.time);
     const double deflection = mean(curve.deflection);
-    // Points of the path between those that are compared; before contact none are needed.
+    // Adds points of the path between those that are compared. None are needed before contact.
     if (g > 0 && std::max(deflection, history.deflection.back()) > contact - ContactShare * range)
     {
       const double lastTime = history.time.back();
@@ -142,8 +143,8 @@ TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vecto
         ++i;
         continue;
       }
-      std::size_t end = i;                                       // of this press
-      double deepest = -std::numeric_limits<double>::infinity(); // of the compared readings
+      std::size_t end = i;                                       // end of this press
+      double deepest = -std::numeric_limits<double>::infinity(); // deepest of the compared readings
       for (; end < history.size() && deflection[end] - offsets[c] > little; ++end)
       {
         deepest = history.readings[end] > 0.0 ? std::max(deepest, deflection[end]) : deepest;

@@ -15,7 +15,7 @@ namespace palpate
 {
 /**
  * Depth and force of one tool on a body in the order of time: presses, holds, releases. Between
- * points the depth is linear in time. Before the first one the body was at rest.
+ * points the depth is linear in time. The body was at rest before the first point.
  */
 struct PressHistory
 {
@@ -25,30 +25,32 @@ struct PressHistory
   std::vector<double> force;      ///< N
   /// Number of readings averaged at each point; 0: a point of the path that is not compared.
   std::vector<double> readings;
-  IndentationCurve loading; ///< its loads alone, arranged, for the start of a fit
-  ForceNoise noise;         ///< of a reading
+  IndentationCurve loading; ///< only its loads, arranged, for the start of a fit
+  ForceNoise noise;         ///< noise of a reading
 
   std::size_t size() const noexcept { return this->time.size(); }
-  /// The force of a point without that of the baseline as estimated, N.
+  /// The force of a point minus the estimated baseline, N.
   double netForce(std::size_t point) const
   {
     return this->force[point] - this->loading.start.baseline.at(this->deflection[point]);
   }
 };
 
-/// From a curve with times. If there are more than 600, neighbours in time are averaged over about
-/// 0.5 % of the depth of contact and 3 % of the time since the last turn.
+/// Makes a history from a curve with times. If it has more than 600 readings, neighbours in time
+/// are averaged over about 0.5 % of the depth of contact and 3 % of the time since the last turn.
 PALPATE_EXPORT PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curve,
   const PreparedCurve& prepared, bool findContact);
 
 /// The range of relaxation times that a test can resolve, s.
 struct TimeWindow
 {
-  double shortest = 0.0; ///< a fifteenth of the fastest press, or the time between two readings
+  double shortest = 0.0; ///< a fifteenth of the fastest press, or the least time between two
+                         ///< readings
   double longest = 0.0;  ///< the longest time in contact before the depth turns back
 };
 
-/// The window of the compared points deeper than first contact at `offsets` (mm, of each history).
+/// The window of the compared points. `offsets` is the deflection of first contact of each history,
+/// mm.
 PALPATE_EXPORT TimeWindow windowOf(
   const std::vector<PressHistory>& histories, const std::vector<double>& offsets);
 } // namespace palpate

@@ -23,20 +23,20 @@ using Eigen::VectorXd;
 
 constexpr double BranchRatio = 9.210; // χ² with two degrees of freedom, 1 %
 constexpr double Doubt =
-  2.0 * BranchRatio;                   // once in a million: of branches that are not determined
-constexpr double LeastTimeRatio = 1.5; // of neighbours: closer ones are one
+  2.0 * BranchRatio;                   // once in a million: for branches that are not determined
+constexpr double LeastTimeRatio = 1.5; // of neighbouring times: closer branches are one
 constexpr std::size_t CoarseBlocks = 1;
 
-/// When a fit ends: at this relative step, or after this number of evaluations.
+/// End of a fit: at this relative step, or after this number of evaluations.
 struct Ending
 {
   double tolerance;
   int evaluations;
 };
-constexpr Ending Coarse{ 1e-4, 30 }; // with too many branches steps never end
-constexpr Ending Fine{ 1e-7, 200 };  // far below the uncertainty by noise
+constexpr Ending Coarse{ 1e-4, 30 }; // with too many branches the steps do not converge
+constexpr Ending Fine{ 1e-7, 200 };  // far below the uncertainty due to noise
 
-/// Start values of fits: the elastic body of the loads, and one that is nearly local.
+/// Start values of fits: the elastic body fitted to the loads, and a body that is nearly local.
 std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histories,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -64,7 +64,8 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
     return starts;
   }
   const std::optional<BodyFit> fit = fitBody(loads, model, findContact, kernel);
-  if (fit && !(fit->body.compliance < 0.0)) // negative for a load of increasing speed
+  if (fit && !(fit->body.compliance < 0.0)) // negative if the load was pressed with increasing
+                                            // speed
   {
     add(*fit);
   }
@@ -124,7 +125,7 @@ bool areApart(const PronySeries& series)
   return true;
 }
 
-/// Whether the readings determine all its branches, to a factor of twenty.
+/// Whether the readings determine all branches of the fit, to a factor of twenty.
 bool isDetermined(const RelaxationFit& fit, double noise)
 {
   const auto branches = static_cast<Index>(fit.series.count);
@@ -132,7 +133,7 @@ bool isDetermined(const RelaxationFit& fit, double noise)
     fit.errorPerNoise.tail(2 * branches).maxCoeff() * noise * Normal95 < std::log(20.0);
 }
 
-/// Fits from one start; nothing on failure.
+/// Fits from one start; returns nothing on failure.
 std::optional<RelaxationFit> fitFrom(const std::vector<PressHistory>& histories,
   const RelaxationProblem& problem, const RelaxingBody& start, Ending ending)
 {
@@ -225,7 +226,7 @@ std::optional<RelaxationFit> fitRelaxingBody(const std::vector<PressHistory>& hi
   const RelaxingBody about{ best->body, best->series, best->contactOffset, best->baseline };
   if (given.count == 0)
   {
-    // The number of branches: each added one must reduce the score.
+    // Finds the number of branches: each additional branch must reduce the score.
     const RelaxationSpectrum spectrum = spectrumAt(about);
     std::optional<RelaxationFit> chosen;
     for (std::size_t k = 1; k <= std::min(spectrum.time.size(), PronySeries::LargestCount); ++k)

@@ -14,10 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double LogStep = 1e-6;     // of ln p and ln τ: the error of differences is 1e-6
-constexpr double OffsetStep = 1e-5;  // of the depth
-constexpr double LargestLog = 25.0;  // of p and 1/p
-constexpr double LargestTime = 40.0; // ln of it in s, and of its inverse
+constexpr double LogStep = 1e-6;     // of ln p and ln τ: differences have an error of 1e-6
+constexpr double OffsetStep = 1e-5;  // step, fraction of the depth
+constexpr double LargestLog = 25.0;  // of ln p, of either sign
+constexpr double LargestTime = 40.0; // of ln τ, τ in s, of either sign
 
 bool isUsable(const PronySeries& series)
 {
@@ -46,7 +46,7 @@ std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body
     curve.force = VectorXd::Zero(count);
   }
   curves[0].stiffness = VectorXd::Zero(count);
-  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness; // the one at 0 is not used
+  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness; // the stiffness at 0 is not used
   for (Index j = 1; j < count; ++j)
   {
     const Sensitivity at = law.at(depths[j]);
@@ -153,7 +153,7 @@ int RelaxationResiduals::evaluate(const VectorXd& p, VectorXd* residuals, Matrix
   return 0;
 }
 
-/// Fills the rows of one history, from `row` on.
+/// Fills the rows of one history, starting at `row`.
 void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index, Index row,
   VectorXd* residuals, MatrixXd* jacobian) const
 {

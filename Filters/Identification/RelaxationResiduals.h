@@ -15,37 +15,38 @@
 
 namespace palpate
 {
-/// A body that relaxes, and the first contact of each history.
+/// A relaxing body, and the first contact of each history.
 struct RelaxingBody
 {
-  BodyParameters body; ///< slow
+  BodyParameters body; ///< slow response
   PronySeries series;
   std::vector<double> contactOffset; ///< mm
   std::vector<ForceBaseline> baseline;
 };
 
-/// What is fitted: the model, the number of branches (0: the given series), the number of elements.
+/// The unknowns of a fit: the model, the number of branches (0: the given series), the number of
+/// blocks of elements.
 struct RelaxationProblem
 {
   BodyModel model = BodyModel::HalfSpace;
   bool findContact = true;
   std::shared_ptr<const LayerKernel> kernel;
   std::size_t branches = 0;
-  PronySeries given; ///< where branches is 0
+  PronySeries given; ///< used if branches is 0
   std::size_t blocks = 3;
 };
 
 /**
- * The residuals of histories for Eigen's LevenbergMarquardt. Parameters: as in PackedBody, then ln
+ * The residuals of histories, for Eigen's LevenbergMarquardt. Parameters: as in PackedBody, then ln
  * p_i, then ln τ_i.
  *
- * Derivatives: by the body exactly (the elements do not depend on it); by offsets, strengths and
- * times by differences.
+ * Derivatives with respect to the body are exact (the elements do not depend on the body); those
+ * with respect to offsets, strengths and times are differences.
  */
 class RelaxationResiduals : public PackedBody
 {
 public:
-  /// `histories` must outlive this.
+  /// `histories` must outlive this object.
   RelaxationResiduals(const std::vector<PressHistory>& histories, const RelaxationProblem& problem);
 
   Eigen::Index inputs() const { return this->firstStrength() + 2 * this->branches(); }
@@ -75,8 +76,8 @@ private:
   RelaxationProblem Problem;
 };
 
-/// The slow curve of a body at the depths of a foundation; then its derivatives by ln E* and, if
-/// the model has it, by C_g or ln h.
+/// The slow curve of a body at the depths of a foundation, then its derivatives with respect to ln
+/// E* and, if the model has it, to C_g or ln h.
 std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   const RelaxingFoundation& foundation);

@@ -16,10 +16,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double TimesPerDecade = 3.0;
-constexpr double LeastForce = 0.1;  // of the largest: less may be a contact that is about to end
-constexpr double LeastShare = 0.02; // of the whole response, of the slow one where none is found
+constexpr double LeastForce = 0.1;  // of the largest force: with a smaller force the contact may be
+                                    // about to end
+constexpr double LeastShare = 0.02; // of the whole response: least strength of the slow response
 
-constexpr double SomeShare = 0.2; // of it, of a branch where none is found
+constexpr double SomeShare = 0.2; // of the slow response: strength of a branch if none is found
 
 std::vector<double> timeGrid(const TimeWindow& window)
 {
@@ -43,7 +44,7 @@ RelaxationSpectrum RelaxationSpectrum::merged(std::size_t count) const
   RelaxationSpectrum left = *this;
   while (left.time.size() > count)
   {
-    // Ward's rule: the pair whose merging changes least.
+    // Ward's rule: merges the pair that causes the smallest change.
     std::size_t best = 0;
     double least = 0.0;
     for (std::size_t i = 0; i + 1 < left.time.size(); ++i)
@@ -142,7 +143,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     }
   }
   spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
-  if (spectrum.time.empty()) // so that the fit finds that there is none
+  if (spectrum.time.empty()) // the fit then finds that there is no branch
   {
     spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
     spectrum.strength.push_back(SomeShare * spectrum.slow);
@@ -153,7 +154,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
 {
   about.body.reducedModulus *= spectrum.slow;
-  // The product with E*, the shape of the curve, stays unchanged.
+  // The product of C_g and E*, which determines the shape of the curve, stays unchanged.
   about.body.compliance /= spectrum.slow;
   about.series = {};
   for (std::size_t i = 0; i < spectrum.time.size(); ++i)

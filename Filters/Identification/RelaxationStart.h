@@ -9,28 +9,29 @@
 
 namespace palpate
 {
-/// Strengths of the slow response and of branches at given times, in units of a body's force.
+/// Strengths of the slow response and of branches at given times, relative to a body's force.
 struct RelaxationSpectrum
 {
   double slow = 0.0;
   std::vector<double> strength; ///< > 0
   std::vector<double> time;     ///< s, ascending
 
-  /// The same with at most `count` branches: neighbours that are close and weak are merged.
+  /// The same spectrum with at most `count` branches. Close and weak neighbours are merged.
   RelaxationSpectrum merged(std::size_t count) const;
 };
 
 /**
  * Estimates the relaxation in the forces of histories, for an approximate body and offsets:
  * non-negative least squares over the slow response and branches at three times per decade of the
- * window, quasi-linear, from the readings above a tenth of the largest force. The start of a fit.
+ * window, quasi-linear, from the readings above a tenth of the largest force. The result is the
+ * start of a fit.
  */
 RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window);
 
-/// The body whose slow response is that of `about` times the slow strength, with the relaxation of
-/// the spectrum.
+/// The body whose slow response is that of `about` times the slow strength, and whose relaxation is
+/// that of the spectrum.
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum);
 } // namespace palpate
 

@@ -14,7 +14,7 @@ using Eigen::Index;
 constexpr std::size_t BlockSize = RelaxationElements::LargestCount;
 } // namespace
 
-/// A curve as steps of the slope of its chords, one for each element.
+/// A curve as steps in slope of its chords, one for each element.
 struct RelaxingFoundation::Prepared
 {
   std::vector<RelaxationElements::Values> weights;
@@ -52,7 +52,7 @@ RelaxingFoundation::Prepared RelaxingFoundation::prepare(const SlowCurve& curve)
   return prepared;
 }
 
-/// The curve (cubic, by its slopes) less its chords.
+/// The curve (cubic, with its slopes) minus its chords.
 double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
 {
   const Index last = this->Depths.size() - 1;
@@ -61,7 +61,7 @@ double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
     return 0.0;
   }
   auto j = static_cast<Index>(
-    static_cast<double>(last) * std::sqrt(depth / this->Depths[last])); // may be off by rounding
+    static_cast<double>(last) * std::sqrt(depth / this->Depths[last])); // may be wrong by rounding
   j = std::clamp<Index>(j, 0, last - 1);
   const double width = this->Depths[j + 1] - this->Depths[j];
   const double t = std::clamp((depth - this->Depths[j]) / width, 0.0, 1.0);
@@ -85,9 +85,10 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
   std::vector<double> left(curves.size(), 0.0);
   Eigen::MatrixXd forces(static_cast<Index>(history.size()), static_cast<Index>(curves.size()));
   RelaxationStep step(series, 0.0);
-  double lasts = 0.0; // duration of that step, s
+  double lasts = 0.0; // duration of `step`, s
   double before = 0.0;
-  if (history.size() > 1 && history.deflection[0] > offset) // it began before the first reading
+  if (history.size() > 1 && history.deflection[0] > offset) // the press began before the first
+                                                            // reading
   {
     const double way = history.deflection[1] - history.deflection[0];
     before = way > 0.0

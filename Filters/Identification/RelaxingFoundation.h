@@ -15,33 +15,34 @@
 namespace palpate
 {
 /**
- * The force of a relaxing body over a history of presses, holds and releases, by
- * RelaxationElements: more of them than in a servo tick, accurate enough to compare with readings.
- * The slow curve is given by its forces at the gaps of the elements, D (j/n)², and at its end D;
- * several curves share the work.
+ * The force of a relaxing body over a history of presses, holds and releases. It uses
+ * RelaxationElements, more of them than a servo tick, so that it is accurate enough for a
+ * comparison with readings. The slow curve is given by its forces at the gaps of the elements, D
+ * (j/n)², and at its end D. Several curves share the elements.
  *
- * Against Ting's integrals, of the largest force: 1e-4 of a sphere, 2e-4 of a cone with 99 elements
- * on unloading, exact on loading but for the steps in time. Cost: 0.2 µs per point, element and
- * branch for 99 elements.
+ * Error compared with Ting's integrals, relative to the largest force, with 99 elements: 1e-4 for a
+ * sphere and 2e-4 for a cone on unloading; on loading exact, except for the error of the steps in
+ * time. Cost: 0.2 µs per point, element and branch for 99 elements.
  */
 class PALPATE_EXPORT RelaxingFoundation
 {
 public:
-  /// A curve at the depths of depths(): force and, unless empty, dF/dδ for higher accuracy.
+  /// A curve at depths(): forces and, unless empty, dF/dδ for higher accuracy.
   struct SlowCurve
   {
     Eigen::VectorXd force;
     Eigen::VectorXd stiffness;
   };
 
-  /// Down to this depth (mm, > 0), with 33 elements per block.
+  /// Elements down to `depth` (mm, > 0), 33 per block.
   RelaxingFoundation(double depth, std::size_t blocks);
 
-  /// From 0 to the end, mm; one more than elements.
+  /// Depths from 0 to the end, mm; one more than there are elements.
   const Eigen::VectorXd& depths() const noexcept { return this->Depths; }
 
-  /// The forces of each curve (column) at each point of a history, N. `offset`: the deflection of
-  /// first contact, mm. A history that begins in contact is continued backwards at its first speed.
+  /// Returns the force of each curve (column) at each point of a history (row), N. `offset` is the
+  /// deflection of first contact, mm. A history that begins in contact is extended backwards at its
+  /// first speed.
   Eigen::MatrixXd follow(const PressHistory& history, double offset, const PronySeries& series,
     const std::vector<SlowCurve>& curves) const;
 

@@ -20,14 +20,14 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double WideInterval = 0.2; // of E*, relative: worth a remark
+constexpr double WideInterval = 0.2; // of E*, relative: leads to a remark
 
 std::string seconds(double time)
 {
   return shortly(time) + " s";
 }
 
-/// Number of readings that are compared.
+/// Number of compared readings.
 std::size_t countOf(const PressHistory& history)
 {
   return static_cast<std::size_t>(
@@ -51,13 +51,13 @@ public:
     IdentifiedBody result;
     result.refusal = this->All.empty() ? "there is no loading" : "";
     result.refusal = result.refusal.empty() ? this->judge() : result.refusal;
-    // Which readings lie within small strain depends on the body to be found.
+    // The readings within small strain depend on the body, so fit and choice of readings alternate.
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
     {
       const std::optional<RelaxationFit> before = this->Fit;
       const std::string fault = this->judge();
-      if (!this->Fit) // what is left tells no body
+      if (!this->Fit) // the remaining readings determine no body
       {
         this->Fit = before;
         result.refusal = result.refusal.empty() ? fault : result.refusal;
@@ -251,7 +251,7 @@ private:
       [](const PressHistory& history) { return isFlat(*history.tool); });
   }
 
-  /// Leaves out readings too deep for a linear law; returns whether the choice has changed.
+  /// Excludes readings that are too deep for a linear law. Returns whether the choice has changed.
   bool selectReadings()
   {
     bool changed = false;
@@ -276,7 +276,7 @@ private:
     return changed;
   }
 
-  /// Whether small strain ends before most of the test's time is compared.
+  /// Whether small strain excludes more than half of the test's longest time in contact.
   bool isHoldTooDeep() const
   {
     return !this->isGiven() && this->Fit &&
@@ -284,7 +284,7 @@ private:
       0.5 * windowOf(this->All, this->Fit->contactOffset).longest;
   }
 
-  /// The numbers of the fit with their confidence intervals, and where the data end.
+  /// Stores the parameters of the fit with their confidence intervals, and the end of the data.
   void report(IdentifiedBody& result) const
   {
     const RelaxationFit& fit = *this->Fit;
@@ -335,7 +335,7 @@ private:
     }
   }
 
-  /// What the test does not resolve.
+  /// The times that the test resolves, and those that it does not, in words.
   std::string remarkOn(const IdentifiedBody& result, double modulusError) const
   {
     const PronySeries& series = result.relaxation;
@@ -370,7 +370,7 @@ private:
   std::vector<PressHistory> All;
   std::vector<PressHistory> Used;
   ForceNoise Noise;
-  ForceNoise Coarse; ///< not below the accuracy of a law
+  ForceNoise Coarse; ///< at least the accuracy of a law
   std::optional<RelaxationFit> Fit;
   double LargestForce = 0.0;
   bool WithinNoise = false;

@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// Force and its derivatives by the parameters, at one depth below first contact.
+/// Force and its derivatives with respect to the parameters, at one depth below first contact.
 struct Sensitivity
 {
   double force = 0.0;
   double stiffness = 0.0;
   double byLogModulus = 0.0;
-  double bySecond = 0.0; ///< by C_g, or ln h
+  double bySecond = 0.0; ///< with respect to C_g or ln h
 };
 
 /// The law of one tool on a body that is being fitted.
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  static constexpr double ThicknessStep = 1e-5; // of ln h; the law is smooth to 1e-10
+  static constexpr double ThicknessStep = 1e-5; // step of ln h; the law is smooth to 1e-10
 
   BodyParameters Body;
   const AxisymmetricTool& Tool;

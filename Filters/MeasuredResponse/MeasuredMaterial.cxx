@@ -24,7 +24,7 @@ namespace
 {
 constexpr auto OutOfReach = static_cast<unsigned char>(ResponseStatus::OutOfReach);
 constexpr auto DataEndLimit = static_cast<unsigned char>(ResponseLimit::DataEnd);
-constexpr double PlaceholderModulus = 1.0; // MPa, of points that get no response
+constexpr double PlaceholderModulus = 1.0; // MPa, for points that get no response
 
 vtkSmartPointer<vtkDoubleArray> addPointArray(vtkPolyData* body, const char* name)
 {
@@ -92,7 +92,7 @@ void limitToData(
   auto* validity = vtkFloatArray::SafeDownCast(array(ResponseArray::Validity));
   auto* status = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Status));
   auto* limit = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Limit));
-  auto* error = vtkFloatArray::SafeDownCast(array(ResponseArray::Error)); // null: not kept
+  auto* error = vtkFloatArray::SafeDownCast(array(ResponseArray::Error)); // null if not stored
   const int n = force->GetNumberOfComponents();
   const double exponent = output->GetFieldData()
                             ->GetArray(arrayName(name, ResponseArray::Exponent).c_str())

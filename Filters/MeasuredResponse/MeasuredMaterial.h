@@ -10,23 +10,23 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Names of the point arrays between the identified sites and vtkToolContactResponse.
+/// Names of the point arrays passed from the identified sites to vtkToolContactResponse.
 namespace MeasuredMaterial
 {
 constexpr const char* ModulusArray = "IdentifiedModulus";
 constexpr const char* ComplianceArray = "IdentifiedCompliance";
 constexpr const char* ThicknessArray = "IdentifiedThickness";
-constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed in the end
+constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed at the end
 } // namespace MeasuredMaterial
 
-/// Makes `spread` the body with the material of its points: E*, C_g and 1/h of the sites that are
-/// not refused, interpolated within `reach` (mm).
+/// Makes `spread` a copy of the body with the material of its points: E*, C_g and 1/h of the sites
+/// that are not refused, interpolated within `reach` (mm).
 void spreadMaterial(vtkPolyData* body, double poissonsRatio, double reach,
   SiteMeasurement& measurement, vtkPolyData* spread);
 
-/// Removes the response `name` where no site reaches, marks elsewhere where the data end
-/// (DataEnd.h), and describes in its field arrays what it was measured from. `range`: its depth,
-/// mm.
+/// Removes the response `name` where no site reaches. Elsewhere it limits the validity to the end
+/// of the data (DataEnd.h). Its field arrays get a description of the data from which it was
+/// measured. `range` is the range of the response, mm.
 void limitToData(
   const SiteMeasurement& measurement, const std::string& name, double range, vtkPolyData* output);
 } // namespace palpate

@@ -14,15 +14,15 @@
 
 namespace palpate
 {
-/// The state of vtkMeasuredContactResponse between the files it reads and the response it makes.
+/// The state of vtkMeasuredContactResponse between reading its files and making its response.
 struct SiteMeasurement
 {
   std::vector<MeasuredCurves> Files;
   std::vector<PlacedSite> Sites;
-  std::vector<SiteAnchor> Anchors; ///< of every site
+  std::vector<SiteAnchor> Anchors; ///< for every site
   std::unique_ptr<BodyIdentification> Identification;
   std::unique_ptr<BodyMesh> Mesh;
-  std::unique_ptr<SiteSpread> Spread; ///< of the sites that are used
+  std::unique_ptr<SiteSpread> Spread; ///< for the sites that are used
   std::vector<const IdentifiedBody*> Used;
 
   std::vector<double> collect(double IdentifiedBody::*member) const
@@ -35,14 +35,14 @@ struct SiteMeasurement
     return values;
   }
 
-  /// Finds where the sites lie on the mesh, and refuses those farther from it than
-  /// `largestDistance` (mm). Returns the root mean square of their distances.
+  /// Projects the sites on the mesh, and refuses sites that are farther from it than
+  /// `largestDistance` (mm). Returns the root mean square of the distances.
   double place(double largestDistance);
 
-  /// How many sites are refused, and their names and reasons.
+  /// The number of refused sites; `reasons` receives their names and reasons.
   std::size_t countRefused(std::string& reasons) const;
 
-  /// What was identified, and from which data, for the field array Model.
+  /// The identified bodies and their data in words, for the field array Model.
   std::string describe() const;
   int modelParts() const; ///< sum of ModelPart
 };

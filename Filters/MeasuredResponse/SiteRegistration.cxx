@@ -28,7 +28,8 @@ constexpr double InLine = 1e-3; // relative to the length of a line of points
 const std::vector<std::string_view> PairColumns = { "from_x_mm", "from_y_mm", "from_z_mm",
   "to_x_mm", "to_y_mm", "to_z_mm" };
 
-/// The numbers of a row, separated by blanks or commas; false if there is anything else.
+/// Reads the numbers of a row, separated by blanks or commas. Returns false if the row has anything
+/// else.
 bool readNumbers(const CsvReader& csv, std::vector<double>& numbers)
 {
   for (std::size_t i = 0; i < csv.size(); ++i)
@@ -89,7 +90,7 @@ std::string fromMatrix(const std::vector<double>& numbers, SiteRegistration& reg
   return {};
 }
 
-/// Whether points lie on one line, or are one.
+/// Whether the points are on one line, or are a single point.
 bool areInLine(vtkPoints* points)
 {
   Eigen::Matrix3Xd x(3, points->GetNumberOfPoints());

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// The arc over a chord within a patch, which turns by at most 60°: (π/6)/sin(π/6).
+/// Ratio of arc to chord in a patch, which turns by at most 60°: (π/6)/sin(π/6).
 constexpr double ArcPerChord = 1.0472;
 } // namespace
 
@@ -45,7 +45,7 @@ SiteSpread::SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& site
         }
       });
   }
-  // Sites stay in order within a point.
+  // A stable sort: the sites of a point stay in order.
   std::stable_sort(
     shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.point < b.point; });
 

@@ -10,21 +10,22 @@
 
 namespace palpate
 {
-/// Where a site lies on the surface.
+/// The projection of a site on the surface.
 struct SiteAnchor
 {
   std::int32_t triangle = -1;
   Vector3 point = Vector3::Zero();
-  Vector3 normal = Vector3::Zero(); ///< unit, outward
+  Vector3 normal = Vector3::Zero(); ///< unit vector, outward
 };
 
 /**
- * Interpolates values known at sites to the points of a body.
+ * Interpolates values that are known at sites to the points of a body.
  *
- * A site counts at a point that lies within `reach` (mm, straight), is connected with it over the
- * surface within that distance, and faces the same way, to 60° (visitSurfacePatch), so that nothing
- * crosses a thin lobe. The weights of a point's sites are those of vtkShepardKernel, 1/d², times
- * (1 - d/reach)², continuous at the end of a site's reach (Franke and Little 1980).
+ * A site counts at a point if the point is within `reach` (mm, straight distance), is connected
+ * with the site over the surface within about that distance, and faces the same way, to 60°
+ * (visitSurfacePatch). So no value crosses a thin lobe. The weights of a point's sites are those of
+ * vtkShepardKernel, 1/d², multiplied by (1 - d/reach)², which is continuous at the end of a site's
+ * reach (Franke and Little 1980).
  */
 class SiteSpread
 {
@@ -38,13 +39,13 @@ public:
       this->Start[static_cast<std::size_t>(point) + 1];
   }
 
-  /// The value at a point within reach of a site, from one value per site.
+  /// The value at a point, from one value per site. The point must be within reach of a site.
   double at(std::int32_t point, const std::vector<double>& values) const;
-  /// The weighted root mean square by which the sites' values differ from that; 0 on a site.
+  /// The weighted root mean square deviation of the sites' values from at(); 0 at a site.
   double deviationAt(std::int32_t point, const std::vector<double>& values) const;
 
 private:
-  std::vector<std::size_t> Start; ///< of each point's sites, and the end
+  std::vector<std::size_t> Start; ///< first site of each point in Site, and the end
   std::vector<std::int32_t> Site;
   std::vector<double> Weight;
 };

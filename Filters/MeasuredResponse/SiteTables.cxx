@@ -56,7 +56,8 @@ void addEstimate(vtkTable* table, const std::string& name, const std::string& un
     table, name + " to" + unit, sites, [&](const PlacedSite& s) { return value(s).upper; });
 }
 
-/// The maximum of a quantity over the curves of a site; NaN where none has it.
+/// The value of a quantity with the largest magnitude over the curves of a site; NaN if no curve
+/// has the quantity.
 template <class Value>
 double most(const PlacedSite& site, const Value& value)
 {
@@ -90,7 +91,7 @@ struct Reading
   double time;
 };
 
-/// All readings of a body that relaxes, in the order in which they were taken.
+/// Appends all readings of a body that relaxes, in the order in which they were taken.
 void appendHistory(const PlacedSite& site, std::size_t index,
   const std::shared_ptr<const LayerKernel>& kernel, std::vector<Reading>& readings)
 {
@@ -178,7 +179,7 @@ void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
     [](const PlacedSite& s) { return s.measured.body.longestTime; });
 }
 
-/// Numbers with all their digits, so that a double is read back unchanged.
+/// A number with all its digits, so that a double is read back unchanged.
 std::string text(vtkAbstractArray* column, vtkIdType row)
 {
   const vtkVariant value = column->GetVariantValue(row);

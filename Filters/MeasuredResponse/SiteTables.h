@@ -12,26 +12,27 @@ class vtkTable;
 
 namespace palpate
 {
-/// A site, and its place on the body.
+/// A site and its place on the body.
 struct PlacedSite
 {
   MeasuredSite measured;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< registered, mm
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< after registration, mm
   double distance = 0.0;                              ///< from the surface, mm
 };
 
-/// One row per site: what was identified, or why not (vtkMeasuredContactResponse.h, port 1).
+/// One row per site: the identified body, or the reason of a refusal (vtkMeasuredContactResponse.h,
+/// port 1).
 void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table);
 
-/// One row per reading of a loading, counted from first contact: as measured, made monotone, and by
-/// the identified body. Of a body that relaxes a row for every reading, in the order of time
-/// (vtkMeasuredContactResponse.h, port 2).
+/// One row per reading of a loading, with depths from first contact: the measured force, the force
+/// made monotone, and the force of the identified body. For a body that relaxes one row for every
+/// reading, in the order of time (vtkMeasuredContactResponse.h, port 2).
 void tabulateCurves(const std::vector<PlacedSite>& sites,
   const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);
 
-/// The readings of one tool from a table with the columns of a file of curves (CurvesFile.h), as a
-/// reader of .csv files makes it; other columns are ignored. `name` stands for the file in errors.
-/// Returns what is wrong, with the row, or "".
+/// Reads the readings of one tool from a table with the columns of a file of curves (CurvesFile.h),
+/// as a reader of .csv files makes it. Other columns are ignored. `name` stands for the file in
+/// errors. Returns a fault, with the row, or "".
 std::string curvesFromTable(
   vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves);
 } // namespace palpate

@@ -269,7 +269,7 @@ std::string vtkMeasuredContactResponse::ReadSites(
   return fault;
 }
 
-/// False when aborted.
+/// Returns false if the filter was aborted.
 bool vtkMeasuredContactResponse::IdentifySites(palpate::SiteMeasurement& measurement)
 {
   const palpate::ElasticityLimits limits{ this->MaximumHysteresis, this->MaximumRateEffect };
@@ -298,7 +298,7 @@ bool vtkMeasuredContactResponse::IdentifySites(palpate::SiteMeasurement& measure
   return true;
 }
 
-/// Warns of refused sites; returns their names and reasons if there are no others.
+/// Warns of refused sites. If all sites are refused, returns their names and reasons.
 std::string vtkMeasuredContactResponse::JudgeSites(const palpate::SiteMeasurement& measurement)
 {
   std::string refused;
@@ -315,7 +315,7 @@ std::string vtkMeasuredContactResponse::JudgeSites(const palpate::SiteMeasuremen
   return {};
 }
 
-/// False after an error, which has been passed on.
+/// Returns false after an error, which has been reported.
 bool vtkMeasuredContactResponse::RespondTo(
   const palpate::SiteMeasurement& measurement, vtkPolyData* body, vtkPolyData* output)
 {
@@ -326,7 +326,7 @@ bool vtkMeasuredContactResponse::RespondTo(
   request.responseName = this->ResponseName;
   request.deflection = this->MaximumDeflection;
   request.samples = this->NumberOfSamples;
-  request.terms = palpate::LawTerms::plain(); // the law that the measurement was identified with
+  request.terms = palpate::LawTerms::plain(); // the law with which the sites were identified
   request.terms.errorTolerance = this->ErrorTolerance;
   request.terms.storeError = this->StoreError;
   request.terms.tilt = this->MaximumTilt;
@@ -342,7 +342,7 @@ bool vtkMeasuredContactResponse::RespondTo(
   }
   request.material.poissonsRatio = this->PoissonRatio;
   request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
-  // No site has both; between sites both are interpolated.
+  // No site has both compliance and layer; between sites both are interpolated.
   request.material.complianceExcludesLayer = true;
   request.arrays = palpate::materialArrays(body,
     { palpate::MeasuredMaterial::YoungArray, anywhere(palpate::MeasuredMaterial::ThicknessArray),

@@ -1,67 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeasuredContactResponse
- * @brief the response of any tool from force-deflection curves measured with others
+ * @brief the response of any tool, from force-deflection curves measured with other tools
  *
  * Input: a body as for vtkToolContactResponse, and files of force-deflection curves taken at sites
- * of it, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
- * finite-element code). Sites of one name in several files are one site, measured with several
- * tools. Curves also come as tables with the columns of such files, on the optional and repeatable
- * input port 1: a reader of .csv drops the comments in the head of a file, so the tool is
- * MeasuringTool, and the curves count as measured.
+ * of the body, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
+ * finite-element code). Sites with one name in several files are one site, measured with several
+ * tools. Curves may also come as tables with the columns of such files, on the optional and
+ * repeatable input port 1. A reader of .csv files drops the comments in the head of a file.
+ * Therefore the tool of a table is MeasuringTool, and its curves count as measured.
  *
- * For each site the loading branches are separated, hysteresis and the effect of speed are
- * measured, the depth of first contact and the force before it are found, and the simplest elastic
- * body that explains the readings within their noise is identified: a half-space (E*), one in
- * series with a global compliance (E*, C_g), or a layer on a rigid base (E*, h). See
- * CurvePreparation.h, BodyIdentification.h. A site that shows a loop, a hold or an effect of speed
- * beyond the limits, and whose curves have times, is identified as one that relaxes: E* and the
- * rest are then the slow response, and strengths and times of up to four branches come with it,
- * from loading, hold and unloading alike (RelaxingIdentification.h). A site is refused, with the
- * reason, when it is not elastic and has no times, not fitted by any model, farther from the
- * surface than MaximumSiteDistance, or when its curves do not tell the parameters apart, as those
- * of a flat punch alone, or have signs or units that cannot be (CurveSigns.h). Refused sites are
- * named in a warning; if none is left, that is an error.
+ * For each site the filter separates the loading branches, measures hysteresis and the effect of
+ * speed, and finds the depth of first contact and the force before contact. Then it identifies the
+ * simplest elastic body that explains the readings within their noise: a half-space (E*), a
+ * half-space in series with a global compliance (E*, C_g), or a layer on a rigid base (E*, h). See
+ * CurvePreparation.h, BodyIdentification.h.
+ *
+ * A site is identified as a relaxing one if it shows a loop, a hold or an effect of speed beyond
+ * the limits, and its curves have times. E* and the other parameters are then the slow response.
+ * The filter adds strengths and times of up to four branches, from loading, hold and unloading
+ * together (RelaxingIdentification.h).
+ *
+ * A site is refused, with the reason, if
+ * - it is not elastic and its curves have no times,
+ * - no model fits its readings,
+ * - it is farther from the surface than MaximumSiteDistance,
+ * - its curves do not determine the parameters separately, such as those of a flat punch alone, or
+ * - the signs or units of its curves are impossible (CurveSigns.h).
+ *
+ * A warning names the refused sites. It is an error if all sites are refused.
  *
  * The response of any Tool follows from the identified bodies. E*, C_g and 1/h are interpolated
- * over the surface (vtkShepardKernel) within Reach mm of a site, where it is connected to the site
- * and faces the same way, so never across a thin lobe.
+ * over the surface (vtkShepardKernel) within Reach mm of a site, where the surface is connected to
+ * the site and faces the same way. So no value crosses a thin lobe.
  *
  * Output port 0: the body with the response arrays of vtkToolContactResponse, and
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
- *   `IdentifiedThickness` (mm, 0 for a half-space), double;
+ * `IdentifiedThickness` (mm, 0 for a half-space), double;
  * - `Status` 4 OutOfReach where no site reaches: no response there;
- * - `Error` and `Validity` as in vtkToolContactResponse: at each sample, the uncertainty at the
- * sites (95 % intervals of the identified body, for this tool), how far the sites around differ
- * from one another, and the effect of curvature and edges as far as it differs from that in the
- * readings;
- * - `Limit` 6, data: noise and the differences of sites are the largest part; or beyond Validity
- * the tool presses harder (force) or strains more of the body (contact radius, see DataEnd.h) than
- * any tool did when it was measured;
- * - `RelaxationStrength` and `RelaxationTime` (field data), where a site relaxes; the curves are
- * then the slow response: the mean over the sites, at times that they share; with several sites
- * point data `LocalRelaxation`, their strengths interpolated as E* is, 0 out of reach;
- * - field data `Model`: what was identified, and from which data; it says `synthetic` if a file
- * does. Output port 1: a vtkTable, a row per site: Site, Verdict (`identified`, or why not), Model,
- * Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance, Thickness,
- * ContactOffset, ForceOffset (N, at first contact) and ForceDrift (N/mm) of the first tool, each
- * with its 95 % confidence interval, Noise, Misfit, LargestForce (N), WithinNoise, Hysteresis and
- * RateEffect (fractions of the energy; NaN where not recorded); where a site relaxes also HoldLoss
- * (fraction of the force), RelaxationStrength and RelaxationTime 1 to 4 with their intervals,
- * ShortestTime and LongestTime that the test can resolve (s); Remark: how many readings
- * MaximumStrain leaves out, and what the readings cannot tell. Output port 2: a vtkTable, a row per
- * reading of a loading: Deflection (mm, from first contact), Force (N, less the offset and drift
- * that were found), MonotoneForce (isotonic regression), ModelForce (N), Site, Tool; of a site
- * that relaxes a row per reading of the whole test, in the order of time, with Time (s), and
- * ModelForce along that history.
+ * - `Error` and `Validity` as in vtkToolContactResponse. The error at each sample includes the
+ * uncertainty at the sites (95 % intervals of the identified body, for this tool), the differences
+ * between the sites around the point, and the effect of curvature and edges, as far as it differs
+ * from their effect in the readings;
+ * - `Limit` 6, data: noise and the differences of sites are the largest part of the error; or
+ * beyond Validity the tool presses harder (force) or strains more of the body (contact radius, see
+ * DataEnd.h) than any tool did in the measurement;
+ * - `RelaxationStrength` and `RelaxationTime` (field data), if a site relaxes. The curves are then
+ * the slow response. The strengths are the mean over the sites, at times that are common to the
+ * sites. With several sites the point data `LocalRelaxation` has their strengths, interpolated like
+ * E*, 0 out of reach;
+ * - field data `Model`: the identified bodies and their data. It says `synthetic` if a file does.
  *
- * @warning Small strain, frictionless tools, a body that is homogeneous under each site. A body is
- * identified by its behaviour under the measuring tools: E* of a site says nothing about layers
- * thinner than the contact radius that was reached. Where too few readings precede the contact,
- * forces count from zero, and as free of drift (ArrangedReadings.h); Remark says so.
+ * Output port 1: a vtkTable with a row per site: Site, Verdict (`identified`, or the reason of the
+ * refusal), Model, Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance,
+ * Thickness, ContactOffset, ForceOffset (N, at first contact) and ForceDrift (N/mm) of the first
+ * tool, each with its 95 % confidence interval, Noise, Misfit, LargestForce (N), WithinNoise,
+ * Hysteresis and RateEffect (fractions of the energy; NaN if not recorded). If a site relaxes also
+ * HoldLoss (fraction of the force), RelaxationStrength and RelaxationTime 1 to 4 with their
+ * intervals, and ShortestTime and LongestTime that the test can resolve (s). Remark: the number of
+ * readings that MaximumStrain excludes, and the quantities that the readings do not determine.
  *
- * Cost: up to a tenth of a second per site, a second where it relaxes, on all cores, then that of
- * vtkToolContactResponse.
+ * Output port 2: a vtkTable with a row per reading of a loading: Deflection (mm, from first
+ * contact), Force (N, minus the offset and drift found), MonotoneForce (isotonic regression),
+ * ModelForce (N), Site, Tool. For a site that relaxes it has a row per reading of the whole test,
+ * in the order of time, with Time (s), and ModelForce follows that history.
+ *
+ * @warning Assumes small strain, frictionless tools, and a body that is homogeneous under each
+ * site. A body is identified by its response to the measuring tools: E* of a site gives no
+ * information about layers thinner than the largest contact radius reached. If too few readings
+ * precede the contact, forces count from zero and without drift (ArrangedReadings.h); Remark then
+ * says so.
+ *
+ * Cost: up to a tenth of a second per site, or a second for a site that relaxes, on all cores, in
+ * addition to the cost of vtkToolContactResponse.
  *
  * @sa vtkToolContactResponse
  */
@@ -92,7 +103,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The files of curves; at least one unless there are tables. They are read on every update. */
+  /** The files of curves; at least one unless there are tables. Read on every update. */
   void AddFileName(const std::string& fileName);
   void ClearFileNames();
   int GetNumberOfFileNames();
@@ -103,15 +114,15 @@ public:
   void AddCurvesConnection(vtkAlgorithmOutput* table);
 
   ///@{
-  /** The tool of the tables on port 1, as `sphere:6.35`; required with them. Default: none. */
+  /** The tool of the tables on port 1, as `sphere:6.35`; required with tables. Default: none. */
   vtkSetMacro(MeasuringTool, std::string);
   vtkGetMacro(MeasuringTool, std::string);
   ///@}
 
   ///@{
   /**
-   * A file that carries the instrument's frame to the body's: a rigid 4×4 matrix or pairs of points
-   * (SiteRegistration.h). Empty, the default: the frames are the same.
+   * A file with the transformation from the instrument's frame to the body's frame: a rigid 4×4
+   * matrix or pairs of points (SiteRegistration.h). Empty, the default: both frames are the same.
    */
   vtkSetMacro(RegistrationFile, std::string);
   vtkGetMacro(RegistrationFile, std::string);
@@ -133,27 +144,27 @@ public:
   };
 
   ///@{
-  /** The model of every site, if it is known from elsewhere. Default Automatic. */
+  /** The model of every site, if it is known. Default Automatic. */
   vtkSetClampMacro(BodyModel, int, Automatic, Layer);
   vtkGetMacro(BodyModel, int);
   ///@}
 
   ///@{
-  /** Poisson's ratio, 0 to 0.5; matters to layers only. Default 0.45. */
+  /** Poisson's ratio, 0 to 0.5; used for layers only. Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
-  /** How layers rest on their base: 0 Bonded (default) or 1 Slip. */
+  /** The contact of layers with their base: 0 Bonded (default) or 1 Slip. */
   vtkSetClampMacro(LayerBase, int, 0, 1);
   vtkGetMacro(LayerBase, int);
   ///@}
 
   ///@{
   /**
-   * Whether to find the depth of first contact from the readings. Default on; off where deflections
-   * are measured from first contact, as by finite elements.
+   * Whether to find the depth of first contact from the readings. Default on. Use off if
+   * deflections are measured from first contact, as in finite-element results.
    */
   vtkSetMacro(FindContact, bool);
   vtkGetMacro(FindContact, bool);
@@ -161,15 +172,15 @@ public:
   ///@}
 
   ///@{
-  /** Standard deviation of a reading of force, N. 0, the default: estimated from the readings. */
+  /** Standard deviation of a force reading, N. 0, the default: estimated from the readings. */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
   ///@}
 
   ///@{
   /**
-   * Largest fraction of the loading's energy that an elastic body may lose by unloading. Default
-   * 0.2; a smaller value lets weaker relaxation be identified.
+   * Largest fraction of the loading energy that an elastic body may lose on unloading. Default 0.2.
+   * With a smaller value, weaker relaxation is identified.
    */
   vtkSetMacro(MaximumHysteresis, double);
   vtkGetMacro(MaximumHysteresis, double);
@@ -177,8 +188,8 @@ public:
 
   ///@{
   /**
-   * Of an elastic body, the largest relative difference in energy between a fast and a slow
-   * loading, and the largest fraction of its force that a hold may lose. Default 0.1.
+   * Limit for an elastic body: the largest relative difference in energy between a fast and a slow
+   * loading, and the largest fraction of its force that it may lose in a hold. Default 0.1.
    */
   vtkSetMacro(MaximumRateEffect, double);
   vtkGetMacro(MaximumRateEffect, double);
@@ -186,10 +197,10 @@ public:
 
   ///@{
   /**
-   * How the body relaxes, if that is known from elsewhere: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch
-   * with its strength p >= 0, relative to the slow modulus E∞, and its time τ > 0 in seconds; up to
-   * four. Then it is not identified, and the speed of the test is taken into account in E* and the
-   * rest; curves without times count as slow. Default none.
+   * The relaxation of the body, if it is known: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has its
+   * strength p >= 0, relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four
+   * branches. The relaxation is then not identified; E* and the other parameters take the speed of
+   * the test into account. Curves without times count as slow. Default: none.
    */
   void AddRelaxation(double strength, double seconds)
   {
@@ -210,9 +221,9 @@ public:
 
   ///@{
   /**
-   * Contact radius over tip radius up to which readings are used, the strain measure of
-   * vtkToolContactResponse; the laws are those of small strain. How many are left out stands in
-   * Remark. Default 0.4.
+   * Contact radius over tip radius up to which readings are used: the strain measure of
+   * vtkToolContactResponse. The laws are those of small strain. Remark gives the number of readings
+   * that are not used. Default 0.4.
    */
   vtkSetMacro(MaximumStrain, double);
   vtkGetMacro(MaximumStrain, double);
@@ -233,19 +244,19 @@ public:
   ///@}
 
   ///@{
-  /** How far a site may lie from the surface, mm. Default 2. */
+  /** Largest distance of a site from the surface, mm. Default 2. */
   vtkSetMacro(MaximumSiteDistance, double);
   vtkGetMacro(MaximumSiteDistance, double);
   ///@}
 
   ///@{
-  /** Radius around a site within which it determines the surface, mm. Default 20. */
+  /** Distance from a site up to which it determines the response of the surface, mm. Default 20. */
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}
 
   ///@{
-  /** As of vtkToolContactResponse. */
+  /** As in vtkToolContactResponse. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   vtkSetMacro(NumberOfSamples, int);
@@ -255,14 +266,13 @@ public:
   ///@}
 
   ///@{
-  /** How far the tool will be tilted, degrees, as in vtkToolContactResponse. Default
-   * 0: upright. */
+  /** Largest tilt of the tool, degrees, as in vtkToolContactResponse. Default 0: upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
   ///@}
 
   ///@{
-  /** As of vtkToolContactResponse. Default 0.05, and on. */
+  /** As in vtkToolContactResponse. Default 0.05, and on. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   vtkSetMacro(StoreError, bool);
@@ -272,8 +282,8 @@ public:
 
   ///@{
   /**
-   * Of the last update: root-mean-square distance between the pairs of points after registration
-   * (NaN unless registered by pairs), and of the sites from the surface, mm.
+   * Results of the last update: root-mean-square distance between the pairs of points after
+   * registration (NaN without pairs), and of the sites from the surface, mm.
    */
   vtkGetMacro(RegistrationResidual, double);
   vtkGetMacro(SiteResidual, double);

@@ -22,9 +22,9 @@ namespace
 {
 constexpr std::array<const char*, 5> Columns = { "Deflection (mm)", "Force (N)", "ModelForce (N)",
   "Site", "Tool" };
-constexpr const char* TimeColumn = "Time (s)"; // of readings some of which are histories
+constexpr const char* TimeColumn = "Time (s)"; // present if some of the readings are histories
 
-/// The rows of one site and tool.
+/// The rows of one site and one tool.
 struct Curve
 {
   std::string site;
@@ -41,7 +41,7 @@ std::vector<Curve> collect(vtkTable* readings)
     const std::string tool = readings->GetValueByName(row, "Tool").ToString();
     const auto same = [&](const Curve& curve) { return curve.site == site && curve.tool == tool; };
     auto found = curves.end();
-    if (!curves.empty() && same(curves.back())) // as nearly always
+    if (!curves.empty() && same(curves.back())) // nearly always
     {
       found = curves.end() - 1;
     }

@@ -6,12 +6,13 @@
  * Input: the readings of vtkMeasuredContactResponse (its output port 2), with the columns
  * `Deflection (mm)`, `Force (N)`, `ModelForce (N)`, `Site` and `Tool`.
  *
- * Output: a vtkTable with `Deflection (mm)` from first contact, and for every site and tool, in the
- * order in which they come, `<site> measured (N)`, the readings, and `<site> model (N)`, the force
- * of the identified body there; with several tools `<site> measured with <tool> (N)`. The rows of a
- * site and tool stand together, in the order of their deflection, or, where the readings have a
- * `Time (s)` because the body relaxes, in the order of time: drawn as lines they are the loops. Its
- * columns are NaN in all other rows. A site that was refused has no model: NaN.
+ * Output: a vtkTable with `Deflection (mm)` from first contact and two columns for every site and
+ * tool, in the order of the input: `<site> measured (N)`, the readings, and `<site> model (N)`, the
+ * force of the identified body at the same deflection; with several tools `<site> measured with
+ * <tool> (N)`, and likewise for the model. The rows of a site and tool are consecutive, in the
+ * order of their deflection. If the readings have a `Time (s)` because the body relaxes, the rows
+ * are in the order of time; drawn as lines they are the loops. The columns of a site and tool are
+ * NaN in all other rows. A refused site has no model: NaN.
  *
  * Errors: a column is missing (named).
  */

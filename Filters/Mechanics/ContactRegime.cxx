@@ -14,8 +14,8 @@ double regimeIndex(
   {
     return nan;
   }
-  // Newton's method on F(x) = force. F is convex: from the second step on x only falls, and one
-  // that does not fall has reached rounding.
+  // Newton's method on F(x) = force. F is convex, so x decreases from the second step on. A step
+  // that does not decrease x has reached the rounding error.
   double x = deflection;
   for (int iteration = 0; iteration < 100; ++iteration)
   {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Marks what the kernels' shared libraries export; everything else is hidden.
+ * Marks the classes and functions that the kernels' shared libraries export. All others are hidden.
  *
- * The rule: a class or function out of line in a header that is installed is marked; headers that
- * are not installed (PRIVATE in palpate_add_kernel) mark nothing. Tests reach internals by linking
- * palpateMechanicsInside and the like, archives of the same objects.
+ * Rule: in an installed header, mark each function and each class that is defined out of line.
+ * Headers that are not installed (PRIVATE in palpate_add_kernel) mark nothing. Tests reach
+ * internals by linking palpateMechanicsInside and similar archives of the same objects.
  */
 #ifndef PalpateExport_h
 #define PalpateExport_h

@@ -20,7 +20,7 @@ inline bool isPoissonsRatio(double poissonsRatio)
 }
 
 /// E* = E / (1 - nu^2), in the unit of E (MPa here); the tool is rigid.
-/// NaN when E or nu is outside its range.
+/// NaN if E or nu is outside its range.
 inline double reducedModulus(double youngsModulus, double poissonsRatio)
 {
   if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonsRatio))

@@ -19,8 +19,9 @@ SeriesPoint seriesResponse(
     }
     return point;
   }
-  // Newton's method on x + C F(x) = δ, written so that nothing cancels (K x >= F). From x = δ its
-  // tangents never overshoot: a step that does not advance has reached rounding, and is the last.
+  // Newton's method on x + C F(x) = δ, written so that nothing cancels (K x >= F). From x = δ on,
+  // the tangents never overshoot. A step that makes no progress has reached the rounding error and
+  // is the last.
   double x = deflection;
   bool last = false;
   for (int iteration = 0; iteration < 100; ++iteration)

@@ -13,17 +13,17 @@
 
 namespace palpate
 {
-/// Gets the fraction done; returns false to stop.
+/// Receives the fraction done. Returns false to stop the work.
 using WorkObserver = std::function<bool(double)>;
 
 /**
- * Calls work(i) once for each i < count, on threadCount() threads, each index on the next free
- * thread: for items that take long, unlike those of forRanges(). An item's result must not depend
- * on the thread; each thread has its own copy of `work`, with its own buffers.
+ * Calls work(i) once for each i < count, on threadCount() threads. Each free thread takes the next
+ * index. Use it for long items, and forRanges() for short ones. The result of an item must not
+ * depend on the thread. Each thread has its own copy of `work`, with its own buffers.
  *
- * `observer` (may be empty) is called on the calling thread alone, between its items and at the
- * end. Returns false if it stopped the work; items that had begun are finished. `work` must not
- * throw.
+ * `observer` (may be empty) is called only on the calling thread, between its items and at the end.
+ * Returns false if the observer stopped the work; items that had begun are finished. `work` must
+ * not throw.
  */
 template <class Work>
 bool shareWork(std::size_t count, const Work& work, const WorkObserver& observer = {})

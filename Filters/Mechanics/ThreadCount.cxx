@@ -9,9 +9,9 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Most = 1024; // more is a typing error
+constexpr std::size_t Most = 1024; // a larger number is a typing error
 
-thread_local std::size_t Limit = 0; // 0: there is none
+thread_local std::size_t Limit = 0; // 0: no limit
 
 /// PALPATE_THREADS; 0 if it is not set, or not a positive number.
 std::size_t wishOfEnvironment() noexcept

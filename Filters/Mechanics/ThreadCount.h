@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The number of threads for loops of the kernels: building bodies, finite elements,
- * reduction. The servo tick uses none. No result depends on it.
+ * The number of threads for loops of the kernels: building bodies, finite elements, reduction. The
+ * servo tick uses no other threads. No result depends on the number of threads.
  *
- * One per core, or PALPATE_THREADS of the environment, which is read once; within a ThreadLimit its
- * count, but no more than PALPATE_THREADS if that is set.
+ * Default: one thread per core. The environment variable PALPATE_THREADS sets another number; it is
+ * read once. Within a ThreadLimit the number is that of the limit, but at most PALPATE_THREADS if
+ * that is set.
  */
 #ifndef palpate_ThreadCount_h
 #define palpate_ThreadCount_h
@@ -15,11 +16,11 @@
 
 namespace palpate
 {
-/// For loops that the calling thread starts; at least 1.
+/// The number for loops that the calling thread starts; at least 1.
 PALPATE_EXPORT std::size_t threadCount() noexcept;
 
-/// While this lives, loops started by the same thread use `count` threads. The innermost limit
-/// counts; 0 changes nothing.
+/// While this object lives, loops started by the same thread use `count` threads. The innermost
+/// limit applies; a limit of 0 changes nothing.
 class PALPATE_EXPORT ThreadLimit
 {
 public:

@@ -20,7 +20,7 @@ class vtkStaticPointLocator;
 
 namespace palpate
 {
-/// Around a tip, mm.
+/// A ball around a tip, mm.
 struct TipBall
 {
   double centre[3];
@@ -28,31 +28,32 @@ struct TipBall
 };
 
 /**
- * This rank's piece of a body, from which the triangles around given tips are cut.
+ * The piece of a body on this rank. The triangles around given tips are cut from it.
  *
- * Points and triangles with a coordinate that is not finite are ignored. Built in O(n); not
- * collective, as the seam is given. The body must not change meanwhile.
+ * Points and triangles with a coordinate that is not finite are ignored. Built in O(n). Not
+ * collective, since the seam is given. The body must not change while this object exists.
  */
 class BodyPiece
 {
 public:
-  /// Names of the arrays of a cut besides the response.
+  /// Names of the arrays that cut() adds to those of the response.
   static constexpr const char* SeamArray = "PalpateSeam"; ///< int per point; -1: not on the seam
   static constexpr const char* CellArray = "PalpateCell"; ///< int per triangle: cell of the piece
 
-  /// `body` has passed checkTriangles, or is empty.
+  /// `body` must have passed checkTriangles, or be empty.
   BodyPiece(vtkPolyData* body, const BodySeam& seam);
   ~BodyPiece();
 
-  /// Distance from a tip to the nearest point of a triangle, mm; infinite if there is none.
+  /// Distance from a tip to the nearest corner of a triangle, mm; infinite if there is no triangle.
   double nearest(const Vector3& tip) const;
   double longestEdge() const noexcept { return this->LongestEdge; } ///< mm, 0 without triangles
   const Eigen::AlignedBox3d& box() const noexcept { return this->Box; }
 
   /**
-   * The triangles with a corner in one of the balls, grown by `margin`; and those that reach the
-   * faces of `whole`, the box of all pieces, so that all ranks' cuts together have that box. With
-   * the arrays of the response `name`, SeamArray and CellArray.
+   * The triangles that have a corner in one of the balls, grown by `margin`. In addition, for each
+   * face of `whole`, the box of all pieces, that this piece reaches, one triangle that reaches it;
+   * so the cuts of all ranks together have that box. The cut has the arrays of the response `name`,
+   * SeamArray and CellArray.
    */
   vtkSmartPointer<vtkPolyData> cut(const std::vector<TipBall>& balls, double margin,
     const Eigen::AlignedBox3d& whole, const std::string& name) const;
@@ -67,14 +68,14 @@ private:
 
   vtkSmartPointer<vtkPolyData> Body;
   std::vector<double> Points;
-  std::vector<std::int32_t> Triangles; ///< three points each
-  std::vector<char> Finite;            ///< per triangle
-  std::vector<std::int32_t> Seam;      ///< per point, -1 elsewhere
+  std::vector<std::int32_t> Triangles; ///< three points for each triangle
+  std::vector<char> Finite;            ///< for each triangle
+  std::vector<std::int32_t> Seam;      ///< seam for each point; -1 elsewhere
   Eigen::AlignedBox3d Box;
   double LongestEdge = 0.0;
-  vtkSmartPointer<vtkPolyData> Used; ///< the points of triangles
+  vtkSmartPointer<vtkPolyData> Used; ///< the points that triangles use
   std::vector<std::int32_t> UsedIds;
-  vtkNew<vtkStaticPointLocator> Locator; ///< of Used
+  vtkNew<vtkStaticPointLocator> Locator; ///< searches Used
 };
 } // namespace palpate
 

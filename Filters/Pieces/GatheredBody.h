@@ -14,20 +14,20 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * The parts cut by BodyPiece on several ranks as one body with the response `name`: the points of a
- * seam are merged. The origin of each triangle is kept.
+ * The parts that BodyPiece cut on several ranks, as one body with the response `name`. The points
+ * of a seam are merged. The origin of each triangle is stored.
  */
 class GatheredBody
 {
 public:
-  /// Where a triangle comes from.
+  /// The origin of a triangle.
   struct Origin
   {
     int rank;
-    vtkIdType cell; ///< of that rank's piece
+    vtkIdType cell; ///< cell of that rank's piece
   };
 
-  /// `parts`: one of each rank.
+  /// `parts`: at most one for each rank.
   GatheredBody(const std::vector<vtkSmartPointer<vtkPolyData>>& parts, const std::string& name);
 
   vtkPolyData* body() const { return this->Body; }

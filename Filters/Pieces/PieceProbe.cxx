@@ -20,11 +20,11 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 // In longest edges: one from a triangle to its nearest corner, three that a contact crosses between
-// searches, one for the ring there.
+// searches, one for the ring of neighbours there.
 constexpr double FacetRings = 5.0;
 constexpr double SmoothRings = 10.0;
 constexpr double Growth = 1.5;
-constexpr int MostRounds = 12; // then the whole body
+constexpr int MostRounds = 12; // then the whole body is gathered
 
 /// The points of each polyline.
 template <class Visit>
@@ -62,7 +62,8 @@ PieceProbe::PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::st
   this->LongestEdge = ranks.largest(piece.longestEdge());
 }
 
-/// Large enough if the nearest point is touched, and for following a contact that began there.
+/// Balls that are large enough if the nearest point is touched, and for following a contact that
+/// began there.
 std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentation) const
 {
   std::vector<std::array<double, 3>> own;
@@ -71,7 +72,7 @@ std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentatio
     const Vector3 x = tipAt(tips, i);
     own.push_back({ x.x(), x.y(), x.z() });
   }
-  // Each rank knows how near its piece is to any tip.
+  // Each rank computes the distance of its piece to every tip.
   const auto all = this->Among.gather(own);
   std::vector<double> distances;
   for (const auto& ofRank : all)
@@ -180,7 +181,7 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     const GatheredBody gathered(parts, this->Name);
     if (gathered.body()->GetNumberOfPolys() == 0)
     {
-      for (PieceTouch& each : touched) // no tip is finite, or no triangle
+      for (PieceTouch& each : touched) // no tip is finite, or there is no triangle
       {
         each.contact.state = ContactState::Invalid;
       }
@@ -227,7 +228,7 @@ std::vector<double> PieceProbe::neededRadii(
   forLines(tips,
     [&](const vtkIdType* points, vtkIdType size)
     {
-      double held = 0.0; // how far the followed contact may be from the previous tip
+      double held = 0.0; // largest distance of the followed contact from the previous tip
       for (vtkIdType i = 0; i < size; ++i)
       {
         const auto now = static_cast<std::size_t>(points[i]);

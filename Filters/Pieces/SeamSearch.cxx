@@ -22,9 +22,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double SameNormal = 1e-4; // per component, of unit normals that a file may have rounded
+constexpr double SameNormal = 1e-4; // per component of unit normals, which a file may have rounded
 
-/// A point of a border, as sent to the others.
+/// A point of a border, as sent to the other ranks.
 struct BorderPoint
 {
   std::array<double, 3> at;
@@ -45,14 +45,14 @@ struct BorderPoint
   }
 };
 
-/// Directed as in its triangle.
+/// An edge, directed as in its triangle.
 struct Edge
 {
   std::int32_t from;
   std::int32_t to;
 };
 
-/// The part of a piece within the boxes of others, as only there can be a seam.
+/// The part of a piece within the boxes of other pieces. A seam is possible only there.
 class Overlap
 {
 public:
@@ -68,7 +68,7 @@ public:
       within[i] = std::any_of(others.begin(), others.end(),
         [&x](const Eigen::AlignedBox3d& box) { return box.contains(x); });
     }
-    // All triangles around those points, so that their edges are all known.
+    // Takes all triangles around those points, so that all edges at the points are known.
     std::vector<std::int32_t> number(count, -1);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     {
@@ -114,7 +114,7 @@ public:
     std::sort(this->Border.begin(), this->Border.end());
   }
 
-  /// Points of the piece on its border, rising; and its border edges.
+  /// Points of the piece on its border, ascending, and its border edges.
   const std::vector<std::int32_t>& border() const { return this->Border; }
   const std::vector<Edge>& edges() const { return this->Edges; }
 
@@ -154,7 +154,7 @@ public:
     , Size(8.0 * tolerance)
   {
   }
-  /// The group of the point: that of one before it at the same place, or a new one.
+  /// The group of the point: that of an earlier point at the same place, or a new group.
   std::int32_t groupOf(const BorderPoint& point)
   {
     std::array<std::int64_t, 3> low{};
@@ -200,7 +200,7 @@ private:
   {
     return static_cast<std::int64_t>(std::floor(x / this->Size));
   }
-  /// Cells that share a key are told apart by the comparison.
+  /// A key of a cell. Cells may share a key; the comparison of the points distinguishes them.
   static std::uint64_t keyOf(const std::array<std::int64_t, 3>& cell)
   {
     std::uint64_t key = 0;
@@ -242,7 +242,7 @@ std::vector<BorderPoint> describe(vtkPolyData* body, const std::vector<std::int3
   return described;
 }
 
-/// The boxes of the other ranks' pieces, grown by the tolerance that all agree on.
+/// The boxes of the other ranks' pieces, grown by the tolerance, which is the same on all ranks.
 std::vector<Eigen::AlignedBox3d> findOthers(
   const Ranks& ranks, vtkPolyData* body, double& tolerance)
 {
@@ -273,7 +273,7 @@ std::vector<Eigen::AlignedBox3d> findOthers(
   return others;
 }
 
-/// For each border point of each rank the number of its place.
+/// The number of the place for each border point of each rank.
 std::vector<std::vector<std::int32_t>> findGroups(
   const std::vector<std::vector<BorderPoint>>& points, double tolerance)
 {
@@ -289,7 +289,7 @@ std::vector<std::vector<std::int32_t>> findGroups(
   return groups;
 }
 
-/// For each group its number as a seam point; -1 if it belongs to one rank alone.
+/// The number as a seam point for each group; -1 if the group is on one rank only.
 std::vector<std::int32_t> numberSeams(const std::vector<std::vector<std::int32_t>>& groups)
 {
   constexpr int unseen = -1;

@@ -8,7 +8,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The seam points of a body's pieces, of which `body` is the own one: see BodySeam. Collective.
+/// The seam points of a body's pieces; `body` is the own piece: see BodySeam. Collective.
 BodySeam::Points findSeam(const Ranks& ranks, vtkPolyData* body);
 } // namespace palpate
 

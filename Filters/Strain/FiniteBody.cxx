@@ -16,8 +16,8 @@ namespace
 {
 using Dual = SecondOrder<5>;
 
-/// Shape functions of the nine nodes at a Gauss point of an element, and B of the displacement
-/// gradient H = B u.
+/// Shape functions of the nine nodes at a Gauss point of an element, and the matrix B of the
+/// displacement gradient H = B u.
 struct ElementPoint
 {
   Eigen::Matrix<double, 5, 18> b = Eigen::Matrix<double, 5, 18>::Zero();
@@ -35,7 +35,7 @@ ElementPoint pointOf(const Element& element, int i, int k)
   const auto sx = QuadraticLine::slopes(x);
   const auto sy = QuadraticLine::slopes(y);
   Eigen::Matrix<double, 9, 1> shape;
-  Eigen::Matrix<double, 9, 2> slope; // by x and y
+  Eigen::Matrix<double, 9, 2> slope; // with respect to x and y
   for (std::size_t j = 0; j < 3; ++j)
   {
     for (std::size_t m = 0; m < 3; ++m)
@@ -46,7 +46,7 @@ ElementPoint pointOf(const Element& element, int i, int k)
       slope(node, 1) = nx[m] * sy[j];
     }
   }
-  const Eigen::Matrix2d jacobian = element.places * slope; // of (r, z) by (x, y)
+  const Eigen::Matrix2d jacobian = element.places * slope; // of (r, z) with respect to (x, y)
   const Eigen::Matrix<double, 9, 2> byPlace = slope * jacobian.inverse();
   const double r = element.places.row(0).dot(shape);
   ElementPoint point;
@@ -322,7 +322,8 @@ FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
     if (gap.value < 0.0)
     {
       found.force += this->Penalty * point.weight * gap.value * gap.byDepth;
-      // The penalty's own energy, and the energy that the body would have in addition without it.
+      // The energy of the penalty, and the same amount for the energy that the body would have in
+      // addition without the penalty.
       found.energy += this->Penalty * point.weight * gap.value * gap.value;
       found.contactRadius = radius;
     }

@@ -15,9 +15,9 @@
 namespace palpate
 {
 /**
- * The potential of a layered body and a tool in it, by the displacements of its nodes: see
- * FiniteIndentation.h. z grows out of the body, whose surface lies at z = 0; the tool's tip is at
- * -depth.
+ * The potential of a layered body and a tool pressed into it, as a function of the displacements of
+ * the nodes: see FiniteIndentation.h. z points out of the body, whose surface is at z = 0. The tip
+ * of the tool is at z = -depth.
  */
 class FiniteBody
 {
@@ -29,21 +29,21 @@ public:
   FiniteBody(const ToolOutline& tool, const FiniteProblem& problem);
 
   Eigen::Index unknowns() const { return this->Unknowns; }
-  /// The tangent, its lower half, of the last linearize.
+  /// The tangent of the last linearize(); its lower half.
   const Matrix& pattern() const { return this->Tangent; }
 
-  /// N mm; +inf where the body has turned inside out.
+  /// The potential, N mm; +inf where the body has turned inside out.
   double energy(const Vector& u, double depth) const;
-  /// Its gradient and tangent.
+  /// Computes the gradient and the tangent of the potential.
   void linearize(const Vector& u, double depth, Vector& gradient);
-  /// Must be called with each step made from the last linearization.
+  /// Must be called with each step that was made from the last linearization.
   void follow(const Vector& step);
-  /// Forgets the pressures, for u that was not reached by steps.
+  /// Forgets the pressures, for a `u` that was not reached by steps.
   void restart() { this->Pressures.clear(); }
-  /// All values but the iterations. The force is that of the penalty.
+  /// All values except the number of iterations. The force is that of the penalty.
   FinitePoint evaluate(const Vector& u, double depth) const;
-  /// At an equilibrium whose tangent `solver` holds: its derivative by the depth, and that of the
-  /// penalty's energy, N.
+  /// Derivatives with respect to the depth at an equilibrium whose factorized tangent is in
+  /// `solver`: of the displacements, and of the energy of the penalty, N.
   struct Course
   {
     Vector motion;
@@ -72,19 +72,19 @@ private:
   {
     std::array<int, 3> nodes;
     std::array<double, 3> shape;
-    Eigen::Vector2d place; ///< (r, z), mm, undeformed
+    Eigen::Vector2d place; ///< (r, z) in the undeformed body, mm
     double weight;         ///< mm²
   };
   struct Gap
   {
     double value;             ///< mm, > 0 outside
-    Eigen::Vector2d gradient; ///< by the displacement
+    Eigen::Vector2d gradient; ///< with respect to the displacement
     Eigen::Matrix2d hessian;
     double byDepth;
     Eigen::Vector2d gradientByDepth;
   };
 
-  /// The change of an element's pressure by a step of Newton's method, to first order.
+  /// The change of an element's pressure in a step of Newton's method, to first order.
   struct PressureStep
   {
     Eigen::Vector3d now;
@@ -93,7 +93,7 @@ private:
 
   ElementVector gather(const Element& element, const Vector& u) const;
   double energyOf(const Element& element, const ElementVector& u, double* leastVolume) const;
-  /// With the pressure that the last step has followed, or null.
+  /// Linearizes one element. `followed` is the pressure that the last step has followed, or null.
   void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* followed,
     ElementVector& gradient, ElementMatrix& tangent, PressureStep& step) const;
   Eigen::Vector2d displacementAt(const SurfacePoint& point, const Vector& u) const;
@@ -108,17 +108,18 @@ private:
   std::vector<Material> Materials;
   std::vector<Element> Elements;
   std::vector<SurfacePoint> Surface;
-  std::vector<int> UnknownOf; ///< per node u_r, u_z; -1: held
+  std::vector<int> UnknownOf; ///< u_r, u_z for each node; -1: fixed
   Eigen::Index Unknowns = 0;
   Matrix Tangent;
-  // The pressures of elements and contact are separate unknowns, eliminated from each step: with
-  // those that follow from a volume change or a gap out of equilibrium, the tangent would be far
-  // from that at the solution.
-  std::vector<Eigen::Vector3d> Pressures; ///< empty: those of the displacements
+  // The pressures of elements and of contact are separate unknowns, eliminated from each step. If
+  // they were computed from a volume change or a gap out of equilibrium, the tangent would differ
+  // much from that at the solution.
+  std::vector<Eigen::Vector3d> Pressures; ///< empty: computed from the displacements
   std::vector<double> ContactPressures;   ///< MPa, < 0
   std::vector<PressureStep> Steps;
   std::vector<Gap> Gaps;
-  std::vector<int> ValueOf; ///< per element, row and column <= row: index in the tangent, -1: none
+  std::vector<int> ValueOf; ///< index in the tangent for each element, row and column <= row; -1:
+                            ///< none
 };
 } // namespace palpate
 

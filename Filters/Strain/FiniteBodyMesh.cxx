@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a FiniteBody is divided into elements, held, and numbered.
+// The mesh of a FiniteBody: its elements, fixed displacements and numbers of the unknowns.
 #include "Strain/FiniteBody.h"
 
 #include "Strain/GradedMesh.h"
@@ -15,13 +15,14 @@ namespace palpate
 namespace
 {
 constexpr double Growth = 1.6;
-constexpr double FarAway = 1000.0;      // contact radii to where a half-space is fixed
-constexpr double PenaltyFactor = 300.0; // of E* per contact radius
+constexpr double FarAway = 1000.0;      // distance at which a half-space is fixed, in contact radii
+constexpr double PenaltyFactor = 300.0; // times E* per contact radius
 constexpr double ElementsPerFillet = 5.0;
-constexpr double CentralHole = 0.02; // of a ball's radius: where elements would have no width
+constexpr double CentralHole = 0.02; // fraction of a ball's radius, where elements would have no
+                                     // width
 
-/// (r, z) of the point at distance `along` the surface from the axis and depth `below` it; z = 0 is
-/// the surface on the axis.
+/// (r, z) of the point at the distance `along` the surface from the axis and at the depth `below`
+/// the surface; z = 0 is the surface on the axis.
 Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
 {
   if (bodyRadius == 0.0)
@@ -34,7 +35,7 @@ Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
     -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
-/// The end of a half-space's mesh: farther below stiffer layers.
+/// The end of a half-space's mesh. It is farther away below stiffer layers.
 double farEnd(const FiniteProblem& problem, double above)
 {
   double stiffest = 1.0;
@@ -45,7 +46,8 @@ double farEnd(const FiniteProblem& problem, double above)
   return above + FarAway * stiffest * problem.contactRadius;
 }
 
-/// `above`: thickness of the finite layers. In a ball almost to its centre.
+/// Depth of the mesh. `above` is the thickness of the finite layers. In a ball the mesh goes almost
+/// to the centre.
 double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const bool isWholeBall = isHalfSpace && problem.bodyRadius > 0.0;
@@ -54,7 +56,8 @@ double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
                      : above;
 }
 
-/// On a ball up to the plane of symmetry, on a cavity to its other end.
+/// Width of the mesh along the surface: on a ball up to the plane of symmetry, on a cavity to its
+/// other end.
 double meshWidth(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const double curved = problem.bodyRadius;
@@ -135,7 +138,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       {
         for (int m = 0; m < 3; ++m)
         {
-          // The element's y grows with z, upwards.
+          // The element's y points upwards, like z.
           const auto node = 3 * static_cast<std::size_t>(j) + static_cast<std::size_t>(m);
           element.nodes[node] =
             nodeAt(2 * static_cast<int>(i) + m, 2 * static_cast<int>(k) + 2 - j);
@@ -146,7 +149,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       this->Elements.push_back(element);
     }
   }
-  // The tool, which has no end, must not touch the other side of a cavity.
+  // The tool has no end in the model, so it must not touch the other side of a cavity.
   const double touchable = curved != 0.0 ? Pi / 3.0 * std::abs(curved) : width;
   for (std::size_t i = 0; i + 1 < rs.size() && rs[i + 1] <= touchable; ++i)
   {

@@ -17,10 +17,11 @@ using Eigen::VectorXd;
 
 constexpr int MostIterations = 14;
 constexpr int MostHalvings = 4;        // of a step of Newton's method, which then has failed
-constexpr int MostCuts = 7;            // of a step in depth
-constexpr double LargestGrowth = 1.3;  // of the depth in a step: the contact grows with it
-constexpr double FirstFraction = 0.05; // of the first depth, from the undeformed body
-constexpr double Converged = 1e-12;    // relative to the energy: the gain of a further iteration
+constexpr int MostCuts = 7;            // halvings of a step in depth
+constexpr double LargestGrowth = 1.3;  // factor of the depth per step: the contact grows with it
+constexpr double FirstFraction = 0.05; // fraction of the first depth, for the step from the
+                                       // undeformed body
+constexpr double Converged = 1e-12; // largest gain of a further iteration, relative to the energy
 
 /// Newton's method on the potential of a body and a tool at successive depths.
 class Press
@@ -34,7 +35,7 @@ public:
     this->Solver.analyzePattern(this->Body.pattern());
   }
 
-  /// Goes from the last depth to this one; false if it finds no equilibrium.
+  /// Goes from the last depth to this depth. Returns false if it finds no equilibrium.
   bool to(double depth, FinitePoint& point)
   {
     int iterations = 0;
@@ -56,12 +57,12 @@ public:
       }
       else
       {
-        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // also for later steps
+        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // applies to later steps, too
       }
     }
     point = this->Body.evaluate(this->Now, depth);
-    // To first order the potential of a rigid contact is that with the penalty plus the penalty's
-    // energy; the force is its derivative.
+    // To first order the potential of a rigid contact is the potential with the penalty, plus the
+    // energy of the penalty. The force is the derivative of that sum.
     point.force += this->Course.penaltySlope;
     point.iterations = iterations;
     return true;
@@ -87,7 +88,7 @@ private:
       }
       const VectorXd step = -this->Solver.solve(this->Gradient);
       const double slope = this->Gradient.dot(step);
-      if (!(slope < 0.0)) // not a descent: the tangent is not definite, or the residual is rounding
+      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or the residual is rounding
       {
         return std::abs(slope) <= Converged * energy;
       }

@@ -11,18 +11,20 @@ namespace
 {
 constexpr double ForSmallStrain = 0.3; // fraction of the time
 constexpr double ReachOfOutline = 3.0; // contact radii
-/// The continuation of a rim: factor of its fillet, and factor of its elements' length.
+/// A step of the continuation of a rim: factor of its fillet, and factor of the length of its
+/// elements.
 struct Round
 {
   double fillet;
   double edge;
 };
 constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
-/// In radii of a rim's fillet: deeper, the surface creases next to it and c is up to 1.5 % too low.
+/// In radii of a rim's fillet. At larger depths the surface creases next to the rim, and c is up to
+/// 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-constexpr double TimeLeft = 0.3; // fraction of the remaining time for continuing with a rounder rim
+constexpr double TimeLeft = 0.3; // fraction of the remaining time that is left for rounder rims
 
-/// c with one fillet, as deep as there is an equilibrium.
+/// c with one fillet, to the largest depth that has an equilibrium.
 std::vector<double> factorsWith(
   const ToolOutline& outline, FiniteProblem problem, const std::function<bool(double)>& goOn)
 {
@@ -41,7 +43,7 @@ std::vector<double> factorsWith(
   std::vector<double> factors;
   for (std::size_t k = 0; k < small.points.size(); ++k)
   {
-    // The fillet of an apex has no contact at first.
+    // The fillet of an apex has no contact at small depths.
     const double force = small.points[k].force;
     factors.push_back(force > 0.0 ? finite.points[k].force / force : 0.0);
   }
@@ -65,8 +67,8 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   {
     const double roundness = round.fillet * fillet;
     const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
-    // The last known depth is solved again to compare both rims; the first depth leads there, as
-    // before.
+    // The last known depth is solved again, to compare both rims. The first depth is the start on
+    // the way to it, as before.
     const std::size_t again = std::min<std::size_t>(factors.size(), 2);
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// The size at x: that of a range within it, growing with the distance from it.
+/// The size at x: the size of a range inside it, growing with the distance outside it.
 double sizeAt(double x, const std::vector<FineRange>& fine, double growth)
 {
   double size = HUGE_VAL;
@@ -35,12 +35,12 @@ std::vector<double> gradedDivision(
     double x = start;
     while (x < stop)
     {
-      // Sized at the finer end, so that elements shrink in time towards a range.
+      // The finer end gives the size, so that the elements become small before a range begins.
       const double size = sizeAt(x, fine, growth);
       x += std::min(size, std::max(sizeAt(x + size, fine, growth), size / growth));
       inner.push_back(x);
     }
-    // The excess of the last element is distributed over all.
+    // The excess of the last element is distributed over all elements.
     const std::size_t count = inner.size();
     const bool dropsLast =
       count > 1 && stop - inner[count - 2] < 0.5 * (inner[count - 1] - inner[count - 2]);

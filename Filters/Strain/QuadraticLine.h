@@ -4,10 +4,10 @@
 
 #include <array>
 
-/// The line of three nodes on [-1, 1], from which the elements of a FiniteBody are built.
+/// The line with three nodes on [-1, 1], from which the elements of a FiniteBody are built.
 namespace palpate::QuadraticLine
 {
-/// Gauss's rule of three points.
+/// Gauss's rule with three points.
 inline constexpr int GaussCount = 3;
 inline constexpr std::array<double, 3> GaussNode = { -0.774596669241483377, 0.0,
   0.774596669241483377 };

@@ -7,9 +7,9 @@
 namespace palpate
 {
 /**
- * A number that carries its first and second derivatives by N variables: second-order forward
- * automatic differentiation. With it a strain energy is written as one line, and its stress and
- * tangent follow.
+ * A number with its first and second derivatives with respect to N variables: second-order forward
+ * automatic differentiation. With it a strain energy is written as one line, and stress and tangent
+ * follow.
  */
 template <int N>
 struct SecondOrder
@@ -26,7 +26,7 @@ struct SecondOrder
     : value(constant)
   {
   }
-  /// The variable of this index.
+  /// The variable with this index.
   static SecondOrder variable(double value, int index)
   {
     SecondOrder x(value);

@@ -14,13 +14,14 @@ namespace palpate
 {
 namespace
 {
-// c is linear in √δ near 0; the mesh cannot resolve contacts of a few elements.
+// c is linear in √δ near 0, and the mesh cannot resolve contacts of a few elements.
 const std::vector<double> SolvedRoots = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
-constexpr int RatioNodes = 4;           // unless there is but one value
-constexpr double ThicknessStep = 2.0;   // between nodes, at most
-constexpr double DeepestFraction = 0.7; // of the layers on a rigid base
-constexpr double SolvedError = 0.003;   // of c: mesh, far field and interpolation
-constexpr double CornerError = 0.01;    // of c: a corner's fillet against one half as large
+constexpr int RatioNodes = 4;           // one if there is a single value
+constexpr double ThicknessStep = 2.0;   // largest ratio of neighbouring nodes
+constexpr double DeepestFraction = 0.7; // of the thickness of the layers on a rigid base
+constexpr double SolvedError = 0.003;   // error of c due to mesh, far field and interpolation
+constexpr double CornerError = 0.01;    // error of c: a corner's fillet compared with one half as
+                                        // large
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
 {
@@ -46,7 +47,7 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
-/// Deep enough for the thickest, and nowhere deeper than a fraction of the thickness.
+/// Large enough for the thickest layer, and at most a fraction of the thickness everywhere.
 StrainReach reachOf(double deepest, const StrainBodies& bodies)
 {
   const LayerStack& stack = bodies.stack;
@@ -64,7 +65,7 @@ StrainReach reachOf(double deepest, const StrainBodies& bodies)
   return reach;
 }
 
-/// The layers for the solver, the top one of 1 MPa, since c is dimensionless.
+/// The layers for the solver. The top layer gets 1 MPa, since c is dimensionless.
 LayerStack solvedStack(const StrainBodies& bodies)
 {
   LayerStack stack = bodies.stack;
@@ -84,7 +85,7 @@ LayerStack solvedStack(const StrainBodies& bodies)
   return stack;
 }
 
-/// Additional error of c for layers whose Poisson's ratio is not solved for.
+/// Additional error of c for layers with a Poisson's ratio that is not solved.
 double ratioError(const LayerStack& stack)
 {
   const auto isBeyond = [](const StackLayer& layer)
@@ -95,7 +96,7 @@ double ratioError(const LayerStack& stack)
     : 0.0;
 }
 
-/// Additional error of c for a corner, which is solved for with a fillet.
+/// Additional error of c for a corner, which is solved with a fillet.
 double cornerError(const AxisymmetricTool& tool, double deepest)
 {
   const double radius = tool.contactRadius(deepest);

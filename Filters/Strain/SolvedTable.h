@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Tables of c by solveStrain, for a half-space and for layers: their nodes, and their errors. Null
-/// where `goOn(fraction)` ended it.
+/// Tables of c made by solveStrain, for a half-space and for layers, with their nodes and errors.
+/// Null if `goOn(fraction)` returned false.
 std::unique_ptr<StrainTable> solveOnHalfSpace(
   const SolvedStrain& asked, const std::function<bool(double)>& goOn);
 std::unique_ptr<StrainTable> solveOnLayers(

@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// FNV-1a, which is the same in every build; the key itself is in the file.
+/// FNV-1a, which is the same in every build. The file contains the key itself.
 std::string digest(std::string_view text)
 {
   std::uint64_t hash = 14695981039346656037U;
@@ -94,6 +94,6 @@ void writeStrainCache(const std::string& key, const std::vector<double>& values)
   {
     file.write(shortestDecimals(value) + "\n");
   }
-  file.finish(); // without the file the next run solves again
+  file.finish(); // if this fails, the next run solves again
 }
 } // namespace palpate

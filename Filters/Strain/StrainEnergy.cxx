@@ -34,8 +34,8 @@ Number beyondLinear(const Number& x)
   return compose(x, value, grown, 1.0 + grown);
 }
 
-/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 by the volume alone; its derivative is exactly (2/3)
-/// j (1+j)^(-5/3).
+/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 due to the volume alone. Its derivative is exactly
+/// (2/3) j (1+j)^(-5/3).
 template <class Number>
 Number volumetricPart(const Number& j)
 {
@@ -62,8 +62,8 @@ Number squaredLogRatio(const Number& w)
   }
   const double root = std::sqrt(v);
   const double a = std::atanh(root);
-  const double slope = 1.0 / (2.0 * root * (1.0 - v));              // of atanh(√w)
-  const double bend = slope * (-1.0 / (2.0 * v) + 1.0 / (1.0 - v)); // of that slope
+  const double slope = 1.0 / (2.0 * root * (1.0 - v));              // derivative of atanh(√w)
+  const double bend = slope * (-1.0 / (2.0 * v) + 1.0 / (1.0 - v)); // derivative of that slope
   return compose(w, a * a, 2.0 * a * slope, 2.0 * (slope * slope + a * bend));
 }
 
@@ -98,12 +98,12 @@ Number isochoricStretch(const StrainEnergy::Gradient<Number>& h, const Number& j
   return s * exponential(-2.0 / 3.0 * logOnePlus(j)) + volumetricPart(j);
 }
 
-/// Σ λ̄^α - 3, in logarithmic strains, whose linear parts cancel since the sum of the three is 0.
+/// Σ λ̄^α - 3 in logarithmic strains, whose linear parts cancel since their sum is 0.
 template <class Number>
 Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double alpha)
 {
   const auto& [a, b, c, d, e] = h;
-  // C in the plane, less one; its eigenvalues are m ± √q (and one more).
+  // C in the plane, minus the identity. The eigenvalues of C are m ± √q (and one more).
   const Number rr = 2.0 * a + a * a + c * c;
   const Number zz = 2.0 * d + d * d + b * b;
   const Number rz = b + c + a * b + c * d;
@@ -114,7 +114,7 @@ Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double
   const Number inverse = compose(m, 1.0 / mv, -1.0 / (mv * mv), 2.0 / (mv * mv * mv));
   const Number ratio = squaredLogRatio(q * inverse * inverse); // (ln λ₁ - ln λ₂)²
   const Number around = logOnePlus(e) - 1.0 / 3.0 * logOnePlus(j);
-  const Number mean = -0.5 * around; // of the two in the plane
+  const Number mean = -0.5 * around; // of the two strains in the plane
   return beyondLinear(alpha * around) + 2.0 * beyondLinear(alpha * mean) +
     2.0 * exponential(alpha * mean) * coshOfRoot(ratio, 0.5 * alpha);
 }

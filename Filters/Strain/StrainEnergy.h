@@ -11,22 +11,23 @@
 namespace palpate
 {
 /**
- * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution;
- * with the volumetric K/2 (J-1)² (projected by the elements, see FiniteIndentation.h) it is the
- * whole energy. μ = E/2(1+ν), K = E/3(1-2ν): at small strain all are Hooke's law.
+ * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution.
+ * Together with the volumetric energy K/2 (J-1)² (projected by the elements, see
+ * FiniteIndentation.h) it is the whole energy. μ = E/2(1+ν), K = E/3(1-2ν): at small strain all
+ * models agree with Hooke's law.
  *
- * Written in the displacement gradient H = F-1, so that neither the energy nor the stress of a
- * small strain is a difference of large numbers: far from a contact, where elements are huge, the
- * rounding error of such a difference would exceed the result.
+ * The energy is written in the displacement gradient H = F-1, so that neither the energy nor the
+ * stress of a small strain is a difference of large numbers. Far from a contact, where elements are
+ * huge, the rounding error of such a difference would exceed the result.
  */
 class PALPATE_EXPORT StrainEnergy
 {
 public:
-  /// ∂u_r/∂r, ∂u_r/∂z, ∂u_z/∂r, ∂u_z/∂z, u_r/r.
+  /// The components ∂u_r/∂r, ∂u_r/∂z, ∂u_z/∂r, ∂u_z/∂z, u_r/r.
   template <class Number>
   using Gradient = std::array<Number, 5>;
 
-  /// `parameter`: α of Ogden, b of Demiray. For allowed values see checkStrainEnergy.
+  /// `parameter` is α of Ogden, or b of Demiray. For allowed values see checkStrainEnergy.
   StrainEnergy(StrainModel model, double shearModulus, double parameter = 0.0)
     : Model(model)
     , ShearModulus(shearModulus)
@@ -36,10 +37,10 @@ public:
 
   bool isLinear() const noexcept { return this->Model == StrainModel::Linear; }
 
-  /// J - 1; of a linear material the trace. At -1 and below the body has turned inside out.
+  /// J - 1; for a linear material the trace. At -1 and below the body has turned inside out.
   template <class Number>
   Number volumeChange(const Gradient<Number>& h) const;
-  /// Where J > 0. `volumeChange` is that of h.
+  /// The energy, for J > 0. `volumeChange` is that of h.
   template <class Number>
   Number isochoric(const Gradient<Number>& h, const Number& volumeChange) const;
 

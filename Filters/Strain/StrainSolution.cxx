@@ -21,13 +21,13 @@ namespace palpate
 {
 namespace
 {
-constexpr auto Between = std::chrono::milliseconds(100); // between calls of goOn
+constexpr auto Between = std::chrono::milliseconds(100); // interval between calls of goOn
 
 /// One row of a table.
 struct StrainRow
 {
-  LayerStack stack; ///< without layers: a half-space
-  double ratio;     ///< of that
+  LayerStack stack; ///< no layers: a half-space
+  double ratio;     ///< Poisson's ratio of the half-space or of a single layer
   double deepest;   ///< mm
 };
 
@@ -64,7 +64,7 @@ double contactRadiusOf(const AxisymmetricTool& tool, const StrainRow& row)
   const LayerContact contact(
     tool, std::make_shared<const LayerKernel>(row.stack), row.stack.layers.front().thickness);
   const double found = contact.contactRadius(row.deepest);
-  return found > 0.0 && std::isfinite(found) ? found : flat; // too thin for a law
+  return found > 0.0 && std::isfinite(found) ? found : flat; // if the layer is too thin for a law
 }
 
 std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law)
@@ -144,7 +144,7 @@ std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
   return key;
 }
 
-/// All rows; false where `goOn` ended it.
+/// Solves all rows. Returns false if `goOn` stopped it.
 bool solveRows(std::size_t rows,
   const std::function<void(std::size_t, const std::function<bool(double)>&)>& solve,
   std::size_t threadsAtMost, const std::function<bool(double)>& goOn)

@@ -14,13 +14,13 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A tool and the bodies that it is pressed into.
+/// A tool, and the bodies into which it is pressed.
 struct StrainProblem
 {
   const AxisymmetricTool& tool;
   StrainLaw law;
-  /// From the top; the thickness of the first two, and the ratio of a single one, come from the
-  /// axes of the table. Without layers: a half-space.
+  /// The layers from the top. The thickness of the first two layers, and the Poisson's ratio of a
+  /// single layer, come from the axes of the table. No layers: a half-space.
   LayerStack stack;
   StrainReach reach;
   std::size_t threads;
@@ -30,12 +30,13 @@ struct StrainProblem
 constexpr double SolvedFillet = 0.1;
 
 /**
- * c = F_finite/F_small of the solver, on one mesh, at the nodes of a table, as for StrainTable; 0
- * where it found no equilibrium. From the cache (StrainCache.h) if it has them.
+ * c = F_finite/F_small of the solver, both on one mesh, at the nodes of a table, in the order of
+ * StrainTable. 0 where the solver found no equilibrium. The result comes from the cache
+ * (StrainCache.h) if it is there.
  *
- * Row by row on `threads` threads, 50 to 100 MB each, with the same bits for any number of
- * them. `goOn(fraction)` is called on the calling thread, some ten times a second; returning false
- * ends it without factors.
+ * Rows are solved on `threads` threads, with 50 to 100 MB each. The bits do not depend on the
+ * number of threads. `goOn(fraction)` is called on the calling thread, about ten times a second. If
+ * it returns false, the solution stops, and the result is empty.
  */
 std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable::Axes& axes,
   const std::function<bool(double)>& goOn);

@@ -13,21 +13,21 @@ namespace palpate
 struct CouplingKnot
 {
   double share = 1.0; ///< g at x = r/h
-  double slope = 0.0; ///< its derivative by x/(1 + x)
+  double slope = 0.0; ///< derivative of g with respect to x/(1 + x)
   double ratio = 0.0; ///< a/h of a contact of stiffness 2E*h x
 };
 
 /**
- * The compliance of a body at one place under a force at another at distance r: C(r) = g / (πE* r).
- * On a half-space g = 1 (Boussinesq). On a layer of thickness h, whose surface moves by W(kh) times
- * that of a half-space (LayerKernel),
+ * The compliance of a body at one place under a force at another place at distance r: C(r) = g /
+ * (πE* r). On a half-space g = 1 (Boussinesq). The surface of a layer of thickness h moves by W(kh)
+ * times that of a half-space (LayerKernel), which gives
  *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
  * On a rigid base g is negative beyond about one thickness, where the surface bulges, and decays to
  * 0 soon after.
  *
- * Cubic polynomials between 79 knots, within 2e-6 of g; beyond x = 39 g is constant. Also the
- * contact radius a for a stiffness K, for any tool whose pressure vanishes at the rim: on a
- * half-space K = 2E* a. Immutable and safe to use from any number of threads.
+ * Cubic polynomials between 79 knots, within 2e-6 of g; beyond x = 39 g is constant. The law also
+ * gives the contact radius a for a stiffness K, for any tool whose pressure vanishes at the rim: on
+ * a half-space K = 2E* a. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT CouplingLaw
 {
@@ -35,11 +35,11 @@ public:
   static constexpr int KnotCount = 79;
   static constexpr double Places = 80.0;
 
-  /// Of a half-space.
+  /// The law of a half-space.
   CouplingLaw() = default;
-  /// Of a layer, or of a stack; h and E* are those of the top layer. About 10 ms.
+  /// The law of a layer or of a stack; h and E* are those of the top layer. Takes about 10 ms.
   explicit CouplingLaw(const LayerKernel& kernel);
-  /// KnotCount knots of another law, or none.
+  /// A law from the KnotCount knots of another law; no knots: a half-space.
   explicit CouplingLaw(std::vector<CouplingKnot> knots)
     : Knots(std::move(knots))
   {
@@ -48,7 +48,7 @@ public:
   bool isLayered() const noexcept { return !this->Knots.empty(); }
   const std::vector<CouplingKnot>& knots() const noexcept { return this->Knots; }
 
-  /// g, and its derivative by x = r/h >= 0.
+  /// g and its derivative with respect to x = r/h >= 0.
   struct Share
   {
     double value;
@@ -56,8 +56,8 @@ public:
   };
   Share at(double x) const noexcept;
 
-  /// Radius of a contact of this stiffness (N/mm), mm; `modulus` E*, MPa, and `thickness` h,
-  /// mm, > 0.
+  /// Radius (mm) of a contact of this stiffness (N/mm). `modulus` is E* (MPa), `thickness` h (mm);
+  /// both > 0.
   double contactRadius(double stiffness, double modulus, double thickness) const noexcept;
 
 private:

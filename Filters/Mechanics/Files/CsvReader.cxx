@@ -15,7 +15,7 @@ std::string quoted(std::string_view text)
   return "'" + std::string(text) + "'";
 }
 
-/// The text of a comment without what a spreadsheet puts behind it for its empty fields.
+/// The text of a comment without the separators that a spreadsheet appends for its empty fields.
 std::string_view withoutSeparators(std::string_view text)
 {
   const std::size_t last = text.find_last_not_of(" \t\r;,");
@@ -143,7 +143,7 @@ double CsvReader::number(std::size_t column)
   return value;
 }
 
-/// A number with a decimal point, or a comma where that separates no fields.
+/// Reads a number with a decimal point, or with a decimal comma if commas do not separate fields.
 bool CsvReader::readDecimals(std::string_view text, double& value)
 {
   const std::size_t mark = text.find_first_of(this->Separator == ',' ? "." : ".,");
@@ -228,7 +228,7 @@ bool CsvReader::readRecord()
   return false;
 }
 
-/// From the first record.
+/// Finds the separator in the first record.
 void CsvReader::findSeparator()
 {
   bool isQuoted = false;
@@ -255,7 +255,7 @@ bool CsvReader::split()
     {
       this->Fields.emplace_back();
     }
-    std::string& field = this->Fields[count++]; // keeps its memory from record to record
+    std::string& field = this->Fields[count++]; // reuses its memory for the next record
     field.clear();
     at = skipBlanks(at);
     if (at < this->Line.size() && this->Line[at] == '"')

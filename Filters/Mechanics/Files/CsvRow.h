@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// One record of comma-separated values for writing, as CsvReader reads it: numbers are read back
-/// to the same bits, texts are quoted if necessary.
+/// One record of comma-separated values for writing, which CsvReader reads back: numbers to the
+/// same bits. Texts are quoted if necessary.
 class CsvRow
 {
 public:
@@ -32,7 +32,7 @@ public:
     }
     return this->put(quoted + '"');
   }
-  /// With its end of line.
+  /// The record with its end of line.
   std::string line() const { return this->Fields + '\n'; }
 
 private:

@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// A file mapped into memory for reading: pages are loaded on access, and shared with other
-/// processes that map it. If the file is truncated meanwhile, reading on ends the program (SIGBUS):
-/// replace files by WholeFile.
+/// A file mapped into memory for reading. Pages are loaded on access and shared with other
+/// processes that map the file. If the file is truncated while it is mapped, further reading ends
+/// the program (SIGBUS): replace files by WholeFile.
 class PALPATE_EXPORT MappedFile
 {
 public:
@@ -20,12 +20,12 @@ public:
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  /// Returns "cannot open 'PATH': " or "cannot map 'PATH': " and the system's reason, or "". An
+  /// Returns "cannot open 'PATH': " or "cannot map 'PATH': " with the system's reason, or "". An
   /// empty file, a folder or a pipe has no bytes.
   std::string open(const std::string& path);
   void close() noexcept;
 
-  /// Aligned to a page; null while there are none.
+  /// Aligned to a page; null if there are no bytes.
   const unsigned char* bytes() const noexcept { return static_cast<unsigned char*>(this->Bytes); }
   std::size_t size() const noexcept { return this->Size; }
 

@@ -12,14 +12,14 @@ namespace palpate
 {
 namespace
 {
-/// The names of a module's file: with the version that its programs ask for, if they link it, too.
+/// File names of a module: with the version, as programs that link it ask for, and without.
 std::array<std::string, 2> namesOf(const std::string& module)
 {
   const std::string name = "lib" + module + ".so";
   return { name + "." + PALPATE_SOVERSION, name };
 }
 
-/// The file of a module in the folder of this library; "" where that is not known.
+/// The file of a module in the folder of this library; "" if that folder is unknown.
 std::string fileOfModule(const std::string& module)
 {
   Dl_info own{};

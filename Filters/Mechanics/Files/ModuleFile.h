@@ -9,16 +9,16 @@
 namespace palpate
 {
 /**
- * The functions of a module: a library that the core does not link, since most scenes need none of
+ * The functions of a module: a library that the core does not link, since most scenes do not need
  * it. A module has its own table of functions, derived from this one, and defines
  *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
 {
-  const char* version; ///< of Palpate
+  const char* version; ///< version of Palpate
 };
 
-/// The table of a loaded module, or the reason why there is none, in words.
+/// The table of a loaded module, or the reason why it could not be loaded.
 struct LoadedModule
 {
   const ModuleTable* table = nullptr;
@@ -26,15 +26,15 @@ struct LoadedModule
 };
 
 /**
- * Loads lib`name`.so, with or without the version behind it, from the folder of Palpate's libraries
- * or, where it is not there, from where the system looks for libraries. Refuses a file without
- * `name`Module, and a module of another version. A module stays loaded. Any thread may call it; not
- * from the servo tick.
+ * Loads lib`name`.so, with or without the version appended. The function looks in the folder of
+ * Palpate's libraries first, then in the system's search path for libraries. It refuses a file
+ * without `name`Module, and a module of another version. A module stays loaded. Any thread may call
+ * this function, except from the servo tick.
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);
 
-/// For a sentence "… needs ": the module by its name, the fault of loadModule, and what makes the
-/// module.
+/// The end of a sentence "… needs ": the name of the module, the fault of loadModule, and the
+/// command that makes the module.
 PALPATE_EXPORT std::string missingModule(const std::string& name, const std::string& fault);
 } // namespace palpate
 

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// Whether all of the text is one finite number; otherwise `value` is undefined.
+/// Whether the whole text is one finite number; otherwise `value` is undefined.
 template <class Number>
 bool readNumber(std::string_view text, Number& value)
 {
@@ -34,7 +34,7 @@ std::string shortestDecimals(Number value)
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
 }
 
-/// Three significant digits, for sentences.
+/// Three significant digits, for messages.
 inline std::string shortly(double value)
 {
   char buffer[32];
@@ -42,7 +42,7 @@ inline std::string shortly(double value)
   return buffer;
 }
 
-/// A fraction as "1.3 %", to two digits or to a whole per cent.
+/// A fraction as "1.3 %": two digits, or a whole per cent from 99.5 % on.
 inline std::string inPercent(double fraction)
 {
   char buffer[32];

@@ -28,8 +28,8 @@ std::string errorText(const std::string& path, int reason)
   return "cannot write '" + path + "': " + std::strerror(reason);
 }
 
-/// The path of a file with links resolved; "" for something that exists but is not a file, or has
-/// no name any more.
+/// The path of a file with links resolved. "" if the path exists but is not a file, or has no name
+/// any more.
 std::string targetOf(const std::string& path)
 {
   std::error_code failed;
@@ -42,7 +42,7 @@ std::string targetOf(const std::string& path)
   return fs::is_regular_file(status) && !failed ? target.string() : std::string();
 }
 
-/// The part up to and including the last line break.
+/// The part of a file up to and including its last line break.
 struct WholeLines
 {
   std::size_t count = 0;
@@ -113,7 +113,7 @@ std::string WholeFile::open()
   {
     return problem;
   }
-  // A target written to directly may allow writing only.
+  // The user may have the right to write to such a target, but not to read it.
   const int access = this->isFile() ? O_RDWR | O_CREAT : O_WRONLY;
   this->File = ::open(this->Unfinished.c_str(), access | O_TRUNC | O_CLOEXEC, UsualMode);
   return this->File >= 0 ? std::string() : this->error(errno);

@@ -11,39 +11,39 @@
 namespace palpate
 {
 /**
- * A file that is written as a whole: as PATH.part beside it, which replaces an old file once all of
- * it is on the disk. Until then, and after any failure, the old file is unchanged. A link is
- * followed; a terminal, a pipe or /dev/null is written to directly.
+ * A file that is written as a whole. The data go to PATH.part in the same folder, which replaces an
+ * old file once all data are on the disk. Until then, and after any failure, the old file is
+ * unchanged. A link is followed. A terminal, a pipe or /dev/null is written to directly.
  *
  * Errors are "cannot write 'PATH': ", then the system's reason.
  */
 class PALPATE_EXPORT WholeFile
 {
 public:
-  /// Why such a file cannot be written: its folder is missing or not writable, or it is a folder
-  /// itself; "" if it can. Changes nothing.
+  /// Why such a file cannot be written: its folder is missing or not writable, or the path itself
+  /// is a folder. "" if it can be written. Changes nothing.
   static std::string obstacle(const std::string& path);
 
   explicit WholeFile(std::string path);
-  /// Removes an unfinished file, unless it is kept.
+  /// Removes an unfinished file, unless keepLines() kept it.
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
   /// Returns an error, or "".
   std::string open();
-  /// Does nothing after a failure, which finish() reports.
+  /// Does nothing after a failure; finish() reports the failure.
   void write(const void* bytes, std::size_t size) noexcept;
   void write(std::string_view text) noexcept { this->write(text.data(), text.size()); }
   /// Writes everything to the disk, then renames the file. Returns an error, or "".
   std::string finish();
-  /// After an error of finish(): keeps the unfinished file up to its last whole line, if it has at
-  /// least `least` lines. Returns how many; 0: nothing is kept.
+  /// After an error of finish(): keeps the unfinished file up to its last whole line if it has at
+  /// least `least` lines. Returns the number of lines kept, 0 if none.
   std::size_t keepLines(std::size_t least);
 
   /// The path of the unfinished file, for writers that open a file by its name.
   const std::string& unfinished() const { return this->Unfinished; }
-  /// Whether PATH is or will be a file, and is not written to directly.
+  /// Whether PATH is or will be a regular file, which is not written to directly.
   bool isFile() const { return this->Unfinished != this->Path; }
 
 private:
@@ -51,7 +51,7 @@ private:
 
   std::string Path;       ///< as it was given
   std::string Target;     ///< with links resolved
-  std::string Unfinished; ///< equal to Path: written to directly
+  std::string Unfinished; ///< equal to Path if the target is written to directly
   int File = -1;
   int Reason = 0; ///< errno of the first failure
   bool Kept = false;

@@ -24,16 +24,16 @@ using HalfSpaceTable = double[Ratios][Roots];
 constexpr double SphereDeepest = 1.0; // radii
 constexpr double FlatDeepest = 1.3;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
-// Largest depth relative to the thinnest layer: beyond the table's end c is constant, with its
-// error.
+// Largest depth relative to the thinnest layer. Beyond the end of the table c is extrapolated
+// (StrainTable.h), and its error grows.
 constexpr double LayerAnswers = 0.7;
-// A table is used up to this many times its deepest, with a growing error.
+// A table is used up to this many times its largest depth, with a growing error.
 constexpr double Beyond = 1.8;
 constexpr double BeyondLayers = 2.25;
-constexpr double TableError = 0.003; // of mesh, far field and interpolation
-// For a sharp flat, since the rim of the table's is rounded.
+constexpr double TableError = 0.003; // due to mesh, far field and interpolation
+// For a sharp flat, since the table's flat has a rounded rim.
 constexpr double FlatError = 0.015;
-constexpr double FlatLayerError = 0.022; // the difference from another code's sharp flat
+constexpr double FlatLayerError = 0.022; // difference from another code's result for a sharp flat
 constexpr double ConeError = 0.005;
 
 std::vector<double> ratios()
@@ -56,7 +56,7 @@ std::vector<double> flattened(const HalfSpaceTable& table)
   return values;
 }
 
-/// For layers of thicknesses `heights`, in radii.
+/// The table for layers of the thicknesses `heights`, in radii.
 template <std::size_t Heights>
 std::unique_ptr<StrainTable> layerTable(const double (&heights)[Heights],
   const HalfSpaceTable (&tables)[Heights], double radius, const StrainReach& reach, double error)
@@ -84,7 +84,7 @@ bool isTool(const AxisymmetricTool& tool, ToolShape shape, ToolSpecification& fo
   return parseTool(tool.specification(), found, fault) && found.Shape == shape;
 }
 
-/// Linear between the angles in cot α, to which the pressure is proportional.
+/// Interpolates linearly between the angles in cot α, to which the pressure is proportional.
 std::vector<double> coneFactors(double halfAngle)
 {
   const auto slope = [](double degrees)

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// A quadratic through values at ν = 0.3, 0.45 and 0.495; linear below.
+/// The quadratic through values at ν = 0.3, 0.45 and 0.495; constant below and above.
 double overRatio(const std::array<double, 3>& value, double ratio)
 {
   constexpr std::array<double, 3> node = { 0.3, 0.45, 0.495 };
@@ -32,7 +32,7 @@ double smallStrainError(
   const double n = (1.0 - 2.0 * poissonsRatio) / (1.0 - poissonsRatio);
   if (!(depthOverThickness > 0.0))
   {
-    // The residual: 0.009 at s = 0.3, 0.033 at 0.55, of second order. At ν below 0.3 the slope is
+    // The residual is of second order: 0.009 at s = 0.3, 0.033 at 0.55. At ν below 0.3 the slope is
     // that of the sphere's table at ν = 0.
     constexpr double atLeast = 4.0 / 7.0;
     const double slope = -0.148 + 0.61 * n + 0.8 * std::max(0.0, n - atLeast);

@@ -7,12 +7,13 @@
 namespace palpate
 {
 /**
- * The relative error of the force by the laws of small strain on a Neo-Hooke body: |c - 1|,
- * c = F_finite/F_small, and the residual of its estimate.
+ * The relative error of the force of the small-strain laws on a Neo-Hooke body: |c - 1| with c =
+ * F_finite/F_small, plus the residual of the estimate of c.
  *
- * Half-space: c - 1 = K(ν) s, the same K for every tool, s the mean pressure over E*, F/(πa²E*).
- * Layer on a rigid base: k(ν) s + b(ν) (δ/h)(a/h)/(1/2 + a/h). K, k and b were fitted to finite
- * elements (sphere, flat, cone to s = 0.55; sphere on layers of half to four radii to δ/h = 0.5).
+ * Half-space: c - 1 = K(ν) s with the same K for every tool; s is the mean pressure over E*,
+ * F/(πa²E*). Layer on a rigid base: k(ν) s + b(ν) (δ/h)(a/h)/(1/2 + a/h). K, k and b were fitted to
+ * finite elements (sphere, flat, cone to s = 0.55; sphere on layers of half to four radii to δ/h =
+ * 0.5).
  *
  * `depthOverThickness` and `radiusOverThickness` are 0 on a half-space.
  */

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Neo-Hooke's table of layers; null outside its range.
+/// Neo-Hooke's table for layers; null outside its range.
 std::unique_ptr<StrainTable> layersTable(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest)
 {
@@ -39,7 +39,7 @@ std::string checkBonds(const LayerStack& stack)
     : "";
 }
 
-/// A table of the solver, or what is wrong: the module that holds it is missing.
+/// Makes a table with the solver. Returns a fault if the module with the solver is missing.
 std::string solve(StrainModule::Solver StrainModule::*where, const SolvedStrain& asked,
   const std::function<bool(double)>& goOn, std::unique_ptr<StrainTable>& table)
 {

@@ -21,53 +21,59 @@ class AxisymmetricTool;
 /// The bodies for a correction.
 struct StrainBodies
 {
-  double leastRatio = 0.45; ///< Poisson's
+  double leastRatio = 0.45; ///< Poisson's ratio
   double mostRatio = 0.45;
   bool hasHalfSpace = true;
-  double thinnest = 0.0; ///< of layers, mm; 0: none
+  double thinnest = 0.0; ///< layer thickness, mm; 0: no layers
   double thickest = 0.0;
   LayerBase base = LayerBase::Bonded;
-  /// The stack, if the layer is the first of one; its second layer is as thick as `second`.
+  /// The stack, if the layer is the top layer of a stack; `second` is the thickness of its second
+  /// layer.
   LayerStack stack = {};
   ThicknessSpan second = { 0.0, 0.0 };
 };
 
 /**
- * The effect of finite strain on the force of one tool at the same depth: c = F_finite/F_small, by
- * which the exact law of small strain is multiplied. Its stiffness is c k_small + F_small dc/dδ.
+ * The effect of finite strain on the force of one tool at the same depth: the exact law of small
+ * strain is multiplied by c = F_finite/F_small. The stiffness is c k_small + F_small dc/dδ.
  *
- * Neo-Hooke below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the radius,
- * δ = 1.3 R) and a cone (45° to 75°) on a half-space, below a sphere on a bonded layer (half to
- * four radii thick, δ = h/2), and below a sphere and a flat on bonded layers from two radii on (to
- * 0.7 to 1.2 radii), are tables made by the solver; deeper than that the error grows
- * (NeoHookeTables.h). Everything else is solved for at four Poisson's ratios (or the single one),
- * at thicknesses in a ratio of 2 or less (of a stack, of its first two layers), and at eight
- * depths: to 0.7 of all layers on a rigid base, beyond which the error grows. 3 s to a minute a
- * curve, on all threads, the same bits for any number of them; cached by content in $PALPATE_CACHE,
- * or $XDG_CACHE_HOME/palpate, or ~/.cache/palpate; with PALPATE_CACHE empty it is not cached.
+ * Stored tables of the solver cover Neo-Hooke
+ * - on a half-space: below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the
+ *   radius, to δ = 1.3 R) and a cone (45° to 75°);
+ * - on a bonded layer of half to four radii: below a sphere (to δ = h/2);
+ * - on bonded layers of two radii or more: below a sphere and a flat end (to 0.7 to 1.2 radii).
  *
- * In a stack all layers have the same law, each with its own modulus and Poisson's ratio, and
- * bonded to each other; the rigid base may slip. Layers that slide on each other are refused: the
- * two sides of the interface move apart, which the solver's mesh cannot.
+ * At larger depths the error grows (NeoHookeTables.h).
  *
- * Poisson's ratios above 0.495 get c of 0.495, and an error for it. A tool with a corner, solved
- * for with a fillet of a tenth of the contact radius and deeper with a rounder one
- * (FiniteOverSmall.h), gets an error of 1 % (half the fillet changes c by up to 0.5 %). Safe to use
- * from any number of threads.
+ * All other cases are solved at four Poisson's ratios (or the single one), at thicknesses in a
+ * ratio of 2 or less (in a stack, of its first two layers), and at eight depths: to 0.7 of all
+ * layers on a rigid base, beyond which the error grows. A curve takes 3 s to a minute on all
+ * threads, and has the same bits for any number of threads. Results are cached by content in
+ * $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate. With PALPATE_CACHE empty
+ * nothing is cached.
+ *
+ * All layers of a stack have the same strain law, each with its own modulus and Poisson's ratio.
+ * They are bonded to each other; the rigid base may slip. Layers that slide on each other are
+ * refused: the two sides of the interface move apart, which the solver's mesh cannot represent.
+ *
+ * Poisson's ratios above 0.495 get the c of 0.495 and an error for the difference. A tool with a
+ * corner is solved with a fillet of a tenth of the contact radius, and a rounder one at larger
+ * depths (FiniteOverSmall.h). It gets an error of 1 % (half the fillet changes c by up to 0.5 %).
+ * Safe to use from any number of threads.
  */
 class PALPATE_EXPORT StrainCorrection
 {
 public:
   using Value = StrainFactor;
 
-  /// `depth` (mm) of the tool at small strain; `thickness` (mm) 0 for a half-space, `second` (mm)
-  /// that of a stack's second layer. Below 1 µs.
+  /// `depth` (mm) is that of the tool at small strain. `thickness` (mm) is 0 for a half-space;
+  /// `second` (mm) is the thickness of a stack's second layer. Takes less than 1 µs.
   Value at(double depth, double poissonsRatio, double thickness, double second = 0.0) const
   {
     return this->course(poissonsRatio, thickness, second).at(depth);
   }
 
-  /// The same on one body at many depths, which is cheaper.
+  /// The correction on one body, which is cheaper for many depths.
   class Course
   {
   public:
@@ -77,7 +83,7 @@ public:
     friend class StrainCorrection;
     StrainTable::Course Table;
     bool HasTable = false;
-    double More = 0.0; ///< error by a Poisson's ratio beyond the tables
+    double More = 0.0; ///< error for a Poisson's ratio beyond the tables
   };
   Course course(double poissonsRatio, double thickness, double second = 0.0) const;
 
@@ -89,13 +95,14 @@ private:
   std::unique_ptr<StrainTable> Layers;
 };
 
-/// Makes a correction for depths to `deepest` (mm). Returns what is wrong, naming it, or "";
-/// `made` stays null after a fault, for the linear model, and where `goOn(fraction)` ended it.
+/// Makes a correction for depths up to `deepest` (mm). Returns a fault that names the wrong value,
+/// or "". `made` stays null after a fault, for the linear model, and if `goOn(fraction)` returned
+/// false.
 PALPATE_EXPORT std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& law,
   const StrainBodies& bodies, double deepest, const std::function<bool(double)>& goOn,
   std::unique_ptr<StrainCorrection>& made);
 
-/// Whether makeStrainCorrection of Neo-Hooke needs no solver.
+/// Whether makeStrainCorrection of Neo-Hooke works without the solver.
 PALPATE_EXPORT bool isStrainTabulated(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest);
 } // namespace palpate

@@ -18,17 +18,19 @@ enum class StrainModel
   Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as for skin and arteries
 };
 
-/// Which parameter of the model is out of its range, or "": α not 0 and |α| ≤ 50, 0 < b ≤ 50.
+/// Names the parameter of the model that is out of its range, or returns "". Ranges: α not 0 and
+/// |α| ≤ 50, 0 < b ≤ 50.
 PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
 
-/// How a body resists large strain, with the parameter of the model: α of Ogden, b of Demiray.
+/// The resistance of a body to large strain, with the parameter of the model: α of Ogden, b of
+/// Demiray.
 struct StrainLaw
 {
   StrainModel model = StrainModel::Linear;
   double parameter = 0.0;
 };
 
-/// "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small strain" of Linear.
+/// "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small strain" for Linear.
 PALPATE_EXPORT std::string describe(const StrainLaw& law);
 } // namespace palpate
 

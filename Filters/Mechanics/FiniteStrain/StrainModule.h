@@ -13,7 +13,7 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A tool, and bodies that no stored table of finite strain holds.
+/// A tool and bodies that no stored table of finite strain covers.
 struct SolvedStrain
 {
   const AxisymmetricTool& tool;
@@ -23,13 +23,14 @@ struct SolvedStrain
   std::size_t threads; ///< for the solver
 };
 
-/// The largest Poisson's ratio that is solved for, and the error of c from there to 0.5 at δ = R.
+/// The largest Poisson's ratio that is solved, and the error of c from that ratio to 0.5 at δ = R.
 constexpr double LargestSolvedRatio = 0.495;
 constexpr double BeyondSolvedRatio = 0.006;
 
 /**
- * What libpalpateStrain.so (room Strain) adds: tables of the solver, to which StrainCorrection.h
- * goes where no stored one answers. Null where `goOn(fraction)` ended it.
+ * Functions that libpalpateStrain.so (room Strain) adds: tables made by the solver.
+ * StrainCorrection.h calls them if no stored table covers the case. They return null if
+ * `goOn(fraction)` returned false.
  */
 struct StrainModule : ModuleTable
 {

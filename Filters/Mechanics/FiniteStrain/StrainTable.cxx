@@ -11,11 +11,11 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostNodes = 4;
-// Fraction of the last root over which c is extrapolated linearly, so that a curve which ends with
-// the table keeps its slope there, whichever nodes around the end are read.
+// Fraction of the last root over which c is extrapolated linearly. A curve that ends with the table
+// thus keeps its slope there, whichever nodes around the end are read.
 constexpr double Straight = 0.25;
 
-/// Lagrange's polynomials on the nodes around a place.
+/// Lagrange's polynomials on the nodes around a position.
 struct Weights
 {
   std::size_t begin = 0;
@@ -24,7 +24,7 @@ struct Weights
   std::array<double, MostNodes> slope{};
 };
 
-/// `node(i)` ascend; `x` is clamped to them.
+/// Weights of the nodes at `x`. `node(i)` ascend; `x` is clamped to their range.
 template <class Node>
 Weights weightsAt(std::size_t nodes, const Node& node, double x)
 {
@@ -102,7 +102,7 @@ StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, 
                      : weightsAt(
                          asked, [&](std::size_t i) { return std::log(nodes[i]); }, std::log(value));
   };
-  // A thickest row that ends early is not used between thinner ones.
+  // If a row of the thickest layer ends early, it is not used between thinner layers.
   const std::size_t all = axes.thicknesses.size();
   const bool isBetween = this->ThickestEnds && all > 2 && thickness <= axes.thicknesses[all - 2];
   const Weights ratio = weightsAt(
@@ -143,7 +143,7 @@ StrainFactor StrainTable::Course::at(double depth) const
   const std::vector<double>& roots = this->Table->Given.roots;
   const double known = this->Known;
   const double root = std::sqrt(std::max(depth, 0.0) / this->Deepest);
-  // One node more than roots: that at depth 0.
+  // One node more than there are roots: the node at depth 0.
   const Weights place = weightsAt(
     roots.size() + 1, [&](std::size_t i) { return i == 0 ? 0.0 : roots[i - 1]; }, root);
   StrainFactor found{ 0.0, 0.0, this->Table->Error };
@@ -156,14 +156,14 @@ StrainFactor StrainTable::Course::at(double depth) const
   const bool beyond = root > known;
   const double further = known < roots.back() ? 0.0 : std::max(0.0, root - known);
   const double straight = std::min(further, Straight * known);
-  const double slope = found.slope; // over the root
+  const double slope = found.slope; // per root
   found.factor += slope * straight;
   const bool moves = depth > 0.0 && (!beyond || (further > 0.0 && further < Straight * known));
   found.slope = moves ? slope * 0.5 * root / depth : 0.0;
   if (beyond && !this->Table->Constant)
   {
-    // Beyond the end c may change as much as up to it over the same distance, and its slope by
-    // half.
+    // Error beyond the end: c may change as much as it did up to the end over the same distance,
+    // and its slope by half.
     const double asBefore =
       std::max(std::abs(found.factor - 1.0), this->Table->Error) * (root / known - 1.0);
     const double bent = std::abs(slope) * (0.5 * straight + (further - straight));

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A correction at one depth: c = F_finite/F_small; dc/dδ (1/mm); its own relative error.
+/// A correction at one depth: c = F_finite/F_small, dc/dδ (1/mm), and the relative error of c.
 struct StrainFactor
 {
   double factor = 1.0;
@@ -18,13 +18,13 @@ struct StrainFactor
   double error = 0.0;
 };
 
-/// The depth of a table for layers of total thickness H, 1/δ_max = 1/endless + 1/(fraction H),
+/// The depth of a table for layers of total thickness H: 1/δ_max = 1/endless + 1/(fraction H),
 /// which is as smooth in H as c.
 struct StrainReach
 {
   double endless;        ///< on infinitely thick layers, mm; may be infinite
-  double fraction = 0.0; ///< of H; 0: independent of the thickness
-  double below = 0.0;    ///< of H, the part below the two layers that vary, mm
+  double fraction = 0.0; ///< part of H; 0: independent of the thickness
+  double below = 0.0;    ///< thickness of the layers below the two that vary, mm; part of H
 
   double at(double thickness, double second) const noexcept
   {
@@ -34,35 +34,38 @@ struct StrainReach
 };
 
 /**
- * c of one tool over Poisson's ratio, thickness of the layer (of a stack, of its first two) and
- * depth: cubic polynomials through four nodes (or as many as there are) over ν, ln h and
- * √(δ/δ_max), where c is smooth: on a sphere c - 1 is nearly in proportion to √δ. At δ = 0, an
- * additional node, c is 1 or, for a tool without a length (cone), the same as at every depth.
+ * c of one tool over Poisson's ratio, thickness of the layer (in a stack, of its first two layers)
+ * and depth. Cubic polynomials through four nodes (or as many as there are) over ν, ln h and
+ * √(δ/δ_max), in which c is smooth: for a sphere c - 1 is nearly proportional to √δ. The depth 0 is
+ * an additional node, where c is 1 or, for a tool without a length (cone), the same as at every
+ * depth.
  *
- * Beyond the last root the factor is extrapolated linearly for a quarter of it, and constant from
- * there. Rows may end early, where no equilibrium was found: there it is constant at once. The
- * error grows with the distance from the end.
+ * Beyond the last root c is extrapolated linearly for a quarter of that root, and is constant from
+ * there on. A row may end early if no equilibrium was found; beyond its end c is constant at once.
+ * The error grows with the distance from the end.
  */
 class PALPATE_EXPORT StrainTable
 {
 public:
-  /// The nodes; thicknesses are empty for a half-space. All ascend.
+  /// The nodes, all ascending. `thicknesses` is empty for a half-space.
   struct Axes
   {
-    std::vector<double> ratios;       ///< Poisson's
+    std::vector<double> ratios;       ///< Poisson's ratios
     std::vector<double> thicknesses;  ///< mm
     std::vector<double> roots;        ///< √(δ/δ_max), 0 < root <= 1; at most MostRoots
-    std::vector<double> seconds = {}; ///< of a stack's second layer, mm; empty: it has none
+    std::vector<double> seconds = {}; ///< thicknesses of a stack's second layer, mm; empty: no
+                                      ///< second layer
   };
 
-  /// `factors`: by ratio, then thickness, then second, then root; 0 where unknown, then 0 to the
-  /// row's end. `constant`: c does not depend on depth. `error`: of the nodes themselves.
+  /// `factors` are ordered by ratio, then thickness, then second, then root. An unknown factor is
+  /// 0, and so are all after it in its row. `constant`: c does not depend on depth. `error`:
+  /// relative error at the nodes.
   StrainTable(
     Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error);
 
   static constexpr std::size_t MostRoots = 16;
 
-  /// c over the depth alone, on one body.
+  /// c over the depth alone, for one body.
   class Course
   {
   public:
@@ -71,12 +74,12 @@ public:
   private:
     friend class StrainTable;
     const StrainTable* Table = nullptr;
-    double Deepest = 1.0;                        ///< of the table there, mm
-    double Known = 1.0;                          ///< the last known root
-    std::array<double, MostRoots + 1> Factors{}; ///< at no depth, and at the roots
+    double Deepest = 1.0; ///< depth at which the table ends for this body, mm
+    double Known = 1.0;   ///< last known root
+    std::array<double, MostRoots + 1> Factors{}; ///< at depth 0 and at the roots
   };
 
-  /// Neither allocates. A course costs 0.2 µs, and then a depth 30 ns.
+  /// These functions do not allocate. A course takes 0.2 µs, each depth of it 30 ns.
   Course course(double poissonsRatio, double thickness, double second = 0.0) const;
   StrainFactor at(double depth, double poissonsRatio, double thickness, double second = 0.0) const
   {
@@ -89,7 +92,7 @@ public:
 private:
   Axes Given;
   std::vector<double> Factors;
-  std::vector<double> Known; ///< the last known root of each row
+  std::vector<double> Known; ///< last known root of each row
   StrainReach Reach;
   bool ThickestEnds = false; ///< some row of the thickest layer ends early
   bool Constant;

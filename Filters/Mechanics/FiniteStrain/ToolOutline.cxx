@@ -16,17 +16,18 @@ using Eigen::Vector2d;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: an error of 1e-6 of its size
-constexpr double SteepestSlope = 6.0; // straight from there on: no contact is steeper
-constexpr double CornerAngle = 0.02;  // radians; less is a sampled curve, not a corner
-constexpr double LargestCut = 0.35;   // of a part, by the fillet at either end of it
-constexpr double TangentStep = 1e-6;  // of a part's length: differences of profiles of six digits
+constexpr double SteepestSlope = 6.0; // straight beyond this slope: no contact is steeper
+constexpr double CornerAngle = 0.02;  // radians; a smaller angle is a sampled curve, not a corner
+constexpr double LargestCut = 0.35;  // fraction of a part that the fillet at either end may replace
+constexpr double TangentStep = 1e-6; // fraction of a part's length, for differences of profiles
+                                     // with six digits
 
 double cross(const Vector2d& a, const Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Rotated by 90° to the left: into the tool.
+/// The direction rotated by 90° to the left, into the tool.
 Vector2d leftOf(const Vector2d& direction)
 {
   return { -direction.y(), direction.x() };
@@ -56,7 +57,7 @@ public:
 
   double from() const { return this->From; }
   double length() const { return this->To - this->From; }
-  /// Where it becomes too steep, as the sides of a sphere, or ends.
+  /// Radius where the part becomes too steep, like the sides of a sphere, or where it ends.
   double end() const { return this->End; }
   bool isSteep() const { return this->End < this->To; }
 
@@ -68,7 +69,7 @@ public:
 private:
   bool isSteepAt(double r) const { return this->slopeAt(r) > SteepestSlope; }
 
-  /// By second-order differences within the part, one-sided at its ends.
+  /// Slope by second-order differences within the part, one-sided at its ends.
   double slopeAt(double r) const
   {
     const double step = TangentStep * (this->To - this->From);
@@ -154,7 +155,7 @@ ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
   };
   if (isStraight)
   {
-    goTo(start + (1.0 - LargestCut) * (part.end() - start)); // the next corner may cut the rest
+    goTo(start + (1.0 - LargestCut) * (part.end() - start)); // the next corner may replace the rest
     goTo(part.end());
     return from;
   }
@@ -213,7 +214,7 @@ void ToolOutline::join(const Node& from, const Node& to)
   const double d = c / (b + std::sqrt(std::max(0.0, b * b + a * c)));
   const Vector2d middle = 0.5 * (from.point + to.point + d * (from.direction - to.direction));
   this->addArc(from, middle);
-  // The second arc seen from its end: its beginning has the direction of the first one's end.
+  // The second arc begins in the direction in which the first one ends.
   const Vector2d chord = (middle - from.point).normalized();
   const Vector2d direction = 2.0 * chord.dot(from.direction) * chord - from.direction;
   this->addArc({ middle, direction }, to.point);

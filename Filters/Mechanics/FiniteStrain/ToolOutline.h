@@ -12,25 +12,26 @@
 namespace palpate
 {
 /**
- * A tool's outline in the half plane (r, z), z = 0 at its tip and growing into the tool, as
- * circular arcs joined without corners, so that the distance is smooth enough for Newton's method.
- * Where the tool has a corner (the apex of a cone, the rim of a flat) the outline has a fillet,
- * which changes the result: one of a tenth of its radius costs a flat end 8 % of its force.
+ * A tool's outline in the half plane (r, z), with z = 0 at its tip and growing into the tool. It
+ * consists of circular arcs joined without corners, so that the distance is smooth enough for
+ * Newton's method. Where the tool has a corner (the apex of a cone, the rim of a flat) the outline
+ * has a fillet, which changes the result: a fillet of a tenth of its radius reduces the force of a
+ * flat end by 8 %.
  *
- * Points of the profile are joined by biarcs, exact for circles and straight lines.
+ * Points of the profile are joined by biarcs, which are exact for circles and straight lines.
  */
 class PALPATE_EXPORT ToolOutline
 {
 public:
-  /// The outline of `tool` out to the radius `reach`, and straight from there (both mm, > 0). A
-  /// corner gets a fillet of radius `fillet`, or less where the sides beside it are shorter.
+  /// The outline of `tool` out to the radius `reach`, and straight beyond it (both mm, > 0). A
+  /// corner gets a fillet of radius `fillet`, or a smaller one if its sides are shorter.
   ToolOutline(const AxisymmetricTool& tool, double reach, double fillet);
 
-  /// A signed distance, > 0 outside the tool, with its derivatives by (r, z).
+  /// A signed distance, > 0 outside the tool, and its derivatives with respect to (r, z).
   struct Distance
   {
     double value;
-    Eigen::Vector2d gradient; ///< unit, away from the tool
+    Eigen::Vector2d gradient; ///< unit vector, away from the tool
     Eigen::Matrix2d hessian;
   };
   Distance distance(const Eigen::Vector2d& point) const;
@@ -38,12 +39,12 @@ public:
   /// z of the outline at r; +inf beyond its wall.
   double height(double r) const;
 
-  /// Ranges of radii (from, to) of the fillets, where a mesh must be fine, mm; none without
+  /// Ranges of radii (from, to) of the fillets, mm; a mesh must be fine there. Empty without
   /// corners.
   const std::vector<std::pair<double, double>>& fillets() const { return this->Fillets; }
 
 private:
-  /// An arc from a point in a direction, the tool on its left, turning left by `curvature`.
+  /// An arc from a point in a direction. The tool is on its left; `curvature` > 0 turns left.
   struct Arc
   {
     Eigen::Vector2d from;
@@ -59,7 +60,7 @@ private:
 
   /// A smooth part of the profile.
   class Part;
-  /// Each continues from the end of the outline so far, `last`, and returns its own end.
+  /// Each function continues from `last`, the end of the outline so far, and returns the new end.
   Node addCorner(const Part& part, double fillet, const Node& last, bool isApex);
   Node addPart(const Part& part, const Node& last);
   Node addWall(const Part& part, double fillet, const Node& last);

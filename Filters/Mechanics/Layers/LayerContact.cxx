@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 constexpr double DepthTolerance =
-  1e-13; // relative; the force is stationary in a, its error smaller
+  1e-13; // relative; the force is stationary in a, so its error is smaller
 } // namespace
 
 LayerContact::LayerContact(
@@ -63,7 +63,7 @@ LayerContact::Contact LayerContact::contactAt(double a) const
     profile };
 }
 
-/// The contact radius for δ > 0; NaN beyond the valid range.
+/// The contact radius for δ > 0; NaN beyond the validity.
 double LayerContact::solveRadius(double deflection, Contact& contact) const
 {
   if (deflection >= this->LargestDepth)
@@ -71,7 +71,8 @@ double LayerContact::solveRadius(double deflection, Contact& contact) const
     contact = this->contactAt(std::nextafter(this->LargestRadius, 0.0));
     return deflection <= this->Deepest ? this->LargestRadius : NotANumber;
   }
-  // Secant steps on log δ over log a, which is nearly linear for every tool, kept in a bracket.
+  // Secant steps on log δ over log a, which is nearly linear for every tool. A bracket limits the
+  // steps.
   double below = this->SmallestRadius;
   double above = this->LargestRadius;
   const auto inside = [&](double a) {

@@ -18,8 +18,8 @@ namespace palpate
  * The exact linear solution (LayerKernel.h) for any axisymmetric tool: with y₁ the solution for a
  * flat punch and Γ the resolvent,
  *   δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt.
- * E* = E/(1-ν²) with the ν of the kernel. Valid for a <= LayerKernel::LargestRatio h; deeper gives
- * NaN. Small strain: δ << h besides the tool's own limit (depthAtStrain).
+ * E* = E/(1-ν²) with the ν of the kernel. Valid for a <= LayerKernel::LargestRatio h; larger depths
+ * give NaN. Small strain requires δ << h, in addition to the limit of the tool (depthAtStrain).
  *
  * Cost: 10 to 30 µs per evaluation of a smooth tool. Immutable and safe to use from any number of
  * threads.
@@ -34,8 +34,8 @@ public:
   IndentationPoint evaluate(double deflection, double reducedModulus) const override;
   double contactRadius(double deflection) const;
 
-  /// Depth (mm) at which the contact radius reaches a; 0 below the smallest contact radius, +inf
-  /// from the largest on, NaN where a exceeds LargestRatio h.
+  /// Depth (mm) at which the contact radius reaches a. 0 below the smallest contact radius, +inf
+  /// from the largest radius on, NaN if a exceeds LargestRatio h.
   double depthAtContactRadius(double a) const;
 
   /// The largest valid δ, mm; +inf if the contact radius of the tool stays within LargestRatio h.
@@ -62,8 +62,8 @@ private:
   double Thickness;
   ProfileQuadrature Quadrature;
   double SmallestRadius;
-  double LargestRadius; ///< of the valid range
-  double LargestDepth;  ///< δ at which it is reached
+  double LargestRadius; ///< of the validity
+  double LargestDepth;  ///< δ at LargestRadius
   double Deepest;
 };
 } // namespace palpate

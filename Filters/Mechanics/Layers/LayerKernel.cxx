@@ -20,9 +20,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestOmega = 20.0; // e^(-2ω) has fallen below 1e-17
+constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 there
 constexpr int OmegaPanels = 20;
-constexpr double LeastOmega = 1.0 / 4096; // of a stack: deep layers matter at small ω
+constexpr double LeastOmega = 1.0 / 4096; // for a stack: deep layers matter at small ω
 
 // Ranges of a/h, narrow enough that a polynomial of degree 15 through Chebyshev points follows the
 // solution to 1e-10 even where a layer is nearly incompressible.
@@ -36,7 +36,7 @@ struct Transform
   double radial; ///< V - V(∞)
 };
 
-/// Both fall as e^(-2ω): written with e = e^(-2ω) so that nothing overflows or cancels.
+/// Both fall as e^(-2ω). They are written with e = e^(-2ω), so that nothing overflows or cancels.
 Transform transformAt(double omega, double nu, LayerBase base)
 {
   const double e = std::exp(-2.0 * omega);
@@ -170,8 +170,8 @@ std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonsRatio, Lay
 template <class SampledTransform>
 void LayerKernel::tabulate(const SampledTransform& transform)
 {
-  // M and L are analytic within |Im s| < 2: pieces of length 1. They fall only as 1/s² and 1/s, and
-  // are needed as far as LayerSurface reaches.
+  // M and L are analytic within |Im s| < 2, so the pieces have length 1. M and L fall only as 1/s²
+  // and 1/s, and LayerSurface needs them up to this end.
   const double end = 4.0 * LargestRatio;
   this->Normal = { end, static_cast<int>(end), [&](double s) { return transform.cosine(s); } };
   this->Radial = { end, static_cast<int>(end), [&](double s) { return transform.sine(s); } };
@@ -192,7 +192,8 @@ void LayerKernel::tabulate(const SampledTransform& transform)
 
 LayerKernel::Matrix LayerKernel::scaledSystem(double ratio) const
 {
-  // Scaled by the roots of the weights I + K is symmetric, and positive as the elastic energy is.
+  // Scaled by the square roots of the weights, I + K is symmetric. It is positive definite since
+  // the elastic energy is positive.
   const Samples x = ratio * nodes();
   const Samples root = weights().sqrt();
   Matrix system;

@@ -14,7 +14,7 @@ namespace palpate
 {
 struct LayerStack;
 
-/// How a layer rests on its rigid base.
+/// The contact of a layer with its rigid base.
 enum class LayerBase
 {
   Bonded, ///< no displacement
@@ -22,7 +22,7 @@ enum class LayerBase
 };
 
 /**
- * Contact on an elastic layer on a rigid base, for one Poisson's ratio, whatever the tool.
+ * Contact on an elastic layer on a rigid base, for one Poisson's ratio and any tool.
  *
  * Under an axisymmetric pressure p the surface of a layer of thickness h moves by (Hankel
  * transforms, ω = kh, κ₀ = 3-4ν)
@@ -36,10 +36,11 @@ enum class LayerBase
  *   y(x) + (1/πh) ∫_0^a y(t) [M((t+x)/h) + M((t-x)/h)] dt = δ - g(x),  y(a) = 0 under a smooth rim,
  *   M(s) = ∫_0^∞ (W-1) cos ωs dω,   F = 2E* ∫_0^a y dt.
  *
- * It is solved by Nyström's method at 48 Gauss nodes for two right-hand sides; the solutions depend
- * on a/h alone and are tabulated when the kernel is built: about 20 ms. 0 <= ν <= 0.5,
- * a/h <= LargestRatio; the table agrees with the direct solution to 1e-10. A stack of layers has
- * another W and V, and the same equation. Immutable and safe to use from any number of threads.
+ * The equation is solved by Nyström's method at 48 Gauss nodes for two right-hand sides. The
+ * solutions depend only on a/h and are tabulated when the kernel is built, which takes about 20 ms.
+ * 0 <= ν <= 0.5, a/h <= LargestRatio. The table agrees with the direct solution to 1e-10. A stack
+ * of layers has another W and V, and the same equation. Immutable and safe to use from any number
+ * of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {
@@ -56,14 +57,15 @@ public:
   };
 
   LayerKernel(double poissonsRatio, LayerBase base);
-  /// The same; the last 64 are kept in the process. Thread-safe.
+  /// The same kernel; the last 64 stay in the process. Thread-safe.
   static std::shared_ptr<const LayerKernel> shared(double poissonsRatio, LayerBase base);
-  /// On a stack without fault (LayerStack.h): h, ν and E* are those of its top layer. About 50 ms.
+  /// The kernel of a stack without fault (LayerStack.h); h, ν and E* are those of its top layer.
+  /// Takes about 50 ms.
   explicit LayerKernel(const LayerStack& stack);
 
   double poissonsRatio() const noexcept { return this->PoissonsRatio; }
   LayerBase base() const noexcept { return this->Base; }
-  /// The stack it was made for; null for a single layer.
+  /// The stack of this kernel; null for a single layer.
   const LayerStack* stack() const noexcept { return this->Stack.get(); }
 
   /// M(s), 0 <= s <= 4 LargestRatio.

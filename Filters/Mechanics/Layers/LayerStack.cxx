@@ -13,20 +13,20 @@ namespace palpate
 {
 namespace
 {
-// The two fields of a thin layer differ little at small k: below kh = 1e-3 doubles would lose all
-// digits, these keep seven.
+// At small k the two fields of a thin layer differ little. Below kh = 1e-3 doubles would lose all
+// digits; long doubles keep seven.
 using Real = long double;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 using Matrix4 = Eigen::Matrix<Real, 4, 4>;
-constexpr double LeastWaveNumber = 1e-3; // times the thinnest layer: from there down by a parabola
+constexpr double LeastWaveNumber = 1e-3; // for k times the thinnest layer; a parabola is used below
 
 Real shearModulus(const StackLayer& layer)
 {
   return static_cast<Real>(layer.youngsModulus) / (2.0L * (1.0L + layer.poissonsRatio));
 }
 
-/// Displacements (A, B) and tractions on a cut below it (τ, σ), over kμ, of the two fields that
-/// decay from their face, at the distance Z from it.
+/// The two fields that decay from a face, at the distance Z from it: displacements (A, B), and
+/// tractions (τ, σ) on a cut parallel to the face, divided by kμ.
 struct Fields
 {
   Matrix2 displacement;
@@ -49,7 +49,7 @@ Fields fieldsAt(Real z, double nu)
   return fields;
 }
 
-/// The stiffness between displacements of top and bottom and the tractions on them, over k.
+/// The stiffness, divided by k, between the displacements of both faces and their tractions.
 Matrix4 stiffness(const StackLayer& layer, Real k)
 {
   const Real depth = k * static_cast<Real>(layer.thickness);
@@ -71,7 +71,7 @@ Matrix2 halfSpaceStiffness(const StackLayer& halfSpace)
   return -shearModulus(halfSpace) * fields.traction * fields.displacement.inverse();
 }
 
-/// The stiffness of the top of the stack at k (1/mm), over k.
+/// The stiffness of the top of the stack at k (1/mm), divided by k.
 Matrix2 topStiffness(const LayerStack& stack, Real k)
 {
   Matrix2 below = stack.hasHalfSpace ? halfSpaceStiffness(stack.halfSpace) : Matrix2::Zero();

@@ -16,7 +16,7 @@ struct StackLayer
   double thickness = 1.0;     ///< mm
   double youngsModulus = 0.1; ///< MPa
   double poissonsRatio = 0.45;
-  bool slips = false; ///< without friction on the layer above; ignored for the top one
+  bool slips = false; ///< frictionless on the layer above; ignored for the top layer
 
   bool operator==(const StackLayer& other) const
   {
@@ -27,19 +27,20 @@ struct StackLayer
 
 /**
  * Elastic layers from the top down, on a rigid base or on a half-space. Their contact is that of
- * LayerKernel with another transform W, found layer by layer from below:
+ * LayerKernel with another transform W, which is computed layer by layer from below.
  *
  * In each layer the displacements û_r = A J₁, û_z = B J₀ are sums of fields that decay with the
- * depth, A = (a+bZ) e^(-Z), B = (a+κ₀b+bZ) e^(-Z), Z = kz, and of their mirror images from below,
- * which gives a symmetric stiffness K of four rows between the displacements and the tractions of
- * its two faces. S = K₁₁ - K₁₂ (K₂₂ + S_below)⁻¹ K₁₂ᵀ is that of the top of a layer including all
- * below; W = ½ E*₁ (S⁻¹)_zz. No exponential grows. A stack of equal layers is one layer, to 1e-12.
+ * depth, A = (a+bZ) e^(-Z), B = (a+κ₀b+bZ) e^(-Z), Z = kz, and of their mirror images from below.
+ * They give a symmetric 4 x 4 stiffness K between the displacements and the tractions of the two
+ * faces. The stiffness of the top of a layer, with all layers below it, is S = K₁₁ - K₁₂ (K₂₂ +
+ * S_below)⁻¹ K₁₂ᵀ, and W = ½ E*₁ (S⁻¹)_zz. No growing exponentials occur. A stack of equal layers
+ * agrees with one layer to 1e-12.
  */
 struct LayerStack
 {
   std::vector<StackLayer> layers;
-  LayerBase base = LayerBase::Bonded; ///< of a rigid base
-  bool hasHalfSpace = false;          ///< instead of the rigid base
+  LayerBase base = LayerBase::Bonded; ///< kind of the rigid base
+  bool hasHalfSpace = false;          ///< a half-space instead of the rigid base
   StackLayer halfSpace;               ///< its thickness is ignored
 
   static constexpr std::size_t MostLayers = 4;
@@ -52,12 +53,12 @@ struct LayerStack
   }
 };
 
-/// What is wrong with a stack, naming layer and number, or "": 1 to MostLayers layers, thickness
-/// and modulus positive and finite, 0 <= ν <= 0.5.
+/// The fault of a stack, which names layer and number, or "". Valid: 1 to MostLayers layers,
+/// thickness and modulus positive and finite, 0 <= ν <= 0.5.
 PALPATE_EXPORT std::string checkStack(const LayerStack& stack);
 
-/// W - 1 and V - V(∞) of a stack at ω = k h, h the thickness of its top layer, E* that layer's; see
-/// LayerKernel.h.
+/// W - 1 and V - V(∞) of a stack at ω = k h; h is the thickness and E* the reduced modulus of its
+/// top layer. See LayerKernel.h.
 struct StackTransform
 {
   double normal;

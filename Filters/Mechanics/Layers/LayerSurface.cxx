@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 constexpr double ReachInLayers =
-  20.0; // the slowest decay, of an incompressible layer, is e^(-0.74 r/h)
+  20.0; // the slowest decay is e^(-0.74 r/h), of an incompressible layer
 
 /// y dt at the nodes of a rule over the contact.
 struct Source
@@ -36,8 +36,8 @@ double field(const std::vector<Source>& sources, double x, double h, Kernel&& ke
   return sum / (Pi * h);
 }
 
-/// ∫_begin^r f(x) dx/√(r²-x²) of an f that varies over a length h: x = r sin θ removes the root,
-/// and panels of 4 h follow f.
+/// ∫_begin^r f(x) dx/√(r²-x²) for an f that varies over a length h. x = r sin θ removes the root,
+/// and panels of 4 h resolve f.
 template <class Function>
 double abel(double begin, double r, double h, Function&& f)
 {

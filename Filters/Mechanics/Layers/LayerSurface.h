@@ -23,19 +23,20 @@ class LayerContact;
  *   r <= a  u_z = δ - f(r),
  *   r > a   u_z = (2/π) [∫_0^a (δ-g) dx/√(r²-x²) + ∫_a^r w dx/√(r²-x²)],
  *   u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r - (2/π) ∫_0^{π/2} q(r sin θ) sin θ dθ,
- * F(r) the load inside r. Unlike on a half-space the surface bulges: u_z < 0 at some distance if
- * the layer is nearly incompressible, and everything decays within a few h.
+ * where F(r) is the load inside r. Unlike on a half-space the surface bulges: u_z < 0 at some
+ * distance if the layer is nearly incompressible. All displacements decay within a few h.
  *
- * Built once per contact (about 1 ms), then about 3 µs per point. Immutable and safe to use from
- * any number of threads.
+ * Building it takes about 1 ms per contact, then each point about 3 µs. Immutable and safe to use
+ * from any number of threads.
  */
 class PALPATE_EXPORT LayerSurface
 {
 public:
-  /// All zero unless 0 < deflection <= contact.deepest(). `contact` and its tool must outlive this.
+  /// All displacements are zero unless 0 < deflection <= contact.deepest(). `contact` and its tool
+  /// must outlive this object.
   LayerSurface(const LayerContact& contact, double deflection);
 
-  /// Displacement of the point that lay at distance r >= 0 from the axis, mm.
+  /// Displacement of the point that was at distance r >= 0 from the axis before contact, mm.
   SurfaceDisplacement at(double r) const;
 
 private:
@@ -45,7 +46,7 @@ private:
   const LayerContact& Contact;
   double Deflection;
   double Radius = 0.0;             ///< a; 0 without contact
-  double Reach = 0.0;              ///< beyond it everything has decayed
+  double Reach = 0.0;              ///< beyond it all displacements have decayed
   double Integral = 0.0;           ///< ∫_0^a y dt = F/2E*
   LayerKernel::Samples Correction; ///< (δ - g) - y on the nodes of the kernel
   PiecewiseChebyshev Normal;       ///< w(x)

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// The thinnest layer with a law down to `depth`: a(depth) <= LargestRatio h.
+/// The thinnest layer whose law is valid down to `depth`: a(depth) <= LargestRatio h.
 double thinnestAnswered(
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel, double depth)
 {

@@ -16,29 +16,29 @@
 
 namespace palpate
 {
-/// What differs between the points of a layered body.
+/// Data in which the points of a layered body differ.
 struct LayerPlace
 {
-  double thickness = 0.0;     ///< of the layer, or the first of a stack, mm
-  double second = 0.0;        ///< of the layer below it in a stack, mm
-  double poissonsRatio = 0.0; ///< of a single layer
+  double thickness = 0.0;     ///< of the layer, or of a stack's first layer, mm
+  double second = 0.0;        ///< of the second layer of a stack, mm
+  double poissonsRatio = 0.0; ///< of a single layer; unused for a stack
 };
 
-/// One tool at fixed depths on all layered places of a body. Safe to use from any number of
+/// One tool at fixed depths at all layered places of a body. Safe to use from any number of
 /// threads.
 class PALPATE_EXPORT LayerCurves
 {
 public:
   virtual ~LayerCurves() = default;
 
-  /// F/E* (mm²), (dF/dδ)/E* (mm) and contact radius (mm) at each depth, one column each; E* is that
-  /// of the layer, or of the first of a stack.
+  /// F/E* (mm²), (dF/dδ)/E* (mm) and contact radius (mm), one column each, one row per depth. E* is
+  /// that of the layer, or of the first layer of a stack.
   using Curve = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-  /// Whether a place is answered down to the last depth: the contact radius must stay within
-  /// LayerKernel::LargestRatio thicknesses.
+  /// Whether the curve of a place is valid down to the last depth: the contact radius must stay
+  /// within LayerKernel::LargestRatio thicknesses.
   virtual bool answers(const LayerPlace& place) const noexcept = 0;
-  /// NaN unless answers(place).
+  /// The curve of a place; NaN unless answers(place).
   virtual Curve sample(const LayerPlace& place) const = 0;
 
   const std::vector<double>& depths() const noexcept { return this->Depths; }
@@ -54,13 +54,13 @@ protected:
 
 /**
  * One tool at fixed depths on layers of many thicknesses: the exact solution at Chebyshev points of
- * x = c/(c + h), c the contact radius at the last depth, and polynomials between (of Poisson's
- * ratio too, where it varies continuously).
+ * x = c/(c + h), c the contact radius at the last depth, and polynomials between them. If Poisson's
+ * ratio varies continuously, it is interpolated in the same way.
  *
- * Meant for a body with a thickness at each of its points: built once, for any tool, in about
- * 20 ms per Poisson's ratio; then below a microsecond per point. F and dF/dδ agree with
- * LayerContact to 1e-7; where Poisson's ratio takes more than DistinctRatios values, to 1e-5 while
- * a < 2h. Immutable and safe to use from any number of threads.
+ * Meant for a body with a different thickness at each point. Building takes about 20 ms per
+ * Poisson's ratio, for any tool; then a point takes less than a microsecond. F and dF/dδ agree with
+ * LayerContact to 1e-7. If Poisson's ratio has more than DistinctRatios values, they agree to 1e-5
+ * for a < 2h. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT LayerTable final : public LayerCurves
 {
@@ -69,7 +69,7 @@ public:
   static constexpr int DistinctRatios = 32;
 
   /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed) and
-  /// the values of Poisson's ratio that occur, ascending. Of a stack the kernels.
+  /// the values of Poisson's ratio that occur, ascending. For a stack also its kernels.
   struct Layers
   {
     LayerBase base = LayerBase::Bonded;
@@ -106,7 +106,7 @@ private:
 
   double Thinnest = 0.0;
   double Scale = 1.0;
-  double Begin = 0.0; ///< the interval of x
+  double Begin = 0.0; ///< the interval of x begins here
   double End = 0.0;
   std::vector<double> Ratios;
   double FirstRatio;
@@ -115,9 +115,9 @@ private:
   std::vector<Curves> Tables; ///< F, dF/dδ and a by depth; one per value of Poisson's ratio
 };
 
-/// The tool on these layers at these depths (mm, ascending): a LayerTable, or of a stack a
-/// StackTable. The last 64 are kept in the process, by content: a law is prepared several times for
-/// one body. Thread-safe.
+/// Curves of the tool on these layers at these depths (mm, ascending): a LayerTable, or for a stack
+/// a StackTable. The last 64 tables stay in the process and are found by their input, since a law
+/// is prepared several times for one body. Thread-safe.
 PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(
   const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths);
 } // namespace palpate

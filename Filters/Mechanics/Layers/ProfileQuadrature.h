@@ -14,9 +14,9 @@ namespace palpate
 /**
  * Quadrature of smooth functions times the reduced profile g of a tool, over contacts [0, a].
  *
- * The interval is cut at the kinks of g. Behind a kink b, where g may start like √(x-b), the panel
- * [b, c] is mapped by x = b + (c-b) u², which makes the integrand smooth again. Panels that lie
- * wholly inside a contact are evaluated once, here.
+ * The interval is cut at the kinks of g. After a kink b, where g may start like √(x-b), the panel
+ * [b, c] is mapped by x = b + (c-b) u², which makes the integrand smooth again. Panels that are
+ * wholly inside a contact are evaluated once, in the constructor.
  */
 class PALPATE_EXPORT ProfileQuadrature
 {
@@ -24,7 +24,7 @@ public:
   /// `tool` must outlive the quadrature.
   explicit ProfileQuadrature(const AxisymmetricTool& tool);
 
-  /// Whether g has a kink below a; if not, any rule on [0, a] will do.
+  /// Whether g has a kink below a. If not, any rule on [0, a] is suitable.
   bool kinkedBelow(double a) const noexcept { return !this->Kinks.empty() && this->Kinks[0] < a; }
 
   /// Calls visit(x, weight, g(x)) for each node of the rule over [0, a].
@@ -64,7 +64,7 @@ private:
   const AxisymmetricTool& Tool;
   std::vector<double> Kinks;
   GaussLegendre Rule;
-  std::vector<Node> Nodes; ///< of the panels between kinks, one after the other
+  std::vector<Node> Nodes; ///< of the panels between kinks, in order
 };
 } // namespace palpate
 

@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 constexpr double PointsAtLeast = 5.0;
-constexpr double PointsPerLog = 2.5; // and per e-fold of the thickness
+constexpr double PointsPerLog = 2.5; // additional points per factor e of the thickness
 constexpr double MostPoints = 16.0;
 
 Eigen::Index pointCount(const ThicknessSpan& span)

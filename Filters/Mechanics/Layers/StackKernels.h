@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// The thinnest and the thickest that a layer is, mm; equal if it is constant.
+/// The smallest and the largest thickness of a layer, mm; equal if the thickness is constant.
 struct ThicknessSpan
 {
   double thinnest;
@@ -28,18 +28,19 @@ struct ThicknessSpan
 };
 
 /**
- * The kernels of a stack whose first two layers vary in thickness: at Chebyshev points of ln h, 6
- * to 16 of them by the width of the span, one where it has none.
+ * The kernels of a stack whose first two layers vary in thickness. The nodes are Chebyshev points
+ * of ln h: 6 to 16 per layer, depending on the width of the span, or one if the thickness is
+ * constant.
  *
- * Smooth functions of the thicknesses are interpolated between them: forces of stacks with moduli
- * of 1 to 50 to 1 and thicknesses of 1 to 20 agree to 1e-3 with a kernel of their own
- * (StackTableTest.cxx). About 50 ms a kernel, on all threads. Serves any tool.
+ * Smooth functions of the thicknesses are interpolated between the nodes. For stacks with moduli of
+ * 1 to 50 to 1 and thicknesses of 1 to 20, the forces agree to 1e-3 with those of a kernel of their
+ * own (StackTableTest.cxx). A kernel takes about 50 ms, on all threads. The kernels suit any tool.
  */
 class PALPATE_EXPORT StackKernels
 {
 public:
-  /// `stack` without fault (LayerStack.h); the thicknesses of its first two layers come from the
-  /// spans. `second` is ignored for a single layer.
+  /// `stack` must have no fault (LayerStack.h). The thicknesses of its first two layers come from
+  /// the spans. `second` is ignored for a single layer.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
 
   /// The same; the last ones are kept in the process, up to 1000 kernels. Thread-safe.
@@ -63,7 +64,7 @@ public:
 
 private:
   using Rule = ChebyshevRule<Eigen::Dynamic>;
-  /// The points of one thickness.
+  /// The nodes over the thickness of one layer.
   struct Axis
   {
     explicit Axis(const ThicknessSpan& span);

@@ -16,11 +16,11 @@ namespace palpate
 {
 /**
  * One tool at fixed depths on a stack whose first two layers vary in thickness: the exact solution
- * at the nodes of StackKernels, and polynomials of ln F, ln dF/dδ and ln a over ln h between.
+ * at the nodes of StackKernels, and between them polynomials of ln F, ln dF/dδ and ln a over ln h.
  *
- * About 1 ms a node and 8 depths to build, then 1 to 2 µs a place. Where the first layer is so thin
- * that the contact radius exceeds LayerKernel::LargestRatio of it, to within a tenth of that
- * thickness, a place has no curve.
+ * Building takes about 1 ms per node and 8 depths; then a place takes 1 to 2 µs. A place has no
+ * curve if its first layer is so thin that the contact radius exceeds LayerKernel::LargestRatio
+ * times the thickness; this limit is accurate to a tenth of that thickness.
  */
 class PALPATE_EXPORT StackTable final : public LayerCurves
 {

@@ -10,8 +10,8 @@ namespace palpate
 {
 constexpr double Mebibyte = 1024.0 * 1024.0;
 
-/// Bytes that programs can still take on this machine without swapping: `MemAvailable` of Linux
-/// (proc(5)). If the file lacks it, half of the machine's memory.
+/// Number of bytes that programs can still allocate on this machine without swapping:
+/// `MemAvailable` of Linux (proc(5)). If the file lacks it, half of the machine's memory.
 PALPATE_EXPORT double availableMemory(const std::string& file = "/proc/meminfo");
 } // namespace palpate
 

@@ -41,7 +41,7 @@ public:
     return factors / factors.sum();
   }
 
-  /// Of `points` points, which are N unless that is Eigen::Dynamic.
+  /// A rule with `points` points; it must equal N unless N is Eigen::Dynamic.
   explicit ChebyshevRule(Eigen::Index points)
   {
     constexpr double pi = 3.14159265358979323846;
@@ -61,10 +61,10 @@ private:
 };
 
 /**
- * A function of one variable on [0, end], kept as Chebyshev series of 16 terms on equal pieces.
+ * A function of one variable on [0, end], stored as Chebyshev series of 16 terms on equal pieces.
  *
- * A function that is analytic within one length of a piece around each piece is kept to about
- * 1e-13 of its size there.
+ * If the function is analytic around each piece, within the length of one piece, it is reproduced
+ * to about 1e-13 of its size there.
  */
 class PALPATE_EXPORT PiecewiseChebyshev
 {
@@ -74,7 +74,7 @@ public:
   PiecewiseChebyshev() = default;
   PiecewiseChebyshev(double end, int pieces, const std::function<double(double)>& function);
 
-  /// 0 beyond the end, where the functions kept so have decayed.
+  /// 0 beyond the end: functions stored in this way have decayed there.
   double evaluate(double x) const noexcept;
 
 private:

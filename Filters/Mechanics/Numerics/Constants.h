@@ -6,11 +6,11 @@
 
 namespace palpate
 {
-/// π, and the values for "no bound" and "not known".
+/// π, and the values for "no bound" and "unknown".
 inline constexpr double Pi = 3.14159265358979323846;
 inline constexpr double Infinity = std::numeric_limits<double>::infinity();
 inline constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-/// Half a 95 % interval of a normal distribution, in standard deviations.
+/// Half the width of a 95 % interval of a normal distribution, in standard deviations.
 inline constexpr double Normal95 = 1.959963984540054;
 } // namespace palpate
 

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// Nodes whose compliances are all known: symmetric, positive definite.
+/// Nodes with a known compliance matrix, which is symmetric and positive definite.
 class DenseNodes : public CompliantNodes
 {
 public:

@@ -19,11 +19,11 @@ class PALPATE_EXPORT GaussLegendre
 public:
   explicit GaussLegendre(int nodes);
 
-  /// The 64-point rule the contact integrals use. Analytic integrands whose nearest singularity
-  /// lies no closer than 1 % of the interval beyond its end converge to 1e-11.
+  /// The 64-point rule of the contact integrals. It converges to 1e-11 for an analytic integrand
+  /// whose nearest singularity is at least 1 % of the interval beyond its end.
   static const GaussLegendre& standard();
 
-  /// On [-1, 1], ascending.
+  /// The nodes on [-1, 1], ascending.
   const Eigen::ArrayXd& nodes() const noexcept { return this->Nodes; }
   const Eigen::ArrayXd& weights() const noexcept { return this->Weights; }
 

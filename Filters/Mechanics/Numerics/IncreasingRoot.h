@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// A function and its derivative at one place.
+/// A function value and the derivative at the same point.
 struct ValueAndSlope
 {
   double value;
@@ -14,8 +14,8 @@ struct ValueAndSlope
 };
 
 /**
- * The root of an increasing function between low and high, to rounding: Newton's method from
- * `start`, kept between the bounds found so far by bisection. f(t) returns f and f' at t.
+ * The root of an increasing function between low and high, to rounding. Newton's method from
+ * `start`, with bisection where it would leave the bounds found so far. f(t) returns f and f' at t.
  */
 template <class Function>
 double increasingRoot(Function&& f, double low, double high, double start)
@@ -30,7 +30,7 @@ double increasingRoot(Function&& f, double low, double high, double start)
     {
       if (!(std::abs(next - t) > 1e-8 * t))
       {
-        return next; // the next step would be its square
+        return next; // the next step would be of the size of this step squared
       }
     }
     else

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Least squares over the columns that are free; 0 in the others.
+/// Least squares over the free columns; the other coefficients are 0.
 VectorXd solveFree(const MatrixXd& A, const VectorXd& b, const std::vector<bool>& free)
 {
   std::vector<Index> columns;

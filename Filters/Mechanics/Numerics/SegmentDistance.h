@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// Square of the distance of the origin from the segment between two places, of a plane or of
-/// space; of one without a length from its ends.
+/// Square of the distance from the origin to the segment between two points, in a plane or in
+/// space. For a segment without length, the distance to its ends.
 template <class Vector>
 double squareToSegment(const Vector& from, const Vector& to)
 {

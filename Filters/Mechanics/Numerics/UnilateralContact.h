@@ -10,35 +10,36 @@
 
 namespace palpate
 {
-/// What yields under forces on its nodes; symmetric, positive definite.
+/// A body that yields under forces on its nodes; its compliance is symmetric and positive definite.
 class PALPATE_EXPORT CompliantNodes
 {
 public:
   virtual ~CompliantNodes() = default;
-  /// The forces on the nodes `active` (the others carry none) under which these move as wanted.
+  /// Computes the forces on the nodes `active` that move these nodes as wanted. The other nodes
+  /// carry no force.
   virtual void press(
     const std::vector<int>& active, const Eigen::VectorXd& wanted, Eigen::VectorXd& forces) = 0;
-  /// How all nodes move under forces on the active ones.
+  /// Computes the motion of all nodes under forces on the active ones.
   virtual void move(
     const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) = 0;
 };
 
 /**
- * Signorini's problem at nodes: forces p ≥ 0 with which every node i moves by at least b_i, those
- * that carry force by exactly b_i.
+ * Signorini's problem at nodes: forces p ≥ 0 under which every node i moves by at least b_i, and
+ * each node that carries a force by exactly b_i.
  *
- * Active sets: the nodes in contact are guessed, pressed to b, those that pull are let go, those
- * passed through are taken in (primal–dual active set, Hintermüller, Ito and Kunisch 2003), all at
- * once; should the sets not settle, one at a time.
+ * Active sets: the nodes of a guessed contact are pressed to b. Then nodes that pull leave the set,
+ * and nodes that were penetrated join it (primal–dual active set, Hintermüller, Ito and Kunisch
+ * 2003). All nodes change at once; if the sets do not settle, one node at a time.
  */
 class PALPATE_EXPORT UnilateralContact
 {
 public:
-  /// `active`, ascending, is the first guess and then the nodes in contact. False if it did not
-  /// settle.
+  /// `active` (ascending) is the first guess on input and the nodes in contact on output. Returns
+  /// false if the sets did not settle.
   bool solve(CompliantNodes& nodes, const Eigen::VectorXd& wanted, std::vector<int>& active,
     Eigen::VectorXd& forces);
-  /// How many sets the last solution tried.
+  /// Number of sets that the last solution tried.
   int steps() const { return this->Steps; }
 
 private:

@@ -11,9 +11,9 @@
 namespace palpate
 {
 /**
- * How a material relaxes (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i), Poisson's ratio
- * constant. p_i is relative to the slow modulus E_∞: a fraction g_i of the instantaneous modulus,
- * as in the literature, is p_i = g_i/(1 - Σ g).
+ * The relaxation of a material (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i); Poisson's
+ * ratio is constant. p_i is relative to the slow modulus E_∞. The literature often gives a fraction
+ * g_i of the instantaneous modulus; then p_i = g_i/(1 - Σ g).
  */
 struct PronySeries
 {
@@ -24,7 +24,7 @@ struct PronySeries
   std::array<double, LargestCount> time{};     ///< τ_i, s, > 0
 
   bool relaxes() const noexcept { return this->total() > 0.0; }
-  /// P = Σ p_i: the instantaneous modulus is 1 + P times the slow one.
+  /// P = Σ p_i: the instantaneous modulus is 1 + P times the slow modulus.
   double total() const noexcept
   {
     double sum = 0.0;
@@ -42,22 +42,22 @@ struct PronySeries
   }
 };
 
-/// What is wrong with it, naming the branch and the number; "" if nothing is. A series without
-/// branches is valid.
+/// The fault of a series, which names the branch and the number; "" if nothing is wrong. A series
+/// without branches is valid.
 PALPATE_EXPORT std::string faultOfRelaxation(const PronySeries& series);
 
 /// ψ(t), t >= 0 in s.
 PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 
-/// Ratio of the force to the slow force at the end of a press at constant speed of this duration,
-/// for a slow curve f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1; -t/τ_i), M Kummer's function
-/// ₁F₁. A modulus measured in such a press is the slow one times this.
+/// Ratio of the force to the slow force at the end of a press of this duration at constant speed,
+/// for a slow curve f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1; -t/τ_i), with Kummer's
+/// function M = ₁F₁. A modulus measured in such a press is the slow modulus times this ratio.
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
-/// Reads "0.5:0.1,0.3:2", strength:seconds of each branch; "" is none. Returns what is wrong, or
-/// ""; sets `series` only then.
+/// Reads "0.5:0.1,0.3:2": strength:seconds of each branch; "" means no branches. Returns a fault,
+/// or "". `series` changes only if there is no fault.
 PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);
-/// The same written, so that it reads back to the same bits.
+/// Writes the series as text that reads back to the same bits.
 PALPATE_EXPORT std::string textOf(const PronySeries& series);
 } // namespace palpate
 

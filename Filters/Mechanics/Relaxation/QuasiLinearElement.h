@@ -9,21 +9,22 @@
 namespace palpate
 {
 /**
- * RelaxationElements reduced to one, in the force of the curve itself: y = f(δ) instead of a depth
- * (quasi-linear, Fung). Exact for a flat-ended tool and on loading, otherwise within 10 to 12 % of
- * the largest force; for curves that are not convex, or where speed matters more.
+ * A single relaxing element, as a simpler form of RelaxationElements. It uses the force of the
+ * curve, y = f(δ), instead of a depth (quasi-linear, Fung). Exact for a flat-ended tool and during
+ * loading; otherwise within 10 to 12 % of the largest force. Meant for curves that are not convex,
+ * and where speed matters more.
  */
 class QuasiLinearElement
 {
 public:
   void reset() noexcept { *this = {}; }
-  /// Equilibrium at this force.
+  /// Sets equilibrium at this force.
   void rest(double force) noexcept
   {
     this->reset();
     this->Slow = force;
   }
-  /// Changes to another curve, `factor` times as stiff.
+  /// Changes to another curve that is `factor` times as stiff.
   void scale(double factor) noexcept
   {
     this->Slow *= factor;
@@ -32,7 +33,7 @@ public:
       strain *= factor;
     }
   }
-  /// A step of time to a slow force f(δ), N; 0 without contact. Returns the force.
+  /// A time step to the slow force f(δ), N; 0 without contact. Returns the force.
   double press(double slow, const RelaxationStep& step) noexcept
   {
     double free = step.stiffening * this->Slow;
@@ -51,8 +52,8 @@ public:
     this->Force = (1.0 + step.stiffening) * (now - free);
     return this->Force;
   }
-  /// Instead of press(): a step by an increment of either sign, without separation. Returns the
-  /// force of memory.
+  /// Use instead of press(): a step by an increment of either sign, without separation. Returns the
+  /// part of the force due to memory.
   double follow(double increment, const RelaxationStep& step) noexcept
   {
     double sum = 0.0;
@@ -62,11 +63,11 @@ public:
       sum += step.strength[i] * this->Strain[i];
     }
     this->Slow += increment;
-    this->Force = 1.0; // counts as contact, as it may pull
+    this->Force = 1.0; // counts as contact, since the force may pull
     return sum;
   }
 
-  /// The result of follow(), without the step.
+  /// The result of follow() without making the step.
   double foresee(double increment, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
@@ -77,7 +78,7 @@ public:
     return sum;
   }
 
-  /// As of RelaxationElements, but times a stiffness: N².
+  /// As in RelaxationElements, but multiplied by a stiffness: N².
   double growthByExchange(const RelaxationStep& step, double share) const noexcept
   {
     double sum = 0.0;
@@ -102,7 +103,7 @@ public:
   {
     return 0.5 * this->Strain[branch] * this->Strain[branch];
   }
-  /// As of RelaxationElements.
+  /// As in RelaxationElements.
   void exchange(double share) noexcept
   {
     const bool isTouched = this->Force > 0.0;

@@ -18,16 +18,18 @@ namespace palpate
  * A foundation that relaxes: parallel elements, each of which begins at its own gap g_j below the
  * surface and carries
  *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
- * u its own depth, δ - g_j while it touches. It does not pull: out of contact it creeps back with
- * q = 0. The force of a slow curve f is F = Σ w_j q_j, with w_j the steps of the slope of the
- * chords of f between the gaps: exact in the limit of close gaps for every body and tool whose
- * contact areas are nested (Lee and Radok 1960; Ting 1966), and any history: presses, holds,
- * releases, new contacts in a dent that has not recovered. The state of an element depends on depth
- * and time alone, not on f, so that blended curves share the elements.
+ * where u is the depth of the element, δ - g_j while it is in contact. An element does not pull:
+ * out of contact it creeps back with q = 0.
  *
- * A step is exact for a depth that moves at constant speed. Elements are stepped in blocks of four,
- * except those never touched: some 40 ns for 17 elements and two branches. Nothing allocates or
- * throws.
+ * The force of a slow curve f is F = Σ w_j q_j. The weights w_j are the steps in slope of the
+ * chords of f between the gaps. In the limit of close gaps this is exact for every body and tool
+ * with nested contact areas (Lee and Radok 1960; Ting 1966), and for any history: presses, holds,
+ * releases, new contacts in a dent that has not recovered. The state of an element depends only on
+ * depth and time, not on f, so that blended curves share the elements.
+ *
+ * A step is exact for a depth that changes at constant speed. Elements are stepped in blocks of
+ * four, except those that were never touched: about 40 ns for 17 elements and two branches. Nothing
+ * allocates or throws.
  */
 class RelaxationElements
 {
@@ -43,10 +45,10 @@ private:
 public:
   static constexpr std::size_t LargestCount = 33;
   static constexpr std::size_t BlockSize = 4;
-  /// A number per element, in whole blocks.
+  /// One number per element, padded to whole blocks.
   using Values = std::array<double, (LargestCount + BlockSize - 1) / BlockSize * BlockSize>;
 
-  /// Where elements begin, mm, ascending; infinite for missing ones.
+  /// Depths at which the elements begin, mm, ascending; infinite for missing elements.
   class Gaps
   {
   public:
@@ -61,10 +63,10 @@ public:
     Values Depths;
   };
 
-  /// All at rest, untouched.
+  /// Sets all elements to rest, untouched.
   void reset() noexcept { *this = {}; }
 
-  /// Equilibrium at this depth.
+  /// Sets equilibrium at this depth.
   void rest(double depth, const Gaps& gaps) noexcept
   {
     this->reset();
@@ -76,14 +78,14 @@ public:
     this->Touched = this->Awake;
   }
 
-  /// First part of a time step: the depth of each element without contact. Must be followed by
-  /// press().
+  /// First part of a time step: computes the depth of each element without contact. Must be
+  /// followed by press().
   void relax(const RelaxationStep& step) noexcept
   {
     withBranches(step.count, [&](auto branches) { this->relaxAll<branches>(step); });
   }
 
-  /// Second part: the tool is at this depth, mm; -∞ without contact.
+  /// Second part of a time step: the tool is at this depth, mm; -∞ without contact.
   void press(double depth, const Gaps& gaps, const RelaxationStep& step) noexcept
   {
     while (this->Awake < gaps.count() && depth > gaps[this->Awake])
@@ -99,7 +101,7 @@ public:
     }
   }
 
-  /// The Σ w_j q_j of press() at another depth; to be called between relax() and press().
+  /// The Σ w_j q_j that press() would give at this depth. Call it between relax() and press().
   double forceAt(double depth, const Gaps& gaps, const Values& weights,
     const RelaxationStep& step) const noexcept
   {
@@ -112,23 +114,23 @@ public:
     return (1.0 + step.stiffening) * sum;
   }
 
-  /// Number of elements that may carry a force; the others are in their initial state.
+  /// Number of elements that may carry a force. The others are in their initial state.
   std::size_t awake() const noexcept { return this->Awake; }
-  /// Whether any element is in contact; if so, the first is.
+  /// Whether any element is in contact; the first one is in contact then.
   bool isTouched() const noexcept { return this->Touched > 0; }
 
-  /// Σ w_j q_j.
+  /// The force Σ w_j q_j.
   double forceOf(const Values& weights) const noexcept
   {
     return (head(weights, this->Awake) * head(this->Force, this->Awake)).sum();
   }
-  /// The part of it by memory: Σ w_j (q_j - (δ - g_j)⁺).
+  /// The part of the force due to memory: Σ w_j (q_j - (δ - g_j)⁺).
   double memoryOf(const Values& weights, double depth, const Gaps& gaps) const noexcept
   {
     const auto slow = (depth - head(gaps.depths(), this->Awake)).max(0.0);
     return (head(weights, this->Awake) * (head(this->Force, this->Awake) - slow)).sum();
   }
-  /// Σ w_j over elements in contact, N/mm.
+  /// Σ w_j of the elements in contact, N/mm.
   double touchedStiffness(const Values& weights) const noexcept
   {
     return head(weights, this->Touched).sum();
@@ -143,14 +145,14 @@ public:
     }
     return sum;
   }
-  /// Its derivative by the strength of one branch: Σ w_j s_i²/2.
+  /// Derivative of storedEnergy() with respect to the strength of one branch: Σ w_j s_i²/2.
   double energyByStrength(const Values& weights, std::size_t branch) const noexcept
   {
     const auto strain = head(this->Strain[branch], this->Awake);
     return 0.5 * (head(weights, this->Awake) * strain.square()).sum();
   }
 
-  /// The derivative of storedEnergy() by the fraction of new material under the tool, see
+  /// Derivative of storedEnergy() with respect to the fraction of new material under the tool, see
   /// exchange(); N mm.
   double growthByExchange(
     const Values& weights, const RelaxationStep& step, double share) const noexcept
@@ -168,8 +170,8 @@ public:
     return sum;
   }
 
-  /// Replaces a fraction of the material, 0 to 1, by material never touched: under the tool it
-  /// counts as pressed instantly, beside it as at rest.
+  /// Replaces a fraction of the material, 0 to 1, by untouched material. In elements in contact the
+  /// new material counts as pressed instantly, in the other elements as at rest.
   void exchange(double share, std::size_t branches) noexcept
   {
     for (std::size_t i = 0; i < branches; ++i)
@@ -189,7 +191,7 @@ public:
   }
 
 private:
-  /// Four elements, from the first of them.
+  /// Four elements, starting at `first`.
   using Block = Eigen::Array<double, BlockSize, 1>;
   static auto blockOf(const Values& values, std::size_t first) noexcept
   {
@@ -214,8 +216,8 @@ private:
         return use(std::integral_constant<std::size_t, PronySeries::LargestCount>());
     }
   }
-  // In whole blocks: depth, strains and free depth of elements not awake are 0, and stay so, since
-  // the tool does not reach their gaps.
+  // Works on whole blocks. Depth, strains and free depth of elements that are not awake are 0 and
+  // stay so, since the tool does not reach their gaps.
   template <std::size_t Branches>
   void relaxAll(const RelaxationStep& step) noexcept
   {
@@ -251,7 +253,7 @@ private:
 
   void fallAsleep() noexcept
   {
-    constexpr double little = 1e-12; // mm: of negligible force
+    constexpr double little = 1e-12; // mm: the force is negligible
     for (; this->Awake > 0 && !(this->Force[this->Awake - 1] > 0.0); --this->Awake)
     {
       const std::size_t last = this->Awake - 1;
@@ -274,12 +276,12 @@ private:
     }
   }
 
-  std::size_t Awake = 0;   ///< elements that were touched, and have not recovered
-  std::size_t Touched = 0; ///< those in contact: the first ones, since contact areas are nested
+  std::size_t Awake = 0;   ///< elements that were touched and have not recovered
+  std::size_t Touched = 0; ///< elements in contact: the first ones, since contact areas are nested
   Values Depth{};          ///< u_j
   Values Force{};          ///< q_j
-  Values Free{};           ///< u_j without contact
-  std::array<Values, PronySeries::LargestCount> Strain{}; ///< s_i of each
+  Values Free{};           ///< u_j that an element would have without contact
+  std::array<Values, PronySeries::LargestCount> Strain{}; ///< s_i of each element
 };
 } // namespace palpate
 

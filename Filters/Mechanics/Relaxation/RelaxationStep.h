@@ -10,8 +10,7 @@
 
 namespace palpate
 {
-/// The change of a material's branches in a time step during which the depth moves at constant
-/// speed.
+/// The change of a material's branches in a time step in which the depth changes at constant speed.
 struct RelaxationStep
 {
   using Branches = std::array<double, PronySeries::LargestCount>;
@@ -20,10 +19,11 @@ struct RelaxationStep
   Branches decay{};        ///< e_i = e^(-T/τ_i)
   Branches gain{};         ///< (τ_i/T)(1 - e_i): fraction of an increment that remains at the end
   Branches strength{};     ///< p_i
-  double stiffening = 0.0; ///< Σ p_i gain_i: an increment is 1 + this times as stiff
+  double stiffening = 0.0; ///< Σ p_i gain_i: the stiffness for an increment is 1 + this times the
+                           ///< slow one
 
   RelaxationStep() = default;
-  /// `seconds` >= 0; at 0 all of an increment remains.
+  /// `seconds` >= 0; at 0 the whole increment remains.
   RelaxationStep(const PronySeries& series, double seconds) noexcept
     : count(series.count)
     , strength(series.strength)
@@ -43,9 +43,9 @@ struct RelaxationStep
     this->sum();
   }
 
-  /// In a servo loop of this period a relaxing spring of slow stiffness K is passive if an elastic
-  /// one of K times this is (Colgate and Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i), which
-  /// is 2 gain_i/(1 + e_i).
+  /// A servo loop with the period of the step is passive with a relaxing spring of slow stiffness K
+  /// if it is passive with an elastic spring of stiffness K times this factor (Colgate and
+  /// Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i), which is 2 gain_i/(1 + e_i).
   double sampledStiffening() const noexcept
   {
     double sum = 1.0;
@@ -63,7 +63,7 @@ struct RelaxationStep
     {
       return (1.0 - std::exp(-x)) / x;
     }
-    // In groups of four, which are independent; x^11/12! is 5e-16.
+    // Terms in groups of four, which are independent. The first term left out, x^11/12!, is 5e-16.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x * (1.0 / 2)) + x2 * (1.0 / 6 - x * (1.0 / 24));
@@ -73,7 +73,7 @@ struct RelaxationStep
   }
 
 private:
-  /// Below it Taylor's polynomial is exact to rounding.
+  /// Below this x Taylor's polynomial is exact to rounding.
   static constexpr double Little = 0.25;
 
   void sum() noexcept

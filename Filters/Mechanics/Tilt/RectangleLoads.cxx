@@ -43,7 +43,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
     rows.imaginary.assign(whole * wide, 0.0);
   };
 
-  // Corners at half-integer positions from -1/2 to n + 1/2.
+  // Corners at half-integer positions, -1/2 to n + 1/2.
   const std::size_t corners = this->Count + 2;
   std::vector<double> terms(corners * corners);
   for (std::size_t j = 0; j < corners; ++j)
@@ -68,7 +68,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
   room(this->Across, this->Count + 1);
   this->toSpectrum(field, whole);
   const double norm = 1.0 / static_cast<double>(whole * whole);
-  this->Kernel = this->Across.real; // an even field's is real
+  this->Kernel = this->Across.real; // the transform of an even field is real
   for (double& value : this->Kernel)
   {
     value *= norm;
@@ -76,7 +76,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
   room(this->Along, this->Count / 2);
 }
 
-/// Fourier transform of each column; the result is in the order of Order.
+/// Fourier transform of each column. Order gives the order of the result.
 void RectangleLoads::transform(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;
@@ -109,7 +109,7 @@ void RectangleLoads::transform(Rows& rows) const
   }
 }
 
-/// Inverse transform, times 2n.
+/// Inverse transform of each column, times 2n.
 void RectangleLoads::transformBack(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;
@@ -142,7 +142,7 @@ void RectangleLoads::transformBack(Rows& rows) const
   }
 }
 
-/// A field of rows x rows numbers, transformed, in Across.
+/// Transforms a field of rows x rows numbers; the result is in Across.
 void RectangleLoads::toSpectrum(const std::vector<double>& field, std::size_t rows)
 {
   const std::size_t whole = 2 * this->Count;
@@ -159,7 +159,8 @@ void RectangleLoads::toSpectrum(const std::vector<double>& field, std::size_t ro
     }
   }
   this->transform(this->Along);
-  // Of two real rows in one: the first is the even part in k and its conjugate, the second the odd.
+  // Separates the two real rows of each complex row. The first row gives the part that is even
+  // under k → -k and conjugation, the second row the odd part.
   const std::size_t wide = this->Across.width;
   this->Across.real.assign(whole * wide, 0.0);
   this->Across.imaginary.assign(whole * wide, 0.0);

@@ -7,21 +7,21 @@
 namespace palpate
 {
 /**
- * The normal displacement of a half-space, E* = 1, under constant pressures on n x n equal
- * rectangles: Love's closed form for one (1929), summed by a convolution in Fourier space,
- * zero-padded to twice the size.
+ * The normal displacement of a half-space with E* = 1 under constant pressures on n x n equal
+ * rectangles. Love's closed form for one rectangle (1929) is summed by a convolution in Fourier
+ * space, zero-padded to twice the size.
  *
- * Not thread-safe: it has its own buffers. Cost: 0.2 ms of 64 x 64, of which Eigen's transform, row
- * by row, takes 2.5 times as much; some 10 000 make a tool's table.
+ * Not thread-safe: each object has its own buffers. Cost: 0.2 ms for 64 x 64. Eigen's transform,
+ * row by row, takes 2.5 times as long. A tool's table needs about 10 000 calls.
  */
 class RectangleLoads
 {
 public:
-  /// n a power of two, >= 4; sides of a rectangle, mm.
+  /// `n` is a power of two, >= 4; `width` and `height` are the sides of a rectangle, mm.
   RectangleLoads(int n, double width, double height);
 
-  /// The depths (mm) of the centres under pressures (MPa), both at i + n j; i counts along the
-  /// width.
+  /// Computes the depths (mm) of the centres under pressures (MPa). Both arrays have index i + n j;
+  /// i counts along the width.
   void displace(const std::vector<double>& pressures, std::vector<double>& depths);
 
 private:
@@ -37,11 +37,11 @@ private:
   void toSpectrum(const std::vector<double>& field, std::size_t rows);
 
   std::size_t Count;
-  std::vector<double> Cosines; ///< of 2π k/2n
+  std::vector<double> Cosines; ///< cos(2π k/2n)
   std::vector<double> Sines;
-  std::vector<std::size_t> Order; ///< index of number k after transform()
-  Rows Along;                     ///< along the width, two rows of rectangles as one complex row
-  Rows Across;                    ///< across it, of each wave number along it
+  std::vector<std::size_t> Order; ///< index of wave number k after transform()
+  Rows Along;  ///< transform along the width; two rows of rectangles form one complex row
+  Rows Across; ///< transform across the width, for each wave number along it
   std::vector<double> Kernel;
 };
 } // namespace palpate

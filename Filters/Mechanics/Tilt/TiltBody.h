@@ -12,20 +12,20 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A body without its modulus, which only scales the result: a half-space or a layer, and a
-/// compliance in series with it.
+/// A body without its modulus, which only scales the result: a half-space or a layer, with a
+/// compliance in series.
 struct TiltBody
 {
-  double thickness = 0.0; ///< of the layer, or of a stack's first, mm; 0 for a half-space
+  double thickness = 0.0; ///< of the layer, or of a stack's first layer, mm; 0 for a half-space
   std::shared_ptr<const LayerKernel> kernel; ///< of the layer or stack; null for a half-space
   double yielding = 0.0;                     ///< compliance in series times E*, 1/mm
 
   bool hasLayer() const { return this->thickness > 0.0 && this->kernel != nullptr; }
-  /// In words.
+  /// Description in words.
   std::string describe() const;
 };
 
-/// A tool pressed into a body, per E*.
+/// Results for a tool pressed into a body, divided by E*.
 struct TiltWork
 {
   double force = 0.0;     ///< F, mm²
@@ -33,8 +33,8 @@ struct TiltWork
   double work = 0.0;      ///< ∫F dD, mm³
 };
 
-/// A tool pressed D > 0 deep (mm) into a body; NaN where its law does not hold. The work is
-/// integrated to 1e-6 between the kinks of the tool's profile.
+/// Presses a tool D > 0 deep (mm) into a body; NaN where the law of the tool is not valid. The work
+/// is integrated to 1e-6 between the kinks of the tool's profile.
 PALPATE_EXPORT TiltWork pressedInto(
   const AxisymmetricTool& tool, const TiltBody& body, double depth);
 } // namespace palpate

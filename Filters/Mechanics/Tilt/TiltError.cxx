@@ -8,10 +8,10 @@ namespace palpate
 {
 namespace
 {
-/// Of the table of tilts itself.
+/// The error of the table of tilts itself.
 double tableError(const TiltedLayer& contact) noexcept
 {
-  constexpr double wholeEnd = 1.0 / 3.0; // up to this drop a flat end touches as a whole
+  constexpr double wholeEnd = 1.0 / 3.0; // a flat end touches as a whole up to this value
   constexpr double asIfUpright = 1e-9;
   if (contact.rim > wholeEnd)
   {

@@ -17,11 +17,12 @@ namespace palpate
 namespace
 {
 constexpr double Degree = Pi / 180.0;
-constexpr double Margin = 4.0 * Degree;        // before a flank lies on the body
-constexpr double LargestOfAll = 80.0 * Degree; // beyond, the body's surface is not a plane
-constexpr double WidthsAway = 1e6;             // of a tip, where a flank is as steep as it gets
+constexpr double Margin = 4.0 * Degree; // between the largest tilt and the tilt at which the flank
+                                        // touches the body along its length
+constexpr double LargestOfAll = 80.0 * Degree; // at larger tilts the body's surface is not a plane
+constexpr double WidthsAway = 1e6;             // from the tip, where a flank has its final slope
 
-/// A place on the profile.
+/// A point of the profile.
 struct Place
 {
   double r;
@@ -35,7 +36,7 @@ DeepestPoint seenTilted(const Place& place, double angle)
   return { std::max(0.0, place.r * sine - place.f * cosine), place.r * cosine + place.f * sine };
 }
 
-/// The deepest sampled point, as the profile is straight between points.
+/// The deepest point of a sampled profile: one of its points, since it is straight between them.
 Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
 {
   const double sine = std::sin(angle);
@@ -46,7 +47,7 @@ Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
   return { deepest.r, deepest.f };
 }
 
-/// For a profile given as a function: the best of samples, refined by golden section.
+/// The deepest point of a profile given as a function: the best sample, refined by golden section.
 Place deepestOf(const AxisymmetricTool& tool, double angle)
 {
   const double sine = std::sin(angle);
@@ -119,8 +120,8 @@ Place deepestPlace(const AxisymmetricTool& tool, double angle)
   return { r, tool.profile(r) };
 }
 
-/// The tilt at which the steepest part of the flank lies on the body, rad; a right angle if it
-/// never does.
+/// The tilt at which the steepest part of the flank is parallel to the body's surface, rad; a right
+/// angle if that never happens.
 double flankAngle(const AxisymmetricTool& tool)
 {
   const std::optional<ToolSpecification> known = knownSpecification(tool);
@@ -138,7 +139,7 @@ double flankAngle(const AxisymmetricTool& tool)
   }
   if (std::isfinite(tool.largestContactRadius()))
   {
-    return 0.5 * Pi; // a sphere or a wall
+    return 0.5 * Pi; // a sphere or a vertical wall
   }
   double reach = std::max(1.0, tool.smallestContactRadius());
   reach = tool.kinks().empty() ? reach : std::max(reach, tool.kinks().back());
@@ -186,8 +187,8 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
 double dropScaleOf(const AxisymmetricTool& tool)
 {
   const double angle = std::min(0.5, largestTilt(tool));
-  // The distance of a rim is the same at any tilt; that of a paraboloid's deepest point is
-  // proportional to the tilt.
+  // The distance of a rim from the tip is the same at any tilt. For a paraboloid the distance of
+  // the deepest point is proportional to the tilt.
   constexpr double First = 0.02;
   constexpr double Half = 0.5;
   constexpr double OfARim = 3.0; // a flat end is in full contact from D = 3 h on
@@ -202,7 +203,7 @@ ToolDrop::ToolDrop(const AxisymmetricTool& tool, double largest)
 {
   for (int k = 0; k < Angles; ++k)
   {
-    // Not at 0 itself, as a rim is the deepest point at any tilt above 0.
+    // Not at 0 itself: a rim is the deepest point at any tilt above 0.
     constexpr double Hardly = 1e-9;
     const double angle = std::max(Hardly, static_cast<double>(k) / (Angles - 1)) * largest;
     const DeepestPoint deepest = deepestPoint(tool, angle);

@@ -12,34 +12,37 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// Where a tool tilted by θ >= 0 (rad) is deepest: h = max_r [r sin θ - f cos θ] below its tip and
-/// x = dh/dθ = r cos θ + f sin θ beside it. In closed form but for a profile given as a function.
+/// The deepest point of a tool tilted by θ >= 0 (rad): h = max_r [r sin θ - f cos θ] below its tip,
+/// and x = dh/dθ = r cos θ + f sin θ to the side of it. In closed form, except for a profile given
+/// as a function.
 PALPATE_EXPORT DeepestPoint deepestPoint(const AxisymmetricTool& tool, double angle);
 
-/// The largest tilt (rad) that has a law: 4 degrees before the steepest part of the flank lies on
-/// the body, of a cone 90 degrees less its half angle; 80 degrees where the flank grows ever
-/// steeper, or there is none.
+/// The largest tilt (rad) that has a law. It is 4 degrees less than the tilt at which the steepest
+/// part of the flank is parallel to the body's surface; for a cone that tilt is 90 degrees minus
+/// its half angle. At most 80 degrees, which applies where the flank grows ever steeper and for
+/// tools without a flank.
 PALPATE_EXPORT double largestTilt(const AxisymmetricTool& tool);
 
-/// Why a tool cannot be tilted so far (rad), naming both angles; "" if it can.
+/// The reason why a tool cannot be tilted by an angle (rad), with both angles; "" if it can.
 PALPATE_EXPORT std::string checkTilt(const AxisymmetricTool& tool, double angle);
 
-/// κ of a tool: 3 if its deepest point jumps to a rim at any tilt, 0 if it moves continuously. See
+/// κ of a tool: 3 if its deepest point jumps to a rim at the smallest tilt, 0 if it moves
+/// continuously. See
 /// TiltTerms::dropScale.
 PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
 
-/// The deepest point of one tool over its tilt as a TiltTable stores it: h and dh/dθ at even angles
-/// up to the largest, cubic between, and linear slightly beyond.
+/// The deepest point of one tool over its tilt, as a TiltTable stores it: h and dh/dθ at evenly
+/// spaced angles up to the largest. Cubic between the angles, linear slightly beyond the largest.
 class PALPATE_EXPORT ToolDrop
 {
 public:
-  static constexpr int Angles = 65; ///< h of a sphere to 1e-8 of its radius
+  static constexpr int Angles = 65; ///< error of h of a sphere: 1e-8 of its radius
 
   ToolDrop(const AxisymmetricTool& tool, double largest);
 
   DeepestPoint at(double angle) const;
   double largest() const { return this->Largest; }
-  /// h and dh/dθ of each angle.
+  /// h and dh/dθ at each angle.
   const std::vector<double>& nodes() const { return this->Nodes; }
 
 private:

@@ -20,17 +20,17 @@ namespace
 {
 constexpr int Depths = 9;
 constexpr int Angles = 13;
-constexpr double Aside = 0.01;      // of y, for differences
-constexpr double AlmostNone = 0.25; // fraction of the first x, in place of 0
-// Factors by which a half-space is solved deeper: its spline is inaccurate at the end, and a layer
-// has the contact of a half-space pressed deeper.
+constexpr double Aside = 0.01;      // step in y for differences
+constexpr double AlmostNone = 0.25; // fraction of the first x that replaces x = 0
+// The half-space is solved to this many times the range: its spline is inaccurate at the end, and
+// the contact on a layer is that of a half-space pressed deeper.
 constexpr double OnHalfSpace = 1.6;
 constexpr double OnLayers = 4.0;
 
-/// η and its derivatives by x, y and both.
+/// η and its derivatives with respect to x, to y, and to both.
 using Node = std::array<double, 4>;
 
-/// The ratio of two works, and its derivative by the depth.
+/// The ratio of two works, and its derivative with respect to the depth.
 struct Ratio
 {
   double value = 1.0;
@@ -86,15 +86,15 @@ public:
   }
 
 private:
-  /// x of a node; the one at 0, where there is no contact, is extrapolated from beside it.
+  /// x of a node. There is no contact at x = 0: a small x replaces it, and at() extrapolates to 0.
   static double placeAt(int depth)
   {
     return (depth > 0 ? static_cast<double>(depth) : AlmostNone) / (Depths - 1);
   }
   double depthAt(int depth) const { return this->Range * placeAt(depth) * placeAt(depth); }
 
-  /// Where η = 1, and W is even in θ at one depth of the tip, so that M = 0:
-  /// F dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
+  /// Nodes at θ = 0, where η = 1. At a fixed depth of the tip W is even in θ, so that M = 0: F
+  /// dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
   std::vector<Node> upright(int node) const
   {
     const double scale = this->HalfSpace.dropScale();
@@ -118,7 +118,7 @@ private:
     return nodes;
   }
 
-  /// By differences in y, and in x by F = dW/dD.
+  /// Nodes at a tilt: derivatives by differences in y, and in x by F = dW/dD.
   std::vector<Node> tilted(int node, double y) const
   {
     const double depth = this->depthAt(node);
@@ -126,7 +126,7 @@ private:
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
     std::array<Ratio, 3> rim{};    // ρ
     std::array<Ratio, 3> missed{}; // ratio of the half-space's work to the profile's
-    // At y, and on both sides; at the largest tilt twice on one side.
+    // At y and on both sides of it; at the largest tilt at two points on one side.
     const bool isLast = y + Aside > 1.0;
     const std::array<double, 3> steps = { 0.0, isLast ? 2.0 : -1.0, 1.0 };
     const std::array<double, 3> slope = { isLast ? 3.0 : 0.0, 1.0, isLast ? -4.0 : -1.0 };
@@ -171,7 +171,7 @@ private:
   double Largest;
   const std::vector<TiltBody>& Bodies;
   const TiltedHalfSpace& HalfSpace;
-  std::vector<std::vector<TiltWork>> Uprights; ///< of each depth, each body
+  std::vector<std::vector<TiltWork>> Uprights; ///< for each depth, each body
 };
 
 std::string countFault(const std::vector<TiltBody>& bodies)
@@ -181,7 +181,8 @@ std::string countFault(const std::vector<TiltBody>& bodies)
     : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", but is ", bodies.size());
 }
 
-/// Why a tool cannot be pressed so deep into a body, tilted or upright; "" if it can.
+/// The reason why a tool, upright or at the largest tilt, cannot be pressed so deep into a body; ""
+/// if it can.
 std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const TiltBody& body)
 {

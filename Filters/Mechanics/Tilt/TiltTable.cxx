@@ -26,8 +26,8 @@ Cell cellAt(double place, int nodes) noexcept
   return { static_cast<std::size_t>(lower), position - lower };
 }
 
-/// The cubic Hermite basis over a cell: values and slopes (by the place) at both ends, in the order
-/// lower value, lower slope, upper value, upper slope.
+/// The cubic Hermite basis over a cell. Order: lower value, lower slope, upper value, upper slope;
+/// slopes with respect to the position in the cell.
 struct Basis
 {
   std::array<double, 4> value;
@@ -48,7 +48,7 @@ Basis basisAt(const Cell& cell, int nodes) noexcept
       (6.0 * t - 2.0) * cells } };
 }
 
-/// η and its derivatives by x and y.
+/// η and its derivatives with respect to x and y.
 struct PlaneValue
 {
   double value = 0.0;
@@ -57,7 +57,8 @@ struct PlaneValue
   double byXTwice = 0.0;
 };
 
-/// Adds `weight` times a node: η, η_x, η_y, η_xy; `x`, `y`: 0 lower, 2 upper.
+/// Adds `weight` times the η, η_x, η_y, η_xy of a node. `x`, `y`: 0 for the lower, 2 for the upper
+/// end of the cell.
 void add(PlaneValue& sum, const double* node, double weight, const Basis& alongX, std::size_t x,
   const Basis& alongY, std::size_t y) noexcept
 {

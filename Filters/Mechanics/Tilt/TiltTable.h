@@ -11,14 +11,15 @@
 
 namespace palpate
 {
-/// The deepest point of a tilted tool, from its tip.
+/// The deepest point of a tilted tool, relative to its tip.
 struct DeepestPoint
 {
   double drop = 0.0;   ///< h, its depth below the tip, mm, >= 0
   double offset = 0.0; ///< x = dh/dθ, its lateral distance from the tip, mm, >= 0
 };
 
-/// τ and its derivatives, by the depth D at one tilt and by the tilt θ at one depth.
+/// τ and its derivatives, with respect to the depth D at fixed tilt and to the tilt θ at fixed
+/// depth.
 struct TiltFactor
 {
   double value = 1.0;
@@ -27,13 +28,13 @@ struct TiltFactor
   double byAngle = 0.0;      ///< 1/rad
 };
 
-/// Numbers of a TiltTable, as they are stored.
+/// Parameters of a TiltTable, as they are stored.
 struct TiltTerms
 {
   double range = 0.0;   ///< D_m, mm, > 0
-  double largest = 0.0; ///< tilt, rad, > 0 and less than a right angle
-  /// κ >= 0. A tool with a flat end (κ = 3) touches with its rim: its force depends on the ratio of
-  /// depth and drop.
+  double largest = 0.0; ///< largest tilt, rad, > 0 and less than a right angle
+  /// κ >= 0. κ is 3 for a tool with a flat end, which touches with its rim: its force depends on
+  /// the ratio of depth and drop.
   double dropScale = 0.0;
   int depths = 0; ///< nodes x_i = i/(depths - 1), 2 or more
   int angles = 0; ///< nodes y_j = j/(angles - 1), 2 or more
@@ -41,40 +42,41 @@ struct TiltTerms
   int laws = 0;   ///< 1 to MostLaws
 
   static constexpr int MostLaws = 16;
-  static constexpr int MostNodes = 256; ///< of each kind
+  static constexpr int MostNodes = 256; ///< of depths, of angles and of drops
 
   bool areFelt() const noexcept { return this->laws > 0; }
 };
 
-/// What is wrong with them, with the number, or "".
+/// The fault of the parameters, with the number, or "".
 PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
 
 /**
- * The effect of tilting a tool on its force. With W_0(D) the work of pressing it D deep upright,
- * that of the tool tilted by θ, its deepest point D deep, is
+ * The effect of tilt on the force of a tool. W_0(D) is the work of pressing the upright tool D
+ * deep. The work of the tool tilted by θ, with its deepest point D deep, is
  *   W(D, θ) = W_0(D) τ(D, θ),  D = δ + h(θ),
- * δ the depth of its tip, on the axis, and h the drop of its deepest point. Force and torque follow
- * from this one energy, so that closed paths gain no energy:
- *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ,
- * F along the body's normal, M about the tip, towards the upright position. τ(D, 0) = 1.
+ * where δ is the depth of its tip, on the axis, and h the drop of its deepest point. Force and
+ * torque follow from this one energy, so that closed paths gain no energy:
+ *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ.
+ * F is along the body's normal. M is about the tip, towards the upright position. τ(D, 0) = 1.
  *
- * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1 or,
- * for a tool with a flat end, whose force falls fast with the tilt, that of a flat end on a
- * half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Beyond D_m η is constant,
- * beyond θ_m the tilt counts as θ_m. h is the cubic Hermite interpolant of drops and offsets.
+ * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1,
+ * except for a tool with a flat end, whose force falls fast with the tilt: there ρ is that of a
+ * flat end on a half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Beyond D_m η is
+ * constant; a tilt beyond θ_m counts as θ_m. h is the cubic Hermite interpolant of drops and
+ * offsets.
  *
- * Bodies whose points differ in more than their modulus have several laws, and each point its
- * weights, of sum 1. Immutable; allocates and throws nothing after construction.
+ * A body whose points differ in more than their modulus has several laws, and each point has its
+ * weights, whose sum is 1. Immutable; allocates and throws nothing after construction.
  */
 class PALPATE_EXPORT TiltTable
 {
 public:
   TiltTable() = default;
-  /// `drops`: h and dh/dθ at each θ_k. `nodes`: of each law, each x, each y: η and its derivatives
-  /// by x, by y, by both. Numbers without fault by faultOf.
+  /// `drops`: h and dh/dθ at each θ_k. `nodes`: η and its derivatives with respect to x, to y and
+  /// to both, for each law, each x, each y. The numbers must pass faultOf.
   TiltTable(const TiltTerms& terms, const double* drops, const double* nodes);
 
-  /// What is wrong, with the number, or "".
+  /// The fault of the data, with the number, or "".
   static std::string faultOf(const TiltTerms& terms, const double* drops, const double* nodes);
   static std::size_t dropCount(const TiltTerms& terms) noexcept
   {
@@ -96,11 +98,11 @@ public:
     constexpr double rounding = 1e-9;
     return angle > this->Terms.largest + rounding;
   }
-  /// θ >= 0, rad.
+  /// The deepest point at the tilt θ >= 0, rad.
   DeepestPoint deepest(double angle) const noexcept;
-  /// D > 0, mm; θ >= 0, rad; one weight per law.
+  /// τ at D > 0, mm, and θ >= 0, rad; one weight per law.
   TiltFactor at(double depth, double angle, const double* weights) const noexcept;
-  /// The same of a table of one law.
+  /// The same for a table with one law.
   TiltFactor at(double depth, double angle) const noexcept
   {
     constexpr double whole = 1.0;

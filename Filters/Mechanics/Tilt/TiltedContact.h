@@ -8,24 +8,25 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A tilted tool on a half-space.
+/// Results for a tilted tool on a half-space.
 struct TiltedForce
 {
   double perModulus = 0.0; ///< F/E*, mm²
-  double work = 0.0; ///< work done, over E*, mm³; its error is the square of that of the pressures
-  double area = 0.0; ///< of the contact, mm²
+  double work = 0.0; ///< work done, over E*, mm³; its relative error is the square of that of the
+                     ///< pressures
+  double area = 0.0; ///< area of the contact, mm²
 };
 
 /**
- * The force of a tool tilted by θ, its deepest point D deep in a half-space, with boundary
- * elements: the surface of the tool over a plane of `pixels` x `pixels` rectangles fitted to the
- * contact, pressures >= 0 without penetration anywhere (Polonsky and Keer 1999, conjugate
+ * The force of a tool tilted by θ, its deepest point D deep in a half-space, by boundary elements.
+ * The surface of the tool is sampled on a plane of `pixels` x `pixels` rectangles fitted to the
+ * contact; the pressures are >= 0, without penetration anywhere (Polonsky and Keer 1999, conjugate
  * gradients, here at a given depth). The true surface is used, with flank and wall.
  *
- * Error of the force, 64 and 128 pixels: smooth tools 1e-4 and 2e-5, sharp rims 5e-3 and 2.5e-3, by
- * their staircase. Cost: 10 and 80 ms.
+ * Error of the force with 64 and 128 pixels: smooth tools 1e-4 and 2e-5; sharp rims, which become a
+ * staircase, 5e-3 and 2.5e-3. Cost: 10 and 80 ms.
  *
- * D > 0, mm; θ >= 0, rad, within the largest tilt (largestTilt); pixels a power of two, >= 32.
+ * D > 0, mm; θ >= 0, rad, up to the largest tilt (largestTilt); `pixels` is a power of two, >= 32.
  */
 PALPATE_EXPORT TiltedForce solveTilted(
   const AxisymmetricTool& tool, double angle, double depth, int pixels = 64);

@@ -9,12 +9,12 @@ namespace palpate
 {
 namespace
 {
-/// Coefficients of z, z², …: least squares of f over the table's relative errors, under f(3) = 2,
-/// f'(3) = 1, f''(3) = 0 and the work there.
+/// Coefficients of z, z², …: least squares of f with the relative errors of the table, under the
+/// constraints f(3) = 2, f'(3) = 1, f''(3) = 0 and the known work at q = 3.
 constexpr std::array<double, 9> RimTerms = { 0.21967052817978971, 1.3781689290941161,
   -6.757712350273644, 25.83380523956624, -62.31965296945057, 92.52030735421076, -81.92991590971977,
   39.62429688339708, -8.050449186485492 };
-constexpr double WholeEnd = 3.0; // q from which the end is in full contact
+constexpr double WholeEnd = 3.0; // the end is in full contact from this q on
 
 /// ρ over z = √(q/3) < 1, and three derivatives.
 struct RimWork

@@ -21,18 +21,19 @@ namespace palpate
 {
 namespace
 {
-constexpr double Shallowest = 256.0; // times shallower than the deepest
-constexpr int RowCells = 13;         // two to a factor of e in the depth, or so
+constexpr double Shallowest = 256.0; // ratio of the largest to the smallest depth of the rows
+constexpr int RowCells = 13;         // about two per factor e of the depth
 constexpr int AngleCells = 11;
-constexpr double Power = -1.2; // of T, nearly linear in sin² θ
+constexpr double Power = -1.2; // exponent of τ that makes it nearly linear in sin² θ
 constexpr int SamplesPerRow = 4;
 constexpr std::size_t OfRows =
-  SamplesPerRow * RowCells + 2;          // samples of the rows' depths, and one less deep
+  SamplesPerRow * RowCells + 2;          // samples over the depths of the rows, and two more
 constexpr std::size_t MostSamples = 200; // down to 1e-7 of the least depth, for small tilts
-constexpr double Smallest = 1e-9;        // a contact radius over the depth, whatever the solver
+constexpr double Smallest = 1e-9; // contact radius over depth, a lower bound for the solver's
+                                  // result
 
-/// Contact radii must grow: where they do not, by the solver's error, they are replaced by their
-/// mean over the depth, which keeps the force.
+/// Makes the contact radii grow with the depth. Where the solver's error makes them decrease, they
+/// are replaced by their mean over the depth, which keeps the force.
 void makeMonotone(std::vector<TiltedTool::Sample>& samples)
 {
   std::vector<double> radii;
@@ -43,7 +44,7 @@ void makeMonotone(std::vector<TiltedTool::Sample>& samples)
     depths.push_back(sample.depth);
   }
   radii = isotonicRegression(radii, depths);
-  constexpr double Growth = 1e-9; // so that each radius has one depth
+  constexpr double Growth = 1e-9; // makes the radii distinct, so that each has one depth
   for (std::size_t i = 0, same = 0; i < samples.size(); ++i)
   {
     same = i > 0 && radii[i] == radii[i - 1] ? same + 1 : 0;
@@ -94,7 +95,7 @@ TiltedHalfSpace::TiltedHalfSpace(const AxisymmetricTool& tool, double depth, dou
   }
 }
 
-/// s of tiltedFlatWork; 0 of a tool without a flat end.
+/// s of tiltedFlatWork; 0 for a tool without a flat end.
 double TiltedHalfSpace::rimRatio(double depth, double angle) const
 {
   return this->DropScale > 0.0 ? this->DropScale * this->Drop.at(angle).drop / depth : 0.0;
@@ -135,7 +136,8 @@ void TiltedHalfSpace::solveRows(double depth)
     std::vector<double> works;
     for (std::size_t column = 0; column < columns; ++column)
     {
-      // Relative to the same grid upright, which cancels most of its error.
+      // Divided by the result of the same grid for the upright tool, which cancels most of its
+      // error.
       const TiltedForce& tilted = solved[row * columns + column];
       const double tau = tilted.work > 0.0 ? tilted.work / solved[row * columns].work : 1.0;
       works.push_back(this->DropScale > 0.0
@@ -150,7 +152,7 @@ void TiltedHalfSpace::solveRows(double depth)
     }
     else if (this->rimRatio(at, angles[1]) < 1.0)
     {
-      // At a very small tilt the depth of the tip counts: W(D, θ) = W(D - h, 0).
+      // At a very small tilt only the depth of the tip matters: W(D, θ) = W(D - h, 0).
       const TiltWork upright = pressedInto(this->Tool, {}, at);
       slope = this->Drop.at(0.0).offset * (2.0 / at - upright.force / upright.work);
     }
@@ -178,8 +180,8 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) cons
 {
   constexpr double Least = 1e-4;
   constexpr double Whole = 3.0; // full contact of the end
-  constexpr int Lower = 60;     // from the least q to 1
-  constexpr int Upper = 40;     // from there, ever denser, to full contact
+  constexpr int Lower = 60;     // points from the least q to 1
+  constexpr int Upper = 40;     // points from there to full contact, ever denser
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;
   std::vector<TiltedTool::Sample> samples;
@@ -216,9 +218,9 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
       false);
   }
   const CubicSpline stored = this->over(angle);
-  // For a flat end until only its rim touches; otherwise from the first row.
+  // For a flat end from a depth at which only its rim touches; for others from the first row.
   const double drop = this->DropScale > 0.0 ? this->Drop.at(angle).drop : 0.0;
-  constexpr double OnRim = 0.02; // D/h, from where the force is a power of the depth, nearly
+  constexpr double OnRim = 0.02; // D/h up to which the force is nearly a power of the depth
   const double begin = drop > 0.0 ? std::min(first.depth, OnRim * drop) : first.depth;
   std::vector<TiltedTool::Sample> samples;
   for (std::size_t i = this->Uprights.size(); i-- > 0;)
@@ -237,21 +239,21 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
   auto tool = std::make_shared<const TiltedTool>(name, samples, false);
   if (drop > 0.0)
   {
-    // Around full contact of the end.
+    // A kink where the whole end comes into contact.
     tool = std::make_shared<const TiltedTool>(name, std::move(samples), false,
       std::vector<double>{ tool->contactRadius(this->DropScale * drop) });
   }
   return tool;
 }
 
-/// W = W_0 ρ η and its derivatives, all by ln D.
+/// W = W_0 ρ η and its derivatives. Slopes and bends are with respect to ln D.
 TiltWork TiltedHalfSpace::workOf(
   const Upright& upright, const CubicSpline& stored, double angle) const
 {
   const double depth = upright.depth;
   const TiltWork& at = upright.at;
   const SplinePoint eta = stored.at(std::log(depth));
-  double logarithm = eta.value; // and its derivatives
+  double logarithm = eta.value; // of η; its derivatives follow
   double logarithmSlope = eta.slope;
   double logarithmBend = eta.bend;
   if (!this->IsFaceted)

@@ -15,33 +15,35 @@
 namespace palpate
 {
 /**
- * One tool on a half-space at any tilt up to a largest one, and so, by its equivalent profiles
- * (TiltedTool.h), on layers.
+ * One tool on a half-space at any tilt up to a largest one. With its equivalent profiles
+ * (TiltedTool.h) it also serves for layers.
  *
- * It stores τ = W(D, θ)/W(D, 0), whose derivatives give force and contact radius, as the work of
- * boundary elements is smoother than their force. τ is 1 for spheres, has a closed form for flat
- * ends (TiltedFlat.h), and is a function of the angle alone for cones, which have no length; other
- * tools are solved for (TiltedContact.h) at some thirteen depths and angles, blunted cones only
- * where more than the tip touches. The splines over θ and ln D are those of τ^-1.2; for a sampled
- * profile, whose facets lie on the body one after the other, of ln τ; for a tool with a flat end,
- * of τ over that of the flat end. Against boundary elements between all nodes: 1e-3, flat ends 3e-3
- * (TiltNodesTest.cxx).
+ * The object stores τ = W(D, θ)/W(D, 0), whose derivatives give force and contact radius: the work
+ * of boundary elements is smoother than their force. τ is 1 for spheres and has a closed form for
+ * flat ends (TiltedFlat.h). For cones, which have no length, it depends on the angle alone. Other
+ * tools are solved (TiltedContact.h) at about thirteen depths and angles; blunted cones only where
+ * more than the tip touches.
  *
- * Cost: 1 to 4 s for a tool that is solved for, on all threads, otherwise negligible; 0.1 ms for
- * equivalent(). The same bits for any number of threads.
+ * The splines over θ and ln D are splines of τ^-1.2. For a sampled profile, whose facets touch the
+ * body one after the other, they are splines of ln τ; for a tool with a flat end, of τ divided by
+ * the τ of the flat end. Compared with boundary elements between all nodes the error is 1e-3, for
+ * flat ends 3e-3 (TiltNodesTest.cxx).
+ *
+ * Cost: 1 to 4 s for a tool that is solved, on all threads, otherwise negligible; 0.1 ms for
+ * equivalent(). The bits do not depend on the number of threads.
  */
 class PALPATE_EXPORT TiltedHalfSpace
 {
 public:
-  /// From `depth`/256 to `depth` (mm, within the tool's own limit), up to a tilt (rad) that
-  /// checkTilt allows. `tool` must outlive this.
+  /// Solves from `depth`/256 to `depth` (mm, within the limit of the tool), up to a tilt `largest`
+  /// (rad) that checkTilt allows. `tool` must outlive this object.
   TiltedHalfSpace(const AxisymmetricTool& tool, double depth, double largest);
 
-  /// The equivalent profile of the tilted tool over the depth of its deepest point. May be the tool
-  /// itself. Valid slightly beyond the largest tilt.
+  /// The equivalent profile of the tilted tool, over the depth of its deepest point. It may be the
+  /// tool itself. Valid slightly beyond the largest tilt.
   std::shared_ptr<const AxisymmetricTool> equivalent(double angle) const;
 
-  /// On the half-space itself, without an equivalent profile.
+  /// The work on the half-space itself, without an equivalent profile.
   TiltWork pressed(double depth, double angle) const;
 
   const AxisymmetricTool& tool() const { return this->Tool; }
@@ -63,7 +65,7 @@ private:
     CubicSpline works; ///< over the tilt
   };
 
-  /// The tool upright at one depth.
+  /// The upright tool at one depth.
   struct Upright
   {
     double depth;
@@ -81,7 +83,7 @@ private:
   ToolDrop Drop;
   double DropScale;
   Kind Is = Kind::Solved;
-  bool IsFaceted = false; ///< so that ln τ is splined, not τ^-1.2
+  bool IsFaceted = false; ///< then the splines are of ln τ, not of τ^-1.2
   std::vector<Row> Rows;
   std::vector<Upright> Uprights; ///< the deepest first
 };

@@ -6,8 +6,8 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A rectangle of the body's surface, mm; x across the axis of tilt, from the tip towards the
-/// lowered side; symmetric in y.
+/// A rectangle of the body's surface, mm. x is perpendicular to the axis of tilt, from the tip
+/// towards the lowered side; the rectangle is symmetric in y.
 struct SurfaceBox
 {
   double left;
@@ -15,16 +15,16 @@ struct SurfaceBox
   double halfWidth;
 };
 
-/// The lower side of a tool tilted by θ about y, over the plane through its deepest point.
+/// The lower side of a tool tilted by θ about y, above the plane through its deepest point.
 class TiltedSurface
 {
 public:
-  /// `tool` must outlive it.
+  /// `tool` must outlive the surface.
   TiltedSurface(const AxisymmetricTool& tool, double angle);
 
-  /// Height of the tool over the plane at (x, y), mm; +inf where more than `limit`.
+  /// Height of the tool above the plane at (x, y), mm; +inf if it exceeds `limit`.
   double heightAt(double x, double y, double limit) const;
-  /// The box around all places where the height is less than `limit`.
+  /// The smallest box found that contains all places where the height is less than `limit`.
   SurfaceBox below(double limit) const;
 
 private:

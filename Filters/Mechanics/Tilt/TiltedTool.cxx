@@ -16,7 +16,7 @@ namespace
 {
 const GaussLegendre& cellRule()
 {
-  static const GaussLegendre rule(8); // of a cubic's exponential over a cell: 1e-12
+  static const GaussLegendre rule(8); // for the exponential of a cubic over a cell: 1e-12
   return rule;
 }
 } // namespace
@@ -28,7 +28,7 @@ TiltedTool::TiltedTool(
   , HasWall(hasWall)
   , Kinks(std::move(kinks))
 {
-  // Slopes with which cubics do not overshoot (Fritsch and Carlson 1980).
+  // Slopes with which the cubics do not overshoot (Fritsch and Carlson 1980).
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
   {
     Sample& lower = this->Samples[i];
@@ -61,7 +61,7 @@ TiltedTool::Logarithm TiltedTool::radiusIn(std::size_t cell, double t) const
   return { std::log(lower.radius) + logarithm.value(t), logarithm.slope(t) };
 }
 
-/// ∫ a dD from the start of the cell.
+/// ∫ a dD from the start of a cell.
 double TiltedTool::workInside(std::size_t cell, double deflection) const
 {
   const double begin = this->Samples[cell].depth;

@@ -11,12 +11,13 @@
 namespace palpate
 {
 /**
- * The tool of revolution equivalent to a tilted one on a half-space: at each depth D of the deepest
- * point it has the same force, and so the same dF/dD = 2E* a. It is defined by its contact radius
- * a(D); g is the inverse. On layers it replaces the tilted tool with the error of tiltError.
+ * The tool of revolution that is equivalent to a tilted tool on a half-space: at each depth D of
+ * the deepest point it has the same force, and thus the same dF/dD = 2E* a. It is defined by its
+ * contact radius a(D); g is the inverse function. On layers it replaces the tilted tool with the
+ * error tiltError.
  *
- * ln a is a cubic of ln D between the samples, beyond them a power of D, but constant beyond a
- * wall. Its specification() cannot be parsed.
+ * ln a is a cubic of ln D between the samples. Beyond the samples a is a power of D, except that it
+ * is constant beyond a wall. The specification() of this tool cannot be parsed.
  */
 class PALPATE_EXPORT TiltedTool final : public AxisymmetricTool
 {
@@ -29,16 +30,16 @@ public:
     double exponent; ///< d ln a/d ln D, >= 0
   };
 
-  /// Two samples or more, depths and radii ascending. `hasWall`: no contact is wider than the last.
-  /// `kinks`: radii where a(D) bends.
+  /// At least two samples, with ascending depths and radii. `hasWall`: no contact is wider than the
+  /// last sample. `kinks`: radii where a(D) has a kink.
   TiltedTool(
     std::string name, std::vector<Sample> samples, bool hasWall, std::vector<double> kinks = {});
 
   std::string specification() const override { return this->Name; }
-  /// By Abel's integral of g.
+  /// Computed by Abel's integral of g.
   double profile(double r) const override;
   double forceExponent() const override { return 1.0 + this->Samples.front().exponent; }
-  double depthAtStrain(double ratio) const override; ///< by δ/a
+  double depthAtStrain(double ratio) const override; ///< the strain measure is δ/a
   double depthAtContactRadius(double a) const override;
   double reducedProfile(double x) const override;
   double largestContactRadius() const override;
@@ -50,7 +51,7 @@ protected:
   double reducedSlope(double x) const override;
 
 private:
-  /// ln a over the fraction t of a cell, and its derivative by t.
+  /// ln a at the fraction t of a cell, and its derivative with respect to t.
   struct Logarithm
   {
     double value;

@@ -30,14 +30,15 @@ struct SurfaceDisplacement
  * (DimensionalityReduction.h); shapes with closed forms override them.
  *
  * Units mm, N, MPa. δ <= 0 means no contact: every result is 0. A NaN argument gives NaN. Reduced
- * modulus E* = E/(1-ν²), see ReducedModulus.h. Linear elasticity at small strain: see
- * depthAtStrain. Where g is not increasing the formulas fail from some depth on: deeper than
- * depthLimit every result is NaN. Immutable and safe to call from any number of threads.
+ * modulus E* = E/(1-ν²), see ReducedModulus.h. Linear elasticity at small strain, see
+ * depthAtStrain. If g is not increasing everywhere, the formulas fail from some depth on: for
+ * depths beyond depthLimit every result is NaN. Immutable and safe to call from any number of
+ * threads.
  */
 class PALPATE_EXPORT AxisymmetricTool : public IndentationLaw
 {
 public:
-  /// The tool as on a command line, "sphere:6.35": lossless, parsed by parseTool.
+  /// The tool as written on a command line, "sphere:6.35". Lossless; parseTool reads it.
   virtual std::string specification() const = 0;
 
   /// f(r), mm: height of the tool's surface above its tip. +inf beyond its outer wall.
@@ -48,8 +49,8 @@ public:
   virtual double forceExponent() const = 0;
 
   /// Depth (mm) from which the strain measure a/R exceeds `ratio`; a/R is the contact radius over
-  /// the tip radius. Tools without a tip radius use δ/a, which equals a/R for a paraboloid. 0 when
-  /// it does at first contact, +inf when it never does.
+  /// the tip radius. Tools without a tip radius use δ/a, which equals a/R for a paraboloid. 0 if
+  /// the measure exceeds `ratio` at first contact, +inf if it never does.
   virtual double depthAtStrain(double ratio) const = 0;
 
   /// Depth (mm) at which the contact radius reaches a: g(a), or 0 (+inf) when the contact radius is
@@ -58,16 +59,18 @@ public:
 
   /// g(x), mm, for smallestContactRadius <= x < largestContactRadius; 0 below.
   virtual double reducedProfile(double x) const = 0;
-  /// Contact radius at first contact: that of the flat end, or 0. mm.
+  /// Contact radius at first contact: the radius of the flat end, or 0. mm.
   virtual double smallestContactRadius() const { return 0.0; }
-  /// Contact radius that no depth exceeds: that of the outer wall, or +inf. mm.
+  /// Contact radius that no depth exceeds: the radius of the outer wall, or +inf. mm.
   virtual double largestContactRadius() const = 0;
-  /// Radii > 0 (mm, ascending) at which g is not analytic, the smallest contact radius among them.
+  /// Radii > 0 (mm, ascending) at which g is not analytic, including the smallest contact radius.
   virtual std::vector<double> kinks() const { return {}; }
 
-  /// The depth beyond which the tool would touch the body outside the circle of contact, and where.
+  /// The depth beyond which the tool would touch the body outside the circle of contact, and the
+  /// radius where it would.
   virtual DepthLimit depthLimit() const { return {}; }
-  /// Why the law does not hold at a deflection, naming both and the radius; empty if it does.
+  /// The reason why the law is not valid at a deflection, with both depths and the radius; empty if
+  /// it is valid.
   std::string checkDepth(double deflection) const;
 
   IndentationPoint evaluate(double deflection, double reducedModulus) const final;
@@ -78,14 +81,14 @@ public:
   /// Contact pressure at distance r from the axis, MPa; 0 outside the contact, +inf at a sharp rim
   /// or apex.
   double pressure(double r, double deflection, double reducedModulus) const;
-  /// Displacement of the surface point that lay at distance r from the axis.
+  /// Displacement of the surface point that was at distance r from the axis before contact.
   SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonsRatio) const;
 
 protected:
-  // The functions of a shape, called with δ > 0 and finite; `a` is contactRadius(δ).
+  // Functions that a shape defines. They are called with finite δ > 0; `a` is contactRadius(δ).
   virtual double radiusAt(double deflection) const = 0;
   virtual double forcePerModulus(double a, double deflection) const = 0;
-  // The rest has defaults, by quadrature of g and g'.
+  // The other functions have defaults, by quadrature of g and g'.
   /// p/E* at 0 <= r <= a.
   virtual double pressurePerModulus(double r, double a, double deflection) const;
   /// u_z at r > a.
@@ -93,16 +96,16 @@ protected:
   /// Load carried inside r over E*, mm², at 0 < r < a.
   virtual double loadInside(double r, double a, double deflection) const;
 
-  /// g'(x), for the general path; 0 <= x < the largest contact radius.
+  /// g'(x), for the defaults; 0 <= x < the largest contact radius.
   virtual double reducedSlope(double x) const = 0;
 
   /// The step at a wall beyond the smooth contact: δ - g(a), 0 under a smooth rim.
   double rimStep(double a, double deflection) const;
 
 private:
-  /// Whether the law holds at a depth; false for NaN.
+  /// Whether the law is valid at a depth; false for NaN.
   bool answers(double deflection) const { return deflection <= this->depthLimit().depth; }
-  /// Whether the contact is hardly wider than the flat it started from.
+  /// Whether the contact is still as wide as the flat end, to 1e-8.
   bool isStillFlat(double a) const { return a <= (1.0 + 1e-8) * this->smallestContactRadius(); }
 };
 } // namespace palpate

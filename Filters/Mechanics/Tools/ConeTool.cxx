@@ -51,7 +51,7 @@ double ConeTool::pressurePerModulus(double r, double a, double) const
 
 double ConeTool::normalDisplacementOutside(double r, double a, double) const
 {
-  // √(r²-a²) - r = -a²/(r + √(r²-a²)) keeps its accuracy far away.
+  // √(r²-a²) - r = -a²/(r + √(r²-a²)) stays accurate at large r.
   const double root = std::sqrt(r - a) * std::sqrt(r + a);
   return this->Slope * a * (std::asin(a / r) - a / (r + root));
 }

@@ -16,7 +16,7 @@ namespace palpate
 class ConeTool final : public AxisymmetricTool
 {
 public:
-  /// Degrees, 0 < halfAngle < 90.
+  /// Half angle from the axis, degrees, 0 < halfAngle < 90.
   explicit ConeTool(double halfAngle);
 
   std::string specification() const override;

@@ -10,10 +10,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double Tolerance = 1e-3;          // of the depth, see the header
-constexpr std::size_t LeastSamples = 512;   // of g, in all
-constexpr double SamplesPerFactor = 12.0;   // of e in the radius
-constexpr std::size_t MostCandidates = 512; // radii at which the gap is followed
+constexpr double Tolerance = 1e-3;          // relative to the depth, see the header
+constexpr std::size_t LeastSamples = 512;   // of g, in total
+constexpr double SamplesPerFactor = 12.0;   // per factor e of the radius
+constexpr std::size_t MostCandidates = 512; // radii at which the gap is computed
 
 struct Sample
 {
@@ -21,9 +21,9 @@ struct Sample
   double g;
 };
 
-/// Samples of g between the kinks; even before the first. After a kink r they are denser, as g may
-/// start like a square root; then their distance is proportional to x, as g changes over lengths of
-/// r there, however far the next kink is.
+/// Samples of g between the kinks, evenly spaced before the first kink. After a kink r the samples
+/// are denser, since g may start like a square root. Further out their distance is proportional to
+/// x, since g changes over lengths of r, however far the next kink is.
 std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
   const std::vector<double>& kinks, double outer)
 {
@@ -56,7 +56,8 @@ std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedPr
   return samples;
 }
 
-/// Radii where the gap may close: after each maximum of g, to the end of the dip and twice as far.
+/// Radii where the gap may close: after each maximum of g, up to twice the distance to the end of
+/// the dip.
 std::vector<double> candidates(const std::vector<Sample>& samples)
 {
   std::vector<double> radii;
@@ -70,7 +71,7 @@ std::vector<double> candidates(const std::vector<Sample>& samples)
       lowest = std::min(lowest, samples[end].g);
       ++end;
     }
-    // The gap is never below the dip: (2/π) ∫ dx/√(r²-x²) <= 1.
+    // The gap is at most as negative as the dip of g: (2/π) ∫ dx/√(r²-x²) <= 1.
     if (level - lowest > Tolerance * level)
     {
       const double dipEnd = samples[std::min(end, samples.size() - 1)].x;
@@ -91,8 +92,8 @@ std::vector<double> candidates(const std::vector<Sample>& samples)
   return thinned;
 }
 
-/// Depth at which the gap at r closes while the contact grows over the samples: the first at which
-/// δ - f(r) - u_z(r) exceeds the tolerance.
+/// Depth at which the gap at r closes while the contact grows over the samples: the first depth at
+/// which δ - f(r) - u_z(r) exceeds the tolerance.
 double closingDepth(const std::vector<Sample>& samples, double r, double height)
 {
   double integral = 0.0; // ∫_0^x g dx/√(r²-x²), g linear between samples

@@ -12,22 +12,22 @@
  * Results are per unit reduced modulus: p/E* (-), u_z (mm), load/E* (mm²). `step` is δ - g(a): 0
  * for a tool that touches smoothly, δ for a flat end.
  *
- * `kinks` are the radii, ascending, at which g is not analytic; behind one it may start like a
- * square root, and at the axis like any power above 0. The integrals go from kink to kink,
+ * `kinks` are the radii, ascending, at which g is not analytic. After a kink g may start like a
+ * square root, and at the axis like any power above 0. The integrals go from kink to kink and are
  * transformed so that these starts are analytic too, with 32 Gauss points next to the start and 64
- * on the rest: about 1e-11 while g has no singularity within 1 % of a beyond a, for r/a down to
- * 1e-10 and for r as near as 1e-7 to a kink.
+ * on the rest. Accuracy: about 1e-11 if g has no singularity within 1 % of a beyond a, for r/a down
+ * to 1e-10 and for r as near as 1e-7 to a kink.
  */
 namespace palpate::reduction
 {
 using Function = std::function<double(double)>;
 using Radii = std::vector<double>;
 
-/// g(x) = ∫_0^x x f'(r) dr/√(x²-r²), x > 0. `kinks` are those of the profile's slope f'.
+/// g(x) = ∫_0^x x f'(r) dr/√(x²-r²), x > 0. `kinks` are the kinks of the profile's slope f'.
 double reducedProfile(const Function& profileSlope, double x, const Radii& kinks = {});
 
-/// g'(x) = ∫_0^x (f' + r f'') dr/√(x²-r²) + Σ [f']_k k/√(x²-k²), [f']_k the jumps of the slope at
-/// the kinks below x. `curvature` is f''.
+/// g'(x) = ∫_0^x (f' + r f'') dr/√(x²-r²) + Σ [f']_k k/√(x²-k²); [f']_k are the jumps of the slope
+/// at the kinks below x. `curvature` is f''.
 double reducedSlope(
   const Function& profileSlope, const Function& curvature, double x, const Radii& kinks = {});
 

@@ -50,8 +50,8 @@ double ParaboloidTool::pressurePerModulus(double r, double a, double) const
 
 double ParaboloidTool::normalDisplacementOutside(double r, double a, double) const
 {
-  // [(2a²-r²) asin(a/r) + a√(r²-a²)]/(πR). Far away the terms cancel to 4a³/3r: with t = asin(a/r)
-  // the bracket is r² [t (2 sin²t - 1) + sin t cos t], whose series starts at 4/3 t³.
+  // [(2a²-r²) asin(a/r) + a√(r²-a²)]/(πR). At large r the terms cancel to 4a³/3r. With t =
+  // asin(a/r) the bracket is r² [t (2 sin²t - 1) + sin t cos t], whose series starts at 4/3 t³.
   const double t = std::asin(a / r);
   if (t < 0.05)
   {

@@ -13,11 +13,12 @@ namespace palpate
  *   δ = κ B a^n,  F = 2n/(n+1) E* a δ ∝ δ^(1+1/n)
  * (Galin; Sneddon 1965; Popov and Hess 2015). n = 1 is the cone, n = 2 the paraboloid B = 1/2R.
  *
- * 1 <= n <= 100. Below 1 the tip would be a cusp of infinite slope, beyond a theory of small
- * slopes; above 100 the profile is a flat punch to a few parts in a hundred of its radius, which
- * RoundedFlatTool describes better.
+ * 1 <= n <= 100. For n < 1 the tip would be a cusp of infinite slope, which a theory of small
+ * slopes does not cover. For n > 100 the profile is a flat punch to within a few per cent of its
+ * radius, which RoundedFlatTool describes better.
  *
- * No tip radius: the strain is measured by δ/a = κ B a^(n-1), for n = 1 the same at every depth.
+ * No tip radius: the strain is measured by δ/a = κ B a^(n-1), which for n = 1 is the same at every
+ * depth.
  */
 class PowerLawTool final : public AxisymmetricTool
 {

@@ -10,10 +10,10 @@
 namespace palpate
 {
 /**
- * Reads a tool's profile from text: a line r_mm,f_mm per point, the distance from the axis and the
- * height above the tip, from the tip (0,0) outward; the first line may be a header (CsvReader).
- * Returns what is wrong, naming the file and the line, and leaves the points unchanged then; empty
- * if nothing is.
+ * Reads a tool's profile from text, one line r_mm,f_mm per point: the distance from the axis and
+ * the height above the tip. The points go from the tip (0,0) outward. The first line may be a
+ * header (CsvReader). Returns "", or a fault that names the file and the line; then the points are
+ * unchanged.
  */
 std::string readProfile(const std::string& file, std::vector<ProfilePoint>& points);
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int RisesPerStep = 8; // of a profile that is not convex
+constexpr int RisesPerStep = 8; // for a profile that is not convex
 
 std::string pointText(std::size_t i, const ProfilePoint& point)
 {
@@ -72,7 +72,7 @@ ProfileTool::ProfileTool(std::vector<ProfilePoint> points)
     const ProfilePoint& p = this->Points[i];
     const ProfilePoint& q = this->Points[i + 1];
     const double next = (q.f - p.f) / (q.r - p.r);
-    // The slopes of equally steep segments differ by the rounding of their ends.
+    // The computed slopes of equally steep segments differ by the rounding of their ends.
     const double rounding = 4e-16 * (q.f + p.f) / (q.r - p.r);
     if (std::abs(next - slope) > rounding)
     {
@@ -97,8 +97,8 @@ ProfileTool::ProfileTool(std::vector<ProfilePoint> points)
   }
 }
 
-/// Finds the running maxima of g. Between rises of a convex profile g is increasing; for others it
-/// is sampled.
+/// Finds the running maxima of g. For a convex profile g increases between the rises; other
+/// profiles are sampled.
 void ProfileTool::findRises()
 {
   double level = 0.0;
@@ -187,7 +187,7 @@ double ProfileTool::reducedSlope(double x) const
   return sum;
 }
 
-/// g at x = √(r²+t²) behind a step, accurate also where x rounds to r, and
+/// g at x = √(r²+t²) after a step, accurate also where x rounds to r, and
 /// dg/dt = Σ m_i (A_i + r_i/√(x²-r_i²)) t/x.
 ValueAndSlope ProfileTool::behind(std::size_t step, double t) const
 {
@@ -284,7 +284,7 @@ double ProfileTool::depthAtContactRadius(double a) const
   {
     return std::isnan(a) ? a : a > 0.0 ? Infinity : 0.0;
   }
-  // The highest level before, where g dips.
+  // The highest level so far, since g may dip.
   double level = this->reducedProfile(a);
   for (const Rise& rise : this->Rises)
   {
@@ -302,7 +302,7 @@ double ProfileTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // δ/a = g(a)/a at the first rise above the ratio, then back to where it crosses.
+  // Finds the first rise at which δ/a = g(a)/a exceeds the ratio, then the crossing before it.
   double low = 0.0;
   for (const Rise& rise : this->Rises)
   {
@@ -311,7 +311,7 @@ double ProfileTool::depthAtStrain(double ratio) const
     {
       if (rise.step == 0 && this->Steps[0].unit.radius() == 0.0 && low == 0.0)
       {
-        return 0.0; // the first segment is a cone, of one strain at every depth
+        return 0.0; // the first segment is a cone: one strain at every depth
       }
       const double begin = std::max(low, this->Steps[rise.step].unit.radius());
       const double a = increasingRoot(

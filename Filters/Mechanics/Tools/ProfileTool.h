@@ -19,30 +19,33 @@ struct ProfilePoint
 };
 
 /**
- * Tool sampled from its axis outward: straight between the points, a vertical wall beyond the last.
+ * Tool sampled from its axis outward: straight between the points, with a vertical wall at the last
+ * point.
  *
- * Its slope steps by m_i at r_i, so that in closed form, with A_i = arccos(r_i/a),
- *   δ = Σ m_i a A_i,  F = 2E* (a δ - ½ Σ m_i [a² A_i - r_i √(a²-r_i²)]),  r_i < a;
- * pressed deeper than g of the wall it acts as a flat punch on top. Points on a smooth profile give
- * its law with an error that falls with the square of their spacing. Two points (0, 0), (R, 0) make
- * a flat punch.
+ * Its slope steps by m_i at r_i. In closed form, with A_i = arccos(r_i/a) and r_i < a,
+ *   δ = Σ m_i a A_i,  F = 2E* (a δ - ½ Σ m_i [a² A_i - r_i √(a²-r_i²)]).
+ * For depths beyond g of the wall, a flat punch is added. Points on a smooth profile give its law
+ * with an error that falls with the square of their spacing. Two points (0, 0), (R, 0) make a flat
+ * punch.
  *
- * Where a concave profile would touch outside the circle of contact the law ends (DepthLimit.h).
- * Next to an edge r_i the pressure is infinite: +inf at a convex, -inf at a concave one.
+ * If a concave profile would touch outside the circle of contact, the law ends there
+ * (DepthLimit.h). Next to an edge r_i the pressure is infinite: +inf at a convex edge, -inf at a
+ * concave one.
  *
- * No tip radius: the strain is measured by δ/a. Cost: proportional to the number of points, for
- * force and radius about 30 ns each, for pressure and displacements 2 µs each; on construction of a
- * profile that is not convex, to its square, 0.1 s for a thousand points.
+ * No tip radius: the strain is measured by δ/a. Cost: proportional to the number of points, about
+ * 30 ns per point for force and radius, 2 µs per point for pressure and displacements. The
+ * construction of a profile that is not convex costs the square of that number, 0.1 s for a
+ * thousand points.
  */
 class PALPATE_EXPORT ProfileTool final : public AxisymmetricTool
 {
 public:
-  /// What is wrong with the points, naming the first wrong one; empty if nothing is.
+  /// The fault of the points, which names the first wrong point; empty if nothing is wrong.
   static std::string check(const std::vector<ProfilePoint>& points);
-  /// The same for the last point, if nothing is wrong with those before.
+  /// The same for the last point, if the points before it have no fault.
   static std::string checkLast(const std::vector<ProfilePoint>& points);
 
-  /// Points that pass check(): two or more, the first (0, 0), r increasing, f >= 0.
+  /// The points must pass check(): two or more, the first (0, 0), r increasing, f >= 0.
   explicit ProfileTool(std::vector<ProfilePoint> points);
 
   std::string specification() const override;
@@ -71,7 +74,7 @@ private:
     SlopeStep unit;
     double change;
   };
-  /// A running maximum of g: x = √(r²+t²), r the radius of the step before it.
+  /// A running maximum of g at x = √(r²+t²); r is the radius of the step before it.
   struct Rise
   {
     std::size_t step;

@@ -71,7 +71,7 @@ double RoundedFlatTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // δ/a = (b/R_e) (t - arctan t), between t - π/2 and t; like t³/3 at first.
+  // δ/a = (b/R_e) (t - arctan t), between t - π/2 and t; like t³/3 for small t.
   const double excess = ratio * this->EdgeRadius / this->Radius;
   const double t = increasingRoot(
     [excess](double at) {
@@ -102,7 +102,7 @@ double RoundedFlatTool::reducedSlope(double x) const
 
 double RoundedFlatTool::radiusAt(double deflection) const
 {
-  // δ R_e/b² = √(1+t²) (t - arctan t): like t³/3 at first, t² later.
+  // δ R_e/b² = √(1+t²) (t - arctan t): like t³/3 for small t, like t² for large t.
   const double depth = deflection * this->EdgeRadius / this->Radius / this->Radius;
   const double start = std::min(std::cbrt(3.0 * depth), 1.0 + std::sqrt(depth));
   const double t = increasingRoot(

@@ -18,7 +18,7 @@ namespace palpate
 class RoundedFlatTool final : public AxisymmetricTool
 {
 public:
-  /// Radius of the flat and of the edge, mm.
+  /// Radius of the flat part and of the edge, mm.
   RoundedFlatTool(double radius, double edgeRadius);
 
   std::string specification() const override;

@@ -63,7 +63,7 @@ double SlopeStep::normalDisplacementOutside(double r, double a) const
   }
   if (b == 0.0)
   {
-    // √(r²-a²) - r = -a²/(r + √(r²-a²)) keeps its accuracy far away.
+    // √(r²-a²) - r = -a²/(r + √(r²-a²)) stays accurate at large r.
     const double root = std::sqrt(r - a) * std::sqrt(r + a);
     return a * (std::asin(a / r) - a / (r + root));
   }

@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// w > 0 with w tanh w = depth, by Newton's method, started from the series of w² in the depth or,
-/// for deep ones, from tanh w ≈ 1.
+/// w > 0 with w tanh w = depth, by Newton's method. It starts from the series of w² in the depth
+/// or, at large depths, from tanh w ≈ 1.
 double solveDepth(double depth)
 {
   double w = depth < 1.0 ? std::sqrt(depth * (1.0 + depth * (1.0 / 3.0 + depth * (4.0 / 45.0))))
@@ -24,7 +24,7 @@ double solveDepth(double depth)
     w -= step;
     if (!(std::abs(step) > 1e-8 * w))
     {
-      break; // the next step would be its square
+      break; // the next step would be of the size of this step squared
     }
   }
   return w;
@@ -43,7 +43,7 @@ std::string SphereTool::specification() const
 
 double SphereTool::profile(double r) const
 {
-  // R - √(R²-r²) without cancellation near the tip.
+  // R - √(R²-r²), written without cancellation near the tip.
   return r > this->Radius
     ? Infinity
     : r * r / (this->Radius + std::sqrt((this->Radius - r) * (this->Radius + r)));

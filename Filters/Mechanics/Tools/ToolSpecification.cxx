@@ -52,7 +52,7 @@ bool isLength(double value)
   return std::isfinite(value) && value > 0.0;
 }
 
-/// What is wrong with one parameter of a shape; empty if nothing is.
+/// The fault of one parameter of a shape; empty if nothing is wrong.
 std::string checkParameter(const ToolSpecification& tool, Parameter parameter)
 {
   const double value = tool.*parameter;
@@ -82,7 +82,7 @@ std::string checkParameter(const ToolSpecification& tool, Parameter parameter)
     " must be positive and finite (mm)" + but;
 }
 
-/// Reads the whole text as numbers, separated by commas, into what `targets` points to.
+/// Reads the whole text as numbers separated by commas, one into each target.
 bool readNumbers(const char* begin, const char* end, const std::vector<double*>& targets)
 {
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -101,7 +101,7 @@ bool readNumbers(const char* begin, const char* end, const std::vector<double*>&
   return begin == end;
 }
 
-/// "r1,f1;r2,f2;…". Returns what is wrong.
+/// Reads "r1,f1;r2,f2;…". Returns a fault, or "".
 std::string readInlineProfile(const std::string& text, std::vector<ProfilePoint>& points)
 {
   std::size_t begin = 0;
@@ -119,7 +119,7 @@ std::string readInlineProfile(const std::string& text, std::vector<ProfilePoint>
   return {};
 }
 
-/// Reads what follows the colon. Returns what is wrong.
+/// Reads the text after the colon. Returns a fault, or "".
 std::string readParameters(const std::string& text, ToolSpecification& tool)
 {
   if (tool.Shape == ToolShape::Profile)
@@ -220,7 +220,7 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
     }
     if (!error.empty())
     {
-      constexpr std::size_t Shown = 60; // of a profile that may have thousands of points
+      constexpr std::size_t Shown = 60; // a profile may have thousands of points
       error.insert(0, "tool '" + text.substr(0, Shown) + (text.size() > Shown ? "…" : "") + "': ");
       return false;
     }

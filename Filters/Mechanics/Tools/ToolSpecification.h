@@ -41,32 +41,34 @@ struct ToolSpecification
   std::vector<ProfilePoint> Profile = {};
 };
 
-/// What parseTool accepts, for help texts: "flat:R, sphere:R, …".
+/// The texts that parseTool accepts, for help texts: "flat:R, sphere:R, …".
 PALPATE_EXPORT const char* toolSyntax();
 
-/// What is wrong with the specification, naming the parameter and its value; empty if nothing is.
+/// The fault of the specification, which names the parameter and its value; empty if nothing is
+/// wrong.
 PALPATE_EXPORT std::string checkTool(const ToolSpecification& specification);
 
-/// The tool, or null if checkTool finds fault.
+/// The tool, or null if checkTool reports a fault.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
 
 /**
  * Reads a tool:
  *   flat:R  sphere:R  paraboloid:R  cone:DEGREES  truncated:R,DEGREES  blunted:R,DEGREES
  *   rounded:R,EDGE  power:EXPONENT,COEFFICIENT  profile:FILE.csv  profile:r1,f1;r2,f2;…
- * in mm and degrees from the axis. The second form of a profile, recognised by its ';', is the one
- * that specification() writes, so that a stored response needs no file. Files: see ProfileFile.h.
- * On failure returns false, sets `error`, and leaves the specification unchanged.
+ * in mm and degrees from the axis. The second form of a profile is recognised by its ';'.
+ * specification() writes this form, so that a stored response needs no file. Files: see
+ * ProfileFile.h. On failure the function returns false, sets `error`, and leaves the specification
+ * unchanged.
  */
 PALPATE_EXPORT bool parseTool(
   const std::string& text, ToolSpecification& specification, std::string& error);
 
-/// A tool's specification() parsed; nothing if it cannot be.
+/// The specification of a tool, parsed; empty if it cannot be parsed.
 PALPATE_EXPORT std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool);
 
-/// The same tool with all lengths times `factor` > 0: its force law is F(δ) → factor² F(δ/factor).
-/// A cone, and a power law of exponent 1, have no length: there tan α grows by the factor. Null if
-/// the tool's specification cannot be parsed, or the scaled one is invalid.
+/// The same tool with all lengths multiplied by `factor` > 0: its force law is F(δ) → factor²
+/// F(δ/factor). A cone, and a power law of exponent 1, have no length: for them tan α grows by the
+/// factor. Null if the tool's specification cannot be parsed, or the scaled one is invalid.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
   const AxisymmetricTool& tool, double factor);
 
