@@ -40,8 +40,8 @@ vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
   return clean->GetOutput();
 }
 
-constexpr double LeastCosine =
-  0.70710678; // between the normals of a held outer face and of the side of the box
+// Smallest cosine between the normals of a held outer face and of its side of the box.
+constexpr double LeastCosine = 0.70710678;
 
 Eigen::Vector3d placeOf(vtkDataSet* data, vtkIdType point)
 {

@@ -23,8 +23,8 @@ constexpr double DeviationRatio = 0.15;
 /// Distance from the side of the box, in spacings, within which a node counts as on the cut. Cells
 /// do not follow the edges of the box, because that would need many cells.
 constexpr double NearSide = 0.1;
-constexpr double LeastPart =
-  0.02; ///< edge of the smallest part that is kept, over half the box's side
+/// Edge of the smallest part that is kept, over half the box's side.
+constexpr double LeastPart = 0.02;
 constexpr double ExpectedCells = 1e4; ///< only used to detect a surface that is too rough
 
 /// The sides of a box that cut something off. Sides that leave less of the surface come first.

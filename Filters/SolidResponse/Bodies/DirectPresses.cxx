@@ -27,8 +27,8 @@ constexpr double Larger = 1.07; ///< factor on the box if the last one cannot be
 /// less on the coarse cells around it.
 constexpr double Wider = 1.6;
 constexpr double Inside = 0.1; ///< depth of the loads in the body's coarse cells
-constexpr double CoarseReach =
-  2.5; ///< smallest half side of the box, in spacings of the coarse cells
+/// Smallest half side of the box, in spacings of the coarse cells.
+constexpr double CoarseReach = 2.5;
 } // namespace
 
 DirectPresses::DirectPresses(const PreparedSurface& surface, const RestOfBody& body,

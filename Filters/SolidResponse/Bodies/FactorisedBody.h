@@ -20,7 +20,7 @@ struct FactorRequest
   vtkDataArray* young = nullptr;   ///< per cell, MPa; null: the constant
   vtkDataArray* poisson = nullptr; ///< per cell; null: the constant
   int solver = 0;                  ///< a StiffnessFactor::Kind
-  double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of what the machine has available
+  double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of the available memory
 };
 
 /// Whether the elements allow this Poisson's ratio: 0 to LargestPoissonRatio.

@@ -11,10 +11,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double SmallestShare =
-  0.05; ///< smallest Jacobian of a hexahedron, as a fraction of the voxel's
-constexpr int Drawings =
-  12; ///< largest number of times a node is moved back, each time a quarter of the way
+/// Smallest Jacobian of a hexahedron, as a fraction of the voxel's.
+constexpr double SmallestShare = 0.05;
+/// Largest number of times a node is moved back, each time a quarter of the way.
+constexpr int Drawings = 12;
 constexpr double SmallestStep = 0.1; ///< as a fraction of the way to the surface
 
 using Index = std::array<int, 3>;

@@ -17,8 +17,8 @@ namespace palpate
 namespace
 {
 constexpr double Facing = 0.5; ///< cosine to the normal: 60°
-constexpr double OnTriangle =
-  -1e-9; ///< lower limit of area coordinates, so that no place is lost between two triangles
+/// Lower limit of area coordinates, so that no place is lost between two triangles.
+constexpr double OnTriangle = -1e-9;
 constexpr double OverTheSide = 1e-6; ///< relative to the size of a triangle
 
 /// One point's walk over the surface.

@@ -18,8 +18,8 @@ class StrainCorrection;
 /// Settings for the response of a tool on finite elements.
 struct ShapedTerms
 {
-  double range =
-    2.0; ///< mm; a point whose curve ends earlier has the end of the curve as its range
+  /// End of the curves, mm. A curve that ends earlier has its end as the range of the point.
+  double range = 2.0;
   /// Validity is the largest depth at which the estimated error is within this. 0: the whole range
   /// of the curve.
   double errorTolerance = 0.05;
@@ -43,8 +43,7 @@ struct ShapedTerms
  * The error of a sample is the root of the sum of the squares of these parts, each for the sample's
  * own contact:
  * - Strain: error of small strain or of its correction, by the local part of the compliance.
- * - Curvature: uncertainty of the surface's shape, and of the compliance in the direction of a
- * force that leans with the surface.
+ * - Curvature: uncertainty of the surface's shape, and of the compliance along a leaning force.
  * - Edge: a fifth of the effect of the tilt next to an edge. Finite elements find that residual.
  * - Elements: elements, order of the kernel, and the error that both share near held points.
  * - Storage.

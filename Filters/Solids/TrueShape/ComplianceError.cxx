@@ -17,8 +17,8 @@ namespace palpate
 namespace
 {
 constexpr double SampleCount = 10.0; ///< approximate number of sample points
-constexpr std::size_t AtATime =
-  4; ///< sources whose whole displacement fields are in memory together
+/// Number of sources whose whole displacement fields are in memory together.
+constexpr std::size_t AtATime = 4;
 constexpr double OfDifference = 2.0;
 
 /// Points with a compliance, about SampleCount of them, spread over the surface.
@@ -26,8 +26,8 @@ std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompl
 {
   const BodySurface& surface = body.surface();
   std::vector<std::int32_t> candidates;
-  double area =
-    0.0; // sum over the triangles around the candidates; each triangle counts at its three corners
+  // Sum over the triangles around the candidates; each triangle counts at its three corners.
+  double area = 0.0;
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
     if (compliances.status[static_cast<std::size_t>(i)] == PatchStatus::Valid &&

@@ -75,7 +75,8 @@ struct Unevenness
 };
 
 /// Solves one in ContactsPerSolution contacts while the contact grows and the last one of these,
-/// then every contact at the wall. A contact that cannot be solved keeps its value.
+/// then every contact at the wall. The others are interpolated. A contact that extends beyond the
+/// known surface gets the larger error LeftOfGap.
 void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing, double modulus,
   UnevenContact& uneven, std::vector<Unevenness>& shape)
 {

@@ -193,8 +193,8 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
     if (green.isSource(at.point))
     {
       this->Points.push_back(at);
-      this->Points.back().area =
-        green.spacing() > 0.0 ? 1.0 : at.area; // a thinned set is evenly spread
+      // A thinned set is evenly spread: all its points weigh the same.
+      this->Points.back().area = green.spacing() > 0.0 ? 1.0 : at.area;
     }
   }
   if (this->Points.size() < disc->points.size())

@@ -57,8 +57,8 @@ struct KernelSite
   double limit = Infinity;     ///< distance to the nearest edge, held point or other material, mm
   PatchStatus limitedBy = PatchStatus::Valid; ///< the kind of that limit, if it ends contacts
   double toHeld = Infinity; ///< distance to the edge of the held surface, mm (HeldRim)
-  double largestRadius =
-    0.0; ///< of a contact, mm: the radius that was solved for, or `limit` if smaller
+  /// Largest contact radius, mm: the radius that was solved for, or `limit` if smaller.
+  double largestRadius = 0.0;
   double nearestSource = 0.0; ///< distance to the nearest source, mm
   double spacing = 0.0;       ///< spacing of the elements' nodes, mm
   /// Γ around the point, in the tangent frame, mm/N: the compliance by direction of the force

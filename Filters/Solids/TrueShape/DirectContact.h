@@ -24,8 +24,8 @@ enum class Pushed
 /// Force, stiffness and contact radius at one depth.
 struct DirectForce
 {
-  double force =
-    0.0; ///< along the direction of the press, N; NaN if no contact was found that converges
+  /// Along the direction of the press, N. NaN if no converged contact was found.
+  double force = 0.0;
   double stiffness = 0.0; ///< N/mm
   double radius = 0.0;    ///< of the circle with the same area as the contact, mm
 };

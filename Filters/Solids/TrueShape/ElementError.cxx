@@ -8,11 +8,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double Missed =
-  1.5; ///< factor on the second-order estimate; 2 of 100 errors exceed the result
+/// Factor on the second-order estimate; 2 of 100 errors exceed the result.
+constexpr double Missed = 1.5;
 constexpr double MissedByLinear = 7.5; ///< the same for linear tetrahedra, which lock
-constexpr double OfHeld =
-  0.5; ///< reduction at held faces, where elements have the exact displacement
+/// Reduction at held faces, where elements have the exact displacement.
+constexpr double OfHeld = 0.5;
 constexpr double QuadraticGain = 1.25; ///< a quadratic tetrahedron counts as smaller by this factor
 
 double gainOf(ElementKind kind)
@@ -38,8 +38,7 @@ double missedPart(double spacing, double distance)
 double smoothPart(const Eigen::Vector3d& area, const Eigen::Vector3d& at, double spacing)
 {
   const double away = at.head<2>().norm();
-  const double level =
-    -area[2] / area.norm(); // cosine of the face's turn; the frame points inwards
+  const double level = -area[2] / area.norm(); // cosine of the turn; z points inwards
   if (!(level > SmoothTurn) || std::abs(at[2]) > SmoothSlope * std::max(away, spacing))
   {
     return 1.0;

@@ -173,8 +173,8 @@ FinitePart::Gap FinitePart::gapAt(const Piece& piece, const Vector& u, double de
   const Eigen::Vector3d at = this->placeOf(piece, u);
   const double r = at.head<2>().norm();
   const ToolOutline::Distance found = this->Tool.distance({ r, depth - at.z() });
-  Eigen::Matrix3d axes =
-    Eigen::Matrix3d::Identity(); // radial, circumferential and axial direction of the tool
+  // Columns: radial, circumferential and axial direction of the tool.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   if (r > 0.0)
   {
     axes.col(0) << at.head<2>() / r, 0.0;
@@ -304,8 +304,8 @@ double FinitePart::firstTouch() const
 
 FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const
 {
-  const Eigen::Vector3d deeper =
-    -this->Frame.col(2); // a deeper tool is equivalent to a higher body
+  // A deeper tool is equivalent to a higher body.
+  const Eigen::Vector3d deeper = -this->Frame.col(2);
   Pressed made;
   made.gradient = Vector::Zero(this->unknowns());
   double area = 0.0;

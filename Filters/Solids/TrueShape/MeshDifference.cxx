@@ -19,10 +19,10 @@ constexpr double FacingCosine = 0.5; ///< facing the same way: within 60°
 /// Radius around a place for landmarks of the coarser mesh, in spacings of its nodes.
 constexpr double ReachOfMean = 2.0;
 constexpr std::size_t LeastOfMean = 6; ///< a larger radius is used if it holds fewer landmarks
-constexpr double BeyondLeast =
-  2.0; ///< factor on the squared distance of the last of these, so that its weight is not zero
-constexpr double LeastRatio =
-  1.25; ///< of the spacings; a smaller ratio makes the difference of the meshes unreliable
+/// Factor on the squared distance of the last of these landmarks, so that its weight is not zero.
+constexpr double BeyondLeast = 2.0;
+/// Smallest ratio k of the spacings. A smaller one makes the difference of the meshes unreliable.
+constexpr double LeastRatio = 1.25;
 constexpr double LeastPart = 5e-4; ///< smallest error, as a fraction of c₀₀
 
 /// A landmark that faces the same way: its squared distance and its index.

@@ -9,8 +9,8 @@
  * solve for a smooth field. Elements of half the distance to the source of H (a base, an edge, the
  * top of an inclusion) give H within 1 %, however small the contact. On a curved surface H has a
  * limit at X only for ν = 0.5; for other ν the term (1-2ν)/(2(1-ν)) κ/(πE*), κ the mean curvature,
- * remains because
- * x-X| is the length of the chord.
+ * remains, since
+ * 1/|x-X| uses the length of the chord.
  *
  * Sources are solved in blocks of 32 with the one factor of the body. The blocks are shared among
  * threadCount() threads; the bits of the result do not depend on their number.
@@ -69,7 +69,7 @@ public:
   const HeldRim& held() const { return this->Held; }
   /// H(x, X): the mean of H(x, X) and H(X, x) if both were solved, NaN if neither was.
   double at(std::int32_t x, std::int32_t source) const;
-  /// H(x, X) - H(X, x)|; 0 unless both were solved.
+  /// |H(x, X) - H(X, x)|; 0 unless both were solved.
   double asymmetry(std::int32_t x, std::int32_t source) const;
   /// Motion of the body at a source under 1 N there, without Boussinesq's field. The sign is
   /// reversed: motion into the body is along the outward normal. mm/N, along the axes of the body.

@@ -209,14 +209,14 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
     sample.deflection = contact.deflection;
     sample.force = contact.force;
     const bool isFirst = course.samples.empty();
-    const double least =
-      deflection ? -Infinity : 0.0; // the uneven part of the shape is not included yet
+    // The uneven part of the shape is not included yet.
+    const double least = deflection ? -Infinity : 0.0;
     const double depthBefore = isFirst ? least : course.samples.back().deflection;
     const double forceBefore = isFirst ? 0.0 : course.samples.back().force;
     if (!(sample.deflection > depthBefore && sample.force > forceBefore))
     {
-      return !kernel.gap.drop
-                .isZero(); // due to the surface, not the kernel: the contact grows on at once
+      // Due to the surface, not the kernel: the contact grows on at once.
+      return !kernel.gap.drop.isZero();
     }
     if (kernel.order > 1)
     {

@@ -212,7 +212,8 @@ void SubtractedLoad::addInclusions(Work& work) const
   }
 }
 
-/// Adds the elements that cross the cone, and the faces of elements outside it that look at them.
+/// Adds the elements that cross the cone, and the faces of the elements outside the cone that
+/// adjoin them.
 void SubtractedLoad::addOverhang(Work& work) const
 {
   ElementMatrix k;

@@ -15,8 +15,8 @@ namespace palpate
 namespace
 {
 constexpr double RingRatio = 0.82;
-constexpr int RingsBeyond =
-  3; ///< outside the largest contact; the inner rings go down to a twentieth of it
+/// Rings outside the largest contact. The inner rings go down to a twentieth of it.
+constexpr int RingsBeyond = 3;
 
 /// Fewest rings for the gap of a contact. A smaller contact takes the gap of these rings.
 constexpr int LeastRings = 5;

@@ -29,7 +29,7 @@ struct ToolFacet
   Eigen::Vector3d area;            ///< outwards, mm²
 };
 
-/// The tool's frame: columns, two across and one inwards.
+/// The tool's frame: columns are two tangents, then inwards.
 Eigen::Matrix3d toolFrame(const DirectPlace& at);
 
 /**

@@ -27,10 +27,10 @@ public:
 
   struct Change
   {
-    double deflection =
-      0.0; ///< difference of δ from the contact with the mean surface under the same force, mm
-    double steepness =
-      0.0; ///< mean square slope, under the contact, of the deviation from the mean surface
+    /// Difference of δ from the contact with the mean surface under the same force, mm.
+    double deflection = 0.0;
+    /// Mean square slope, under the contact, of the deviation from the mean surface.
+    double steepness = 0.0;
     bool isInside = true; ///< the surface is known all around the contact
   };
 

@@ -63,8 +63,8 @@ constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
 constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is the removal of slivers
 
-constexpr double RunAway =
-  5.0; ///< limit on the cells needed for the deviation, over the expected cells
+/// Limit on the cells needed for the deviation, over the expected cells.
+constexpr double RunAway = 5.0;
 
 struct Stopped
 {

@@ -33,8 +33,8 @@ namespace meshes = CGAL::Polygon_mesh_processing;
 
 constexpr double WidestHole = 0.2;      ///< over the size of the body's box
 constexpr double LeastFragment = 0.001; ///< fraction of all triangles
-constexpr double MostCrossing =
-  0.01; ///< fraction of the triangles; more crossings are not a defect of scanning
+/// Largest fraction of crossing triangles. More are not a defect of scanning.
+constexpr double MostCrossing = 0.01;
 
 double diagonalOf(const CGAL::Bbox_3& box)
 {

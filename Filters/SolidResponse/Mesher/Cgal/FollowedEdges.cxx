@@ -162,8 +162,8 @@ FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wan
   std::vector<Line> lines = linesOf(surface, followed);
   if (!areOwn)
   {
-    lines = separateLines(
-      lines, wanted.spacing.front()); // the rims of a scan are as rough as its surface
+    // The rims of a scan are as rough as its surface.
+    lines = separateLines(lines, wanted.spacing.front());
   }
   for (const Line& line : lines)
   {

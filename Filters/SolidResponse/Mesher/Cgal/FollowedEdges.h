@@ -12,8 +12,8 @@ namespace palpate
 /// Lines of a surface that the edges of the cells must follow.
 struct FollowedEdges
 {
-  bool areDetected =
-    false; ///< follow all edges sharper than the limit; the mesher finds them itself
+  /// Whether all edges sharper than the limit are followed. The mesher finds them itself.
+  bool areDetected = false;
   std::vector<std::vector<CgalPoint>> lines; ///< from corner to corner, or closed
 };
 

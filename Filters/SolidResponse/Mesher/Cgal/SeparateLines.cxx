@@ -14,8 +14,8 @@ namespace
 constexpr double LeastSide = 0.25;
 constexpr double LeastDistance = 1.0;
 constexpr double LeastPart = 3.0;
-constexpr double LeastOfPath =
-  0.5; // smallest distance of two places over the path between them along the lines
+// Smallest distance of two places over the path between them along the lines.
+constexpr double LeastOfPath = 0.5;
 
 /// The line without points closer than `least` to the previous one. The ends stay.
 Line withoutShortSides(const Line& line, double least)
