@@ -34,13 +34,13 @@
 
 namespace
 {
-// Of the work, as progress tells it.
+// Fractions of the work for the progress.
 constexpr double RestShare = 0.05;
 constexpr double RestsShare = 0.06;
-/// A curve that ends no earlier than this, of the depth, goes to it.
+/// A curve that reaches this fraction of the depth counts as reaching it.
 constexpr double ToTheEnd = 0.999;
 
-/// A copy of its own of a point array, attached in its place.
+/// Replaces a point array by a copy that belongs to this body alone.
 template <class Array>
 Array* ownCopy(vtkPolyData* body, const std::string& name, palpate::ResponseArray which)
 {
@@ -53,7 +53,7 @@ Array* ownCopy(vtkPolyData* body, const std::string& name, palpate::ResponseArra
 }
 } // namespace
 
-/// What is pressed on.
+/// The bodies and the surface that the tool is pressed on.
 struct vtkDirectContactResponse::Bodies
 {
   palpate::PreparedSurface surface;
@@ -226,7 +226,7 @@ std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface
 {
   palpate::ResponseArrays arrays;
   std::string fault;
-  palpate::viewResponse(surface, this->ResponseName, arrays, fault); // CheckResponse found none
+  palpate::viewResponse(surface, this->ResponseName, arrays, fault); // CheckResponse found no fault
   const palpate::StoredError errors(surface, this->ResponseName);
   vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
   std::vector<vtkIdType> found;
@@ -296,7 +296,7 @@ std::string vtkDirectContactResponse::Press(
   using palpate::ResponseArray;
   palpate::ResponseArrays arrays;
   std::string fault;
-  palpate::viewResponse(output, this->ResponseName, arrays, fault); // CheckResponse found none
+  palpate::viewResponse(output, this->ResponseName, arrays, fault); // CheckResponse found no fault
   const std::string& name = this->ResponseName;
   const palpate::ResponseSpans spans{ arrays.samples,
     ownCopy<vtkFloatArray>(output, name, ResponseArray::Force)->GetPointer(0),
@@ -333,7 +333,7 @@ std::string vtkDirectContactResponse::Press(
     {
       outcome =
         palpate::takeDirectCurve(at, contacts.finer, contacts.coarser, terms, sampling, spans);
-      wrong = "no contact settles"; // where it failed
+      wrong = "no contact settles"; // reported if the outcome is Failed
     }
     became->SetValue(point, static_cast<unsigned char>(outcome));
   };

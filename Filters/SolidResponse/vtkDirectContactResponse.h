@@ -1,44 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkDirectContactResponse
- * @brief presses a tool directly where no law of contact is known well enough
+ * @brief presses a tool directly on a body where the response by a law has too large an error
  *
- * Input: a surface of triangles with response arrays `<name>Force` and so on, with `<name>Error`
- * (StoreError), as of vtkElasticContactResponse with Surface; mm. Wherever its stated error at
- * MaximumDeflection is above ErrorTolerance, or the curve ends before, the tool is pressed on a
- * part of the body of its own, which is cut out around the point and filled with cells that are
- * fine under the tool. Only where a point array `Pressed` is not 0, if there is one; never where a
- * point is held or has no normal.
+ * Input: a surface of triangles, in mm, with response arrays `<name>Force` and so on and with
+ * `<name>Error` (StoreError), such as the output of vtkElasticContactResponse with Surface. A point
+ * is pressed if its stored error at MaximumDeflection is above ErrorTolerance, or if its curve ends
+ * earlier. The tool is then pressed on a part of the body that is cut out around the point and
+ * filled with cells that are fine under the tool. If there is a point array `Pressed`, only points
+ * where it is not 0 are pressed. Points that are held or have no normal are never pressed.
  *
- * Output: the same surface. A point whose error by direct contact is less, or less than what both
- * differ by, has that curve, to MaximumDeflection: `Force`, `Stiffness`, `Range`, `Status`,
- * `Error`, `Validity` and `Limit` are as of vtkElasticContactResponse; the others stay, bit by bit.
- * The point array `<name>Direct` (uint8) tells what became of each: 0 not pressed, 1 replaced, 2
- * pressed, but the law is better known, 3 failed (it could not be cut out or filled, the tool comes
- * upon what is held, or no contact settled); there is a warning with the first reason.
+ * Output: the same surface. A point gets the curve of direct contact, to MaximumDeflection, if the
+ * error of that curve is smaller than the former error, or smaller than the difference of the two
+ * curves. Its `Force`, `Stiffness`, `Range`, `Status`, `Error`, `Validity` and `Limit` are then as
+ * in vtkElasticContactResponse. The other points stay unchanged, bit by bit. The point array
+ * `<name>Direct` (uint8) holds the outcome: 0 not pressed; 1 replaced; 2 pressed, but the former
+ * curve has the smaller error; 3 failed (the part could not be cut out or filled, the tool reaches
+ * held points, or no contact converged). A warning gives the first reason of a failure.
  *
- * **Method.** The part reaches five contact radii; on its cut it moves as the body in its coarse
- * cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and without
- * friction. All is done twice, the second time with one and a half times longer cells on the
- * coarser body: what they differ by is part of the error. Where that is more than the
- * tolerance, or the tool reaches farther, a part of eight contact radii is cut out.
+ * **Method.** The part extends five contact radii. The nodes on its cut move as the body in its
+ * coarse cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and
+ * without friction. Everything is done twice, the second time with cells 1.5 times as long on the
+ * coarser body; the difference of the two is part of the error. If it exceeds the tolerance, or the
+ * tool extends farther, a part of eight contact radii is cut out.
  * - With Neo-Hooke and a tool without a flat end: finite strain (palpate::pressAtFiniteStrain),
- *   pressures along the tool's own normal, from where it first touches on, as in a hollow too
- * narrow for it. The rest of the body is at small strain, and where it turns the place, the square
- * of that angle is part of the error. The body does not touch itself.
- * - Otherwise: small strain, pressures linear on the facets
- *   (palpate::DirectContact), and finite strain multiplies what is local, as of
- *   vtkElasticContactResponse. Half of what pressures along the mean normal and each along its own
- *   differ by is part of the error: in a crease, or where the tool touches several sides, that is
- *   what small displacements leave open. A contact that touches elsewhere by more than the depth
- *   before it comes to the point is none.
+ *   with pressures along the tool's own normal. It starts where the tool first touches, as in a
+ *   hollow that is too narrow for it. The rest of the body is at small strain; if it turns the
+ *   place, the square of that angle is part of the error. Contact of the body with itself is not
+ *   modelled.
+ * - Otherwise: small strain with pressures that are linear on the facets (palpate::DirectContact);
+ *   finite strain multiplies the local part, as in vtkElasticContactResponse. Pressures along the
+ *   mean normal and pressures along each normal give two forces; half of their difference is part
+ *   of the error. It is large in a crease, or where the tool touches several sides, because small
+ *   displacements do not decide between the two. A contact that touches elsewhere by more than the
+ *   depth before it reaches the point fails.
  *
- * **Cost.** 4 to 10 s a point of one thread, at finite strain 20 s, in hollows a minute, on all
- * threads, and 100 to 300 MB each: offline work. One factorisation each of the two bodies. Abort is
- * seen between points. The same bits for any number of threads. The mesher is CGAL's, as of
- * vtkGradedBody: without it (PALPATE_USE_CGAL) running the filter is an error.
+ * **Cost.** 4 to 10 s per point on one thread, 20 s at finite strain, a minute in hollows; points
+ * are shared among all threads, with 100 to 300 MB each: offline work. One factorisation of each of
+ * the two bodies. Abort is checked between points. The bits do not depend on the number of threads.
+ * The mesher is CGAL's, as in vtkGradedBody: without it (PALPATE_USE_CGAL) running the filter is an
+ * error.
  *
- * Errors, which name what is wrong: no such response, or without errors; an input without cells or
+ * Errors, which name the fault: no such response, or one without errors; an input without cells or
  * `Fixed`; a property out of range; a Shape that cannot be closed.
  *
  * @sa vtkElasticContactResponse vtkGradedBody
@@ -73,9 +76,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The solid as of vtkElasticContactResponse, a vtkUnstructuredGrid of one material with the
-   * point array `Fixed`; and the same in cells one and a half to twice as long. Both are required.
-   */
+  /** The solid as in vtkElasticContactResponse, a vtkUnstructuredGrid of one material with the
+   * point array `Fixed`; and the same body in cells 1.5 to 2 times as long. Both are required. */
   void SetBodyConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetBodyData(vtkUnstructuredGrid* body);
   void SetCoarserConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
@@ -83,16 +85,15 @@ public:
   ///@}
 
   ///@{
-  /** The closed surface that parts are cut out of, as of vtkGradedBody. Facets are taken as they
-   * are: where those of the input are longer than a contact, give it refined smoothly. Optional; by
-   * default the input. */
+  /** The closed surface from which parts are cut out, as in vtkGradedBody. Its facets are used
+   * as they are: if the facets of the input are longer than a contact, give a smoothly refined
+   * surface. Optional; by default the input. */
   void SetShapeConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(3, output); }
   void SetShapeData(vtkPolyData* shape);
   ///@}
 
   ///@{
-  /** The tool that the response is of; required. Its changes count in this filter's modification
-   * time. */
+  /** The tool of the response; required. Its changes count in this filter's modification time. */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
@@ -106,22 +107,21 @@ public:
   ///@}
 
   ///@{
-  /** The depth to which curves are to be known, mm, > 0: commonly that of the response. Default 2.
-   */
+  /** Depth to which curves should be known, mm, > 0: usually that of the response. Default 2. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   ///@}
 
   ///@{
-  /** The error of the force that is let pass, relative, > 0. Default 0.05. */
+  /** Relative error of the force up to which a point is not pressed, > 0. Default 0.05. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
 
   ///@{
-  /** Of which sides of its box the Shape is held, as of vtkGradedBody, and as the solids are: with
-   * a depth, "z-:1", it is the same of all three, without it depends on the length of their cells.
-   * Default "z-". */
+  /** Sides of the bounding box at which the Shape is held, as in vtkGradedBody. They must match
+   * the solids. With a depth, "z-:1", the held part is the same for all three; without a depth
+   * it depends on the length of their cells. Default "z-". */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}
@@ -142,7 +142,7 @@ public:
   };
 
   ///@{
-  /** As of vtkElasticContactResponse, and as the response was made with. Default SmallStrain. */
+  /** As in vtkElasticContactResponse, and as used for the response. Default SmallStrain. */
   vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
   vtkGetMacro(StrainModel, int);
   vtkSetMacro(OgdenExponent, double);
@@ -152,7 +152,7 @@ public:
   ///@}
 
   ///@{
-  /** Of the last run: how many points were pressed on, and how many have that curve. */
+  /** Number of pressed points and of replaced curves in the last run. */
   vtkGetMacro(NumberOfPresses, vtkIdType);
   vtkGetMacro(NumberOfReplaced, vtkIdType);
   ///@}

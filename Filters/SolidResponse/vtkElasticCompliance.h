@@ -5,82 +5,82 @@
  *
  * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
  * cells in mm, with the point array `Fixed` (one component; the bits 1, 2, 4 hold a point along x,
- * y, z). Cells are connected by shared points. Any other cell, an inverted one, a part that its
- * fixed points leave free to move, and E or ν out of range are errors that name cell and value.
- * Empty input gives empty output.
+ * y, z). Cells are connected by shared points. These are errors, with cell and value in the
+ * message: any other cell, an inverted cell, a part that its fixed points leave free to move, and E
+ * or ν out of range. Empty input gives empty output.
  *
- * Output: the body's outer surface, inner cavities included, as triangles (quadrilaterals split in
+ * Output: the body's outer surface, including inner cavities, as triangles (quadrilaterals split in
  * two, quadratic faces in four) with the input's point arrays and
- * - `GlobalCompliance` (double, mm/N): C_g, to be put in series with the law of a tool on a
- *   half-space, δ = δ_local(F) + C_g F; array to process 2 of vtkToolContactResponse. Negative
- * where a near support stiffens the contact;
+ * - `GlobalCompliance` (double, mm/N): C_g, in series with the law of a tool on a half-space, δ =
+ *   δ_local(F) + C_g F; array to process 2 of vtkToolContactResponse. Negative where a near support
+ *   stiffens the contact;
  * - `ComplianceStatus` (uint8): 0 Valid; 5 Edge: the surface turns by more than 30° under the
- * patch; 4 OutOfReach: the patch lies on fixed points; 1 Degenerate. Where it is not 0 the
- * compliance is interpolated from the six nearest valid points along the surface, weighted by
- * 1/distance², NaN in a part of the surface that has none;
- * - `GlobalComplianceError` (double, mm/N, >= 0): how far C_g may be off by the elements
- * (palpate::complianceErrors, from some ten points); where it was interpolated, at least |C_g|.
- * vtkToolContactResponse finds it by its name, beside that of the compliance, and counts it in the
- * error of the force. Absent if none of those points can be pressed;
+ *   patch; 4 OutOfReach: the patch covers fixed points; 1 Degenerate. If the status is not 0, the
+ *   compliance is interpolated from the six nearest valid points along the surface, weighted by
+ *   1/distance². It is NaN in a part of the surface without valid points;
+ * - `GlobalComplianceError` (double, mm/N, >= 0): error of C_g due to the elements
+ *   (palpate::complianceErrors, from about ten points); at least |C_g| where C_g is interpolated.
+ *   vtkToolContactResponse finds it by its name, on the same points as the compliance, and includes
+ *   it in the error of the force. Absent if none of the ten points can be pressed;
  * - `OriginalPointIds` (vtkIdType): the points of the input;
  * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
- * s_k (int, 1 or -1), NumberOfModes of them: the motion of the whole body, see below;
+ *   s_k (int, 1 or -1), NumberOfModes of them: the motion of the whole body, see below;
  * - `CouplingModes` φ (float, NumberOfCouplingModes of them, sqrt(mm/N)): the inward motion along
- * the normal at each point; a force F pressed in at j lowers i by F Σ φ(i) φ(j) besides the dent
- * (palpate/CouplingModes.h), and raises a finger on the other side of a plate. With
- * vtkToolContactResponse::CouplingOn and the compliance they are part of its response;
+ *   the normal at each point. A force F pressed in at j lowers i by F Σ φ(i) φ(j) in addition to
+ *   the dent (palpate/CouplingModes.h), and raises a finger on the other side of a plate. With
+ *   vtkToolContactResponse::CouplingOn and the compliance they are part of its response;
  * - `LoadedDisplacement` (double 3, mm), if LoadedPoint is set: the motion of the whole surface
- * under LoadForce on the patch of that point, towards the body. Within about a patch radius of the
- * point it is that of the patch, not of a tool.
+ *   under LoadForce on the patch of that point, towards the body. Within about a patch radius of
+ *   the point it is that of the patch, not of a tool.
  *
- * **Method.** By Castigliano, the mean displacement of a uniform patch of normal load is twice its
- * energy, bᵀK⁻¹b; that of the same patch on a half-space of the same elements is subtracted, so
- * that the errors of the elements under the patch cancel (palpate::patchCompliances,
- * PatchSelfTerm). What remains is C_g with a bias in the square of the patch radius, which two
- * radii eliminate. E* of the half-space is that of the point: the mean E and ν of the cells that
- * meet there. Where E changes within a few cells under the point, the tool's own law on that E* is
- * no longer local to it, and C_g depends on the mesh.
+ * **Method.** By Castigliano's theorem the mean displacement of a uniform patch of normal load is
+ * twice its energy, bᵀK⁻¹b. The displacement of the same patch on a half-space of the same elements
+ * is subtracted, so that the errors of the elements under the patch cancel
+ * (palpate::patchCompliances, PatchSelfTerm). The rest is C_g with a bias in the square of the
+ * patch radius, which two radii eliminate. E* of the half-space is that of the point: the mean E
+ * and ν of the cells at it. If E changes within a few cells under the point, the tool's law with
+ * that E* no longer describes the local part, and C_g depends on the mesh.
  *
  * **Accuracy.** Layers and plates with six or more hexahedra (three or more quadratic tetrahedra)
- * through the thickness: within 2 %, second order in the size of the cells. The hexahedron carries
- * incompatible modes (Wilson et al. 1973, Taylor et al. 1976) and neither locks in bending nor near
- * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4, nor in bending. Quadratic
+ * through the thickness: within 2 %, second order in the size of the cells. The hexahedron has
+ * incompatible modes (Wilson et al. 1973, Taylor et al. 1976). It locks neither in bending nor near
+ * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4 or in bending. Quadratic
  * tetrahedra lose some per cent beyond ν = 0.47, in the half-space term.
  *
  * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by
- *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X))  in mm, and the dent of the tool on top;
- * X itself goes in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by
- * δ, the dent must be what the modes leave, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is
- * linear. The modes come from full solutions for eight forces per mode, spread over the points of
- * status 0, less the dent of each on the surface that faces the same way (palpate::GlobalModes,
- * RegularField); so they hold at points of any status, and where the body is fixed they cancel the
- * tail of the dent. A mode moves one part of a body of several. Where there are fewer forces than
- * modes, the last are zero; all are zero if no point has status 0. Modes of equal strength, as on a
- * square bar, may come as any combination; sums over them do not change.
+ *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X))  in mm, in addition to the dent of the tool.
+ * X itself moves in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by
+ * δ, the dent must be the rest, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear. The modes
+ * come from full solutions for eight forces per mode, spread over the points of status 0, without
+ * the dent of each force on the surface that faces the same way (palpate::GlobalModes,
+ * RegularField). So they hold at points of any status, and where the body is fixed they cancel the
+ * tail of the dent. A mode moves only one part of a body of several parts. If there are fewer
+ * forces than modes, the last modes are zero; all are zero if no point has status 0. Modes of equal
+ * strength, as on a square bar, may come in any combination; sums over them do not change.
  *
- * **What modes neglect**: all modes beyond these few, that is the sharp bottom of the dish around
- * the force; relatively most near supports, where the body hardly gives way; forces along the
- * surface; the rest of a dent where it is drawn to end before the surface turns by 50°. Six modes
- * against full solutions, largest error anywhere as part of the largest motion: a cantilever of 40
+ * **Neglected by the modes**: all modes beyond these few, which form the sharp bottom of the dish
+ * around the force; relatively most near supports, where the body hardly gives way; forces along
+ * the surface; the rest of a dent where the display ends it before the surface turns by 50°. Six
+ * modes against full solutions, largest error anywhere over the largest motion: a cantilever of 40
  * × 4 × 4 mm 0.3 % under forces beyond two fifths of its length, 1 % at a quarter, Σ s (n·φ)²
  * within 0.2 % of C_g (r.m.s. over the surface); a circular plate of 60 × 4 mm clamped at its rim 4
  * % under a force at the centre, 8 % half-way to the rim (r.m.s. over the plate 0.6 and 1.6 %), Σ s
- * (n·φ)² 16 % short of C_g: no six functions hold more than four fifths of the compliance of a
- * plate. A body bonded along a whole side deforms locally; few modes do not describe it (40 % short
- * on a block of 20 × 20 × 5 mm). GetNeglectedByModes() tells how much.
+ * (n·φ)² 16 % below C_g: no six functions hold more than four fifths of the compliance of a plate.
+ * A body bonded along a whole side deforms locally; few modes do not describe it (40 % below C_g on
+ * a block of 20 × 20 × 5 mm). See GetNeglectedByModes().
  *
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
- * points and both radii, half as much again on two cores, where cells form a regular grid; the
- * half-space terms of irregular meshes, where no two points are alike, take about 8 ms per point
- * and core (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes some ten
- * solutions of the whole body, and 100 µs per cell for each. CHOLMOD with OpenBLAS if Palpate was
- * built with it, Eigen otherwise, some hundred times slower. A body that does not fit MemoryLimit
- * is refused before it is solved: by its numbers of points (palpate::MemoryForecast) before
- * anything is assembled, if that is certain, otherwise by the memory of the factor, known to a
- * seventh before it is computed. A cube of n³ points takes about 0.9 n⁴ kB: 64 points on a side 14
- * GiB, the most that CHOLMOD can index. Abort is seen between steps, not during the factorisation.
- * Uses as many threads as vtkSMPTools (one per core where that is Sequential). The same bits for
- * any number, of OpenBLAS's threads too.
+ * points and both radii, half as much again on two cores if cells form a regular grid. On irregular
+ * meshes no two points are alike, and the half-space terms take about 8 ms per point and core
+ * (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes about ten solutions
+ * of the whole body, and 100 µs per cell for each. CHOLMOD with OpenBLAS if Palpate was built with
+ * it, otherwise Eigen, some hundred times slower. A body that does not fit MemoryLimit is refused
+ * before it is solved: before anything is assembled if its numbers of points
+ * (palpate::MemoryForecast) show this with certainty, otherwise by the memory of the factor, which
+ * is known within a seventh before it is computed. A cube of n³ points takes about 0.9 n⁴ kB: 14
+ * GiB for 64 points on a side, the most that CHOLMOD can index. Abort is checked between steps, not
+ * during the factorisation. Uses as many threads as vtkSMPTools (one per core if that is
+ * Sequential). The bits do not depend on their number, nor on the number of OpenBLAS's threads.
  *
  * @sa vtkVoxelBody vtkToolContactResponse
  */
@@ -127,28 +127,28 @@ public:
   ///@}
 
   ///@{
-  /** Radius of the smaller patch, mm; the other has twice the radius. 0 (default): 0.75 times the
-   * distance of neighbouring points, at each point. */
+  /** Radius of the smaller patch, mm; the other patch has twice the radius. 0 (default): 0.75
+   * times the distance of neighbouring points, at each point. */
   vtkSetMacro(PatchRadius, double);
   vtkGetMacro(PatchRadius, double);
   ///@}
 
   ///@{
-  /** Bytes the factorisation may take, in MiB; 0 (default): nine tenths of the memory that the
+  /** Largest memory of the factorisation, MiB. 0 (default): nine tenths of the memory that the
    * machine has available when the filter runs. */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
-  /** Automatic (default): Supernodal, CHOLMOD, if it was built in; otherwise Simplicial, Eigen. */
+  /** Automatic (default): Supernodal (CHOLMOD) if it was built in, otherwise Simplicial (Eigen). */
   vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
   ///@}
 
   ///@{
-  /** How many GlobalMode arrays, 0 (default: none, and no GlobalModeSign) to 6. Each takes eight
-   * solutions of the whole body. */
+  /** Number of GlobalMode arrays, 0 (default: none, and no GlobalModeSign) to 6. Each takes
+   * eight solutions of the whole body. */
   vtkSetMacro(NumberOfModes, int);
   vtkGetMacro(NumberOfModes, int);
   ///@}
@@ -160,14 +160,14 @@ public:
   ///@}
 
   ///@{
-  /** The force there, N. Default 1. */
+  /** The force at LoadedPoint, N. Default 1. */
   vtkSetMacro(LoadForce, double);
   vtkGetMacro(LoadForce, double);
   ///@}
 
   ///@{
   /**
-   * How many components CouplingModes has, 0 (default: no such array) to 16. Each takes eight
+   * Number of components of CouplingModes, 0 (default: no such array) to 16. Each takes eight
    * solutions of the whole body. A strip needs four, a plate twelve.
    */
   vtkSetMacro(NumberOfCouplingModes, int);
@@ -175,16 +175,16 @@ public:
   ///@}
 
   /**
-   * What the coupling modes of the last run neglect: root mean square of C_ij - Σ φ(i) φ(j) between
-   * points spread over the surface, relative to that of C_ij; 0 without coupling modes.
+   * Part that the coupling modes of the last run neglect: root mean square of C_ij - Σ φ(i) φ(j)
+   * between points spread over the surface, relative to that of C_ij; 0 without coupling modes.
    */
   vtkGetMacro(NeglectedByCouplingModes, double);
 
-  /** What the modes of the last run neglect: the root mean square of C_g - Σ s (n·φ)² over the
+  /** Part that the modes of the last run neglect: root mean square of C_g - Σ s (n·φ)² over the
    * points of status 0, relative to that of C_g; 0 without modes. */
   vtkGetMacro(NeglectedByModes, double);
 
-  /** Estimated memory of the last factorisation, MiB; known also after it was refused. */
+  /** Estimated memory of the last factorisation, MiB; also set if it was refused. */
   vtkGetMacro(MemoryEstimate, double);
 
 protected:

@@ -34,9 +34,9 @@
 
 namespace
 {
-// Of the work, as progress tells it.
+// Fractions of the work for the progress.
 constexpr double SolvedShare = 0.9;
-constexpr double BodyShare = 0.75; // where a coarser one is solved, too
+constexpr double BodyShare = 0.75; // used if a coarser body is solved, too
 constexpr double RespondedShare = 0.95;
 } // namespace
 
@@ -187,7 +187,7 @@ std::string vtkElasticContactResponse::FindMaterials(
                        : fault;
 }
 
-/// Sees to it that what the tool needs is in Kept and Coarser.
+/// Solves the parts of Kept and Coarser that the tool needs and that are missing.
 std::string vtkElasticContactResponse::Solve(
   vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended)
 {

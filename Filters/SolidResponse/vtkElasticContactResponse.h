@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkElasticContactResponse
- * @brief what a tool feels on a body's true shape, and on what lies in it, by finite elements
+ * @brief response of a tool on a body's true shape, with inclusions, by finite elements
  *
- * Input: a vtkUnstructuredGrid as of vtkElasticCompliance: VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and
+ * Input: a vtkUnstructuredGrid as in vtkElasticCompliance: VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and
  * VTK_QUADRATIC_TETRA cells in mm with the point array `Fixed` (bits 1, 2, 4 hold a point along x,
- * y, z), E and ν per cell by arrays to process 0 and 1 (cell data, one component), else the
- * constants. With a point array `Pressed` there are responses only where that is not 0, and no
- * solutions for others. What is wrong with it is an error that names cell and value. Empty input
- * gives empty output.
+ * y, z). E and ν per cell come from arrays to process 0 and 1 (cell data, one component), else from
+ * the constants. With a point array `Pressed` only points where it is not 0 are solved for and have
+ * responses. A fault of the input is an error that names cell and value. Empty input gives empty
+ * output.
  *
- * Output: the body's outer surface as triangles, with the input's point arrays,
- * `OriginalPointIds`, and the response arrays of vtkToolContactResponse, as they are for Tool
- * pressed along the inward normal at each point, unilateral and without friction, the body linear
- * elastic. `Range` is the least of MaximumDeflection and the depth at which the contact reaches an
- * edge (the surface turns by more than 40°), a held point or another material at the surface.
- * `Status` 5 Edge where there is no contact before, or the surface turns by 30° at the point
- * itself: the curve is taken from the points around, as much softer as the edge is, within some
- * 15 %, its validity 0; 4 OutOfReach where the point is held or not `Pressed`, 1 Degenerate: no
- * curve. `Validity` and `Limit` by the estimated error: 1 small strain, 5 what an edge nearby does
- * beyond its tilt, 7 the elements (what cells of their length let expect, and what a second mesh
- * tells) and the order of the kernel.
+ * Output: the body's outer surface as triangles, with the input's point arrays, `OriginalPointIds`,
+ * and the response arrays of vtkToolContactResponse, for Tool pressed along the inward normal at
+ * each point, unilateral and without friction, on a linear elastic body. `Range` is the smaller of
+ * MaximumDeflection and the depth at which the contact reaches an edge (the surface turns by more
+ * than 40°), a held point or another material at the surface. `Status` 5 Edge: there is no contact
+ * before such a limit, or the surface turns by 30° at the point itself; the curve comes from the
+ * points around, reduced by the softening of the edge, within about 15 %, and its validity is 0. 4
+ * OutOfReach: the point is held or not `Pressed`; 1 Degenerate: both have no curve. `Validity` and
+ * `Limit` follow from the estimated error: 1 small strain; 5 the effect of a near edge beyond its
+ * tilt; 7 the elements (the error expected from the length of the cells, and from a second mesh)
+ * and the order of the kernel.
  *
- * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, the elements
- * solve for what is left, which is smooth (palpate::RegularGreen). H, averaged over angles on a
- * disc that follows the contact, is a kernel of rank up to four, whose contact of any radius and
- * tool of revolution is explicit by dimensionality reduction; the drop of the surface is a gap, the
- * tilt next to an edge a second-order term (palpate::ShapedContact). Between the places that are
- * solved for kernels are turned to the normal of each (palpate::DirectedCompliance).
+ * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, and the
+ * elements solve for the smooth rest (palpate::RegularGreen). H, averaged over angles on a disc
+ * that follows the contact, is a kernel of rank up to four. By dimensionality reduction its contact
+ * is explicit for any radius and any tool of revolution. The drop of the surface is a gap, and the
+ * tilt next to an edge is a second-order term (palpate::ShapedContact). Between the solved places
+ * kernels are converted to the normal of each place (palpate::DirectedCompliance).
  *
- * **Accuracy.** Within 1 % of the exact law on bonded layers to contact radii of one and a half
- * thicknesses with two hexahedra through it, 0.35 % with four; within 1 % next to an edge to four
+ * **Accuracy.** Within 1 % of the exact law on bonded layers up to contact radii of 1.5 thicknesses
+ * with two hexahedra through the thickness, 0.35 % with four; within 1 % next to an edge up to four
  * fifths of its distance; 5 % on nodules on voxels of half their depth. Elements may be larger than
- * the contact, but should be no larger than half the distance to what makes the difference: a base,
- * an edge, the top of a nodule. Linear tetrahedra lock: not beyond ν = 0.4.
+ * the contact, but should be no larger than half the distance to the source of H: a base, an edge,
+ * the top of a nodule. Linear tetrahedra lock: do not use them beyond ν = 0.4.
  *
  * **Cost.** One factorisation (8 s for 100 thousand unknowns) and one solution per point of the
  * surface, or per SourceSpacing, 10 to 50 ms of one thread each, on all threads. The body and its H
- * are kept until the input, the material or the solver changes, or a contact gets wider: the next
- * tool takes some milliseconds per point. Memory: that of the factor, refused beforehand if beyond
- * MemoryLimit, and of H, some hundred bytes per pair of points within a contact. Abort is seen
- * between steps and solutions. The same bits for any number of threads.
+ * are kept until the input, the material or the solver changes, or a contact is wider: the next
+ * tool takes some milliseconds per point. Memory: the factor, refused beforehand if beyond
+ * MemoryLimit, and H, some hundred bytes per pair of points within a contact. Abort is checked
+ * between steps and solutions. The bits do not depend on the number of threads.
  *
  * @sa vtkElasticCompliance vtkToolContactResponse vtkVoxelBody
  */
@@ -78,27 +78,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The surface that is to be touched, where that is finer than the solid's own, as a scan is: a
-   * vtkPolyData of triangles, mm, beside the solid's. The output is then that surface with its
-   * arrays: at each of its points H is that of the six solved ones around that face the same way
-   * (a plane through their values), and the gap under the tool is its own shape there, whatever it
-   * is (palpate::SurfaceGap, palpate::UnevenContact), smooth between its points. What may lie
-   * between them is the surface's error, not the contact's: the point array `<name>SurfaceError`
-   * (float) tells by how much it may change the force at the end of the range, relative, in 95 of
-   * 100 cases; there is a warning where that is more than ErrorTolerance at a tenth of the points.
-   * Optional; not with AutomaticTerms. */
+  /** The surface that is touched, if it is finer than the solid's own surface, as a scan is: a
+   * vtkPolyData of triangles, mm, close to the surface of the solid. The output is then this
+   * surface with its arrays. H at each of its points comes from the six nearest solved points
+   * that face the same way (a plane through their values). The gap under the tool is the shape
+   * of this surface, of any kind (palpate::SurfaceGap, palpate::UnevenContact), smooth between
+   * its points. Detail between the points is an error of the surface, not of the contact: the
+   * point array `<name>SurfaceError` (float) is the relative change of the force at the end of
+   * the range that this detail may cause, in 95 of 100 cases. There is a warning if it exceeds
+   * ErrorTolerance at a tenth of the points. Optional; not with AutomaticTerms. */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
 
   ///@{
-  /** The same body in coarser cells, one and a half to twice as long at the surface, held in the
-   * same places and with the same arrays: a vtkUnstructuredGrid as the input. How far the two
-   * meshes differ then tells, beside what cells of that length let expect, what their length does
-   * to the force (palpate::MeshDifference): its stated error is several times narrower on bodies
-   * that the cells follow well. The forces are the same. One with no cells, of another extent than
-   * the body, or with cells that are not longer, is an error. Costs its own factor and solutions, a
-   * sixth of the body's where its cells are twice as long. Optional. */
+  /** The same body in coarser cells, 1.5 to 2 times as long at the surface, held in the same
+   * places and with the same arrays: a vtkUnstructuredGrid as the input. The difference of the
+   * two meshes is then a second estimate of the error due to the length of the cells
+   * (palpate::MeshDifference), in addition to the error expected from that length. The stated
+   * error becomes several times smaller on bodies that the cells follow well. The forces are
+   * the same. Errors: no cells, another extent than the body, cells that are not longer. Costs
+   * its own factor and solutions, a sixth of the body's if its cells are twice as long.
+   * Optional. */
   void SetCoarserConnection(vtkAlgorithmOutput* output);
   void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}
@@ -110,19 +111,19 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkElasticCompliance: E, MPa, of cells without an array. Default 0.1. */
+  /** As in vtkElasticCompliance: E, MPa, of cells without an array. Default 0.1. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   ///@}
 
   ///@{
-  /** As of vtkElasticCompliance: 0 to 0.499, of cells without an array. Default 0.45. */
+  /** As in vtkElasticCompliance: 0 to 0.499, of cells without an array. Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
-  /** As of vtkToolContactResponse: 2 mm, 8, "Response". */
+  /** As in vtkToolContactResponse. Defaults 2 mm, 8, "Response". */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   vtkSetMacro(NumberOfSamples, int);
@@ -132,8 +133,8 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkToolContactResponse: 0.05, and on. With a tolerance of 0 there is no error, and
-   * Validity is Range. */
+  /** As in vtkToolContactResponse. Defaults 0.05 and on. With a tolerance of 0 there is no
+   * error, and Validity is equal to Range. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   vtkSetMacro(StoreError, bool);
@@ -142,29 +143,30 @@ public:
   ///@}
 
   ///@{
-  /** Whether the output tells vtkContactDeflection and the display how the body moves besides the
-   * tool's dent, 120 bytes a point: as a whole (`GlobalMode0`... `GlobalMode5`, `GlobalModeSign`,
-   * as of vtkElasticCompliance), and around each point what these leave of H, an edge, a base or a
-   * nodule near it (`NearField`, float 12, of palpate::NearField: the slope g in 1/N and R₀ in
-   * mm/N; the bend Q in 1/(N mm), xx yy zz, and ρ in mm; xy yz zx, and E* in MPa). Costs 48 more
-   * solutions, once for all tools. Default on. */
+  /** Whether the output holds the motion of the body in addition to the tool's dent, for
+   * vtkContactDeflection and the display, 120 bytes per point. The arrays are the motion as a
+   * whole (`GlobalMode0`... `GlobalMode5`, `GlobalModeSign`, as in vtkElasticCompliance), and
+   * around each point the rest of H, due to an edge, a base or a nodule near it (`NearField`,
+   * float 12, of palpate::NearField: the slope g in 1/N and R₀ in mm/N; the bend Q in 1/(N mm),
+   * xx yy zz, and ρ in mm; xy yz zx, and E* in MPa). Costs 48 more solutions, once for all
+   * tools. Default on. */
   vtkSetMacro(StoreMotion, bool);
   vtkGetMacro(StoreMotion, bool);
   vtkBooleanMacro(StoreMotion, bool);
   ///@}
 
   ///@{
-  /** The widest contact that is solved for, mm: set to that of the widest of several tools, they
-   * share the solutions. 0 (default): 1.42 times that of Tool at MaximumDeflection on a half-space.
-   */
+  /** The largest contact radius that is solved for, mm. Several tools share the solutions if it
+   * is set to that of the widest. 0 (default): 1.42 times that of Tool at MaximumDeflection on
+   * a half-space. */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}
 
   ///@{
-  /** Distance of the points of the surface that are solved for, mm: closer together towards edges;
-   * what lies between takes H from those around, so that all points have responses. Half the
-   * distance to what makes a difference (a base, a nodule) is enough. 0 (default): all points. */
+  /** Distance of the points of the surface that are solved for, mm; smaller towards edges. Other
+   * points take H from those around them, so that all points have responses. Half the distance
+   * to the source of H (a base, a nodule) is enough. 0 (default): all points. */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
   ///@}
@@ -179,9 +181,10 @@ public:
   };
 
   ///@{
-  /** As of vtkToolContactResponse: SmallStrain (default), what finite strain would change being
-   * part 1 of `Limit`, or one of its laws. That multiplies what is local of a contact, as on a
-   * half-space under the same force; what the body gives way otherwise grows with the force. */
+  /** As in vtkToolContactResponse: SmallStrain (default), with the neglected effect of finite
+   * strain as part 1 of `Limit`, or one of the laws of finite strain. A law multiplies the
+   * local part of a contact, as on a half-space under the same force; the remaining deflection
+   * of the body grows with the force. */
   vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
   vtkGetMacro(StrainModel, int);
   void SetStrainModelToSmallStrain() { this->SetStrainModel(SmallStrain); }
@@ -195,15 +198,15 @@ public:
   ///@}
 
   ///@{
-  /** Whether a contact leaves over sharp convex edges with its force going to nothing, as of
-   * vtkToolContactResponse; that it is softer beside them is in the curves. Default off. */
+  /** Whether the force goes to zero when a contact leaves over sharp convex edges, as in
+   * vtkToolContactResponse. The softening near edges is already in the curves. Default off. */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
 
   ///@{
-  /** How far the tool will be tilted, degrees, as of vtkToolContactResponse; the tilts are those of
+  /** Largest tilt of the tool, degrees, as in vtkToolContactResponse. The tilt data are those of
    * a half-space, whatever the body's shape. Default 0: upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
@@ -211,9 +214,9 @@ public:
 
   ///@{
   /**
-   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch with its strength p >= 0,
-   * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. As of
-   * vtkToolContactResponse, of the whole body: the curves are the slow response. Default none.
+   * Relaxation of the body: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each of up to four branches has a strength
+   * p >= 0, relative to the slow modulus E∞, and a time τ > 0 in seconds. As in
+   * vtkToolContactResponse, for the whole body: the curves are the slow response. Default none.
    */
   void AddRelaxation(double strength, double seconds)
   {
@@ -233,50 +236,49 @@ public:
   ///@}
 
   ///@{
-  /** Whether a simpler law's curve is kept where true shape changes the force by no more than
-   * TermTolerance, point by point: that of a half-space of the material at the point, curved as the
-   * surface is, or of a layer of LayerThickness on a rigid base. The point array
-   * `<name>ShapeChange` (float) then tells by how much true shape changes the force, relative,
-   * where it changes most (NaN: not known), and GetTermReason and the field array `<name>Terms` how
-   * many points keep what. Default off. */
+  /** Whether the curve of a simpler law is kept, point by point, if true shape changes the force
+   * by no more than TermTolerance. The law is a half-space of the material at the point with
+   * the curvature of the surface, or a layer of LayerThickness on a rigid base. The point array
+   * `<name>ShapeChange` (float) is then the largest relative change of the force by true shape
+   * (NaN: not known). GetTermReason and the field array `<name>Terms` give the number of points
+   * with each curve. Default off. */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
   vtkBooleanMacro(AutomaticTerms, bool);
   ///@}
 
   ///@{
-  /** Change of the force, relative, that AutomaticTerms may leave out, >= 0. Default 0.01. */
+  /** Relative change of the force that AutomaticTerms may neglect, >= 0. Default 0.01. */
   vtkSetMacro(TermTolerance, double);
   vtkGetMacro(TermTolerance, double);
   ///@}
 
   ///@{
-  /** Thickness, mm, >= 0, of the layer that AutomaticTerms compares with, at points without an
+  /** Thickness, mm, >= 0, of the layer with which AutomaticTerms compares, at points without an
    * array (array to process 2, point data, one component); 0 (default): a half-space. */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
 
-  /// Of the last run, what AutomaticTerms kept, in words; "" without it.
+  /// Choice of AutomaticTerms in the last run, in words; "" without it.
   vtkGetMacro(TermReason, std::string);
 
   ///@{
-  /** As of vtkElasticCompliance: MiB, 0 (default): nine tenths of what is available. */
+  /** As in vtkElasticCompliance: MiB, 0 (default): nine tenths of the available memory. */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
-  /** As of vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
+  /** As in vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
   vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
   ///@}
 
-  /** Estimated memory of what the last run factorised and solved, MiB; known also after that was
-   * refused; 0: all that was needed was there. */
+  /** Estimated memory of the factorisation and the solutions of the last run, MiB; also set if
+   * it was refused; 0: nothing had to be computed. */
   vtkGetMacro(MemoryEstimate, double);
-  /** How many points of the surface were solved for in the last run; 0: all that was needed was
-   * there. */
+  /** Number of points of the surface solved for in the last run; 0: nothing had to be solved. */
   vtkGetMacro(NumberOfSolutions, vtkIdType);
 
   vtkMTimeType GetMTime() override;
@@ -301,7 +303,7 @@ private:
   std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
-  std::unique_ptr<palpate::CoarserBody> Coarser; ///< null: there is none
+  std::unique_ptr<palpate::CoarserBody> Coarser; ///< null: no coarser body
   vtkSmartPointer<vtkContactTool> Tool;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;

@@ -32,15 +32,15 @@ constexpr double InteriorRatio = 4.0;
 constexpr double DeviationRatio = 0.05;
 constexpr double LargestGrowth = 2.0;
 
-/// Cells per cube of the spacing, and the peak memory per cell; measured on balls.
+/// Cells per cube of the spacing, and peak memory per cell; measured on balls.
 constexpr double CellsPerCube = 8.7;
 constexpr double BytesPerCell = 2000.0;
 /// Cells have ten nodes each, numbered by 32 bits.
 constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 
-constexpr double MeshedShare = 0.9; // of the work
+constexpr double MeshedShare = 0.9; // fraction of the work
 
-/// For a body of given volume and area whose spacing grows from s to l inwards.
+/// Expected cells of a body of given volume and area whose spacing grows from s to l inwards.
 double expectedCells(const palpate::ClosedSurface& closed, double s, double l, double growth)
 {
   const double graded =
@@ -48,8 +48,8 @@ double expectedCells(const palpate::ClosedSurface& closed, double s, double l, d
   return CellsPerCube * std::min(graded, closed.volume / std::pow(s, 3));
 }
 
-/// For a finer ball, and for the shell in which the spacing u grows from s to l: cells of u³ at
-/// r = R + (u - s)/growth.
+/// Expected cells of a finer ball and of the shell in which the spacing u grows from s to l: cells
+/// of u³ at r = R + (u - s)/growth.
 double expectedCells(const palpate::FineBall& ball, double l, double growth)
 {
   const double s = std::min(ball.spacing, l);

@@ -4,34 +4,36 @@
  * @brief fills a closed surface with tetrahedra, fine at the surface and coarse inside, as a body
  * for vtkElasticContactResponse
  *
- * Input: a closed vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm;
- * points at the same place count as one. Common defects of scans are repaired, with a warning:
+ * Input: a closed vtkPolyData of triangles that wind counter-clockwise as seen from outside, in mm.
+ * Points at the same place count as one. Common defects of scans are repaired, with a warning:
  * sheets that touch each other are separated, holes up to a fifth of the body are filled, and
- * triangles that cross each other are removed if they are fewer than a hundredth. A wider hole,
- * more crossings (the first are named), a surface that is inside out, and one that loses a part
- * because SurfaceSpacing is too coarse for it, are errors. There may be several parts and cavities;
- * if the surface was not closed, parts of less than a thousandth of the triangles are left out.
+ * triangles that cross each other are removed if they are fewer than a hundredth. Errors: a wider
+ * hole, more crossings (the first are named), a surface that is inside out, and a surface that
+ * loses a part because SurfaceSpacing is too coarse for it. There may be several parts and
+ * cavities. If the surface was not closed, parts of less than a thousandth of the triangles are
+ * left out.
  *
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
- * long at the surface, shorter where a facet would lie more than Deviation off it: √(8 Deviation R)
- * where it is curved by 1/R. Inside they grow by Growth per distance from the surface, to
- * InteriorSpacing. In FineBalls they are shorter. Edges by which the surface turns more than 45°
+ * long at the surface, shorter where a facet would be more than Deviation off it: √(8 Deviation R)
+ * at a curvature of 1/R. Inside they grow by Growth per distance from the surface, up to
+ * InteriorSpacing. In FineBalls they are shorter. Edges at which the surface turns by more than 45°
  * are kept, unless most of them are shorter than three SurfaceSpacings, as the noise of a scan is.
- * Mid-edge nodes of the outside lie on the true surface, or its sharp edges, except where that
- * would spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 on each of
- * the FixedFaces - the outer faces that look to that side, within half a SurfaceSpacing of the
- * output's outermost point - 0 elsewhere. One of a given depth is cut off there instead: what does
- * not move is no part of the output, and points are held on the cut. Cells follow its rim, so that
- * what is held does not depend on their size; on a scan, whose edges are not kept, except where the
- * rim comes within a SurfaceSpacing to itself. A surface that cannot be cut - nothing would be
- * left, or it touches itself there - gets a warning, and is held within the depth.
+ * Outer mid-edge nodes are on the true surface, or on its sharp edges, except where that would
+ * spoil a tetrahedron: all Jacobians are positive. Point array `Fixed` (uint8): 7 on each of the
+ * FixedFaces (the outer faces that look to that side, within half a SurfaceSpacing of the output's
+ * outermost point), 0 elsewhere. A face with a given depth is cut off at that depth instead: the
+ * part that does not move is left out of the output, and the points on the cut are held. Cells
+ * follow the rim of the cut, so that the held region does not depend on their size. On a scan,
+ * whose edges are not kept, they do so except where the rim comes within a SurfaceSpacing of
+ * itself. A surface that cannot be cut, because nothing would be left or it touches itself there,
+ * gets a warning and is held within the depth.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
- * the filter is an error. The same bits on every run. Cost: on one thread 60 µs and 2 kB per cell,
- * of which there are about 8.7 per SurfaceSpacing³ beside the surface; if that is more than the
- * available memory, it is an error beforehand. Progress is an estimate; an abort is seen within
- * milliseconds while cells are refined, nine tenths of the work, and only at the end while slivers
- * are moved apart.
+ * the filter is an error. The bits are the same on every run. Cost: on one thread 60 µs and 2 kB
+ * per cell; there are about 8.7 cells per SurfaceSpacing³ near the surface. If that needs more than
+ * the available memory, it is an error beforehand. Progress is an estimate. An abort takes effect
+ * within milliseconds while cells are refined, nine tenths of the work, and only at the end while
+ * slivers are removed.
  *
  * @sa vtkElasticContactResponse vtkVoxelBody
  */
@@ -55,8 +57,8 @@ public:
   vtkTypeMacro(vtkGradedBody, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Whether the module Mesher (libpalpateMesher.so, with CGAL) can be loaded. Without it nothing
-   * is filled. */
+  /** Whether the module Mesher (libpalpateMesher.so, with CGAL) can be loaded. Without it the
+   * filter cannot run. */
   static bool IsAvailable();
 
   ///@{
@@ -66,22 +68,28 @@ public:
   ///@}
 
   ///@{
-  /** The longest edges inside, mm: at least SurfaceSpacing, or 0 (default): four times that. */
+  /**
+   * The longest edges inside, mm: at least SurfaceSpacing, or 0 (default): four times
+   * SurfaceSpacing.
+   */
   vtkSetMacro(InteriorSpacing, double);
   vtkGetMacro(InteriorSpacing, double);
   ///@}
 
   ///@{
-  /** How much longer edges get per length from the surface inwards: > 0, at most 2. Default 0.5. */
+  /**
+   * Increase of the edge length per distance from the surface inwards: > 0, at most 2. Default
+   * 0.5.
+   */
   vtkSetMacro(Growth, double);
   vtkGetMacro(Growth, double);
   ///@}
 
   ///@{
   /**
-   * Adds a ball within which edges are about `spacing` long, on the surface and inside, and from
-   * which they grow by Growth: around a nodule, or where a tool is pressed. Centre, radius >= 0 and
-   * spacing > 0 in mm; checked when the filter runs.
+   * Adds a ball in which edges are about `spacing` long, on the surface and inside. Outside the
+   * ball they grow by Growth. Use it around a nodule, or where a tool is pressed. Centre, radius >=
+   * 0 and spacing > 0 in mm; checked when the filter runs.
    */
   void AddFineBall(double x, double y, double z, double radius, double spacing);
   void ClearFineBalls();
@@ -89,23 +97,23 @@ public:
   ///@}
 
   ///@{
-  /** How far facets may lie off the surface, mm, or 0 (default): a twentieth of SurfaceSpacing,
-   * which shortens edges where the surface's radius is below two and a half SurfaceSpacings; up to
-   * nine times that on a surface whose roughness would take several times the cells. There, and
-   * where sheets of the surface nearly touch, the outside may meet itself at a corner or an edge.
-   */
+  /** Largest distance of facets from the surface, mm. 0 (default): a twentieth of
+   * SurfaceSpacing, which shortens edges where the surface's radius is below 2.5
+   * SurfaceSpacings. On a surface so rough that this would take several times the cells, it is
+   * increased up to nine times. There, and where sheets of the surface nearly touch, the
+   * outside may meet itself at a corner or an edge. */
   vtkSetMacro(Deviation, double);
   vtkGetMacro(Deviation, double);
   ///@}
 
   ///@{
-  /** Which sides of the bounding box hold the body, as in vtkVoxelBody; one with a depth, as in
-   * "z-:5", is cut off. Default "z-". */
+  /** Sides of the bounding box that hold the body, as in vtkVoxelBody; a side with a depth, as
+   * in "z-:5", is cut off. Default "z-". */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
-  /** How many cells the last run expected, known also after it was refused. */
+  /** Number of cells that the last run expected; also set if it was refused. */
   vtkGetMacro(CellEstimate, double);
 
 protected:

@@ -32,7 +32,7 @@ namespace
 constexpr double WithShare = 0.45; // fraction of the progress
 constexpr double BothShare = 0.9;
 
-/// The arrays of all tools' changes.
+/// The arrays of the changes of all tools.
 struct ChangeArrays
 {
   vtkNew<vtkFloatArray> Force;

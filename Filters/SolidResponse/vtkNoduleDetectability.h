@@ -3,39 +3,41 @@
  * @class vtkNoduleDetectability
  * @brief where on a body, and by how much, nodules inside change the force on tools
  *
- * Input: a vtkUnstructuredGrid as for vtkElasticContactResponse, with the cell arrays of
- * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Arrays of
- * other names are given as arrays to process 0 to 3, in this order. What is wrong with it is an
+ * Input: a vtkUnstructuredGrid as in vtkElasticContactResponse, with the cell arrays of
+ * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Arrays with
+ * other names are given as arrays to process 0 to 3, in this order. A fault of the input is an
  * error that names it. Empty input gives empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays,
  * `OriginalPointIds`, and
- * - the response arrays of Tool on the body with nodules, as for vtkElasticContactResponse, and of
- *   the tools of AddMoreTool under ResponseName followed by 2, 3 …; with StoreWithout also those of
- *   the body without, the names ending in `Without`: "ResponseWithout", "Response2Without";
+ * - the response arrays of Tool on the body with nodules, as in vtkElasticContactResponse, and
+ *   those of the tools of AddMoreTool under ResponseName followed by 2, 3 …; with StoreWithout also
+ *   those on the body without nodules, with names that end in `Without`: "ResponseWithout",
+ *   "Response2Without";
  * - point arrays with one component per tool, named by its specification: `ForceChange`, the
- *   largest relative change of the force by the nodules at equal depth, negative where it
- *   decreases; `StiffnessChange`, that of dF/dδ there; `ChangeDepth`, that depth, mm; `Felt`, 1
- *   where |ForceChange| is Threshold or more, else 0;
- * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 being Tool; -1 where
- *   none is known. That tool also feels the deepest nodules.
+ *   largest relative change of the force by the nodules at equal depth, negative if the force
+ *   decreases; `StiffnessChange`, the relative change of dF/dδ at that depth; `ChangeDepth`, that
+ *   depth, mm; `Felt`, 1 if |ForceChange| is at least Threshold, else 0;
+ * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 for Tool; -1 if no
+ *   change is known. That tool also detects the deepest nodules.
  *
- * Depths: from the first sample to PressDepth, or where the response of either body ends (Range,
- * with WithinValidity also Validity). Where one has no response the changes are NaN and Felt is 0.
+ * Depths: from the first sample to PressDepth, or to the end of the response of either body (Range,
+ * with WithinValidity also Validity). If one body has no response at a point, the changes are NaN
+ * and Felt is 0.
  *
- * **Threshold.** The least change of a force that a hand can tell is about 7 % of it (Pang, Tan and
- * Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); between 0.07 and 0.1 for
- * most. 0.1 is on the safe side. Forces below half a newton need more.
+ * **Threshold.** The smallest change of a force that a hand can perceive is about 7 % of it (Pang,
+ * Tan and Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); between 0.07 and 0.1
+ * for most people. 0.1 is on the safe side. Forces below half a newton need a larger change.
  *
- * **Accuracy.** That of vtkElasticContactResponse for either body; errors that both share, as of
- * small strain and of elements far away, cancel. For the error by the mixed cells of a nodule see
- * vtkNoduleMaterial.
+ * **Accuracy.** That of vtkElasticContactResponse for either body. Errors that both bodies share
+ * cancel, such as those of small strain and of elements far away. For the error due to the mixed
+ * cells of a nodule see vtkNoduleMaterial.
  *
  * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, kept for all
- * tools until the input changes or a contact gets wider; then some milliseconds per point and tool.
- * Without nodules a coarser spacing often suffices: SourceSpacingWithout saves most of the second
- * body's solutions. Abort is seen between steps and solutions. The same bits for any number of
- * threads.
+ * tools until the input changes or a contact is wider; then some milliseconds per point and tool.
+ * Without nodules a coarser spacing is often enough: SourceSpacingWithout saves most of the second
+ * body's solutions. Abort is checked between steps and solutions. The bits do not depend on the
+ * number of threads.
  *
  * @sa vtkNoduleMaterial vtkElasticContactResponse
  */
@@ -74,7 +76,7 @@ public:
 
   ///@{
   /**
-   * Further tools, by their specification, as "flat:1.6" (vtkContactTool::SetSpecification); a
+   * Further tools, by their specification, such as "flat:1.6" (vtkContactTool::SetSpecification). A
    * wrong one is an error when the filter runs.
    */
   void AddMoreTool(const std::string& specification);
@@ -83,33 +85,36 @@ public:
   ///@}
 
   ///@{
-  /** What counts as felt: a change of the force by this fraction, positive. Default 0.1. */
+  /** Smallest relative change of the force that counts as felt, positive. Default 0.1. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
 
   ///@{
-  /** How deep a hand presses at most, mm. Default 0: MaximumDeflection. */
+  /** Largest depth to which a hand presses, mm. Default 0: MaximumDeflection. */
   vtkSetMacro(PressDepth, double);
   vtkGetMacro(PressDepth, double);
   ///@}
 
   ///@{
-  /** Only depths at which the error of both responses is within ErrorTolerance. Default off. */
+  /**
+   * Uses only depths at which the error of both responses is within ErrorTolerance. Default
+   * off.
+   */
   vtkSetMacro(WithinValidity, bool);
   vtkGetMacro(WithinValidity, bool);
   vtkBooleanMacro(WithinValidity, bool);
   ///@}
 
   ///@{
-  /** Also the responses of the body without nodules. Default off. */
+  /** Whether the responses of the body without nodules are stored, too. Default off. */
   vtkSetMacro(StoreWithout, bool);
   vtkGetMacro(StoreWithout, bool);
   vtkBooleanMacro(StoreWithout, bool);
   ///@}
 
   ///@{
-  /** As of vtkElasticContactResponse: 2 mm, 8, "Response", 0.05. */
+  /** As in vtkElasticContactResponse. Defaults 2 mm, 8, "Response", 0.05. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   vtkSetMacro(NumberOfSamples, int);
@@ -121,40 +126,40 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkElasticContactResponse, mm: the widest contact of all tools to follow. Default 0. */
+  /** As in vtkElasticContactResponse, mm: the widest contact of all later tools. Default 0. */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}
 
   ///@{
-  /** As of vtkElasticContactResponse, mm: half the distance to a nodule's top is enough. Default 0:
-   * all points. */
+  /** As in vtkElasticContactResponse, mm: half the distance to the top of a nodule is enough.
+   * Default 0: all points. */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
   ///@}
 
   ///@{
-  /** The same on the body without nodules, where half the distance to a base or a layer is enough,
-   * mm. Default 0: as SourceSpacing. */
+  /** The same for the body without nodules, mm: half the distance to a base or a layer is
+   * enough. Default 0: as SourceSpacing. */
   vtkSetMacro(SourceSpacingWithout, double);
   vtkGetMacro(SourceSpacingWithout, double);
   ///@}
 
   ///@{
-  /** As of vtkElasticCompliance, for each body: MiB, 0 (default): nine tenths of what is available.
-   */
+  /** As in vtkElasticCompliance, for each body: MiB, 0 (default): nine tenths of the available
+   * memory. */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
-  /** As of vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
+  /** As in vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
   vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
   ///@}
 
   ///@{
-  /** Of both bodies, as for vtkElasticContactResponse. */
+  /** Sums for both bodies, as in vtkElasticContactResponse. */
   vtkGetMacro(MemoryEstimate, double);
   vtkGetMacro(NumberOfSolutions, vtkIdType);
   ///@}
@@ -183,7 +188,7 @@ private:
   std::unique_ptr<palpate::SolvedBody> Without;
   vtkSmartPointer<vtkContactTool> Tool;
   std::vector<std::string> MoreTools;
-  std::vector<vtkSmartPointer<vtkContactTool>> Tools; ///< of the present run
+  std::vector<vtkSmartPointer<vtkContactTool>> Tools; ///< of the current run
   double Threshold = 0.1;
   double PressDepth = 0.0;
   bool WithinValidity = false;

@@ -25,7 +25,7 @@
 
 namespace
 {
-constexpr vtkIdType CellsBetweenLooks = 4096; // whether to stop
+constexpr vtkIdType CellsBetweenLooks = 4096; // cells between checks for an abort
 constexpr int MostSubdivisions = 64;
 
 /// The output arrays.
@@ -148,7 +148,8 @@ double vtkNoduleMaterial::MixCell(
 {
   const double within = std::min(std::accumulate(fractions.begin(), fractions.end(), 0.0), 1.0);
   const double around = material.poissonRatio;
-  // One after the other: each fraction is relative to the sum of those mixed so far and itself.
+  // The nodules are mixed in one after the other. Each fraction is relative to the sum mixed so
+  // far, including itself.
   double mixed = 1.0 - within;
   for (std::size_t i = 0; i < fractions.size(); ++i)
   {

@@ -4,28 +4,29 @@
  * @brief spheres of another material in a volume mesh
  *
  * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
- * cells in mm, E and ν around the nodules per cell by arrays to process 0 and 1 (cell data, one
- * component), else the constants. Empty input gives empty output.
+ * cells in mm. E and ν around the nodules per cell come from arrays to process 0 and 1 (cell data,
+ * one component), else from the constants. Empty input gives empty output.
  *
  * Output: the same grid with the cell arrays (doubles)
  * - `YoungsModulus` (MPa) and `PoissonRatio`: with the nodules;
  * - `YoungsModulusWithout` and `PoissonRatioWithout`: without the nodules;
- * - `NoduleFraction`: the fraction of the cell's volume that they fill, 0 to 1.
+ * - `NoduleFraction`: the fraction of the cell's volume that nodules fill, 0 to 1.
  *
  * A cell that the surface of a sphere cuts is mixed by the fractions of its volume, counted at
- * Subdivisions³ points in it: E by palpate::mixedModulus, harmonic where the nodule is harder,
- * geometric where softer; ν by volume. Where spheres overlap, the one added last counts.
+ * Subdivisions³ points in it. E is mixed by palpate::mixedModulus, harmonically for a harder
+ * nodule, geometrically for a softer one; ν by volume. Where spheres overlap, the one added last
+ * counts.
  *
- * **Accuracy.** Of the force on a nodule of 3 mm, ten times as hard, 2 mm or deeper, in cells of 1
- * mm: 1.5 %; 1 mm deep 4 %. Cells should be no larger than half the distance of a nodule's top from
- * the surface, and no larger than a third of its radius.
+ * **Accuracy.** Error of the force on a nodule of 3 mm, ten times as hard, in cells of 1 mm: 1.5 %
+ * at a depth of 2 mm or more, 4 % at 1 mm. Cells should be no larger than half the distance of a
+ * nodule's top from the surface, and no larger than a third of its radius.
  *
- * Errors, and no output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or a nodule
- * that fills no part of any cell, by its number; a wrong array or value in it; a cell of another
- * kind.
+ * Errors, without output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or a nodule
+ * that fills no part of any cell, with its number; a wrong array or a wrong value in it; a cell of
+ * another kind.
  *
  * Cost: Subdivisions³ distances for each cell whose box a sphere's surface cuts, milliseconds for
- * ten thousand.
+ * ten thousand cells.
  *
  * @sa vtkNoduleDetectability vtkElasticContactResponse
  */
@@ -52,21 +53,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Around the nodules: E, MPa, of cells without an array. Default 0.1. */
+  /** E around the nodules, MPa, of cells without an array. Default 0.1. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   ///@}
 
   ///@{
-  /** Around the nodules: 0 to 0.499, of cells without an array. Default 0.45. */
+  /** ν around the nodules, 0 to 0.499, of cells without an array. Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
   /**
-   * Adds a sphere: its centre and radius, mm, its E, MPa, and its ν; without ν, that of its
-   * surroundings. Checked when the filter runs.
+   * Adds a sphere: centre and radius in mm, E in MPa, and ν. Without ν it has the ν around it.
+   * Checked when the filter runs.
    */
   void AddNodule(double x, double y, double z, double radius, double youngsModulus);
   void AddNodule(
@@ -92,7 +93,7 @@ private:
   vtkNoduleMaterial(const vtkNoduleMaterial&) = delete;
   void operator=(const vtkNoduleMaterial&) = delete;
 
-  /// A sphere as it was added.
+  /// A sphere as given by the user.
   struct Nodule
   {
     std::array<double, 3> Middle;
@@ -103,8 +104,8 @@ private:
   };
 
   std::string Check();
-  /// Mixes the nodules that fill `fractions` of a cell into its material; returns the fraction they
-  /// fill.
+  /// Mixes the nodules, which fill `fractions` of a cell, into its material. Returns the fraction
+  /// that they fill together.
   double MixCell(const std::vector<double>& fractions, palpate::ElasticMaterial& material) const;
   std::string Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
 

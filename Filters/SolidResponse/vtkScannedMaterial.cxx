@@ -30,7 +30,7 @@
 
 namespace
 {
-constexpr vtkIdType ScannedBetweenLooks = 4096; // whether to stop
+constexpr vtkIdType ScannedBetweenLooks = 4096; // cells between checks for an abort
 constexpr int MostPlaces = 64;
 
 using palpate::ElasticMaterial;
@@ -46,7 +46,8 @@ public:
   {
   }
 
-  /// The value of the nearest voxel, or between the eight around; false outside the image.
+  /// The value of the nearest voxel, or the trilinear value of the eight around. False outside the
+  /// image.
   bool read(const std::array<double, 3>& place, bool nearest, double& value) const
   {
     std::array<double, 3> index{};
@@ -197,7 +198,7 @@ private:
   const TissueMap& Known;
   bool HasLabels;
   ElasticMaterial Outside;
-  std::map<double, double> Volumes; ///< by label; at infinity what is outside
+  std::map<double, double> Volumes; ///< by label; at infinity the volume outside the image
   double LogModulus = 0.0;
   double Ratio = 0.0;
   double All = 0.0;

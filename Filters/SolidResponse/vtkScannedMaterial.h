@@ -11,20 +11,21 @@
  * Output: the grid with the cell arrays `YoungsModulus` (MPa) and `PoissonRatio` (doubles), as
  * vtkElasticContactResponse and vtkElasticCompliance take them.
  *
- * A map (AddMaterial) says which E and ν a value of the image has: with Labels on (default) each
- * value is a tissue of its own, taken from the nearest voxel, and one that the map does not have is
- * an error; off, for elastography or CT numbers, the image is read trilinearly, and log E and ν are
- * interpolated linearly between the values of the map, constant beyond its ends. Outside the image
- * the constants hold.
+ * A map (AddMaterial) gives E and ν for values of the image. With Labels on (default) each value is
+ * a tissue of its own, taken from the nearest voxel, and a value that is not in the map is an
+ * error. With Labels off, for elastography or CT numbers, the image is read trilinearly; log E and
+ * ν are interpolated linearly between the values of the map and are constant beyond its ends.
+ * Outside the image the constants hold.
  *
- * Each cell is sampled at Subdivisions³ points, of equal volume in boxes and straight tetrahedra.
- * The most frequent material is mixed with the others, harder ones harmonically, softer ones
- * geometrically (palpate::mixedModulus), ν by volume; without labels log E and ν are means. The
- * force has the relative error of E; no map is known better than about ten per cent.
+ * Each cell is sampled at Subdivisions³ points, which represent equal volumes in boxes and straight
+ * tetrahedra. The most frequent material is mixed with the others, harder ones harmonically, softer
+ * ones geometrically (palpate::mixedModulus), ν by volume. Without labels log E and ν are means.
+ * The force has the relative error of E; no map is known better than about ten per cent.
  *
- * Errors, and no output: no map, a wrong row (E must be positive and finite, ν 0 to 0.499), a value
- * given twice; no image or array; a value that is not finite, or a label that is not in the map, by
- * its cell; a cell of another kind. Abort is checked every 4,096 cells. Cost: 0.1 µs a point.
+ * Errors, without output: no map; a wrong row (E must be positive and finite, ν 0 to 0.499); a
+ * value given twice; no image or array; a value that is not finite, or a label that is not in the
+ * map, with its cell; a cell of another kind. Abort is checked every 4,096 cells. Cost: 0.1 µs per
+ * point.
  *
  * @sa vtkNoduleMaterial vtkGradedBody vtkElasticContactResponse
  */
@@ -59,15 +60,15 @@ public:
   ///@}
 
   ///@{
-  /** Adds a row of the map: a value of the image, its E, MPa, and ν. Checked when the filter runs.
-   */
+  /** Adds a row of the map: a value of the image, its E, MPa, and its ν. Checked when the filter
+   * runs. */
   void AddMaterial(double value, double youngsModulus, double poissonRatio);
   void ClearMaterials();
   int GetNumberOfMaterials() { return static_cast<int>(this->Rows.size()); }
   ///@}
 
   ///@{
-  /** Whether values are labels of tissues (default) or lie on a scale. */
+  /** Whether values are labels of tissues (default) or points on a scale. */
   vtkSetMacro(Labels, bool);
   vtkGetMacro(Labels, bool);
   vtkBooleanMacro(Labels, bool);
@@ -98,7 +99,7 @@ private:
   vtkScannedMaterial(const vtkScannedMaterial&) = delete;
   void operator=(const vtkScannedMaterial&) = delete;
 
-  /// A row of the map as it was added.
+  /// A row of the map as given by the user.
   struct Row
   {
     double Value;

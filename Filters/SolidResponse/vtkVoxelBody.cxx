@@ -30,13 +30,14 @@
 
 namespace
 {
-/// Depth of the core below the surface, in spacings, leaving room for the layer.
+/// Depth of the core below the surface, in spacings. It leaves room for the layer.
 constexpr double LayerDepth = 0.4;
 
-/// Sharper edges of the surface are kept, degrees.
+/// Edges of the surface that are sharper than this are kept, degrees.
 constexpr double SharpAngle = 45.0;
 
-/// How far outwards the surface is searched, in distances of the closest point: √3 at a corner.
+/// Largest distance of the outward search for the surface, over the distance of the closest point:
+/// √3 at a corner.
 constexpr double LongestReach = 1.75;
 /// Peak memory of the filter, measured on a filled box and on a ball.
 constexpr double BytesPerGridPoint = 40.0;
@@ -44,10 +45,10 @@ constexpr double BytesPerVoxel = 310.0;
 /// Well within the range of 32 bits.
 constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0;
 
-/// Relative to the spacing. With 0 vtkStaticCellLocator misses faces in the walls between its bins.
+/// Relative to the spacing. With 0 vtkStaticCellLocator misses faces at the borders of its bins.
 constexpr double PickTolerance = 1e-6;
 
-/// Voxels along each side of a box; as doubles, since they may exceed the grid's integers.
+/// Voxels along each side of a box, as doubles because they may exceed the range of int.
 Eigen::Array3d voxelsAlong(const vtkBoundingBox& box, double spacing)
 {
   Eigen::Array3d voxels;
@@ -167,7 +168,7 @@ int vtkVoxelBody::RequestData(
     edgeLocator->SetDataSet(edges->GetOutput());
     edgeLocator->BuildLocator();
   }
-  // To a sharp edge that lies outwards, otherwise to the closest point.
+  // Moves to a sharp edge if there is one outwards, otherwise to the closest point.
   const auto reach = [&](const Eigen::Vector3d& x, const Eigen::Vector3d& outward)
   {
     const Eigen::Vector3d near = palpate::closestPlace(locator, x).at;

@@ -11,8 +11,8 @@ class vtkCell;
 namespace palpate
 {
 /**
- * Sample points in a cell, n along each side, each with its fraction of the volume; tetrahedra,
- * also quadratic ones, are taken with straight sides.
+ * Sample points in a cell, n along each side, each with its fraction of the volume. The sides of
+ * tetrahedra, including quadratic ones, are taken as straight.
  */
 class CellPlaces
 {

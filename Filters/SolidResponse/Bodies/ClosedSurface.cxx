@@ -26,7 +26,7 @@ namespace palpate
 {
 namespace
 {
-/// Merges points at the same place; without arrays.
+/// Merges points at the same place; the result has no arrays.
 vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
 {
   vtkNew<vtkPolyData> bare;
@@ -40,7 +40,8 @@ vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
   return clean->GetOutput();
 }
 
-constexpr double LeastCosine = 0.70710678; // between the normals of a held face and of its side
+// Smallest cosine between the normals of a held outer face and of its side of the box.
+constexpr double LeastCosine = 0.70710678;
 
 Eigen::Vector3d placeOf(vtkDataSet* data, vtkIdType point)
 {
@@ -49,7 +50,7 @@ Eigen::Vector3d placeOf(vtkDataSet* data, vtkIdType point)
   return place;
 }
 
-/// How far a place is from the sides of a body's box.
+/// Distances of places from the sides of a body's box.
 class SidesOfBox
 {
 public:
@@ -153,7 +154,7 @@ vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const
   vtkNew<vtkDataSetSurfaceFilter> outside;
   outside->SetInputData(body);
   outside->PassThroughPointIdsOn();
-  outside->SetNonlinearSubdivisionLevel(1); // the middles of edges are points of the surface, too
+  outside->SetNonlinearSubdivisionLevel(1); // the midpoints of edges are points of the surface, too
   outside->DelegationOff();
   outside->Update();
   vtkPolyData* surface = outside->GetOutput();

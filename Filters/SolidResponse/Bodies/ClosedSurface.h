@@ -13,35 +13,36 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// A surface that can be filled: its points merged, and what it encloses.
+/// A surface that can be filled: its merged points, its volume and its area.
 struct ClosedSurface
 {
-  vtkSmartPointer<vtkPolyData> surface; ///< without arrays, points at the same place as one
+  vtkSmartPointer<vtkPolyData> surface; ///< without arrays; points at the same place are merged
   double volume = 0.0;                  ///< mm³
   double area = 0.0;                    ///< mm²
-  bool isOpen = false; ///< or touches itself: `surface` is set, but cannot be filled
+  bool isOpen = false; ///< or the surface touches itself: `surface` is set but cannot be filled
 };
 
-/// Returns what is wrong - no triangles, open, inside out - or "".
+/// Returns "", or a message about the fault: no triangles, open, inside out.
 std::string takeClosedSurface(vtkPolyData* body, ClosedSurface& closed);
 
-/// A side of a box that holds the body.
+/// A side of the bounding box that holds the body.
 struct HeldFace
 {
-  double depth = 0.0;   ///< from the outermost place, mm; 0: not held
-  bool isGiven = false; ///< the depth is not the usual one
+  double depth = 0.0;   ///< from the outermost point, mm; 0: not held
+  bool isGiven = false; ///< the depth was given by the user
 };
 
-/// -x, +x, -y, +y, -z, +z.
+/// In the order -x, +x, -y, +y, -z, +z.
 using HeldFaces = std::array<HeldFace, 6>;
 
-/// Reads "z-, x+:2.5": a side, and its depth where that is not `usual` (mm). Returns what is wrong,
-/// or "".
+/// Reads a text such as "z-, x+:2.5": sides, each with an optional depth (mm). The default of the
+/// depth is `usual` (mm). Returns "", or a message about the fault.
 std::string readHeldFaces(const std::string& text, double usual, HeldFaces& faces);
 
-/// The array `Fixed` for the points of a body: 7 for those that are held, 0 elsewhere. A face of a
-/// given depth holds all points within it. One of the usual depth holds the surface alone: the
-/// corners of outer faces within that depth whose normal is less than 45° from the side's.
+/// The array `Fixed` for the points of a body: 7 for held points, 0 elsewhere. A face with a given
+/// depth holds all points within that depth. A face with the usual depth holds only the surface:
+/// the corners of outer faces within that depth whose normal is less than 45° from the normal of
+/// the side.
 vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const HeldFaces& faces);
 } // namespace palpate
 

@@ -10,15 +10,15 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// A place of a data set, and the cell it lies in.
+/// A place of a data set and the cell that contains it.
 struct ClosestPlace
 {
   Eigen::Vector3d at;
   vtkIdType cell = -1;
 };
 
-/// The closest one to a finite place; where there is none, that itself and no cell. From any number
-/// of threads.
+/// The place of the data set closest to a finite place. Without such a place it returns the given
+/// place and no cell. Safe from any number of threads.
 ClosestPlace closestPlace(vtkStaticCellLocator* locator, const Eigen::Vector3d& place);
 } // namespace palpate
 

@@ -14,13 +14,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastRatio = 1.2;   // of the cells' lengths
-constexpr double LargestShift = 2.0; // of the box's sides, in coarser cells
-constexpr double LeastMemory = 1e-3; // MiB; 0 would be all there is
+constexpr double LeastRatio = 1.2;   // smallest ratio of the cells' lengths
+constexpr double LargestShift = 2.0; // largest shift of the box's sides, in coarser cells
+constexpr double LeastMemory = 1e-3; // MiB; 0 would mean all available memory
 constexpr double SolvedPart = 0.7;
-constexpr double FittedPart = 0.95; // both of the work here
+constexpr double FittedPart = 0.95; // fractions of the work in compare()
 
-/// The mean diagonal of a grid's cells.
+/// Mean diagonal of a grid's cells.
 double lengthOfCells(vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkGenericCell> cell;

@@ -10,21 +10,23 @@
 
 namespace palpate
 {
-/// Why a grid cannot be the same body in coarser cells, naming the input, or "".
+/// Checks that a grid can be the same body in coarser cells. Returns "", or a message that names
+/// the input.
 std::string checkCoarser(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser);
 
-/// A body in coarser cells, solved beside another to tell what the elements of that miss. Kept from
-/// one tool to the next, as that is.
+/// A body in coarser cells, solved in addition to another body to find the error of the latter's
+/// elements. It is kept from one tool to the next, like the other body.
 class CoarserBody
 {
 public:
-  /// Solves it, within what `body` leaves of the memory limit, for what the request needs and
-  /// compares it with `body`, which has been solved for the same: what of that is not there yet.
-  /// Adds to the cost, whose solutions tell whether the body is new. Returns what is wrong, or "".
+  /// Solves the missing parts of the request for the coarser body and compares it with `body`,
+  /// which must be solved for the same request. The memory limit is reduced by the memory of
+  /// `body`. Adds to the cost; the number of solutions on entry shows whether `body` is new.
+  /// Returns "", or a message about the fault.
   std::string compare(vtkUnstructuredGrid* coarser, const SolveRequest& request, SolvedBody& body,
     const FilterStage& stage, SolveCost& cost);
 
-  /// Null before.
+  /// Null before compare().
   const MeshDifference* difference() const { return this->Difference.get(); }
 
 private:

@@ -17,15 +17,17 @@ namespace
 {
 constexpr double InteriorRatio = 4.0;
 constexpr double Growth = 0.5;
-/// Where facets are fine the surface is followed closer; elsewhere no closer than this, in
-/// spacings, so that the edges of the box take few cells.
+/// Deviation from the surface, in spacings of the cells away from the tool. Fine cells follow the
+/// surface closer anyway. A smaller value would need many cells at the edges of the box.
 constexpr double DeviationRatio = 0.15;
-/// Of the spacing: cells do not follow the edges of the box, which would make many of them.
+/// Distance from the side of the box, in spacings, within which a node counts as on the cut. Cells
+/// do not follow the edges of the box, because that would need many cells.
 constexpr double NearSide = 0.1;
-constexpr double LeastPart = 0.02;    ///< that is kept, of the box
-constexpr double ExpectedCells = 1e4; ///< of no consequence but for what is too rough
+/// Edge of the smallest part that is kept, over half the box's side.
+constexpr double LeastPart = 0.02;
+constexpr double ExpectedCells = 1e4; ///< only used to detect a surface that is too rough
 
-/// The sides of a box that cut anything off, those first that leave least.
+/// The sides of a box that cut something off. Sides that leave less of the surface come first.
 std::vector<CutPlane> sidesOf(const MeshedSurface& body, const Eigen::Vector3d& place, double half)
 {
   std::vector<CutPlane> planes;
@@ -86,8 +88,9 @@ void takeCells(
   }
 }
 
-/// Keeps what is held by whole faces: not crumbs that the cut leaves of a thin flap, nor what hangs
-/// by an edge, about which it could turn. Returns what is wrong, or "".
+/// Keeps only elements that are connected to a held face. Drops crumbs that the cut leaves of a
+/// thin flap, and parts that are connected only by an edge and could turn about it. Returns "", or
+/// a message about the fault.
 std::string dropLoose(CutOutPart& part)
 {
   MeshTopology topology;
@@ -109,7 +112,7 @@ std::string dropLoose(CutOutPart& part)
   return part.mesh.elements.empty() ? "nothing holds it" : "";
 }
 
-/// Cells follow the rims of what is held alone.
+/// Keeps only the rims of the held part for the cells to follow.
 void keepHeldRims(PreparedSurface& surface)
 {
   MeshedSurface& wanted = surface.wanted;
@@ -156,7 +159,7 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
   wanted.interiorSpacing = InteriorRatio * cells.spacing;
   wanted.growth = Growth;
   wanted.deviation = DeviationRatio * cells.spacing;
-  wanted.isManifold = false; // away from the tool it does not matter
+  wanted.isManifold = false; // has no effect on the tool, which is far away
   CurvedTetrahedra curved;
   const std::string fault = fillPrepared(own, cells.spacing, ExpectedCells, {}, curved);
   if (!fault.empty() || curved.cells.empty())

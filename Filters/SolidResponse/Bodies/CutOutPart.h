@@ -10,39 +10,38 @@
 
 namespace palpate
 {
-/// What lies in a box around a place.
+/// The part of a surface in a box around a place.
 struct CutOutSurface
 {
   PreparedSurface surface;
-  std::vector<CutPlane> sides; ///< of the box, where they cut anything off
+  std::vector<CutPlane> sides; ///< the sides of the box that cut something off
 };
 
-/// The same in cells that are fine at the place.
+/// The same part filled with cells that are fine at the place.
 struct CutOutPart
 {
   VolumeMesh mesh;
-  std::vector<unsigned char> onCut; ///< per node: whether it lies where the part was cut off
-  std::vector<unsigned char> held;  ///< and whether it is held, which it then is alone
+  std::vector<unsigned char> onCut; ///< per node: 1 if it is on the cut and not held
+  std::vector<unsigned char> held;  ///< per node: 1 if it is held
 };
 
-/// The lengths of a part's cells.
+/// Lengths of a part's cells.
 struct PartCells
 {
-  double spacing = 0.0; ///< at the surface, mm, where no ball asks for finer ones
+  double spacing = 0.0; ///< at the surface outside the balls, mm
   std::vector<FineBall> balls;
 };
 
 /**
- * Cuts what lies in a box of half a side `half` (mm) around a place out of a surface that has been
- * mended and cut. Returns what is wrong, or "". From any number of threads, as the next. Cost: some
- * tenths of a second for 100 thousand triangles.
+ * Cuts the part in a box with half side `half` (mm) around a place out of a mended and cut surface.
+ * Returns "", or a message about the fault. This function and fillPart() are safe from any number
+ * of threads. Cost: some tenths of a second for 100 thousand triangles.
  */
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part);
 
-/// Fills it with quadratic tetrahedra, but for crumbs that are held nowhere. Returns what is wrong,
-/// or
-/// "". Cost: 60 µs a cell.
+/// Fills the part with quadratic tetrahedra, without crumbs that are not held. Returns "", or a
+/// message about the fault. Cost: 60 µs per cell.
 std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPart& filled);
 } // namespace palpate
 

@@ -13,20 +13,22 @@ namespace palpate
 {
 namespace
 {
-// In contact radii.
-constexpr double Reach = 5.0;  ///< of the part
-constexpr double Around = 1.4; ///< has facets of this length:
-constexpr double Facets = 0.3; ///< a ball's pole is within 1 %
-constexpr double Rim = 0.12;   ///< at a flat end's rim: within 2 %
-constexpr double Far = 0.8;    ///< away from the tool
-constexpr double Longer = 1.5; ///< are the second mesh's
+// Lengths in contact radii.
+constexpr double Reach = 5.0;  ///< half side of the part's box
+constexpr double Around = 1.4; ///< radius of the fine ball under the tool
+constexpr double Facets = 0.3; ///< length of its facets: the force at a ball's pole is within 1 %
+constexpr double Rim = 0.12;   ///< radius and facets of the balls at a flat end's rim: within 2 %
+constexpr double Far = 0.8;    ///< length of the facets away from the tool
+constexpr double Longer = 1.5; ///< factor on all lengths for the second mesh
 constexpr int RimBalls = 32;
 constexpr int MostBoxes = 4;
-constexpr double Larger = 1.07; ///< a box where another cannot be cut
-/// And where one does not do: of what is around it knows the more.
+constexpr double Larger = 1.07; ///< factor on the box if the last one cannot be cut
+/// Factor on the box and its cells if the first result is not good enough. A larger part depends
+/// less on the coarse cells around it.
 constexpr double Wider = 1.6;
-constexpr double Inside = 0.1;      ///< lie loads on the body's coarse cells
-constexpr double CoarseReach = 2.5; ///< of the part, in lengths of these cells
+constexpr double Inside = 0.1; ///< depth of the loads in the body's coarse cells
+/// Smallest half side of the box, in spacings of the coarse cells.
+constexpr double CoarseReach = 2.5;
 } // namespace
 
 DirectPresses::DirectPresses(const PreparedSurface& surface, const RestOfBody& body,

@@ -11,40 +11,40 @@
 namespace palpate
 {
 /**
- * Presses a tool at places of a body, each on a part of its own that is cut out around it and fine
- * under the tool; what is around that moves as in the body's coarse cells. From any number of
- * threads.
+ * Presses a tool at places of a body. Each place has a part of its own that is cut out around it
+ * and has fine cells under the tool. The surrounding body moves as its coarse cells do. Safe from
+ * any number of threads.
  *
- * The part reaches five contact radii from the place: on a half-space what lies beyond is an eighth
- * of the compliance, of which coarse cells miss some hundredths. Where that does not do, as two
- * meshes differ or the tool reaches farther, it reaches eight.
+ * The part extends five contact radii from the place. On a half-space the body beyond it has an
+ * eighth of the compliance, and coarse cells miss some hundredths of that. The part is enlarged to
+ * eight contact radii if the two meshes differ too much or the tool extends farther.
  */
 class DirectPresses
 {
 public:
-  /// The surface, the bodies and the tool must stay; `coarser` is `body` in longer cells. `terms`
-  /// tell the tool, the material, how deep, and whether at finite strain.
+  /// The surface, the bodies and the tool must outlive this object. `coarser`: `body` in longer
+  /// cells. `terms`: tool, material, depth, and whether at finite strain.
   DirectPresses(const PreparedSurface& surface, const RestOfBody& body, const RestOfBody& coarser,
     const DirectTerms& terms);
 
   struct Contacts
   {
     DirectPress finer;
-    DirectPress coarser; ///< on cells one and a half times as long
+    DirectPress coarser; ///< on cells 1.5 times as long
   };
-  /// Returns what is wrong with the place, or "".
+  /// Returns "", or a message about the fault at this place.
   std::string at(const DirectPlace& place, Contacts& contacts) const;
 
 private:
-  /// What is pressed on.
+  /// The part that the tool is pressed on.
   struct Part
   {
     ElasticBody body;
-    UnitMotion moved;                 ///< by what is around
-    std::vector<unsigned char> onCut; ///< nodes
+    UnitMotion moved;                 ///< motion due to the surrounding body
+    std::vector<unsigned char> onCut; ///< per node
     std::vector<unsigned char> held;
   };
-  /// How long cells are; 1 for the finest.
+  /// Factors on the lengths of the cells; 1 for the finest.
   struct Lengths
   {
     double near = 1.0;
@@ -53,8 +53,8 @@ private:
   PartCells cells(const DirectPlace& place, const Lengths& lengths) const;
   std::string make(const DirectPlace& place, const CutOutSurface& cut, const Lengths& lengths,
     const RestOfBody& rest, Part& part) const;
-  /// In a box that reaches so many times as far as it should, in as many cells, or the next larger
-  /// that can be cut. `isBeyond`: the tool comes upon where that was cut off.
+  /// Presses in a box that is `wider` times as large as the usual one, with as many cells, or in
+  /// the next larger box that can be cut. `isBeyond`: the tool reaches the cut.
   std::string pressIn(
     double wider, const DirectPlace& place, Contacts& contacts, bool& isBeyond) const;
   DirectPress press(const DirectPlace& place, const Part& part) const;

@@ -17,10 +17,10 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Wanted = 6;   ///< points for a value
-constexpr int FirstSearch = 24;     ///< nearest points among which they are searched first
-constexpr int WiderSearch = 8;      ///< times as many, if those do not suffice
-constexpr std::size_t Enough = 3;   ///< points, for a plane
+constexpr std::size_t Wanted = 6;   ///< points per value
+constexpr int FirstSearch = 24;     ///< number of nearest points in the first search
+constexpr int WiderSearch = 8;      ///< factor on that number for the second search
+constexpr std::size_t Enough = 3;   ///< points that determine a plane
 constexpr double LargestTurn = 0.5; ///< cos 60°
 } // namespace
 
@@ -48,7 +48,7 @@ FacingPoints::FacingPoints(vtkPolyData* surface, const std::function<bool(vtkIdT
   }
 }
 
-/// Of the `search` nearest points.
+/// Searches among the `search` nearest points.
 FacingPoints::Weights FacingPoints::find(int search, const double place[3], const Vector3& normal,
   const std::function<bool(vtkIdType)>& isWanted) const
 {

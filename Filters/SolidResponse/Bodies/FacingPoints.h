@@ -18,24 +18,24 @@ class vtkStaticPointLocator;
 
 namespace palpate
 {
-/// Points of a surface from which its arrays are interpolated to places nearby, using only points
-/// that face the same way, so that nothing crosses a thin lobe.
+/// Points of a surface from which its arrays are interpolated to places nearby. Only points that
+/// face the same way are used, so that no value crosses a thin lobe.
 class PALPATESOLIDRESPONSE_EXPORT FacingPoints
 {
 public:
-  /// The points with these ids; the surface consists of triangles.
+  /// Takes the points for which `isTaken` is true. The surface must consist of triangles.
   FacingPoints(vtkPolyData* surface, const std::function<bool(vtkIdType)>& isTaken);
 
   bool isEmpty() const { return this->Ids.empty(); }
 
-  /// Ids and weights, which sum to 1: the six nearest whose normals lie within 60° of `normal`, by
-  /// 1/distance², the nearest first; fewer if there are no more, none if none faces that way. From
-  /// any number of threads.
+  /// Ids and weights (sum 1) of the six nearest points whose normals are within 60° of `normal`,
+  /// weighted by 1/distance², the nearest first. Fewer if there are no more, none if no point faces
+  /// that way. Safe from any number of threads.
   std::vector<std::pair<vtkIdType, double>> around(
     const double place[3], const Vector3& normal) const;
 
-  /// The same of the wanted ones alone (empty: all): those among the 24 nearest points, if three or
-  /// more, otherwise those among the 192 nearest.
+  /// The same for wanted points only (empty function: all). Searches the 24 nearest points. If
+  /// these hold fewer than three wanted points, the 192 nearest points are searched.
   std::vector<std::pair<vtkIdType, double>> nearBy(const double place[3], const Vector3& normal,
     const std::function<bool(vtkIdType)>& isWanted = {}) const;
 
@@ -44,7 +44,7 @@ private:
   Weights find(int search, const double place[3], const Vector3& normal,
     const std::function<bool(vtkIdType)>& isWanted) const;
 
-  std::vector<vtkIdType> Ids; ///< on the surface
+  std::vector<vtkIdType> Ids; ///< ids of the points on the surface
   std::vector<Vector3> Normals;
   vtkSmartPointer<vtkPolyData> Cloud;
   vtkSmartPointer<vtkStaticPointLocator> Locator;

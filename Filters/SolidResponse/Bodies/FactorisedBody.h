@@ -20,30 +20,31 @@ struct FactorRequest
   vtkDataArray* young = nullptr;   ///< per cell, MPa; null: the constant
   vtkDataArray* poisson = nullptr; ///< per cell; null: the constant
   int solver = 0;                  ///< a StiffnessFactor::Kind
-  double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of what the machine has available
+  double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of the available memory
 };
 
-/// Whether it is a Poisson's ratio that the elements allow: 0 to LargestPoissonRatio.
+/// Whether the elements allow this Poisson's ratio: 0 to LargestPoissonRatio.
 bool isElementRatio(double ratio);
 
-/// What is wrong with a request, naming the property, or "".
+/// Returns "", or a message that names the wrong property of a request.
 std::string checkFactorRequest(const FactorRequest& request);
 
-/// Bytes that may be used, from a limit in MiB or, if that is 0, from the memory available now.
+/// Bytes that may be used: from a limit in MiB, or from the memory available now if the limit is 0.
 double allowedMemory(double memoryLimit);
 
-/// Finds the cell array that a filter was told to process, null if none was set. Returns what is
-/// wrong with it, or "". `find` fetches the array of a filter that names none.
+/// Finds the cell array that is set as the filter's array to process; null if none is set. `find`
+/// returns the array if no name is set. Returns "", or a message about the fault.
 std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
-/// The same of a point array.
+/// The same for a point array.
 std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
-/// Makes `body` of the grid and its point array `Fixed`, and factorises it. Returns what is wrong,
-/// or "". `memory` (MiB): what the factorisation takes, also where that is refused. If
-/// `goOn(fraction of the work)` returns false it ends at once, and `body` must not be used.
+/// Makes `body` from the grid and its point array `Fixed` and factorises it. Returns "", or a
+/// message about the fault. `memory` (MiB): memory of the factorisation, also set if it is refused.
+/// If `goOn(fraction of the work)` returns false the function ends at once and sets `ended`; `body`
+/// must then not be used.
 std::string factoriseBody(vtkUnstructuredGrid* grid, const FactorRequest& request,
   const std::function<bool(double)>& goOn, ElasticBody& body, double& memory, bool& ended);
 } // namespace palpate

@@ -29,11 +29,11 @@ class FilledCells
 public:
   FilledCells(std::vector<BodyBall> balls, int subdivisions);
 
-  /// Of cell `id`: a fraction for each ball; null where none reaches into it.
+  /// The fractions in cell `id`, one per ball; null if no ball reaches into the cell.
   const std::vector<double>* fractions(vtkUnstructuredGrid* grid, vtkIdType id);
 
 private:
-  /// The numbers of those that reach into a box.
+  /// Finds the indices of the balls that reach into a box.
   void findNear(const double* bounds);
   bool hasWithin(const double* bounds, std::size_t ball) const;
   void count(vtkCell* cell);

@@ -71,7 +71,7 @@ void FinerSurface::findTurns()
   }
 }
 
-/// None where the solid is held.
+/// No landmarks if the point is in the held part of the solid.
 std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
 {
   std::vector<std::size_t> found;
@@ -81,7 +81,7 @@ std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
     return found;
   }
   const std::vector<std::int32_t>& all = this->Landmarks.points();
-  // The nearest first.
+  // In the order of distance.
   for (const auto& part : this->OnSolid.nearBy(place, this->normal(i)))
   {
     const auto at = std::lower_bound(all.begin(), all.end(), static_cast<std::int32_t>(part.first));

@@ -13,18 +13,18 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The scanned surface of a body whose solid is coarser: each point takes its response from the
-/// landmarks around it on the solid that face the same way, with its own curvature.
+/// The scanned surface of a body whose solid is coarser. Each point takes its response from the
+/// landmarks around it on the solid that face the same way, with the curvature at the point itself.
 class FinerSurface
 {
 public:
-  /// `surface` has passed checkTriangles and has three `normals` per point; `solid` is the surface
-  /// that the landmarks number. Its shape is needed up to a contact radius `a` (mm). All arguments
-  /// must outlive this.
+  /// `surface` must have passed checkTriangles; `normals`: three per point. `solid`: the surface to
+  /// which the landmarks' point numbers refer. `a`: largest contact radius for which the shape is
+  /// needed, mm. All arguments must outlive this object.
   FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
     const LandmarkKernels& landmarks, double a);
 
-  /// The view that a law needs; valid as long as this.
+  /// The view that a law needs. Valid as long as this object.
   LandmarkSurface view() const;
 
 private:
@@ -38,12 +38,12 @@ private:
   const LandmarkKernels& Landmarks;
   const float* Normals;
   BodyMesh Mesh;
-  double Reach;                                 ///< of the surface that a contact sees, mm
-  FacingPoints OnSolid;                         ///< landmarks alone
-  HeldPlaces Held;                              ///< of the solid
+  double Reach;                                 ///< radius to which a contact needs the surface, mm
+  FacingPoints OnSolid;                         ///< landmarks only
+  HeldPlaces Held;                              ///< held part of the solid
   FacingPoints OnSurface;                       ///< all points
-  std::vector<std::vector<std::size_t>> Around; ///< landmarks of each point
-  std::vector<float> Turns;                     ///< of the surface at each point, rad
+  std::vector<std::vector<std::size_t>> Around; ///< landmarks around each point
+  std::vector<float> Turns;                     ///< turn of the surface at each point, rad
 };
 } // namespace palpate
 

@@ -12,16 +12,16 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// Tells places that belong to what is held of a solid: beside, or beyond, triangles of it that do
-/// not move.
+/// Finds out whether a place belongs to the held part of a solid: its closest place on the surface
+/// must be on held points.
 class HeldPlaces
 {
 public:
-  /// The surface, of triangles, and which of its points are held.
+  /// `surface` must consist of triangles. `isHeld`: whether a point of it is held.
   HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld);
 
-  /// Whether the closest place of the surface is a held point, or between such; never for a place
-  /// that is not finite. From any number of threads.
+  /// Whether the closest place of the surface is a held point or between held points. False for a
+  /// place that is not finite. Safe from any number of threads.
   bool contain(const double place[3]) const;
 
 private:

@@ -24,10 +24,10 @@ namespace palpate
 {
 namespace
 {
-/// The points of the solid, with their weights, from which a point of the surface takes its values.
+/// The points of the solid, with weights, from which a point of the surface takes its values.
 using PartsOf = std::function<std::vector<std::pair<vtkIdType, double>>(std::size_t)>;
 
-/// A point array of zeros in the place of one of that name.
+/// Adds a point array of zeros. It replaces an array of the same name.
 vtkSmartPointer<vtkFloatArray> addArray(vtkPolyData* surface, const std::string& name, int width)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -49,7 +49,7 @@ void fillModes(const GlobalModes& modes, const PartsOf& partsOf, vtkPolyData* su
   for (std::size_t k = modes.fields.size();
        surface->GetPointData()->HasArray(modeName(k).c_str()) != 0; ++k)
   {
-    surface->GetPointData()->RemoveArray(modeName(k).c_str()); // of another body
+    surface->GetPointData()->RemoveArray(modeName(k).c_str()); // left from another body
   }
   std::vector<float*> to;
   vtkNew<vtkSignedCharArray> signs;

@@ -9,12 +9,12 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Attaches how a body moves as arrays of its surface: `GlobalMode0`..., `GlobalModeSign` and
-/// `NearField`, as BodyField reads them.
+/// Attaches the motion of a body as arrays of its surface: `GlobalMode0`..., `GlobalModeSign` and
+/// `NearField`, in the form that BodyField reads.
 void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid);
 
-/// The same to another surface of the body with these point `normals`: each point takes the values
-/// of the nearby `solid` surface that faces the same way.
+/// The same for another surface of the body with these point `normals`. Each point takes the values
+/// of nearby points of `solid` that face the same way.
 void attachMotion(
   const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 } // namespace palpate

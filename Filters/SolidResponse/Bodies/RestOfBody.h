@@ -16,32 +16,32 @@ class vtkGenericCell;
 
 namespace palpate
 {
-/// A body in coarse cells, from which a part is cut out that a tool is pressed on: how its places
-/// move with loads on that.
+/// A body in coarse cells. A part is cut out of it on which a tool is pressed. This class gives the
+/// motion of the body's places under loads on that part.
 class RestOfBody
 {
 public:
-  /// Factorises the grid, which must stay. Returns what is wrong, or "". `memory` (MiB) as of
-  /// factoriseBody().
+  /// Factorises the grid, which must outlive this object. Returns "", or a message about the fault.
+  /// `memory` (MiB) as in factoriseBody().
   std::string factorise(vtkUnstructuredGrid* grid, const FactorRequest& request,
     const std::function<bool(double)>& goOn, double& memory, bool& ended);
 
   const ElasticBody& body() const { return this->Body; }
 
-  /// The mean distance of its surface's points, mm: half the length of quadratic cells.
+  /// Mean distance of the surface's points, mm. This is half the length of quadratic cells.
   double spacing() const;
 
-  /// The nearest of its surface's points that face the same way as an outward normal; -1: none.
+  /// The nearest point of the surface that faces the same way as an outward normal; -1 without one.
   std::int32_t pointBeside(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
-  /// How those of the places move that are asked for, under unit loads at a place of the surface;
-  /// the others stay. `inward` (mm): a little way into the body there. Empty where memory is short.
-  /// From any number of threads.
+  /// Motion of `places` under unit loads at a place of the surface. Only places with `asked` set
+  /// are computed; the others do not move. `inward` (mm): a small step into the body at the place.
+  /// Empty if there is not enough memory. Safe from any number of threads.
   UnitMotion motionAt(const Eigen::Vector3d& place, const Eigen::Vector3d& inward,
     const Eigen::Matrix3Xd& places, const std::vector<unsigned char>& asked) const;
 
 private:
-  /// The closest place of the body, and the shapes of its element's nodes there.
+  /// The closest place of the body, and the shape functions of its element there.
   ElementPlace locate(
     const Eigen::Vector3d& place, vtkGenericCell* cell, std::vector<double>& shapes) const;
 

@@ -25,7 +25,7 @@ namespace
 constexpr const char* LawName = "SimplerLaw";
 constexpr const char* YoungName = "SimplerLawYoungsModulus";
 constexpr const char* PoissonName = "SimplerLawPoissonRatio";
-constexpr double StoredExponent = 1.0; // of a response of true shape
+constexpr double StoredExponent = 1.0; // exponent of a response of true shape
 
 vtkSmartPointer<vtkDoubleArray> pointValues(const char* name, vtkIdType count)
 {
@@ -60,11 +60,11 @@ std::string respondByLaw(const ElasticBody& body, vtkPolyData* surface, const Si
   request.arrays = materialArrays(given, { YoungName, law.thicknesses, "", PoissonName, "" });
   request.samples = samples;
   request.terms.errorTolerance = 0.0;
-  std::string warning; // of points without a law: they keep what they have
+  std::string warning; // points without a law keep their curves
   return attachResponse(Ranks(), given, request, {}, output, warning);
 }
 
-/// The law's curves at the depths that those of true shape have.
+/// The law's curves, sampled at the depths of the curves of true shape.
 class ResampledLaw
 {
 public:

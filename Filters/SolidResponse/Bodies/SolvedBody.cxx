@@ -28,11 +28,11 @@ namespace palpate
 namespace
 {
 constexpr double FactorisedShare = 0.17;    // fraction of the progress
-constexpr double FittedShare = 0.5;         // of a response on a finer surface
+constexpr double FittedShare = 0.5;         // fraction for a response on a finer surface
 constexpr double WiderThanHalfSpace = 1.42; // √2 on a thin layer that can expand sideways
 
-/// The points of the surface that are to be pressed: all, or where the grid's point array `Pressed`
-/// is not 0. Returns what is wrong with that, or "".
+/// Finds the points of the surface to press: all, or those where the grid's point array `Pressed`
+/// is not 0. Returns "", or a message about the fault of that array.
 std::string findPressed(
   vtkUnstructuredGrid* grid, const BodySurface& surface, std::vector<std::int32_t>& points)
 {
@@ -58,7 +58,7 @@ std::string findPressed(
 }
 } // namespace
 
-/// A body and its H, and the input they were made from.
+/// A body and its H, and the input from which they were made.
 struct SolvedBody::Kept
 {
   ElasticBody Body;

@@ -25,18 +25,18 @@ class LandmarkKernels;
 class StrainCorrection;
 struct ShapedTerms;
 struct StrainLaw;
-/// The points and contacts of a body to solve for.
+/// The points and contacts of a body that are solved for.
 struct SolveRequest
 {
   FactorRequest factor;
   double radius = 0.0;  ///< of the widest contact, mm
-  double spacing = 0.0; ///< of the points that are solved for, mm; 0: all
+  double spacing = 0.0; ///< of the solved points, mm; 0: all points
 };
 
 /// The cost of a solution.
 struct SolveCost
 {
-  double memory = 0.0;     ///< MiB, known also where that was refused
+  double memory = 0.0;     ///< MiB, also set if the solution was refused
   vtkIdType solutions = 0; ///< 0: nothing had to be solved
   bool ended = false;      ///< by an abort
 };
@@ -44,16 +44,17 @@ struct SolveCost
 /// The contact radius to solve for, for a tool at a depth (mm) on any body.
 double neededRadius(vtkContactTool* tool, double deflection);
 
-/// What is wrong with the settings of a response of true shape, tool and depth among them, or "".
+/// Returns "", or a message about the fault in the settings of a response of true shape, including
+/// tool and depth.
 std::string checkShapedRequest(const LawRequest& request);
 
-/// What is wrong with a length (mm) that may be 0, by the name of its property, or "".
+/// Returns "", or a message if a length (mm) is negative or not finite. `property`: its name.
 std::string checkLength(const char* property, double length);
 
 /**
- * A body and its H (RegularGreen), which filters keep from one tool to the next: factorised and
- * solved again only when the grid, its material or the solver changes, or a contact gets wider. If
- * the grid has a point array `Pressed`, only for contacts where that is not 0.
+ * A body and its H (RegularGreen), which filters keep from one tool to the next. It is factorised
+ * and solved again only if the grid, its material or the solver changes, or if a contact is wider.
+ * If the grid has a point array `Pressed`, only contacts where it is not 0 are solved for.
  */
 class SolvedBody
 {
@@ -61,38 +62,38 @@ public:
   SolvedBody();
   ~SolvedBody();
 
-  /// Factorises and solves what the request needs and is not there yet. Returns what is wrong, or
-  /// "".
+  /// Factorises and solves the parts of the request that are missing. Returns "", or a message
+  /// about the fault.
   std::string solve(vtkUnstructuredGrid* grid, const SolveRequest& request,
     const FilterStage& stage, SolveCost& cost);
 
   const RegularGreen& green() const;
-  double memory() const; ///< estimate of what is kept, MiB
+  double memory() const; ///< estimate for the stored data, MiB
 
-  /// Its kernels at the sources, fitted once for all tools; null after an abort.
+  /// The kernels at the sources, fitted once for all tools; null after an abort.
   const LandmarkKernels* landmarks(const FilterStage& stage);
 
   /// The surface, with the grid's point arrays and `OriginalPointIds`.
   vtkSmartPointer<vtkPolyData> surface(vtkUnstructuredGrid* grid) const;
 
-  /// Fills `storage`, of as many points as `surface` has, with the tool's response. Returns what is
-  /// wrong, or ""; incomplete after an abort.
+  /// Fills `storage`, which has as many points as `surface`, with the tool's response. Returns "",
+  /// or a message about the fault. Incomplete after an abort.
   std::string respond(vtkPolyData* surface, vtkContactTool* tool, const ShapedTerms& terms,
     const FilterStage& stage, ResponseStorage& storage, MadeResponse& made) const;
 
-  /// The same at the points of another surface of the body, which has passed checkTriangles and may
-  /// be finer (FinerSurface).
+  /// The same at the points of another surface of the body. It must have passed checkTriangles and
+  /// may be finer (FinerSurface).
   std::string respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid, vtkContactTool* tool,
     const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);
 
-  /// Finds the correction by finite strain for a contact of the tool on the body's materials.
-  /// Returns what is wrong, or ""; null after an abort.
+  /// Finds the correction for finite strain for a contact of the tool with the body's materials.
+  /// Returns "", or a message about the fault. Null after an abort.
   std::string findStrain(vtkContactTool* tool, const StrainLaw& law, double deflection,
     const FilterStage& stage, std::unique_ptr<StrainCorrection>& strain) const;
 
-  /// Attaches how the body moves (MotionArrays.h) to its `surface`, or to a finer one with these
-  /// normals. Found once for all tools; nothing after an abort.
+  /// Attaches the motion of the body (MotionArrays.h) to its `surface`, or to a finer one with
+  /// these normals. The motion is computed once for all tools. Nothing is attached after an abort.
   void attachMotionTo(vtkPolyData* surface, const FilterStage& stage);
   void attachMotionTo(vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid,
     const FilterStage& stage);

@@ -14,11 +14,11 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// Nodes and elements of a grid. What is wrong - a cell other than a hexahedron, voxel, linear or
-/// quadratic tetrahedron, by its id and type - or "".
+/// Nodes and elements of a grid. Returns "", or a message with id and type of a cell that is not a
+/// hexahedron, voxel, linear or quadratic tetrahedron.
 std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh);
 
-/// The point array `Fixed`. What is wrong with it, or "".
+/// Reads the point array `Fixed`. Returns "", or a message about its fault.
 std::string convertFixed(vtkUnstructuredGrid* grid, std::vector<unsigned char>& fixed);
 
 /// E and ν per cell; a null array means the constant.

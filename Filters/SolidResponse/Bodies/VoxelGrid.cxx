@@ -11,9 +11,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double SmallestShare = 0.05; ///< of the voxel's Jacobian that a hexahedron keeps
-constexpr int Drawings = 12;           ///< times a node is moved back, a quarter of the way each
-constexpr double SmallestStep = 0.1;   ///< of the way to the surface
+/// Smallest Jacobian of a hexahedron, as a fraction of the voxel's.
+constexpr double SmallestShare = 0.05;
+/// Largest number of times a node is moved back, each time a quarter of the way.
+constexpr int Drawings = 12;
+constexpr double SmallestStep = 0.1; ///< as a fraction of the way to the surface
 
 using Index = std::array<int, 3>;
 
@@ -35,7 +37,7 @@ void forAllIndices(const Index& size, const Visit& visit)
   }
 }
 
-/// The number of parts that the corners of a cube with this state form when joined along its edges.
+/// The number of parts that the corners with this state form when joined along the cube's edges.
 int partsOf(const std::array<bool, 8>& state, bool wanted)
 {
   std::array<int, 8> part{};
@@ -230,11 +232,11 @@ void coverWithLayer(VolumeMesh& mesh, const VoxelGrid& grid,
   const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reach)
 {
   MeshTopology topology;
-  topology.build(mesh); // of voxels: cannot fail
+  topology.build(mesh); // cannot fail for voxels
   const std::int32_t core = mesh.nodeTotal();
   const std::size_t first = mesh.elements.size();
   std::vector<std::int32_t> farOf(static_cast<std::size_t>(core), -1);
-  std::vector<std::int32_t> nearOf; // by far node
+  std::vector<std::int32_t> nearOf; // one per far node
   Eigen::Matrix3Xd outward = Eigen::Matrix3Xd::Zero(3, core);
   for (const BoundaryFace& boundary : topology.boundary())
   {

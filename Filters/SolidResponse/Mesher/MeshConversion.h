@@ -12,7 +12,7 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// Points and triangles alone.
+/// Points and triangles only.
 MeshedSurface convertSurfaceToMesh(vtkPolyData* surface);
 vtkSmartPointer<vtkPolyData> convertMeshToSurface(const MeshedSurface& mesh);
 

@@ -11,8 +11,8 @@ namespace palpate
 {
 /**
  * The functions of the module Mesher, libpalpateMesher.so. The module holds all code that includes
- * CGAL: it takes minutes to compile and has a licence of its own (GPL). No library links it; the
- * first call of one of these functions loads it.
+ * CGAL, because CGAL takes minutes to compile and has a different licence (GPL). No library links
+ * the module. The first call of one of these functions loads it.
  */
 struct MesherModule : ModuleTable
 {
@@ -22,14 +22,14 @@ struct MesherModule : ModuleTable
   decltype(&closeSurface) close;
 };
 
-/// The loaded module, or the reason why there is none, in words.
+/// The loaded module, or the reason why it is missing, in words.
 struct LoadedMesher
 {
   const MesherModule* module = nullptr;
   std::string fault; ///< empty if there is a module
 };
 
-/// Loads the module at the first call; later calls return the same. Any thread may call it.
+/// Loads the module at the first call. Later calls return the same result. Safe from any thread.
 const LoadedMesher& loadedMesher();
 } // namespace palpate
 

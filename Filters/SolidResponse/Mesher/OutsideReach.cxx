@@ -18,9 +18,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double OnCut = 1e-9; ///< of a coordinate's size: how nodes on a cut are rounded
+constexpr double OnCut = 1e-9; ///< relative to the coordinates: rounding of nodes on a cut
 
-/// Of lines or triangles; null: there are none.
+/// A locator for lines or triangles; null without cells.
 vtkSmartPointer<vtkStaticCellLocator> locatorOf(vtkPolyData* data)
 {
   if (data->GetNumberOfCells() == 0)

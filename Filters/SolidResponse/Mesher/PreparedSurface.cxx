@@ -18,12 +18,13 @@ namespace palpate
 {
 namespace
 {
-/// Facets cut off about a hundredth of the volume; a larger loss is a part of the body.
+/// Largest relative loss of volume. Facets cut off about a hundredth of the volume; a larger loss
+/// means that a part of the body is lost.
 constexpr double LostVolume = 0.1;
-/// Parts that a cut leaves are left out below the cube of this, in spacings.
+/// Parts that a cut leaves are dropped if their volume is below the cube of this, in spacings.
 constexpr double LeastLeft = 0.5;
-constexpr double NearCut = 1e-6;  // of the spacing
-constexpr double RoughStep = 3.0; // of the deviation, where a surface is too rough for it
+constexpr double NearCut = 1e-6;  // in spacings
+constexpr double RoughStep = 3.0; // factor on the deviation if a surface is too rough
 
 double volumeOf(const TetrahedralMesh& mesh)
 {
@@ -40,8 +41,8 @@ double volumeOf(const TetrahedralMesh& mesh)
   }
   return volume;
 }
-/// As deep in a surface as the faces are, of those that have a depth: all, or those whose depth is
-/// given.
+/// Planes at the depths of the held faces: of all faces with a depth, or only of those with a given
+/// depth.
 std::vector<CutPlane> planesOf(
   const MeshedSurface& surface, const HeldFaces& faces, bool givenAlone)
 {

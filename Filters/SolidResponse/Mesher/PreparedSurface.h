@@ -12,28 +12,30 @@
 
 namespace palpate
 {
-/// A surface made ready to be filled, and sentences on what was done to it.
+/// A surface that is ready to be filled, with warnings about the changes to it.
 struct PreparedSurface
 {
   ClosedSurface closed;
   MeshedSurface wanted;
-  std::vector<CutPlane> cuts; ///< along which what is held was cut off
-  std::vector<CutPlane> held; ///< beyond which nodes are
+  std::vector<CutPlane> cuts; ///< planes at which the held part was cut off
+  std::vector<CutPlane> held; ///< planes beyond which nodes are held
   std::vector<std::string> warnings;
 };
 
-/// Takes a surface, closed if it is nearly so. Returns what is wrong, or "".
+/// Takes a surface and closes it if it is nearly closed. Returns "", or a message about the fault.
 std::string takeSurface(vtkPolyData* body, PreparedSurface& prepared);
 
-/// Mends where it cuts itself, and cuts off what is held to a given depth, so that it ends there
-/// and not at the next cell: the depth of such a face becomes 0 but for rounding. Where it cannot
-/// be cut that is held to whole cells, of `spacing` (mm). Returns what is wrong, or "".
+/// Mends the surface where it intersects itself, and cuts off the part that is held to a given
+/// depth, so that the body ends there and not at the next cell. The depth of such a face is then
+/// nearly 0. If the surface cannot be cut, the part is held to whole cells and a warning is added.
+/// `spacing` of the cells, mm. Returns "", or a message about the fault.
 std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepared);
 
 /**
- * Fills it with quadratic tetrahedra, as prepared.wanted says, their outside on the surface or on
- * `cuts`: with a deviation as small as it allows. `cells` are expected. Returns what is wrong, or
- * ""; empty where the observer stopped it.
+ * Fills the surface with quadratic tetrahedra as given by prepared.wanted. Their outside is on the
+ * surface or on `cuts`. The deviation is increased if the surface is too rough for it. `cells`:
+ * expected number. Returns "", or a message about the fault. Empty if the observer stopped the
+ * work.
  */
 std::string fillPrepared(PreparedSurface& prepared, double spacing, double cells,
   const WorkObserver& observer, CurvedTetrahedra& curved);

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A ball within which cells are to be of a spacing, or finer. Lengths in mm.
+/// A ball in which cells have at most a given spacing. Lengths in mm.
 struct FineBall
 {
   Eigen::Vector3d middle;
@@ -18,33 +18,34 @@ struct FineBall
   double spacing = 0.0;
 };
 
-/// A closed surface, and the sizes of the cells to fill it with. Lengths in mm.
+/// A closed surface and the sizes of the cells that fill it. Lengths in mm.
 struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
-  std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise seen from outside
-  /// Edges of triangles that cells follow, however little the surface turns there.
+  std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise as seen from outside
+  /// Edges of triangles that cells must follow, even if the surface hardly turns there.
   std::vector<std::array<std::int32_t, 2>> rims;
-  std::vector<double> spacing;  ///< of the cells wanted at each point
-  std::vector<FineBall> balls;  ///< that are to be finer, anywhere
-  double interiorSpacing = 0.0; ///< the largest there is
-  double growth = 0.0;          ///< of the spacing per length from the surface inwards
-  double deviation = 0.0;       ///< how far a facet may lie off the surface
-  double sharpAngle = 45.0;     ///< edges by which the surface turns more are kept, degrees
-  /// The outside meets itself nowhere. Where the surface nearly does, that may take cells without
-  /// end.
+  std::vector<double> spacing;  ///< of the cells at each point
+  std::vector<FineBall> balls;  ///< balls with finer cells, anywhere
+  double interiorSpacing = 0.0; ///< the largest spacing
+  double growth = 0.0;          ///< increase of the spacing per distance from the surface inwards
+  double deviation = 0.0;       ///< largest distance of a facet from the surface
+  double sharpAngle = 45.0;     ///< edges at which the surface turns by more are kept, degrees
+  /// Whether the outside must be a manifold. Where the surface nearly touches itself this may need
+  /// an unlimited number of cells.
   bool isManifold = true;
 };
 
 /**
- * The spacing wanted at points in and on a surface, from a grid over its box: the least over all
- * points of the surface, and over the finer balls, of the spacing there plus growth times the
- * distance, so that there is no jump around a fine part. Linear between nodes. Distances are those
- * along a grid's sides and diagonals, up to a tenth too long, less a step of the grid.
+ * Spacing of the cells at points in and on a surface, from a grid over its box. It is the smallest
+ * value, over all points of the surface and the finer balls, of the spacing there plus growth times
+ * the distance. Hence there is no jump around a fine part. It is linear between nodes. Distances
+ * are measured along the grid's sides and diagonals; they are up to a tenth too long, and one step
+ * of the grid is subtracted.
  *
- * Cost: two sweeps, a second and 16 MiB for the two million nodes it has at most. A lookup takes
- * some ten nanoseconds; the closest point of a surface of 20 thousand triangles takes a thousand
- * times as long from the centre of a ball.
+ * Cost: two sweeps, one second and 16 MiB for the largest grid of two million nodes. A lookup takes
+ * some ten nanoseconds. Finding the closest point of a surface of 20 thousand triangles instead
+ * takes a thousand times as long from the centre of a ball.
  */
 class SpacingGrid
 {

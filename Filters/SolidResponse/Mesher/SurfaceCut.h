@@ -8,24 +8,23 @@
 
 namespace palpate
 {
-/// A plane across an axis, and which side of it is cut off.
+/// A plane normal to an axis, and the side of it that is cut off.
 struct CutPlane
 {
   Eigen::Index axis = 0;
-  bool isUpper = false; ///< what lies above it goes, else what lies below
+  bool isUpper = false; ///< true: the part above the plane is cut off, else the part below
   double at = 0.0;      ///< mm
 };
 
 /**
- * Cuts off what lies beyond planes of a closed surface that does not intersect itself, and closes
- * it along them (CGAL's Polygon Mesh Processing): points there lie on the plane to the bit. Parts
- * smaller than `least` (mm³) are left out. `rims` become the edges between the planes and the rest,
- * and those of `before`, along which the surface was cut before.
- * Returns what is wrong - nothing is left, the cut touches itself, no module Mesher - and
- * leaves the surface unchanged, or "".
+ * Cuts off the parts beyond planes of a closed surface that does not intersect itself, and closes
+ * it along the planes (CGAL's Polygon Mesh Processing). Points there are on the plane to the bit.
+ * Parts smaller than `least` (mm³) are left out. `rims` is set to the edges between the planes and
+ * the rest, and those of `before`, the planes of earlier cuts. Returns "", or a message about the
+ * fault (nothing is left, the cut touches itself, no module Mesher); the surface is then unchanged.
  *
- * Points and triangles are in an order of their own, the same on every run. Cost: 1 s per 100
- * thousand triangles.
+ * Points and triangles are sorted, in the same order on every run. Cost: 1 s per 100 thousand
+ * triangles.
  */
 std::string cutOff(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,
   const std::vector<CutPlane>& before = {});

@@ -14,30 +14,30 @@
 
 namespace palpate
 {
-/// Linear tetrahedra (corners as in VTK_TETRA), and edges of them on sharp edges of the surface.
+/// Linear tetrahedra (corners as in VTK_TETRA), and their edges on sharp edges of the surface.
 struct TetrahedralMesh
 {
   Eigen::Matrix3Xd nodes;
   std::vector<std::array<std::int32_t, 4>> cells;
-  std::vector<std::array<std::int32_t, 2>> sharpEdges; ///< the lower node first, ascending
-  /// The mesh is empty, as the surface is so rough that the deviation, or an outside that is a
-  /// manifold, would need several times the cells expected.
+  std::vector<std::array<std::int32_t, 2>> sharpEdges; ///< lower node first; ascending
+  /// The mesh is empty because the surface is too rough: with this deviation, or with a manifold
+  /// outside, it would need several times the expected number of cells.
   bool isTooRough = false;
 };
 
-/// Whether the module Mesher (MesherModule.h) can be loaded. Otherwise missingMesher() says why
-/// not, and the functions below, of SurfaceCut.h and of SurfaceRepair.h return that; mendSurface
-/// alone then does nothing.
+/// Whether the module Mesher (MesherModule.h) can be loaded. If not, missingMesher() gives the
+/// reason, and the functions below, of SurfaceCut.h and of SurfaceRepair.h return it. The exception
+/// is mendSurface, which then does nothing.
 bool hasSurfaceMesher();
 const std::string& missingMesher();
 
 /**
  * Delaunay refinement, then removal of slivers below 10° as far as possible (CGAL Mesh_3: Rineau
- * and Yvinec 2007; sharp edges: Cheng, Dey and Ramos 2007; perturbation: Tournois et al. 2009). On
- * one thread; the same bits on every run. The observer is told the estimated progress, `cells`
- * being expected; if it returns false, refinement ends within milliseconds with an empty result. It
- * is not called while slivers are moved. Returns what is wrong with the surface, by its triangles,
- * or "".
+ * and Yvinec 2007; sharp edges: Cheng, Dey and Ramos 2007; perturbation: Tournois et al. 2009).
+ * Runs on one thread and gives the same bits on every run. The observer receives the progress,
+ * estimated from the expected number of `cells`. If it returns false, refinement ends within
+ * milliseconds with an empty result. It is not called during the removal of slivers. Returns "", or
+ * a message about the faults of the surface with the triangles.
  */
 std::string fillSurface(
   const MeshedSurface& surface, double cells, const WorkObserver& observer, TetrahedralMesh& mesh);

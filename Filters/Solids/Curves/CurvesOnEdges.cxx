@@ -18,7 +18,7 @@ namespace
 constexpr std::size_t CurvesAround = 6;
 constexpr double RelativeStep = 1e-3; ///< of the depth, for dF/dδ
 
-/// The largest angle between triangles at a point where the surface turns away there, rad; 0 in a
+/// Largest angle between the triangles at a point if the surface is convex there, rad; 0 in a
 /// hollow.
 double turnAt(const BodySurface& surface, std::int32_t point)
 {
@@ -88,7 +88,7 @@ public:
   bool isEdge(std::size_t i) const { return this->is(i, ResponseStatus::Edge); }
 
 private:
-  /// The valid points around one on an edge.
+  /// The valid points around a point on an edge.
   struct Around
   {
     std::vector<AlongSurface> found;
@@ -148,7 +148,7 @@ void fillEdges(
   const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans)
 {
   const EdgeFiller filler(surface, sampling, spans);
-  // Points on edges use valid points alone, so they do not depend on each other.
+  // Points on edges use only valid points, so they do not depend on each other.
   shareWork(surface.points,
     [&filler](std::size_t i)
     {

@@ -16,10 +16,10 @@ namespace palpate
 struct EdgeSurroundings
 {
   std::vector<AlongSurface> found; ///< points with a curve, and their distances
-  double turn = 0.0;               ///< by which the surface turns away at the edge, rad
+  double turn = 0.0;               ///< angle by which the surface turns away at the edge, rad
 };
 
-/// A surface whose edges have no curves of their own. Thread-safe.
+/// A surface with edges whose points have no curves of their own. Thread-safe.
 struct EdgedSurface
 {
   std::size_t points = 0;
@@ -29,18 +29,19 @@ struct EdgedSurface
     around;
 };
 
-/// The outer surface of a body, which must outlive the result: the nearest points along it.
+/// The outer surface of a body, with the nearest points along it. The body must outlive the result.
 EdgedSurface edgesOf(const ElasticBody& body);
 
 /**
- * Gives the points of a surface whose status is Edge, where a contact has no law, curves from the
- * valid points around, by 1/distance², so that the force is continuous across an edge. Each curve
- * is softened by the edge's factor there, Φ(0)/Φ(d/a) (edgeFactor), with d its distance and
- * a = K/2E* its contact radius. Their range is the mean of those, their error 1, their validity 0.
+ * Gives curves to the points of a surface with the status Edge, where a contact has no law. A curve
+ * is the mean of the curves of the valid points around it, weighted by 1/distance², so that the
+ * force is continuous across an edge. Each of these curves is first softened by the factor of the
+ * edge, Φ(0)/Φ(d/a) (edgeFactor), with its distance d and its contact radius a = K/2E*. The range
+ * is the mean of the ranges, the error 1, the validity 0.
  *
- * Beside a right-angled edge the curve is that of a tool along the face's normal within some 15 %.
- * Points with no valid one around stay without a curve, their range 0. `sampling` is that of the
- * spans.
+ * Near a right-angled edge the curve is that of a tool along the face's normal within about 15 %.
+ * Points without a valid point around them stay without a curve and with range 0. `sampling`: of
+ * the spans.
  */
 void fillEdges(
   const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans);

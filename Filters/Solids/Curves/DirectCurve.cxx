@@ -14,14 +14,15 @@ namespace palpate
 {
 namespace
 {
-/// What four facets over a contact's radius, and a rim in facets of an eighth of it, leave of a
-/// force that two meshes agree on (DirectContactTest).
+/// Error of a force on which two meshes agree, with four facets over the contact radius and a rim
+/// in facets of an eighth of it (DirectContactTest).
 constexpr double OwnError = 0.01;
-/// Of a depth, over which stiffness is told: a contact grows corner by corner, and with each the
-/// slope of its force jumps. No more than DirectContact knows beyond its deepest.
+/// Step for the stiffness, as a fraction of the depth. A contact grows corner by corner, and the
+/// slope of the force jumps at each corner. The largest depth must stay within the reach of
+/// DirectContact.
 constexpr double Step = 0.08;
 
-/// A curve at a depth, and how well it is known.
+/// Force and stiffness at one depth with their errors.
 struct DirectSample
 {
   double force = 0.0;
@@ -30,7 +31,7 @@ struct DirectSample
   double error = 1.0;
 };
 
-/// A contact between those of the two ways of pushing, with finite strain.
+/// Mean of the contacts with the two ways of pushing, corrected for finite strain.
 struct BetweenWays
 {
   BetweenWays(const DirectContact& contact, const DirectTerms& terms, double depth)
@@ -50,9 +51,9 @@ struct BetweenWays
     this->strain = share.error;
   }
   double small = 0.0;  ///< the force at small strain, N
-  double open = 0.0;   ///< half of what the two ways differ by, relative
-  double force = 0.0;  ///< N; 0 where there is none
-  double strain = 0.0; ///< relative error of what finite strain does
+  double open = 0.0;   ///< half of the difference of the two ways, relative
+  double force = 0.0;  ///< N; 0 without a contact
+  double strain = 0.0; ///< relative error of the correction for finite strain
 };
 
 /// Contacts on two meshes.
@@ -67,7 +68,7 @@ public:
   {
   }
 
-  /// Whether there is one on both.
+  /// Whether both meshes have a contact.
   bool areFound() const { return this->isFound(this->Finer) && this->isFound(this->Coarser); }
 
   double forceAt(double depth) const
@@ -76,7 +77,7 @@ public:
                           : BetweenWays(*this->Finer.small, this->Terms, depth).force;
   }
 
-  /// Relative, of the forces before they are corrected for finite strain.
+  /// Relative difference of the forces of the two meshes, before the correction for finite strain.
   double differenceAt(double depth) const
   {
     const double here = this->solvedOn(this->Finer, depth);
@@ -146,7 +147,7 @@ void addUp(DirectSample& sample)
   sample.error = isKnown ? error : 1.0;
 }
 
-/// The curve that a point has.
+/// The curve of the point before the replacement.
 class FormerCurve
 {
 public:
@@ -167,13 +168,13 @@ public:
       FloatCurve{ this->Force.data(), this->Stiffness.data() }, this->Range, depth);
   }
 
-  /// What is stated, or by how much it is off a force that is better known.
+  /// The stored error, or the difference from a better known force if that is larger.
   double errorBeside(double force, double depth) const
   {
     return std::max(this->errorAt(depth), std::abs(this->at(depth).force / force - 1.0));
   }
 
-  /// All of the force where nothing is known.
+  /// The stored relative error; 1 if it is unknown.
   double errorAt(double depth) const
   {
     constexpr double rounding = 1.0 - 1e-6;
@@ -198,7 +199,7 @@ private:
   std::vector<float> Error;
 };
 
-/// The former curve, drawn to the first of the direct ones.
+/// The former curve, scaled such that it meets the first sample of the direct curve.
 void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& former, double depth,
   DirectSample& sample)
 {

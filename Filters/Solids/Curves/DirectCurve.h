@@ -16,58 +16,58 @@ namespace palpate
 {
 class StrainCorrection;
 
-/// How curves of direct contact are made.
+/// Settings for the curves of direct contact.
 struct DirectTerms
 {
   const AxisymmetricTool* tool = nullptr;
   ElasticMaterial material;
-  double depth = 1.0;                       ///< mm, to which curves go
-  double errorTolerance = 0.05;             ///< to which Validity is found, > 0
-  const StrainCorrection* strain = nullptr; ///< of half-spaces; null: small strain
-  bool solvesFiniteStrain = false;          ///< finite strain is solved for; the law is Neo-Hooke's
+  double depth = 1.0;                       ///< depth at the end of the curves, mm
+  double errorTolerance = 0.05;             ///< error that limits Validity, > 0
+  const StrainCorrection* strain = nullptr; ///< for half-spaces; null: small strain
+  bool solvesFiniteStrain = false;          ///< solve at finite strain, with the Neo-Hookean law
 };
 
-/// A contact on one mesh: at finite strain, or, where that is not solved for, what is to be
-/// corrected for it.
+/// A contact on one mesh: the solution at finite strain, or the one at small strain that is
+/// corrected for finite strain.
 struct DirectPress
 {
   ContactCurve finite;
   std::unique_ptr<DirectContact> small;
 };
 
-/// Whether the forces on two meshes agree at the depth, within the tolerance or what one mesh
-/// knows.
+/// Whether the forces on two meshes agree at the depth `terms.depth`, within the tolerance or the
+/// error of a single mesh.
 PALPATE_EXPORT bool meshesAgree(
   const DirectPress& finer, const DirectPress& coarser, const DirectTerms& terms);
 
-/// What direct contact made of a point: the values of the array `Direct`.
+/// Result of direct contact at a point: the values of the array `Direct`.
 enum class DirectOutcome : unsigned char
 {
   NotPressed = 0,
-  Replaced = 1, ///< the point's curve
-  Kept = 2,     ///< the law's, which is better known
-  Failed = 3    ///< no contact was found that settles
+  Replaced = 1, ///< the point has the curve of direct contact
+  Kept = 2,     ///< the point keeps the curve of the law, whose error is smaller
+  Failed = 3    ///< no converged contact was found
 };
 
 /**
- * Replaces a point's curve by that of direct contact, where its estimated error at `terms.depth` is
- * less than that of the curve that is there, or less than what the two differ by. The spans hold
- * the curve that is there, with its errors.
+ * Replaces a point's curve by the curve of direct contact if the estimated error of the latter at
+ * `terms.depth` is smaller than the error of the former curve, or smaller than the difference of
+ * the two. The spans hold the former curve with its errors.
  *
- * Where finite strain is solved for the force is that of the finer mesh. Its error, the root of the
- * squares of: what the two meshes differ by, and a hundredth (Elements); what is around
- * moves as at small strain (Strain, pressAtFiniteStrain); storage.
+ * If finite strain is solved for, the force is that of the finer mesh. Its error is the root of the
+ * sum of the squares of: the difference of the two meshes and 0.01 (Elements); the small-strain
+ * motion of the surrounding body (Strain, pressAtFiniteStrain); storage.
  *
- * Otherwise it is the mean of those of pressures along the mean normal and along each its own, with
- * the correction for finite strain, and of the error are: half of what these two differ by, which
- * small displacements cannot decide (Curvature); Elements; what finite strain, or its correction,
- * lacks (Strain); storage.
+ * Otherwise the force is the mean of two: with pressures along the mean normal and with each
+ * pressure along its own normal, corrected for finite strain. Its error has these parts: half of
+ * the difference of these two, which small displacements cannot decide (Curvature); Elements; the
+ * error of finite strain or of its correction (Strain); storage.
  *
- * Failed: one of the meshes has no contact to that depth, or, at small strain, one that touches
- * before by more than that.
+ * Failed: one of the meshes has no contact to that depth, or, at small strain, touches elsewhere
+ * more than that depth before the place.
  *
- * Towards the surface, where the contact gets as small as its facets, the curve goes over to the
- * one that was there, by √δ, from the sample on at which that is better known.
+ * At small depths the contact is as small as its facets. There the curve approaches the former one
+ * by √δ, below the sample from which direct contact has the smaller error.
  */
 PALPATE_EXPORT DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
   const DirectPress& coarser, const DirectTerms& terms, const ResponseSampling& sampling,

@@ -16,9 +16,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double Facing = 0.5;       ///< cosine to the normal: 60°
-constexpr double OnTriangle = -1e-9; ///< area coordinates, so that no place falls between two
-constexpr double OverTheSide = 1e-6; ///< of a triangle's own size
+constexpr double Facing = 0.5; ///< cosine to the normal: 60°
+/// Lower limit of area coordinates, so that no place is lost between two triangles.
+constexpr double OnTriangle = -1e-9;
+constexpr double OverTheSide = 1e-6; ///< relative to the size of a triangle
 
 /// One point's walk over the surface.
 class GapWalk
@@ -86,13 +87,13 @@ private:
       .cast<double>();
   }
 
-  /// The place in the frame: along the tangents, and how far below the plane.
+  /// The place in the frame: coordinates along the tangents and depth below the plane.
   Vector3 inFrame(const Vector3& place) const
   {
     return this->Frame.transpose() * (place - this->Origin);
   }
 
-  /// Fills the heights that lie on a triangle; false where it is out of reach or turns away.
+  /// Sets the heights at the places on a triangle. False if it is out of reach or turns away.
   bool take(std::int32_t triangle)
   {
     const TriangleCorners& corners = this->Mesh.corners(triangle);
@@ -104,7 +105,7 @@ private:
     const Vector3 across = (at[1] - at[0]).cross(at[2] - at[0]);
     if (!(-across[2] > Facing * across.norm()))
     {
-      return false; // the frame looks inwards
+      return false; // the z axis of the frame points inwards
     }
     Eigen::Vector2d low = at[0].head<2>();
     Eigen::Vector2d high = low;
@@ -113,7 +114,7 @@ private:
       low = low.cwiseMin(corner.head<2>());
       high = high.cwiseMax(corner.head<2>());
     }
-    // The nearest and the farthest of the box that the corners span.
+    // Nearest and farthest point of the bounding box of the corners.
     const Eigen::Vector2d nearest = low.cwiseMax(Eigen::Vector2d::Zero().cwiseMin(high));
     const double from = nearest.norm() - OverTheSide * this->Radius;
     const double to = low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm();
@@ -167,7 +168,7 @@ private:
     return { part(1, 2), part(2, 0), part(0, 1) };
   }
 
-  /// Of a triangle's edges (GapTerms::uneven), the root of the mean square.
+  /// Root mean square unevenness of a triangle's edges (GapTerms::uneven).
   static double unevenness(const std::array<Vector3, 3>& at, const std::array<Vector3, 3>& normals)
   {
     double sum = 0.0;
@@ -180,8 +181,8 @@ private:
     return std::sqrt(sum / 3.0);
   }
 
-  /// How far the patch lies below the plane over a place: its point of these area coordinates,
-  /// moved along its tangent plane.
+  /// Depth of the patch below the plane at a place: from the patch point with these area
+  /// coordinates, extrapolated along its tangent plane.
   static double heightOn(
     const SmoothTriangle& patch, const Vector3& area, const Eigen::Vector2d& place)
   {
@@ -197,7 +198,7 @@ private:
     const double flat = area[0] * at[0][2] + area[1] * at[1][2] + area[2] * at[2][2];
     const double height = std::isfinite(smooth) ? smooth : flat;
     double& known = this->Found.surface(k, j);
-    if (!(known <= height)) // the outermost of a fold
+    if (!(known <= height)) // in a fold the outermost part counts
     {
       known = height;
       this->Found.facets(k, j) = flat;

@@ -11,12 +11,13 @@
 namespace palpate
 {
 /**
- * How a surface falls off around one of its points, up to a radius (mm): the part connected to the
- * point whose normals are within 60° of its own, smooth between its points (SmoothTriangle) except
- * at creases, where the facets are used. `normals`: three floats a point, unit length.
+ * Shape of a surface around one of its points, up to a radius (mm). It is the part connected to the
+ * point whose normals are within 60° of the point's normal. The surface is smooth between its
+ * points (SmoothTriangle), except at creases, where the facets are used. `normals`: three floats
+ * per point, unit length.
  *
- * Where a ring is incomplete, at a border or beyond an edge, the surface is not known beyond it.
- * From any number of threads. Cost: 50 µs, and 1 µs per triangle within the radius.
+ * The surface is not known beyond an incomplete ring, as at a border or an edge. Safe from any
+ * number of threads. Cost: 50 µs, plus 1 µs per triangle within the radius.
  */
 PALPATE_EXPORT SurfaceGap gapOfSurface(
   const BodyMesh& mesh, const float* normals, std::int32_t point, double radius);

@@ -22,12 +22,12 @@ namespace
 constexpr auto ValidPoint = static_cast<unsigned char>(ResponseStatus::Valid);
 constexpr double Exponent = 1.0; // a body may harden or soften any tool's law
 constexpr double LeftOfTilt = 0.2;
-constexpr double LeastRange = 1e-3; // of what was asked for: a curve that ends before is none
-constexpr double FromTouch = 1e-3;  // of the first sample's depth
+constexpr double LeastRange = 1e-3; // of the requested range: a shorter curve is discarded
+constexpr double FromTouch = 1e-3;  // of the depth of the first sample
 
 using KernelsAt = std::function<std::unique_ptr<ContactKernels>(std::size_t)>;
 
-/// What one point needs, shared by all.
+/// Computes one point; shared by all threads.
 class ShapedFiller
 {
 public:
@@ -71,7 +71,7 @@ public:
       return;
     }
     const ContactCurve curve = this->Contact.curve(*kernels);
-    // A float below where the curve ends, so that its last sample is on it.
+    // Slightly less than the end of the curve, so that the last sample in floats is still on it.
     const double deepest = curve.isEmpty() ? 0.0 : (1.0 - 1e-6) * curve.deepest();
     if (!(deepest > LeastRange * this->Terms.range))
     {
@@ -121,7 +121,7 @@ private:
         LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = errors.elements();
       parts[ResponseLimit::None] = k > 0 ? this->storedWrong(i, k - 1, curve) : 0.0;
-      double error = parts.norm(); // each bounds 19 of 20 by itself
+      double error = parts.norm(); // each part is a bound in 19 of 20 cases
       error = std::isfinite(error) ? error : 1.0;
       if (k > 0 && this->Spans.error)
       {
@@ -133,7 +133,7 @@ private:
     this->Spans.limit[i] = static_cast<unsigned char>(limit);
   }
 
-  /// How far the stored curve is off half-way to a sample, relative.
+  /// Relative error of the stored curve half-way to a sample.
   double storedWrong(std::size_t i, std::size_t k, const ContactCurve& curve) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
@@ -152,7 +152,7 @@ private:
   ResponseSampling Sampling;
 };
 
-/// All points, but for those on edges; not complete where it was stopped.
+/// Fills all points except those on edges. Not complete if it was stopped.
 MadeResponse fillAll(const AxisymmetricTool& tool, std::size_t points, const KernelsAt& kernelsAt,
   const ShapedTerms& terms, const ResponseSpans& spans, const std::function<bool(double)>& goOn)
 {

@@ -23,8 +23,8 @@ struct SurfacePlace
   std::array<double, 6> shape{};
 };
 
-/// The shapes of a face of 3, 4 or 6 nodes at a place in it: (ξ, η) of the triangle (0,0), (1,0),
-/// (0,1) or of the square [-1, 1]². Those of the nodes that it does not have are 0.
+/// Shape functions of a face of 3, 4 or 6 nodes at a place (ξ, η) of the triangle (0,0), (1,0),
+/// (0,1) or of the square [-1, 1]². Entries beyond the number of nodes are 0.
 PALPATE_EXPORT std::array<double, 6> faceShapes(int nodes, const Eigen::Vector2d& xi);
 
 /// The outer surface of a mesh: its points, triangles and the faces that they are part of.
@@ -65,12 +65,12 @@ public:
     return this->TriangleNormals[static_cast<std::size_t>(t)];
   }
   double triangleArea(std::int32_t t) const { return this->Areas[static_cast<std::size_t>(t)]; }
-  /// The boundary face a triangle is a part of, as in MeshTopology::boundary().
+  /// The boundary face that a triangle is part of, as an index in MeshTopology::boundary().
   std::int32_t faceOfTriangle(std::int32_t t) const
   {
     return this->Faces[static_cast<std::size_t>(t)];
   }
-  /// Its triangles are firstTriangle(face) .. firstTriangle(face + 1).
+  /// The triangles of a face are firstTriangle(face) .. firstTriangle(face + 1), the last excluded.
   std::int32_t firstTriangle(std::int32_t face) const
   {
     return this->FirstTriangle[static_cast<std::size_t>(face)];
@@ -85,7 +85,8 @@ public:
     return this->PointTriangles.data() + this->PointOffset[static_cast<std::size_t>(point) + 1];
   }
 
-  /// The place in a triangle with these barycentric coordinates, by the shapes of its face.
+  /// The place in a triangle with these barycentric coordinates, with the shape functions of its
+  /// face.
   SurfacePlace place(std::int32_t triangle, const Eigen::Vector3d& barycentric) const;
 
   /// Distance of neighbouring nodes at a point, mm: the side of a square of the mean area of the

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// The softest valid point, then the farthest valid ones from all before.
+/// The softest valid point, then always the valid point farthest from all before.
 std::vector<std::int32_t> landmarksOf(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -36,7 +36,7 @@ std::vector<std::int32_t> landmarksOf(
     : spreadPoints(surface, valid, *std::max_element(valid.begin(), valid.end(), softer), wanted);
 }
 
-/// Root mean square of the modes' error between different landmarks, relative to the exact values.
+/// Root mean square error of the modes between different landmarks, relative to the exact values.
 double missedBetween(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& modes)
 {
   Eigen::MatrixXd whole = exact;

@@ -12,18 +12,18 @@ namespace palpate
 constexpr int MostCouplingModes = 16;
 
 /**
- * The compliance of a body at one place of its surface under a force at another, both along their
- * normals, less the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and positive semi-definite.
+ * Compliance of a body at one place of its surface under a force at another, both along their
+ * normals, without the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and positive semi-definite.
  *
- * From the fields of landmarks (RegularField) by Nyström's method, as GlobalModes, but of the
- * normal parts and positive eigenvalues alone, so that the sum is an energy. Added to the
- * half-space's 1/(πE*r) between places that face the same way (BodyCoupling), it is the whole
- * compliance.
+ * The modes follow from the fields of landmarks (RegularField) by Nyström's method, as in
+ * GlobalModes, but only from the normal parts and with positive eigenvalues, so that the sum is an
+ * energy. Together with the half-space's 1/(πE*r) between places that face the same way
+ * (BodyCoupling) it is the whole compliance.
  */
 struct CouplingModes
 {
-  /// φ_m at each surface point, one row per mode: √(mm/N), inward along the normal. Zero where the
-  /// body has fewer. No rows when the observer stopped it.
+  /// φ_m at each surface point, one row per mode: √(mm/N), inward along the normal. Zero rows if
+  /// the body has fewer modes. No rows if the observer stopped the work.
   Eigen::MatrixXd values;
   /// Root mean square of C_ij - Σ φ φ over pairs of landmarks, relative to that of C_ij.
   double neglected = 0.0;

@@ -133,7 +133,7 @@ ElasticMaterial ElasticBody::materialAt(std::int32_t node) const
     equal = equal &&
       material.poissonRatio == this->Input.materials[static_cast<std::size_t>(*begin)].poissonRatio;
   }
-  if (equal && begin != end) // to the bit, so that cut-outs are found to be alike
+  if (equal && begin != end) // bit-identical, so that equal cut-outs are recognised
   {
     sum.poissonRatio = this->Input.materials[static_cast<std::size_t>(*begin)].poissonRatio;
   }

@@ -20,22 +20,22 @@ struct ElasticBodyInput
 /**
  * A linear elastic body under small loads: mesh, surface, stiffness and its factor.
  *
- * Call take(), assemble(), analyse() and factorise() in this order; then any number of the others.
- * After an error the body must not be used further.
+ * Call take(), assemble(), analyse() and factorise() in this order, then any other function any
+ * number of times. After an error the body must not be used further.
  */
 class PALPATE_EXPORT ElasticBody
 {
 public:
-  /// Takes the input, after which memoryForecast() is valid. Returns what is wrong (a floating
-  /// part, E or ν out of range; elements and nodes by index), or "".
+  /// Takes the input; memoryForecast() is valid after it. Returns "", or a message about the fault
+  /// (a floating part, E or ν out of range) with the index of the element or node.
   std::string take(ElasticBodyInput input);
   MemoryForecast memoryForecast() const;
-  /// Assembles the stiffness. Returns what is wrong (inverted elements), or "".
+  /// Assembles the stiffness. Returns "", or a message about the fault (inverted elements).
   std::string assemble();
-  /// Both.
+  /// take() and assemble().
   std::string assemble(ElasticBodyInput input);
 
-  /// Chooses the order of elimination, after which memoryEstimate() is that of factorise().
+  /// Chooses the order of elimination. memoryEstimate() is then that of factorise().
   std::string analyse(StiffnessFactor::Kind kind);
   double memoryEstimate() const; ///< bytes
   std::string factorise();
@@ -46,7 +46,7 @@ public:
   const StiffnessMatrix& stiffness() const { return this->Stiffness; }
   const StiffnessFactor& factor() const { return *this->Factor; }
   int unknowns() const { return static_cast<int>(this->Stiffness.lower.rows()); }
-  /// The unknown of a node's direction, or -1 if it is fixed.
+  /// The unknown of a node along an axis, or -1 if it is fixed.
   int unknown(std::int32_t node, int axis) const
   {
     return this->Stiffness.dof[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis)];

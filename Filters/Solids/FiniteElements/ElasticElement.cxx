@@ -25,8 +25,9 @@ struct Lame
 };
 
 /**
- * Sums the stiffness of vector-valued shapes from their gradients g_i: with A_ij = ∫ g_i g_jᵀ dV,
- * it is λ A_ij + μ A_ijᵀ + μ tr(A_ij) 1 between shapes i and j. A fifth of the work of Bᵀ D B.
+ * Sums the stiffness of vector-valued shape functions from their gradients g_i. With A_ij = ∫ g_i
+ * g_jᵀ dV it is λ A_ij + μ A_ijᵀ + μ tr(A_ij) 1 between functions i and j. This takes a fifth of
+ * the work of Bᵀ D B.
  */
 template <int Count>
 class GradientSum
@@ -67,7 +68,7 @@ private:
 constexpr std::array<std::array<int, 3>, 8> HexahedronCorner = { { { -1, -1, -1 }, { 1, -1, -1 },
   { 1, 1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, 1 }, { -1, 1, 1 } } };
 
-/// dN_i/dξ of the trilinear shapes.
+/// dN_i/dξ of the trilinear shape functions.
 Eigen::Matrix<double, 3, 8> trilinearGradients(const Eigen::Vector3d& xi)
 {
   Eigen::Matrix<double, 3, 8> g;
@@ -88,7 +89,8 @@ Eigen::Vector3d hexahedronPoint(int i)
   return Eigen::Vector3d(c[0], c[1], c[2]) / std::sqrt(3.0);
 }
 
-/// Gradients of the trilinear shapes and of the modes at a point; the Jacobian's determinant there.
+/// Gradients of the trilinear shape functions and of the modes at a point. Returns the determinant
+/// of the Jacobian there.
 double hexahedronGradients(const Eigen::Matrix<double, 3, 8>& x,
   const Eigen::Matrix3d& centreInverse, double centreDeterminant, const Eigen::Vector3d& xi,
   Eigen::Matrix<double, 3, 11>& gradients)
@@ -102,7 +104,7 @@ double hexahedronGradients(const Eigen::Matrix<double, 3, 8>& x,
   return determinant;
 }
 
-/// The stiffness of nodes and modes together; false when the element is inverted.
+/// The stiffness of nodes and modes together. False if the element is inverted.
 bool hexahedronWithModes(
   const Eigen::Matrix<double, 3, 8>& x, const Lame& lame, Eigen::Matrix<double, 33, 33>& all)
 {
@@ -137,7 +139,7 @@ bool hexahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMat
     return false;
   }
   const Eigen::Matrix<double, 9, 9> modes = all.bottomRightCorner<9, 9>();
-  // With the factor of the modes, so that the result is symmetric.
+  // Uses the Cholesky factor of the modes, so that the result is symmetric.
   Eigen::Matrix<double, 9, 24> coupling = all.bottomLeftCorner<9, 24>();
   modes.llt().matrixL().solveInPlace(coupling);
   k = all.topLeftCorner<24, 24>() - coupling.transpose() * coupling;
@@ -161,11 +163,11 @@ bool tetrahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMa
   return true;
 }
 
-/// The corners beside the mid-edge nodes.
+/// The two corners next to each mid-edge node.
 constexpr std::array<std::array<int, 2>, 6> TetrahedronEdge = { { { 0, 1 }, { 1, 2 }, { 0, 2 },
   { 0, 3 }, { 1, 3 }, { 2, 3 } } };
 
-/// dN_i/dξ of the quadratic shapes; barycentric coordinates (1-ξ-η-ζ, ξ, η, ζ).
+/// dN_i/dξ of the quadratic shape functions; barycentric coordinates (1-ξ-η-ζ, ξ, η, ζ).
 Eigen::Matrix<double, 3, 10> quadraticGradients(const Eigen::Vector3d& xi)
 {
   Eigen::Matrix<double, 3, 4> slope;
@@ -312,7 +314,7 @@ Eigen::Matrix<double, 9, 24> modesOfNodes(
 
 double leastVolume(ElementKind kind, const ElementNodes& nodes)
 {
-  // The Jacobian is 1/8 of a hexahedron's volume, 6 times that of a tetrahedron.
+  // The Jacobian is 1/8 of a hexahedron's volume and 6 times a tetrahedron's volume.
   const double jacobian = std::max(smallestJacobian(kind, nodes), 0.0);
   return kind == ElementKind::Hexahedron ? 8.0 * jacobian : jacobian / 6.0;
 }

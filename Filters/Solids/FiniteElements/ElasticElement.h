@@ -2,12 +2,12 @@
 /** @file
  * Stiffness of one element of linear isotropic elasticity, small strains; mm, N, MPa.
  *
- * Hexahedron: trilinear with the nine incompatible modes 1-ξ², 1-η², 1-ζ² condensed inside the
- * element (Wilson et al. 1973; the Jacobian at the centre as Taylor, Beresford and Wilson 1976, so
- * that it passes the patch test). It bends without shear locking, and does not lock as ν → 0.5.
- * Quadratic tetrahedron: four Gauss points, exact for straight edges; does not lock either. Linear
- * tetrahedron: constant strain. It locks, far too stiff as ν → 0.5 and in bending; supported for
- * meshes that have nothing better.
+ * Hexahedron: trilinear with nine incompatible modes 1-ξ², 1-η², 1-ζ², condensed inside the element
+ * (Wilson et al. 1973). The Jacobian is taken at the centre (Taylor, Beresford and Wilson 1976), so
+ * that the element passes the patch test. It bends without shear locking and does not lock as ν →
+ * 0.5. Quadratic tetrahedron: four Gauss points, exact for straight edges; it does not lock either.
+ * Linear tetrahedron: constant strain. It locks: it is far too stiff as ν → 0.5 and in bending. It
+ * is supported for meshes without better elements.
  */
 #ifndef palpate_ElasticElement_h
 #define palpate_ElasticElement_h
@@ -40,12 +40,13 @@ using ElementMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3
 /// The positions of an element's nodes, 3 × n.
 PALPATE_EXPORT ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeElement& element);
 
-/// Stiffness, 3n × 3n, node by node (x, y, z). False when the element is inverted: a Jacobian that
-/// is not positive at an integration point.
+/// Stiffness, 3n × 3n, node by node (x, y, z). False if the element is inverted, which means that
+/// the Jacobian is not positive at an integration point.
 PALPATE_EXPORT bool elementStiffness(
   ElementKind kind, const ElementNodes& nodes, const ElasticMaterial& material, ElementMatrix& k);
 
-/// Gradients (3 × n) of an element's shapes, and of the three incompatible modes of a hexahedron.
+/// Gradients (3 × n) of an element's shape functions, then of the three incompatible modes of a
+/// hexahedron.
 using ElementGradients = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
 
 /// Gradients in space at the element's own coordinates `xi` ([-1, 1]³, or the corner tetrahedron of
@@ -53,26 +54,26 @@ using ElementGradients = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
 PALPATE_EXPORT double elementGradients(ElementKind kind, const ElementNodes& nodes,
   const Eigen::Vector3d& xi, ElementGradients& gradients);
 
-/// The shapes themselves there (n × 1).
+/// The shape functions at `xi` (n × 1).
 using ElementShapes = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, LargestNodeCount, 1>;
 PALPATE_EXPORT ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi);
 
-/// Integration point 0 .. 3 of a quadratic tetrahedron; its weight is a 24th of the determinant.
+/// Integration point 0 .. 3 of a quadratic tetrahedron. Its weight is 1/24 of the determinant.
 PALPATE_EXPORT Eigen::Vector3d quadraticPoint(int i);
 
 /// The corners at the ends of the edge whose middle is node 4 .. 9 of a quadratic tetrahedron.
 PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
 
-/// The matrix by which a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode)
-/// follow the motion of its nodes without forces of their own: forces f on the modes act on the
-/// nodes as the transpose of this times f. The element must not be inverted.
+/// The matrix that gives a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode)
+/// from the motion of its nodes if no forces act on the modes. Forces f on the modes act on the
+/// nodes as the transpose of this matrix times f. The element must not be inverted.
 PALPATE_EXPORT Eigen::Matrix<double, 9, 24> modesOfNodes(
   const ElementNodes& nodes, const ElasticMaterial& material);
 
-/// The volume of a hexahedron or a tetrahedron from its smallest Jacobian, mm³; 0: inverted.
+/// Volume of a hexahedron or tetrahedron from its smallest Jacobian, mm³; 0 if inverted.
 PALPATE_EXPORT double leastVolume(ElementKind kind, const ElementNodes& nodes);
 
-/// The smallest Jacobian determinant over the integration points; not positive: inverted.
+/// Smallest determinant of the Jacobian over the integration points; not positive if inverted.
 PALPATE_EXPORT double smallestJacobian(ElementKind kind, const ElementNodes& nodes);
 } // namespace palpate
 

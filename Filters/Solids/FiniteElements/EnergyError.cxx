@@ -11,16 +11,16 @@ namespace palpate
 {
 namespace
 {
-/// Moduli within this ratio count as one material, whose stress is continuous at nodes.
+/// Moduli within this ratio count as one material with continuous stress at its nodes.
 constexpr double SameModulus = 1.25;
 
-/// xx, yy, zz, yz, xz, xy; of an element's nodes or one of its points.
+/// xx, yy, zz, yz, xz, xy; at an element's nodes or at one point.
 using Stress = Eigen::Matrix<double, 6, 1>;
 using NodalStress = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, LargestNodeCount>;
 
 using Places = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, LargestNodeCount>;
 
-/// The element's own coordinates of its nodes.
+/// Coordinates of an element's nodes in the element.
 Places nodePlaces(ElementKind kind)
 {
   Places places(3, nodeCount(kind));
@@ -40,7 +40,7 @@ Places nodePlaces(ElementKind kind)
   return places;
 }
 
-/// Points of equal weight, exact for second degree.
+/// Points of equal weight; exact for polynomials of second degree.
 struct Quadrature
 {
   Places places;
@@ -61,7 +61,7 @@ Quadrature quadratureOf(ElementKind kind)
 
 using Gradient = Eigen::Matrix3d; ///< of a displacement in space
 
-/// An element, for any displacement.
+/// Stress of an element for any displacement.
 class ElementStress
 {
 public:
@@ -78,7 +78,7 @@ public:
 
   ElementKind kind() const { return this->Element.kind; }
 
-  /// The motion of its nodes, and of its modes.
+  /// Displacements of the element's nodes, then of its modes.
   using Motion = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
   Motion motion(const Eigen::Matrix3Xd& displacement) const
   {
@@ -96,7 +96,8 @@ public:
     return moved;
   }
 
-  /// Gradients of its shapes and modes at a place; the Jacobian.
+  /// Gradients of the shape functions and modes at a place. Returns the determinant of the
+  /// Jacobian.
   double gradients(const Eigen::Vector3d& place, ElementGradients& found) const
   {
     return elementGradients(this->Element.kind, this->Nodes, place, found);
@@ -131,8 +132,8 @@ private:
   Eigen::Matrix<double, 9, 24> Modes;
 };
 
-/// Groups the elements of about one modulus at each node, as stress is continuous within a group.
-/// Of each element's nodes the number of the group.
+/// Groups the elements of nearly one modulus at each node, because stress is continuous within a
+/// group. Stores the number of the group for each node of each element.
 class SharedNodes
 {
 public:

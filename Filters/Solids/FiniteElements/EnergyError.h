@@ -8,18 +8,19 @@
 namespace palpate
 {
 /**
- * The difference of the elements' stresses σ from smooth ones, for each displacement of all nodes
- * (3 × nodes, mm): ∫ (σ* - σ) : D⁻¹ : (σ* - σ) dV, N mm, with σ* interpolated from the mean at each
- * node over elements of about one modulus (Zienkiewicz and Zhu 1987). It estimates the square of
- * the error in the energy norm: under a force of 1 N, the error of the compliance in mm/N.
+ * Difference between the elements' stresses σ and smooth ones, for each displacement of all nodes
+ * (3 × nodes, mm): ∫ (σ* - σ) : D⁻¹ : (σ* - σ) dV, N mm. σ* is interpolated from the mean at each
+ * node over elements of nearly one modulus (Zienkiewicz and Zhu 1987). The integral estimates the
+ * square of the error in the energy norm. Under a force of 1 N this is the error of the compliance
+ * in mm/N.
  *
- * Cost: 20 µs per element, 2 µs more per displacement. May be called by any number of threads.
+ * Cost: 20 µs per element, plus 2 µs per displacement. Safe from any number of threads.
  */
 PALPATE_EXPORT std::vector<double> energyErrors(
   const ElasticBody& body, const std::vector<Eigen::Matrix3Xd>& displacements);
 
-/// So many times that estimate bounds the error: for hexahedra, linear and quadratic tetrahedra on
-/// layers and plates, from one element through the thickness on.
+/// The error is at most this factor times the estimate, for hexahedra and linear and quadratic
+/// tetrahedra on layers and plates, with one or more elements through the thickness.
 constexpr double BoundOfEnergy = 4.0;
 } // namespace palpate
 

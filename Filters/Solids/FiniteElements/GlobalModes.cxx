@@ -19,7 +19,7 @@ std::size_t modeTotal(int count)
   return static_cast<std::size_t>(std::clamp(count, 0, MostGlobalModes));
 }
 
-/// The valid point of largest |C_g|, then always the farthest valid point from all before.
+/// The valid point of largest |C_g|, then always the valid point farthest from all before.
 std::vector<std::int32_t> spreadLandmarks(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -38,7 +38,7 @@ std::vector<std::int32_t> spreadLandmarks(
   return valid.empty() ? valid : spreadPoints(surface, valid, *first, wanted);
 }
 
-/// Indices of landmarks that lie on one part of the body, by part.
+/// Indices of the landmarks on each part of the body.
 std::map<std::int32_t, std::vector<Eigen::Index>> landmarksByPart(
   const ElasticBody& body, const std::vector<std::int32_t>& landmarks)
 {
@@ -59,9 +59,9 @@ struct EigenPair
 };
 
 /**
- * The eigenpairs of the blocks of a symmetric matrix, the largest |value| first. Block by block, as
- * equal eigenvalues of two parts of the body would mix their modes. The largest entry of a vector
- * is positive.
+ * Eigenpairs of the blocks of a symmetric matrix, the largest |value| first. The blocks are solved
+ * one by one, because equal eigenvalues of two parts of the body would mix their modes. The sign of
+ * a vector is such that its largest entry is positive.
  */
 std::vector<EigenPair> eigenPairs(
   const Eigen::MatrixXd& matrix, const std::map<std::int32_t, std::vector<Eigen::Index>>& blocks)
@@ -187,7 +187,7 @@ GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& complia
   const BodySurface& surface = body.surface();
   const std::vector<std::int32_t> landmarks =
     spreadLandmarks(surface, compliances, modeTotal(count) * LandmarksPerMode);
-  std::vector<Eigen::Matrix3Xd> pulled; // g_j, by landmark
+  std::vector<Eigen::Matrix3Xd> pulled; // g_j, one per landmark
   const RegularField field(body, radius);
   const auto total = static_cast<double>(landmarks.size());
   for (std::size_t j = 0; j < landmarks.size(); ++j)

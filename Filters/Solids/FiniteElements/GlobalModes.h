@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The motion of a whole body, whatever point is pressed: a Green function of low rank.
+ * Motion of a whole body under a force at any point: a Green function of low rank.
  *
- * H(x,X) is the motion of the surface at x per force at X, less the dent (RegularField). It is
+ * H(x,X) is the motion of the surface at x per force at X, without the dent (RegularField). It is
  * symmetric, H(x,X) = H(X,x)ᵀ (Betti), and smooth, so that a few products approximate it:
  *     H(x,X) ≈ Σ_k s_k φ_k(x) φ_k(X)ᵀ,  s_k = ±1,  φ_k in sqrt(mm/N).
- * A force F pressed along -n at X then moves x by u = -F Σ_k s_k φ_k(x) (n·φ_k(X)), and X itself
- * inwards by F Σ_k s_k (n·φ_k(X))², which is C_g F less what is neglected.
+ * A force F pressed along -n at X moves x by u = -F Σ_k s_k φ_k(x) (n·φ_k(X)). It moves X itself
+ * inwards by F Σ_k s_k (n·φ_k(X))², which is C_g F without the neglected part.
  *
- * Found from the fields g_j(x) = H(x,X_j) n_j of landmarks spread over the surface (farthest point
- * sampling; Nyström 1930; Williams and Seeger 2001): G_ij = n_i·g_j(X_i) = Σ_k V_ik L_k V_jk and
- * φ_k = Σ_j g_j V_jk / √|L_k|, the largest |L_k| first. With all modes the fields of the landmarks
- * are reproduced exactly. Negative L_k: a near support holds the surface more than a half-space
- * does.
+ * The modes follow from the fields g_j(x) = H(x,X_j) n_j of landmarks spread over the surface
+ * (farthest point sampling; Nyström 1930; Williams and Seeger 2001): G_ij = n_i·g_j(X_i) = Σ_k V_ik
+ * L_k V_jk and φ_k = Σ_j g_j V_jk / √|L_k|, the largest |L_k| first. With all modes the fields of
+ * the landmarks are reproduced exactly. L_k is negative where a near support holds the surface more
+ * than a half-space does.
  */
 #ifndef palpate_GlobalModes_h
 #define palpate_GlobalModes_h
@@ -26,13 +26,13 @@ namespace palpate
 constexpr int MostGlobalModes = 6;
 /// Landmarks per mode.
 constexpr int LandmarksPerMode = 8;
-/// Smaller eigenvalues, relative to the largest, are rounding.
+/// Smaller eigenvalues, relative to the largest, are rounding errors.
 constexpr double ModeRounding = 1e-10;
 
 /// A few modes that approximate the motion of the whole surface under a force anywhere.
 struct GlobalModes
 {
-  /// φ_k by mode: 3 × surface points, sqrt(mm/N). Zero where the body has fewer.
+  /// φ_k by mode: 3 × surface points, sqrt(mm/N). Zero if the body has fewer modes.
   std::vector<Eigen::Matrix3Xd> fields;
   std::vector<int> signs;              ///< s_k: 1 or -1
   std::vector<std::int32_t> landmarks; ///< points of the surface
@@ -42,20 +42,19 @@ struct GlobalModes
   double neglected = 0.0;
 };
 
-/// Farthest point sampling: `first` of some points of a surface, then always the farthest from all
-/// before.
+/// Farthest point sampling: `first`, then always the point of `points` farthest from all before.
 std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
   const std::vector<std::int32_t>& points, std::int32_t first, std::size_t wanted);
 
-/// The `count` largest modes of the fields g_j of landmarks, 3 × surface points each; `neglected`
-/// is not set.
+/// The `count` largest modes of the fields g_j of landmarks, 3 × surface points each. Does not set
+/// `neglected`.
 GlobalModes modesOf(const ElasticBody& body, const std::vector<std::int32_t>& landmarks,
   const std::vector<Eigen::Matrix3Xd>& pulled, int count);
 
 /**
  * The `count` largest modes of a factorised body, from LandmarksPerMode times as many landmarks
- * among the points with a valid compliance; without any, every mode is zero. `radius` as in
- * patchCompliances(). Costs one solution per landmark. No fields when the observer stopped it.
+ * among the points with a valid compliance. Without such points every mode is zero. `radius` as in
+ * patchCompliances(). Costs one solution per landmark. No fields if the observer stopped the work.
  */
 PALPATE_EXPORT GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances,
   double radius, int count, const WorkObserver& observer);

@@ -7,10 +7,10 @@
 namespace palpate
 {
 /**
- * Displacement of a half-space z >= 0 of Young's modulus 1 MPa under a normal force of 1 N at the
- * origin of its surface, pressing along +z (Boussinesq 1885; Johnson 1985, eq. 3.18). `at` in mm,
- * the result in mm; divide by E for another modulus. Above the surface the value of the surface
- * below; infinite at the origin.
+ * Displacement of a half-space z >= 0 with Young's modulus 1 MPa under a normal force of 1 N along
+ * +z at the origin of its surface (Boussinesq 1885; Johnson 1985, eq. 3.18). `at` and the result in
+ * mm; divide by E for another modulus. A place above the surface has the value of the surface below
+ * it. Infinite at the origin.
  */
 Eigen::Vector3d boussinesqDisplacement(const Eigen::Vector3d& at, double poissonRatio);
 } // namespace palpate

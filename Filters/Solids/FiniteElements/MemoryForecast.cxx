@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Measured, see the header: 2.4 to 3.6 kB per node, and the mean of c.
+// Measured, see the header: 2.4 to 3.6 kB per node for the matrix; the mean of c for the factor.
 constexpr double MatrixBytes = 3000.0;
 constexpr double FactorBytes = 750.0;
 } // namespace

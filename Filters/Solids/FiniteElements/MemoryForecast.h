@@ -8,31 +8,32 @@ namespace palpate
 {
 /**
  * Memory of a body's finite elements, bytes, from its numbers of nodes before anything is
- * assembled; accurate to a factor of ForecastError.
+ * assembled. Accurate to a factor of ForecastError.
  *
- * By nested dissection the entries in a column of the factor are proportional to the body's
- * thickness: with n nodes, b of them on the surface, 6 n/b, the side of a cube. That makes c n · 6
- * n/b bytes, c n^(4/3) for a cube. Measured with CHOLMOD and METIS on blocks of hexahedra and of
- * tetrahedra, c is 490 to 940, and grows slowly with n: 611 for 10³ elements, 889 for 40³, 942 for
- * 60³, 661 for 60 × 60 × 6, 913 for 200 × 200 × 10, 615 for 6 × 6 × 300; least for small bodies,
- * many of whose nodes are held. The exact number is known after the symbolic analysis
- * (StiffnessFactor::memoryEstimate), which itself takes hours on some bodies.
+ * With nested dissection the number of entries in a column of the factor is proportional to the
+ * body's thickness. With n nodes, b of them on the surface, the thickness is 6 n/b, the side of a
+ * cube. The factor then takes c n · 6 n/b bytes, which is c n^(4/3) for a cube. Measured with
+ * CHOLMOD and METIS on blocks of hexahedra and of tetrahedra, c is 490 to 940 and grows slowly with
+ * n: 611 for 10³ elements, 889 for 40³, 942 for 60³, 661 for 60 × 60 × 6, 913 for 200 × 200 × 10,
+ * 615 for 6 × 6 × 300. It is smallest for small bodies with many held nodes. The exact number is
+ * known after the symbolic analysis (StiffnessFactor::memoryEstimate), which itself takes hours on
+ * some bodies.
  */
 struct MemoryForecast
 {
-  double matrix = 0.0; ///< the stiffness, and its symbolic analysis
+  double matrix = 0.0; ///< the stiffness and its symbolic analysis
   double factor = 0.0; ///< its Cholesky factor
 
   static constexpr double ForecastError = 2.0;
 
-  /// Whether it certainly needs more than `bytes`.
+  /// Whether the body certainly needs more than `bytes`.
   bool exceeds(double bytes) const
   {
     return this->matrix > ForecastError * bytes || this->factor > ForecastError * bytes;
   }
 };
 
-/// The forecast for `nodes` nodes, of which `outerNodes` lie on the surface.
+/// The forecast for `nodes` nodes, `outerNodes` of them on the surface.
 PALPATE_EXPORT MemoryForecast forecastMemory(double nodes, double outerNodes);
 } // namespace palpate
 

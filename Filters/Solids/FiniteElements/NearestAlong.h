@@ -16,8 +16,9 @@ struct AlongSurface
   double distance;
 };
 
-/// The `count` wanted points nearest to `point` along the edges of the surface, without paths
-/// through another; nearest first. Fewer if that part of the surface has no more.
+/// The `count` wanted points nearest to `point` along the edges of the surface, nearest first.
+/// Paths do not pass through another wanted point. Fewer if the connected part of the surface has
+/// no more.
 PALPATE_EXPORT std::vector<AlongSurface> nearestAlong(const BodySurface& surface,
   std::int32_t point, std::size_t count, const std::function<bool(std::int32_t)>& isWanted);
 

@@ -17,12 +17,12 @@ namespace palpate
 {
 namespace
 {
-/// Fractions of the work: patches and cut-outs, self-terms, body.
+/// Fraction of the work that is done after the patches and cut-outs, and after the self-terms.
 constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;
 
-/// Calls work(i) for i < count on threadCount() threads, in blocks between which the observer is
-/// called.
+/// Calls work(i) for i < count on threadCount() threads, in blocks. The observer is called between
+/// the blocks.
 template <class Work>
 bool forAll(std::size_t count, const WorkObserver& observer, double from, double to, Work&& work)
 {
@@ -39,7 +39,7 @@ bool forAll(std::size_t count, const WorkObserver& observer, double from, double
   return true;
 }
 
-/// Centres and sizes of a body's elements, for the energy missed beyond a cut.
+/// Centres and sizes of a body's elements, for the missed energy beyond a cut.
 class MissedEnergy
 {
 public:

@@ -3,13 +3,14 @@
  * The structural (global) compliance of a body at points of its surface:
  * C_g(X) = lim_{y→X} [G_nn(X,y) - 1/(πE*|X-y|)], the regular part of the Green function.
  *
- * By Castigliano: the mean normal displacement of a uniform patch of 1 N is twice its energy,
- * bᵀK⁻¹b; that of the same patch on a half-space (PatchSelfTerm) is subtracted. The bias grows as
- * the square of the patch's radius c: C_g = (4 C(c) - C(2c)) / 3.
+ * By Castigliano's theorem the mean normal displacement of a uniform patch of 1 N is twice its
+ * energy, bᵀK⁻¹b. The displacement of the same patch on a half-space (PatchSelfTerm) is subtracted.
+ * The bias grows as the square of the patch's radius c and is eliminated: C_g = (4 C(c) - C(2c)) /
+ * 3.
  *
- * E* is that of the point: the mean E and ν of the elements that meet there. Where the material
- * changes, C_g is what the other material adds to a half-space of this one; it is accurate only if
- * the change lies some elements away from the point.
+ * E* is that of the point: the mean E and ν of the elements at it. Where the material changes, C_g
+ * is the effect of the other material on a half-space of this one. It is accurate only if the
+ * change is some elements away from the point.
  */
 #ifndef palpate_PatchCompliance_h
 #define palpate_PatchCompliance_h
@@ -24,7 +25,7 @@ enum class PatchStatus : std::uint8_t
 {
   Valid = 0,
   Degenerate = 1, ///< no normal, or elements too distorted to be flattened
-  OutOfReach = 4, ///< the patch lies on points that are fixed
+  OutOfReach = 4, ///< the patch covers points that are fixed
   Edge = 5        ///< the patch wraps an edge: the surface turns by more than 30° under it
 };
 
@@ -36,24 +37,24 @@ struct PatchCompliances
 };
 
 /**
- * The compliances of the given surface points (the others are left NaN and Degenerate), from a
- * factorised body. `radius` (mm) of the smaller patch, 0: PatchSpacings (PatchSite) times the
- * spacing at each point. The larger patch has twice the radius.
+ * The compliances of the given surface points of a factorised body; the other points stay NaN and
+ * Degenerate. `radius` (mm) of the smaller patch; 0: PatchSpacings (PatchSite) times the spacing at
+ * each point. The larger patch has twice the radius.
  *
- * Local parts are computed by threadCount() threads; same bits for any number. Empty when the
- * observer stopped it.
+ * Local parts are computed by threadCount() threads; the bits do not depend on their number. Empty
+ * if the observer stopped the work.
  */
 PALPATE_EXPORT PatchCompliances patchCompliances(const ElasticBody& body,
   const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
 
-/// The patch of 1 N at a surface point as forces on the nodes (3 × nodes); where it wraps an edge,
-/// the whole force at the point.
+/// The patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch wraps an
+/// edge, the whole force is at the point.
 PALPATE_EXPORT Eigen::Matrix3Xd patchForces(
   const ElasticBody& body, std::int32_t point, double radius);
 
 /**
- * Interpolates the value of points without one from valid points around: the six nearest along the
- * edges of the surface, weighted by 1/distance². A part of the surface without any keeps NaN.
+ * Fills points without a value from valid points around them: the six nearest along the edges of
+ * the surface, weighted by 1/distance². A part of the surface without valid points keeps NaN.
  */
 PALPATE_EXPORT void spreadValidCompliances(
   const BodySurface& surface, PatchCompliances& compliances);

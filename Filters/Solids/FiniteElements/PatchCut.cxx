@@ -14,7 +14,7 @@ namespace
 {
 using Numbers = std::unordered_map<std::int32_t, std::int32_t>;
 
-/// The elements around a node, from neighbour to neighbour.
+/// The elements around a node within a distance, found from neighbour to neighbour.
 std::vector<std::int32_t> elementsAround(
   const VolumeMesh& mesh, const MeshTopology& topology, std::int32_t node, double reach)
 {
@@ -40,7 +40,7 @@ std::vector<std::int32_t> elementsAround(
 
 using Place = std::array<long long, 3>;
 
-/// Positions as whole numbers of grains, for sorting and comparing.
+/// Positions as integers, in units of `grain`, for sorting and comparing.
 Place wholePlace(const Eigen::Vector3d& x, double grain)
 {
   return { std::llround(x[0] / grain), std::llround(x[1] / grain), std::llround(x[2] / grain) };
@@ -63,8 +63,8 @@ void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
   }
 }
 
-/// The boundary faces of the given elements connected to a point without a triangle that turns by
-/// more than 30°.
+/// Boundary faces of the given elements that are connected to a point without a triangle that turns
+/// by more than 30°.
 std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySurface& surface,
   std::int32_t point, const std::unordered_set<std::int32_t>& elements)
 {
@@ -109,7 +109,7 @@ std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySur
   return faces;
 }
 
-/// Depth of the surface below the tangent plane as a quadratic function in the plane.
+/// Depth of the surface below the tangent plane as a quadratic function of the place in that plane.
 struct QuadraticSheet
 {
   Eigen::Matrix<double, 5, 1> coefficient = Eigen::Matrix<double, 5, 1>::Zero();
@@ -157,14 +157,14 @@ void flatten(VolumeMesh& mesh, const std::vector<unsigned char>& onTop, double s
   }
 }
 
-/// The role of the nodes in a cut with the elements `kept`: prescribed on all faces at which it
-/// ends, except the top.
+/// Role of the nodes in a cut with the elements `kept`. Nodes are prescribed on all faces at which
+/// the cut ends, except on top.
 std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topology,
   const std::unordered_set<std::int32_t>& topFaces, const std::unordered_set<std::int32_t>& kept,
   std::size_t nodeTotal)
 {
   std::vector<CutNode> marks(nodeTotal, CutNode::Outside);
-  for (const bool prescribing : { false, true }) // prescribed prevails
+  for (const bool prescribing : { false, true }) // the role Prescribed prevails
   {
     for (std::size_t i = 0; i < patch.elements.size(); ++i)
     {
@@ -194,7 +194,7 @@ std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topo
   return marks;
 }
 
-/// FNV-1a in two streams of 64 bits, fed with words.
+/// FNV-1a hash in two streams of 64 bits.
 class KeyStream
 {
 public:
@@ -340,7 +340,7 @@ PatchKey patchKey(const LocalPatch& patch)
   }
   for (const VolumeElement& element : patch.mesh.elements)
   {
-    // The set of nodes, not their order, as an element may be numbered from another corner.
+    // The sorted nodes are used, because equal elements may be numbered from another corner.
     auto nodes = element.nodes;
     const int count = nodeCount(element.kind);
     std::sort(nodes.begin(), nodes.begin() + count);

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// The triangles around `point` that a disc of this radius may meet, without crossing an edge.
+/// The triangles around `point` that a disc of this radius may touch, without crossing an edge.
 std::vector<std::int32_t> trianglesUnder(
   const BodySurface& surface, std::int32_t point, const Eigen::Matrix3d& frame, double radius)
 {
@@ -61,7 +61,8 @@ std::vector<std::int32_t> trianglesUnder(
   return found;
 }
 
-/// Barycentric coordinates of a point of the tangent plane in a triangle seen along the normal.
+/// Barycentric coordinates of a point of the tangent plane in a triangle projected along the
+/// normal.
 Eigen::Vector3d barycentric(const std::array<Eigen::Vector2d, 3>& corner, const Eigen::Vector2d& at)
 {
   const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -80,7 +81,7 @@ const DiscRule& DiscRule::standard()
   static const DiscRule rule = []
   {
     DiscRule made;
-    // Gauss-Legendre in the square of the radius, eight angles, every other ring turned.
+    // Gauss-Legendre in the square of the radius, eight angles; the middle ring is turned.
     const std::array<double, 3> square = { 0.5 - 0.5 * std::sqrt(0.6), 0.5,
       0.5 + 0.5 * std::sqrt(0.6) };
     const std::array<double, 3> ofRing = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
@@ -98,7 +99,8 @@ const DiscRule& DiscRule::standard()
 
 Eigen::Matrix3d tangentFrame(const Eigen::Vector3d& outwardNormal)
 {
-  // So that rounding does not decide which axis is the farthest from the normal.
+  // Tiny components are set to 0, so that rounding does not decide which axis is the farthest from
+  // the normal.
   const Eigen::Vector3d inward =
     (outwardNormal.array().abs() < 1e-12).select(0.0, -outwardNormal).matrix();
   Eigen::Index smallest = 0;
@@ -128,8 +130,8 @@ PatchLoad makePatchLoad(
   const DiscRule& rule = DiscRule::standard();
   for (std::size_t q = 0; q < DiscRule::Count; ++q)
   {
-    // The triangle that contains it; on a common edge the one with the largest least coordinate,
-    // within rounding.
+    // Finds the triangle that contains the point. On a common edge this is the one with the largest
+    // smallest coordinate, within rounding.
     double deepest = -1e-9;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::int32_t in = -1;

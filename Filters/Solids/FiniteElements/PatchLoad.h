@@ -2,11 +2,11 @@
 /** @file
  * A uniform pressure on a disc around a point of a body's surface, as forces on the nodes.
  *
- * The disc lies in the tangent plane at the point, its total force is 1 N along -n. It is
- * represented by the 24 points of a quadrature rule (three rings of eight; moments exact to the
- * fifth degree), each projected along n onto the surface and distributed to the nodes of its face
- * by the face's shapes. Only surface connected to the point through triangles whose normals turn by
- * no more than 30° from n counts: a disc that reaches beyond it wraps an edge.
+ * The disc is in the tangent plane at the point; its total force is 1 N along -n. It is represented
+ * by the 24 points of a quadrature rule (three rings of eight; moments exact to the fifth degree).
+ * Each point is projected along n onto the surface and distributed to the nodes of its face by the
+ * face's shape functions. Only the surface that is connected to the point by triangles with normals
+ * within 30° of n counts. A disc that reaches beyond it wraps an edge.
  */
 #ifndef palpate_PatchLoad_h
 #define palpate_PatchLoad_h
@@ -17,10 +17,10 @@
 
 namespace palpate
 {
-/// cos 30°: how far the surface may turn under a patch.
+/// cos 30°: largest turn of the surface under a patch.
 constexpr double PatchTurn = 0.86602540378443864676;
 
-/// A disc's quadrature: points in units of its radius, weights that sum to 1.
+/// Quadrature rule of a disc: points in units of its radius, weights with sum 1.
 struct DiscRule
 {
   static constexpr int Count = 24;
@@ -36,9 +36,9 @@ Eigen::Matrix3d tangentFrame(const Eigen::Vector3d& outwardNormal);
 /// A unit force, spread over a disc around a point of the surface.
 struct PatchLoad
 {
-  /// False when the disc wraps an edge or leaves the surface.
+  /// False if the disc wraps an edge or leaves the surface.
   bool complete = false;
-  /// Weights of the force by node; they sum to 1. Nodes ascend.
+  /// Nodes (ascending) and their weights, with sum 1.
   std::vector<std::pair<std::int32_t, double>> nodes;
   /// The points of the quadrature, mm, in the order of `DiscRule::weights`.
   std::array<Eigen::Vector3d, DiscRule::Count> places;

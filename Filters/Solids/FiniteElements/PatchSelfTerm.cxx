@@ -19,7 +19,7 @@ std::size_t nodeOf(const VolumeElement& element, int i)
   return static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
 }
 
-/// The motion of the half-space under the two loads (3 rows per node), at marked nodes.
+/// Motion of the half-space under the two loads (3 rows per node), at the prescribed nodes.
 TwoColumns halfSpaceMotion(const LocalPatch& patch)
 {
   TwoColumns motion = TwoColumns::Zero(3 * patch.mesh.nodes.cols(), 2);
@@ -86,8 +86,8 @@ std::vector<std::int32_t> orderNodes(const LocalPatch& patch, const std::vector<
   return ordered;
 }
 
-/// The motion of one cut under the two loads, that of the half-space where it is prescribed; NaN
-/// where the cut has no stiffness.
+/// Motion of one cut under the two loads. Prescribed nodes move as in the half-space. NaN if the
+/// stiffness of the cut is singular.
 TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   const std::vector<ElementMatrix>& stiffness, const TwoColumns& motion)
 {
@@ -159,7 +159,7 @@ TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   return moved;
 }
 
-/// False when flattening has inverted an element.
+/// False if flattening has inverted an element.
 bool stiffnessOf(const LocalPatch& patch, std::vector<ElementMatrix>& stiffness)
 {
   stiffness.resize(patch.mesh.elements.size());

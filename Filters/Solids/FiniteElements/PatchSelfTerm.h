@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The compliance a patch load would have on a half-space of the same elements.
+ * Compliance of a patch load on a half-space of the same elements.
  *
  * The energy of a patch on a body is that of the patch on a half-space (16/(3π²E*c) for a disc of
- * radius c, and large) plus the effect of the body's shape and supports, which is wanted. Elements
- * of the size of the patch have an error of some per cent in the large part, more than the whole
- * effect. So the large part is computed with the same elements: those within `reach` of the point
- * are cut out, flattened so that their free surface is the plane z = 0 (the effect of curvature
- * stays in the body's energy), made of one material, loaded by the same nodal forces, and given the
- * exact displacement of the half-space (Boussinesq 1885, summed over the load) wherever they were
- * cut or the body ends. The missing energy is then the same in both and cancels.
+ * radius c) plus the effect of the body's shape and supports. The first part is large; the second
+ * is the wanted one. With elements of the size of the patch the error of the large part is some per
+ * cent, more than the whole effect. The large part is therefore computed with the same elements.
+ * Those within `reach` of the point are cut out and flattened so that their free surface is the
+ * plane z = 0 (the effect of curvature stays in the body's energy). They get one material and the
+ * same nodal forces. Wherever they were cut or the body ends they get the exact displacement of the
+ * half-space (Boussinesq 1885, summed over the load). The missing energy is then the same in both
+ * computations and cancels.
  *
  * The error of linear elements beyond the cut is proportional to h² ∫ r⁻⁶ dV (the square of the
- * second derivative of the strain of 1/r). Two cuts, one within the other, give the factor; the
- * elements of the body beyond, the integral.
+ * second derivative of the strain of 1/r). Two cuts, one inside the other, give the factor. The
+ * elements of the body beyond the cut give the integral.
  *
- * On regular grids most cut-outs are alike: equal ones (to 1e-7 of the spacing) are computed once.
+ * On regular grids most cut-outs are equal (to 1e-7 of the spacing); equal ones are computed once.
  */
 #ifndef palpate_PatchSelfTerm_h
 #define palpate_PatchSelfTerm_h
@@ -25,13 +26,12 @@
 
 namespace palpate
 {
-/// Compliances (mm/N) for E = 1 MPa, by cut and load; NaN when an element is inverted by
-/// flattening.
+/// Compliances (mm/N) for E = 1 MPa, by cut and load. NaN if flattening inverts an element.
 using SelfTerms = std::array<std::array<double, 2>, 2>;
 SelfTerms patchSelfTerms(const LocalPatch& patch);
 
 /// Displacements of the nodes of the outer cut under each load (3 × nodes, mm/N for E = 1 MPa, in
-/// the tangent frame: z into the body); NaN when an element is inverted by flattening.
+/// the tangent frame with z into the body). NaN if flattening inverts an element.
 std::array<Eigen::Matrix3Xd, 2> patchMotions(const LocalPatch& patch);
 } // namespace palpate
 

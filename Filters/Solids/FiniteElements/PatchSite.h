@@ -14,10 +14,10 @@ constexpr double PatchSpacings = 0.75;
 /// PatchSpacings times the spacing there.
 double patchRadiusAt(const ElasticBody& body, std::int32_t point, double radius);
 
-/// The load of that patch, and that of the one of twice its radius.
+/// The load of that patch, and of the patch with twice its radius.
 std::array<PatchLoad, 2> patchLoadsAt(const ElasticBody& body, std::int32_t point, double radius);
 
-/// The elements around the point, cut out for its self-term; `loads` of patchLoadsAt().
+/// The elements around the point, cut out for its self-term. `loads`: result of patchLoadsAt().
 LocalPatch patchCutAt(const ElasticBody& body, std::int32_t point, double radius,
   const std::array<PatchLoad, 2>& loads);
 } // namespace palpate

@@ -9,10 +9,10 @@ namespace palpate
 {
 namespace
 {
-/// The weights of the two patches, whose combination equals a point force to order c⁴.
+/// Weights of the two patches. Their combination equals a point force to order c⁴.
 constexpr std::array<double, 2> PatchWeights = { 4.0 / 3.0, -1.0 / 3.0 };
 
-/// The dent by the elements around the point, at points of the surface: x, y, z by point.
+/// Dent of the elements around the point, at points of the surface: x, y, z per point.
 std::vector<std::pair<std::int32_t, Eigen::Vector3d>> dentOfElements(
   const ElasticBody& body, std::int32_t point, const LocalPatch& patch)
 {

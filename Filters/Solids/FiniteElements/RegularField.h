@@ -7,20 +7,21 @@
 namespace palpate
 {
 /**
- * The displacement of a body's surface under 1 N pressed into it at a point X, less the dent: the
+ * Displacement of a body's surface under 1 N pressed into it at a point X, without the dent: the
  * field whose normal part at X itself is -C_g (PatchCompliance).
  *
- * The whole field is solved for, under the combination (4 p(c) - p(2c)) / 3 of the two patches of
- * X, which eliminates the bias in c² and acts as a point force. The dent is that of the same
- * patches on a half-space: within the cut around X that of the same elements (PatchSelfTerm),
- * beyond it Boussinesq's surface, u_n = 1/(πE*r) and u_r = -(1-2ν)(1+ν)/(2πEr), r the straight
- * distance. It is subtracted on the surface that is connected to X and faces the same way, fully
- * within 50° of the normal at X and fading to nothing at 60°.
+ * The whole field is solved for under the combination (4 p(c) - p(2c)) / 3 of the two patches of X,
+ * which eliminates the bias in c² and acts as a point force. The dent is that of the same patches
+ * on a half-space. Within the cut around X it is computed with the same elements (PatchSelfTerm),
+ * beyond the cut it is Boussinesq's surface, u_n = 1/(πE*r) and u_r = -(1-2ν)(1+ν)/(2πEr) with the
+ * straight distance r. It is subtracted on the surface that is connected to X and faces the same
+ * way: fully within 50° of the normal at X, fading to zero at 60°.
  */
 class RegularField
 {
 public:
-  /// `radius` (mm) as in patchCompliances(). The factorised body must outlive this.
+  /// `radius` (mm) as in patchCompliances(). The body must be factorised and must outlive this
+  /// object.
   RegularField(const ElasticBody& body, double radius)
     : Body(body)
     , Radius(radius)

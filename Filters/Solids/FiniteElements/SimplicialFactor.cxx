@@ -7,14 +7,14 @@ namespace palpate
 {
 namespace
 {
-/// Loads that share a walk through the columns: a few cache lines per unknown.
+/// Number of loads that share a pass through the columns: a few cache lines per unknown.
 constexpr std::size_t BlockSize = 16;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(BlockSize), Eigen::RowMajor>;
 } // namespace
 
 double SimplicialFactor::Cholesky::predictedNonZeros() const
 {
-  // The starts of columns are ints, which may overflow; their lengths do not.
+  // The starts of columns are ints that may overflow. The differences do not.
   const int* starts = this->m_matrix.outerIndexPtr();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < this->m_matrix.outerSize(); ++i)
@@ -32,7 +32,7 @@ bool SimplicialFactor::analyse(const SymmetricSparse& lower)
   this->Bytes =
     perEntry * (this->Solver.predictedNonZeros() + static_cast<double>(lower.nonZeros())) +
     64.0 * static_cast<double>(lower.rows());
-  // Eigen counts entries in int.
+  // Eigen counts entries in an int.
   return this->Solver.predictedNonZeros() < 2147483647.0;
 }
 

@@ -21,7 +21,7 @@ public:
     const std::vector<SparseLoad>& loads, const WorkObserver& observer) const override;
 
 private:
-  /// With access to the result of the symbolic analysis.
+  /// Gives access to the result of the symbolic analysis.
   class Cholesky : public Eigen::SimplicialLLT<SymmetricSparse, Eigen::Lower>
   {
   public:

@@ -6,20 +6,20 @@
 
 extern "C"
 {
-  // OpenBLAS's, if that is the BLAS; otherwise null.
+  // Functions of OpenBLAS if that is the BLAS, else null.
   __attribute__((weak)) int openblas_get_num_threads();
   __attribute__((weak)) void openblas_set_num_threads(int count);
 
-  // OpenMP's, if anything has loaded it, as CHOLMOD may have.
+  // Functions of OpenMP if it is loaded, for example by CHOLMOD.
   __attribute__((weak)) int omp_get_max_active_levels();
   __attribute__((weak)) void omp_set_max_active_levels(int count);
 }
 
 namespace palpate
 {
-/// While one lives, OpenBLAS uses only the calling thread: several would sum in another order, and
-/// the blocks are already distributed to threads. The setting is that of the whole process; the
-/// last object restores it.
+/// While an object of this class exists, OpenBLAS uses only the calling thread. Several threads
+/// would sum in another order, and the blocks are already distributed to threads. The setting
+/// applies to the whole process; the last object restores it.
 class SingleThreadedBlas
 {
 public:
@@ -54,8 +54,9 @@ private:
   inline static int Before = 0;
 };
 
-/// While one lives, CHOLMOD starts no threads of its own from this one: four for each of its loops,
-/// which spin while they wait for the next, a third of the time of two cores that are busy already.
+/// While an object of this class exists, CHOLMOD starts no threads of its own from this thread.
+/// Otherwise it starts four for each of its loops. These spin while they wait for the next loop,
+/// which takes a third of the time of two cores that are already busy.
 class WithoutOpenMp
 {
 public:
@@ -84,11 +85,12 @@ private:
   }
 
   int Was = 0;
-  // It may be one number for all threads, and 0 since another of these lives.
+  // The runtime may keep one setting for all threads. `Was` is then 0 while another object exists.
   inline static const int AtFirst = isThere() ? omp_get_max_active_levels() : 0;
 };
 
-/// While one lives, BLAS and CHOLMOD use only the calling thread: work is distributed already.
+/// While an object of this class exists, BLAS and CHOLMOD use only the calling thread: the work is
+/// already distributed to threads.
 class SingleThread
 {
   SingleThreadedBlas Blas;

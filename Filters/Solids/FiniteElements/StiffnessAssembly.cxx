@@ -32,7 +32,7 @@ int numberUnknowns(const VolumeMesh& mesh, const MeshTopology& topology,
   return next;
 }
 
-/// The nodes from `node` on that share an element with it, ascending.
+/// The node itself and all later nodes that share an element with it, ascending.
 void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::int32_t node,
   std::vector<std::int32_t>& neighbours)
 {
@@ -53,7 +53,7 @@ void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
 }
 
-/// The pattern of the lower triangle, with zeros. False: more entries than an int can number.
+/// Sets up the pattern of the lower triangle with zeros. False: more entries than an int can count.
 bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<int>& dof,
   int unknowns, SymmetricSparse& lower)
 {
@@ -207,7 +207,7 @@ std::string findFloatingPart(
     }
     Part& part = partOf(i);
     const Eigen::Vector3d x = (mesh.nodes.col(i) - part.centre / part.nodes) / part.size;
-    Eigen::Matrix<double, 3, 6> motion; // translations, rotations
+    Eigen::Matrix<double, 3, 6> motion; // columns: translations, rotations
     motion << 1, 0, 0, 0, x[2], -x[1], 0, 1, 0, -x[2], 0, x[0], 0, 0, 1, x[1], -x[0], 0;
     for (unsigned axis = 0; axis < 3; ++axis)
     {
@@ -225,7 +225,8 @@ std::string findFloatingPart(
       continue;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(part.stopped);
-    // A motion prevented only by nodes within 1e-5 of the part's size of its axis counts as free.
+    // A motion that is prevented only by nodes within 1e-5 of the part's size from its axis counts
+    // as free.
     const double floor = std::max(1e-10 * spectrum.eigenvalues()[5], 1e-10);
     const auto left = (spectrum.eigenvalues().array() < floor).count();
     if (left > 0)

@@ -2,17 +2,18 @@
 /** @file
  * Cholesky factor of a stiffness matrix, P K Pᵀ = L Lᵀ, and the compliances bᵀK⁻¹b of sparse loads.
  *
- * A compliance needs the forward half of the solution alone, bᵀK⁻¹b = |L⁻¹Pb|², and of L only the
- * columns on the paths of the load's unknowns to the root of the elimination tree. Loads are taken
- * in blocks of neighbours in that tree, which share most of their path.
+ * A compliance needs only the forward half of the solution, bᵀK⁻¹b = |L⁻¹Pb|², and only the columns
+ * of L on the paths from the load's unknowns to the root of the elimination tree. Loads are
+ * processed in blocks of neighbours in that tree, which share most of their path.
  *
- * Supernodal: CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008), ordered by METIS, its supernodes
- * walked with BLAS. CHOLMOD's own forward solution of blocks of as many loads, which reads all of L
- * each time, takes 2.9 times as long for one load and 6.6 times for the 900 of a face
- * (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's, ordered by minimum
- * degree; it needs no other library and is some hundred times slower on large bodies. Both give the
- * same within 1e-9. The same bits for any number of threads, of BLAS too where that is OpenBLAS,
- * which is limited to one meanwhile, as several would sum in another order.
+ * Supernodal: CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008), ordered by METIS; its supernodes
+ * are processed with BLAS. CHOLMOD's own forward solution of blocks of as many loads reads all of L
+ * each time. It takes 2.9 times as long for one load and 6.6 times as long for the 900 loads of a
+ * face (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's factor, ordered by
+ * minimum degree. It needs no other library and is some hundred times slower on large bodies. Both
+ * agree within 1e-9. The bits do not depend on the number of threads. This includes the threads of
+ * BLAS if it is OpenBLAS: it is limited to one thread meanwhile, because several would sum in
+ * another order.
  */
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h
@@ -27,7 +28,7 @@
 
 namespace palpate
 {
-/// The unknowns a load acts on, and the forces (N).
+/// The unknowns on which a load acts, and the forces (N).
 using SparseLoad = std::vector<std::pair<int, double>>;
 
 /// A factorised stiffness matrix K, for bᵀK⁻¹b and K⁻¹b.
@@ -41,7 +42,7 @@ public:
     Simplicial
   };
 
-  /// Null if this build does not have it.
+  /// Null if this build does not have this kind.
   static std::unique_ptr<StiffnessFactor> make(Kind kind);
 
   StiffnessFactor() = default;
@@ -57,16 +58,16 @@ public:
   virtual bool factorise(const SymmetricSparse& lower) = 0;
   /// x = K⁻¹ b.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& load) const = 0;
-  /// The same for each column, from any number of threads at once; empty: not enough memory. A
-  /// column's bits depend on the number of columns, not of threads.
+  /// x = K⁻¹ b for each column. Safe from any number of threads. Empty: not enough memory. The bits
+  /// of a column depend on the number of columns but not on the number of threads.
   virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const = 0;
-  /// The compliances of all loads, in their order; empty when the observer stopped it.
+  /// The compliances of all loads, in their order. Empty if the observer stopped the work.
   virtual std::vector<double> compliances(
     const std::vector<SparseLoad>& loads, const WorkObserver& observer) const = 0;
 };
 
-/// The indices of the loads, ordered by their first unknown in the order of elimination; `position`
-/// maps an unknown to its place there. Empty loads are left out.
+/// Indices of the loads, sorted by their first unknown in the order of elimination. `position` maps
+/// an unknown to its place in that order. Empty loads are left out.
 PALPATE_EXPORT std::vector<std::size_t> orderLoads(
   const std::vector<SparseLoad>& loads, const std::vector<int>& position);
 } // namespace palpate

@@ -36,11 +36,11 @@ namespace palpate
 {
 namespace
 {
-/// Right-hand sides per block. Measured on a body of 95 thousand unknowns: see the benchmark.
+/// Right-hand sides per block. Measured on a body of 95 000 unknowns, see the benchmark.
 constexpr std::size_t SupernodalBlock = 64;
 
-/// L by supernodes, as CHOLMOD stores it: columns super[s] .. super[s+1] share the rows
-/// rows[pi[s]] .. rows[pi[s+1]], of which the first are the columns themselves; dense by columns.
+/// L by supernodes, in CHOLMOD's storage. Columns super[s] .. super[s+1] share the rows rows[pi[s]]
+/// .. rows[pi[s+1]]; the first of these rows are the columns themselves. Dense, column-major.
 struct Supernodes
 {
   explicit Supernodes(const cholmod_factor* factor)
@@ -62,7 +62,7 @@ struct Supernodes
   int columns(int s) const { return this->super[s + 1] - this->super[s]; }
   int rowTotal(int s) const { return this->pi[s + 1] - this->pi[s]; }
   int supernodeOf(int column) const { return this->ofColumn[static_cast<std::size_t>(column)]; }
-  /// The next one towards the root, or -1.
+  /// The next supernode towards the root, or -1.
   int parent(int s) const
   {
     return this->rowTotal(s) > this->columns(s)
@@ -79,7 +79,7 @@ struct Supernodes
   std::vector<int> ofColumn;
 };
 
-/// The forward solution of one block of loads, along the union of their paths to the root.
+/// Forward solution of one block of loads, along the union of their paths to the root.
 class PathSolver
 {
 public:
@@ -122,7 +122,7 @@ public:
   }
 
 private:
-  /// Start of the block of supernode s in X: columns(s) × count, by columns.
+  /// Start of the block of supernode s in X: columns(s) × count, column-major.
   std::size_t start(int s, std::size_t count) const
   {
     return static_cast<std::size_t>(this->Offset[static_cast<std::size_t>(s)]) * count;
@@ -176,7 +176,7 @@ private:
     const int* rows = this->Tree.rows + this->Tree.pi[s] + n;
     for (int i = 0; i < below;)
     {
-      // Rows of one ancestor follow each other.
+      // Rows of one ancestor are contiguous.
       const int a = this->Tree.supernodeOf(rows[i]);
       const int end = this->Tree.super[a + 1];
       int last = i;
@@ -230,8 +230,8 @@ public:
   bool analyse(const SymmetricSparse& lower) override
   {
     cholmod_free_factor(&this->Factor, &this->Common);
-    // METIS draws from the C library's rand(), which it seeds each time: two orderings at once
-    // would mix their numbers, and rounding would differ from run to run.
+    // METIS uses the C library's rand() and seeds it each time. Two orderings at the same time
+    // would mix their random numbers, and rounding would differ from run to run.
     static std::mutex ordering;
     const std::lock_guard<std::mutex> lock(ordering);
     cholmod_sparse matrix = view(lower);
@@ -272,7 +272,7 @@ public:
   Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const override
   {
     const SingleThread single;
-    cholmod_common common; // the workspace, one for each thread; the factor is only read
+    cholmod_common common; // workspace of this thread; the factor is only read
     cholmod_start(&common);
     common.print = 0;
     cholmod_dense right{};
@@ -307,7 +307,7 @@ public:
     const SingleThread single;
     std::vector<double> result(loads.size(), 0.0);
     const std::size_t blocks = (order.size() + SupernodalBlock - 1) / SupernodalBlock;
-    // The blocks are the same for any number of threads, and so are the results.
+    // The blocks, and so the results, do not depend on the number of threads.
     const auto solveBlock = [&, solver = PathSolver(supernodes)](std::size_t block) mutable
     {
       const std::size_t first = block * SupernodalBlock;

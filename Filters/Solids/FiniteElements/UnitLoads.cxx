@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-/// Columns: forces and moments about the place, in unknowns. A force goes to the nodes of the
-/// element by its shapes, a moment M by half of M × their gradients.
+/// Columns: loads on the unknowns for forces and moments about the place. A force is distributed to
+/// the nodes of the element by the shape functions, a moment M by half of M × their gradients.
 Eigen::MatrixXd unitLoads(
   const ElasticBody& body, const Eigen::Vector3d& place, const ElementPlace& beside)
 {
@@ -44,7 +44,7 @@ Eigen::MatrixXd unitLoads(
   return loads;
 }
 
-/// Of the solutions that are asked for; `motion` is 0 where the body is held.
+/// Copies the solutions to the free directions of the nodes. Held directions keep their value.
 void spread(const ElasticBody& body, const Eigen::MatrixXd& solved, UnitMotion& motion)
 {
   const auto nodes = static_cast<std::int32_t>(body.mesh().nodes.cols());

@@ -26,7 +26,7 @@ constexpr int LargestNodeCount = 10;
 PALPATE_EXPORT int nodeCount(ElementKind kind);
 PALPATE_EXPORT int faceCount(ElementKind kind);
 
-/// One side of an element, by the element's own node numbers: corners counter-clockwise seen from
+/// One side of an element, in the element's node numbers: corners counter-clockwise as seen from
 /// outside, then mid-edge nodes, the first one between the first two corners.
 struct ElementFace
 {
@@ -53,7 +53,7 @@ struct VolumeMesh
   std::int32_t elementTotal() const { return static_cast<std::int32_t>(this->elements.size()); }
 };
 
-/// The mean of an element's nodes.
+/// Mean position of an element's nodes.
 PALPATE_EXPORT Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const VolumeElement& element);
 
 /// A number for each node, equal within a part of the mesh connected by shared nodes.
@@ -69,16 +69,16 @@ struct BoundaryFace
 /**
  * The neighbours of elements, and the faces on the body's surface.
  *
- * Two elements are neighbours when a face of one has the corner nodes of a face of the other. A
+ * Two elements are neighbours if a face of one has the same corner nodes as a face of the other. A
  * face of more than two elements is a fault. Cost: one sort of all faces.
  */
 class PALPATE_EXPORT MeshTopology
 {
 public:
-  /// Returns what is wrong, or "".
+  /// Returns "", or a message about the fault.
   std::string build(const VolumeMesh& mesh);
 
-  /// Across a face: the neighbour (>= 0), or -1 - b where b is the index of the boundary face.
+  /// The neighbour across a face (>= 0), or -1 - b with the index b of the boundary face.
   std::int32_t across(std::int32_t element, int face) const
   {
     return this->Across[static_cast<std::size_t>(element)][static_cast<std::size_t>(face)];
@@ -102,8 +102,8 @@ private:
   std::vector<std::int32_t> NodeElements;
 };
 
-/// Elements that hang together, face by face, with one of which a whole face is held, in order:
-/// what hangs by an edge or a corner could turn about that. `held`: per node.
+/// Elements that are connected, face by face, to an element with a whole held face, ascending. An
+/// element that is connected only by an edge or a corner could turn about it. `held`: per node.
 PALPATE_EXPORT std::vector<std::int32_t> elementsHeldByFaces(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& held);
 } // namespace palpate

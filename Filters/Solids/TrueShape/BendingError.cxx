@@ -12,9 +12,9 @@ namespace palpate
 namespace
 {
 constexpr std::size_t SampledBlocks = 12;
-constexpr std::size_t OfBlock = 16; ///< sources of one that is sampled
+constexpr std::size_t OfBlock = 16; ///< sources taken from each sampled block
 
-/// Samples that count alike for the median around a place.
+/// The nearest samples that get the same weight in the median around a place.
 constexpr std::size_t OfMedian = 8;
 constexpr double MostOfMedian = 3.0;
 } // namespace
@@ -63,14 +63,15 @@ BendingError::BendingError(std::vector<Sample> samples)
 {
 }
 
-/// Of e over bending, weighted by bending and, beyond the nearest, by inverse square distance.
+/// Weighted median of e over bending. The weight is the bending over the squared distance; the
+/// OfMedian nearest samples count as equally near.
 double BendingError::medianAround(const std::vector<double>& squares) const
 {
   std::vector<double> nearest = squares;
   const auto last = static_cast<std::ptrdiff_t>(std::min(OfMedian, nearest.size())) - 1;
   std::nth_element(nearest.begin(), nearest.begin() + last, nearest.end());
   const double alike = nearest[static_cast<std::size_t>(last)];
-  std::vector<std::pair<double, double>> weighted; // of a ratio
+  std::vector<std::pair<double, double>> weighted; // a ratio and its weight
   double total = 0.0;
   for (std::size_t i = 0; i < squares.size(); ++i)
   {
@@ -100,7 +101,7 @@ double BendingError::at(const Eigen::Vector3d& place) const
   {
     return Assumed;
   }
-  std::vector<double> squares; // of the distances
+  std::vector<double> squares; // squared distances, mm²
   for (const Sample& sample : this->Samples)
   {
     squares.push_back(std::max((sample.place - place).squaredNorm(), 1e-300));
@@ -119,7 +120,7 @@ double BendingError::at(const Eigen::Vector3d& place) const
     bends += weight * sample.bending;
     missed += weight * BoundOfEnergy * sample.energy;
   }
-  // The smooth stresses miss the same part of what is missed, and so on: x + x² + ...
+  // The smooth stresses miss the same fraction x of the missed part, and so on: x + x² + ...
   return missed < bends ? std::clamp(missed / (bends - missed), Least, Most) : Most;
 }
 } // namespace palpate

@@ -10,26 +10,27 @@
 namespace palpate
 {
 /**
- * How much of a body's bending its elements miss, as a fraction, measured at some of the sources
- * that are solved anyway: x/(1 - x) with x = 4 e over the part of H that is bending, e the energy
- * that the elements' stresses lack of smooth ones (energyErrors). Elsewhere the mean of the
- * samples, each weighted by the inverse square of its distance and by how much the body bends
- * there: where it hardly bends, a sample tells nothing about bending. Next to a crease, or to what
- * is held, the source's own field makes up to a hundred times as much of e: samples beyond three
- * times the weighted median of those around do not count.
+ * Fraction of a body's bending that its elements miss, measured at some of the sources that are
+ * solved anyway. The fraction is x/(1 - x), with x = 4 e over the bending part of H. Here e is the
+ * energy of the difference between the elements' stresses and smoothed ones (energyErrors). At
+ * other places the weighted mean of the samples is used. The weight is the inverse square of the
+ * distance times the bending at the sample: a sample where the body hardly bends carries no
+ * information about bending. Near a crease or a held part the source's own field makes e up to a
+ * hundred times larger. Samples above three times the weighted median of their neighbourhood
+ * therefore do not count.
  *
- * The factor of 4 is that of complianceErrors(); how often it holds: BendingErrorTest,
- * ShapedErrorTest.
+ * The factor 4 is the one of complianceErrors(). BendingErrorTest and ShapedErrorTest check how
+ * often the estimate holds.
  */
 class BendingError
 {
 public:
-  /// What is assumed where nothing was measured; and what is told at least, and at most.
+  /// Value without any measurement, and the smallest and largest value that is returned.
   static constexpr double Assumed = 0.1;
   static constexpr double Least = 0.005;
   static constexpr double Most = 0.5;
 
-  /// A source: where it is, how much of H there is bending, and e, both mm/N.
+  /// A source: its place (mm), the bending part of H there and e, both mm/N.
   struct Sample
   {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -37,10 +38,10 @@ public:
     double energy = 0.0;
   };
 
-  /// Samples of a block of solved sources: some of one block in so many that there are about two
-  /// hundred in all. `sources`: their surface points; `smooth`: w by unknowns, a column each;
-  /// `bendingOf` a place in them: see Sample, NaN where it is not known. Cost: 50 µs per element of
-  /// the body.
+  /// Samples of a block of solved sources. Only some blocks are sampled, so that there are about
+  /// two hundred samples in all. `sources`: surface points of the block. `smooth`: w at the
+  /// unknowns, one column per source. `bendingOf`: bending part of H by index in `sources` (see
+  /// Sample), NaN if unknown. Cost: 50 µs per element of the body.
   using BendingOf = std::function<double(std::size_t)>;
   static std::vector<Sample> sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
     const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
@@ -51,7 +52,7 @@ public:
   double at(const Eigen::Vector3d& place) const;
 
 private:
-  /// `squares`: of the distances of all samples, at least one.
+  /// `squares`: squared distances to all samples, at least one.
   double medianAround(const std::vector<double>& squares) const;
 
   std::vector<Sample> Samples;

@@ -28,7 +28,7 @@ Eigen::Matrix3d BoussinesqField::scaledStrain(const Eigen::Vector3d& at) const
   const double cube = square * distance;
   const double fifth = 3.0 / (cube * square);
   const double compressible = 1.0 - 2.0 * this->PoissonRatio;
-  // x/(R(R+z)) and what its derivatives have in common.
+  // x/(R(R+z)) and the common factors of its derivatives.
   const double a = 1.0 / (distance * (distance + z));
   const double turn = compressible * a * a * (2.0 + z / distance);
   const double plane = z / cube - compressible * a;
@@ -38,7 +38,7 @@ Eigen::Matrix3d BoussinesqField::scaledStrain(const Eigen::Vector3d& at) const
   strain(1, 1) = plane + mixed * y * y;
   strain(0, 1) = strain(1, 0) = mixed * x * y;
   strain(2, 2) = 2.0 * z / cube - fifth * z * z * z - 2.0 * (1.0 - this->PoissonRatio) * z / cube;
-  // The derivatives of u_x along z and of u_z along x, whose terms in 1/R³ cancel.
+  // Sum of ∂u_x/∂z and ∂u_z/∂x. Their terms in 1/R³ cancel.
   strain(0, 2) = strain(2, 0) = -fifth * x * z * z;
   strain(1, 2) = strain(2, 1) = -fifth * y * z * z;
   return strain;
@@ -51,7 +51,7 @@ Eigen::Matrix3d BoussinesqField::strain(const Eigen::Vector3d& at) const
 
 Eigen::Matrix3d BoussinesqField::stress(const Eigen::Vector3d& at) const
 {
-  // The dilatation is -2(1-2ν) z/R³, so that Lamé's λ leaves no division by 1-2ν.
+  // The dilatation is -2(1-2ν) z/R³, so the term with Lamé's λ needs no division by 1-2ν.
   const double distance = at.norm();
   Eigen::Matrix3d stress = this->scaledStrain(at);
   stress.diagonal().array() -= 2.0 * this->PoissonRatio * at[2] / (distance * distance * distance);

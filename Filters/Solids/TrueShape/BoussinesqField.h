@@ -7,12 +7,12 @@
 namespace palpate
 {
 /**
- * The half-space z >= 0 under 1 N along +z at the origin of its surface (Boussinesq 1885; Johnson
- * 1985, eq. 3.18 and 3.19): mm, MPa.
+ * Field in the half-space z >= 0 under 1 N along +z at the origin of its surface (Boussinesq 1885;
+ * Johnson 1985, eq. 3.18 and 3.19). Units mm and MPa.
  *
- * Continued analytically to z < 0, where it still is a field without body forces; there it is
- * singular on the axis x = y = 0. Infinite at the origin. A function of the place alone: the body
- * it is evaluated in may have any shape.
+ * The field is continued analytically to z < 0. It still has no body forces there, but it is
+ * singular on the axis x = y = 0. It is infinite at the origin. The field depends on the place
+ * alone: the body in which it is evaluated may have any shape.
  */
 class BoussinesqField
 {
@@ -29,7 +29,7 @@ public:
   Eigen::Matrix3d stress(const Eigen::Vector3d& at) const;
 
 private:
-  /// 4πG times the symmetric part of the displacement's gradient.
+  /// 4πG times the symmetric part of the displacement gradient.
   Eigen::Matrix3d scaledStrain(const Eigen::Vector3d& at) const;
 
   double Shear;

@@ -16,8 +16,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double SampleCount = 10.0; ///< about as many
-constexpr std::size_t AtATime = 4;   ///< displacements of the whole body are kept of so many
+constexpr double SampleCount = 10.0; ///< approximate number of sample points
+/// Number of sources whose whole displacement fields are in memory together.
+constexpr std::size_t AtATime = 4;
 constexpr double OfDifference = 2.0;
 
 /// Points with a compliance, about SampleCount of them, spread over the surface.
@@ -25,7 +26,8 @@ std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompl
 {
   const BodySurface& surface = body.surface();
   std::vector<std::int32_t> candidates;
-  double area = 0.0; // of the triangles around them, each told by its three corners
+  // Sum over the triangles around the candidates; each triangle counts at its three corners.
+  double area = 0.0;
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
     if (compliances.status[static_cast<std::size_t>(i)] == PatchStatus::Valid &&
@@ -63,7 +65,7 @@ std::vector<double> complianceErrors(
     const Eigen::MatrixXd smooth = body.factor().solveAll(right);
     if (smooth.size() == 0)
     {
-      return; // does not fit the memory: no estimate
+      return; // not enough memory: no estimate
     }
     std::vector<Eigen::Matrix3Xd> moved;
     for (std::size_t s = first; s < last; ++s)
@@ -85,7 +87,7 @@ std::vector<double> complianceErrors(
   {
     return {};
   }
-  // Between the samples as the elements let expect it, by place.
+  // Between the samples the error varies as ElementError predicts for the place.
   const ElementError expected(body);
   const auto expectedAt = [&](std::int32_t point)
   { return expected.at(SingularSource(body, point)).error; };

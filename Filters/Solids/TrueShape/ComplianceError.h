@@ -8,20 +8,22 @@
 namespace palpate
 {
 /**
- * How far the compliances of a body's surface may be off by its elements, mm/N, >= 0, one per
- * surface point. Estimated at some ten points, well apart; at the others in the proportion in which
- * the elements let expect it by their place (ElementError), the proportion carried by the inverse
- * square of the distance. NaN everywhere if none of those points can be pressed.
+ * Error of the compliances of a body's surface due to its elements, mm/N, >= 0, one per surface
+ * point. It is estimated at about ten well separated points. At the other points it is proportional
+ * to the error that ElementError predicts for the place. The factor is interpolated by the inverse
+ * square of the distance. All values are NaN if none of those points can be pressed.
  *
- * There 2 |C - C'| + 4 e: C' is found another way on the same elements, with the singular field
- * subtracted (SubtractedLoad), which shows what the patches do; e, the energy that the elements'
- * stresses lack of smooth ones (energyErrors), what both have in common, as stiffness against
- * bending. The factors are such that it holds for hexahedra, linear and quadratic tetrahedra on
- * layers and plates, from one element through the thickness on, and ν to 0.49.
+ * The error at a sample point is 2 |C - C'| + 4 e. C' is a second compliance on the same elements,
+ * found with the singular field subtracted (SubtractedLoad); the difference shows the error of the
+ * patches. e is the energy of the difference between the elements' stresses and smoothed ones
+ * (energyErrors). It covers the error that both methods share, such as excess stiffness in bending.
+ * The factors are chosen such that the bound holds for hexahedra and linear and quadratic
+ * tetrahedra on layers and plates, with one or more elements through the thickness and ν up to
+ * 0.49.
  *
- * `compliances` as of patchCompliances() for all points, of a factorised body. Cost: that of a
- * solution and 100 µs per element, ten times, on threadCount() threads; the same for any number.
- * Empty when the observer stopped it.
+ * `compliances`: result of patchCompliances() for all points of a factorised body. Cost: ten times
+ * one solution plus 100 µs per element, on threadCount() threads. The result does not depend on the
+ * number of threads. Empty if the observer stopped the work.
  */
 PALPATE_EXPORT std::vector<double> complianceErrors(
   const ElasticBody& body, const PatchCompliances& compliances, const WorkObserver& observer);

@@ -9,66 +9,69 @@
 
 namespace palpate
 {
-/// One contact of a curve, and how well it is known.
+/// One contact of a curve and its errors. All errors except `harmonics` are fractions of the force.
 struct PALPATE_EXPORT ContactSample
 {
   double radius = 0.0;     ///< a, mm
   double deflection = 0.0; ///< δ, mm
   double force = 0.0;      ///< N
-  double truncation = 0.0; ///< the force with one order less over this one, less 1
-  double harmonics = 0.0;  ///< the tilt's part of δ, a fraction
-  double gap = 0.0; ///< of the force, a fraction: what its treatment of the surface's shape leaves
-  double direction = 0.0; ///< of the force, a fraction: what that it leans may do
-  double surface = 0.0;   ///< of the force, a fraction: what lies between the surface's own points
-  double strain = 0.0;    ///< of the force, a fraction: what small strain, or its correction, lacks
-  double mesh = 0.0;      ///< of the force, a fraction: what the elements' size lets expect
+  double truncation = 0.0; ///< relative change of the force with one order less
+  double harmonics = 0.0;  ///< correction of δ for the tilt, as a fraction of δ
+  double gap = 0.0;        ///< error of the treatment of the surface shape
+  double direction = 0.0;  ///< error due to the leaning force
+  double surface = 0.0;    ///< error due to the shape of the surface between its points
+  double strain = 0.0;     ///< error of small strain, or of its correction
+  double mesh = 0.0;       ///< error expected from the element size
 
-  double beside = 0.0; ///< the elements' size over the distance of what limits contacts, up to 1
+  double beside = 0.0; ///< element size over the distance to the limit of contacts, up to 1
 
-  /// Of the force, a fraction: what the elements and the kernels made of them lack. The one comes
-  /// of cells, the other of the places that are solved for: apart from each other but beside an
-  /// edge, where both come of too few elements up to it.
+  /// Error of the elements and of the kernels made from them, as a fraction of the force. The first
+  /// part (`mesh`) comes from the cells, the second (`truncation`) from the places that are solved
+  /// for. The two are independent except near an edge, where both come from too few elements up to
+  /// the edge.
   double elements() const;
 };
 
-/// What ends a curve.
+/// Reason why a curve ends.
 enum class CurveEnd : unsigned char
 {
   Patch,    ///< the contact reaches the radius that was solved for
-  Edge,     ///< it reaches an edge or another material
-  Held,     ///< it reaches points that are held
-  Unstable, ///< the kernel lets it grow no further: δ does not rise
-  None      ///< the tool's wall: force rises along a straight line for ever
+  Edge,     ///< the contact reaches an edge or another material
+  Held,     ///< the contact reaches held points
+  Unstable, ///< the kernel lets the contact grow no further: δ does not rise
+  None ///< the contact is at the tool's wall: the force rises along a straight line without end
 };
 
 /**
- * Force over deflection of one tool at one point of a body: a stored curve, its stiffness the
- * derivative of that same curve.
+ * Force over deflection of one tool at one point of a body. The curve is stored; the stiffness is
+ * its derivative.
  *
- * Between its samples a cubic in ln F over ln δ, as powers are straight there; of a tool with a
- * flat end, in F over δ. Monotone (Fritsch and Carlson 1980). Below the first sample a power of δ.
+ * Between the samples the curve is a cubic in ln F over ln δ, where powers are straight lines. For
+ * a tool with a flat end it is a cubic in F over δ. It is monotone (Fritsch and Carlson 1980).
+ * Below the first sample it is a power of δ.
  */
 class PALPATE_EXPORT ContactCurve
 {
 public:
   ContactCurve() = default;
-  /// Samples of rising δ and F. `exponent`: of F ∝ δ^m at first touch. `flatEnd`: the tool begins
-  /// with a flat; then the first sample is δ = F = 0 and `stiffness` dF/dδ there. A single sample
-  /// with it is a straight line.
+  /// `samples`: with rising δ and F. `exponent`: m in F ∝ δ^m at first touch. `flatEnd`: the tool
+  /// begins with a flat; the first sample is then δ = F = 0 and `stiffness` is dF/dδ there. A
+  /// single sample with `flatEnd` gives a straight line. `tail`: dF/dδ beyond the last sample at
+  /// the tool's wall, N/mm.
   ContactCurve(std::vector<ContactSample> samples, double exponent, bool flatEnd, double stiffness,
     CurveEnd end, double tail);
 
   bool isEmpty() const { return this->Samples.empty(); }
   const std::vector<ContactSample>& samples() const { return this->Samples; }
   CurveEnd end() const { return this->End; }
-  /// The deepest δ it answers, mm; +inf behind a wall.
+  /// Largest δ that evaluate() accepts, mm; +inf if the curve ends at the tool's wall.
   double deepest() const;
 
-  /// Force, stiffness, contact radius, N and mm, at the moduli of the body. δ <= 0 gives zeros, a δ
-  /// beyond deepest() NaN.
+  /// Force (N), stiffness (N/mm) and contact radius (mm) for the moduli of the body. Zeros for δ <=
+  /// 0, NaN for δ beyond deepest().
   IndentationPoint evaluate(double deflection) const;
 
-  /// The errors at δ, between those of the samples.
+  /// Errors at δ, interpolated between the samples.
   ContactSample errorsAt(double deflection) const;
 
 private:
@@ -81,7 +84,7 @@ private:
   double Exponent = 1.0;
   bool FlatEnd = false;
   CurveEnd End = CurveEnd::Patch;
-  double Tail = 0.0; ///< dF/dδ behind the wall
+  double Tail = 0.0; ///< dF/dδ beyond the last sample at the wall
 };
 } // namespace palpate
 

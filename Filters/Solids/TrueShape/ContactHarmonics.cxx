@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// d ln F / d ln a at a sample, by its neighbours.
+/// d ln F / d ln a at a sample, from its neighbours.
 double growth(const std::vector<ContactSample>& samples, std::size_t i)
 {
   const std::size_t low = i > 0 ? i - 1 : 0;
@@ -20,28 +20,30 @@ double growth(const std::vector<ContactSample>& samples, std::size_t i)
     std::log(samples[high].radius / samples[low].radius);
 }
 
-/// Of the part of second order that a surface's shape has, what third order may do. Measured on
-/// random waves against contacts without an angle mean (SurfaceGapTest).
+/// Error of third order over the correction of second order for the shape of the surface. Measured
+/// on random waves against contacts solved without an angle mean (SurfaceGapTest).
 constexpr double LeftOfGap = 0.4;
-/// The part of the force up to which that will do; above it the contact is solved (UnevenContact).
+/// Error as a fraction of the force up to which the second order is enough. Above it the contact is
+/// solved (UnevenContact).
 constexpr double Enough = 0.01;
-/// What the cells of a solved contact may miss: of what it differs from the mean one, and of the
-/// force. Measured likewise.
+/// Error of the cells of a solved contact: a fraction of its difference from the mean contact, and
+/// a fraction of the force. Measured in the same way.
 constexpr double LeftOfUneven = 0.05;
 constexpr double LeftOfCells = 0.002;
-/// Of the force, times the mean square slope: what small slopes leave out. A ball's contact of a/R
-/// = 0.4, of which that is 0.08, is off by up to 1 % (ShapedContactTest).
+/// Error of small slopes as a fraction of the force, over the mean square slope. A ball's contact
+/// with a/R = 0.4 has a mean square slope of 0.08; its error is up to 1 % (ShapedContactTest).
 constexpr double LeftOfSlope = 0.25;
-/// Growing contacts that one is solved for.
+/// One of this many growing contacts is solved.
 constexpr std::size_t ContactsPerSolution = 3;
-/// How far smooth patches lie off the body that has the same points: of the geometric mean of how
-/// far facets lie off them, and of how uneven their edges are. Measured on bumps, those that the
-/// points describe and those that they do not (GapOfSurfaceTest), and on scans of a bunny and a
-/// dragon of which a third, a tenth or a twentieth of the points was left.
+/// Distance between smooth patches and the body with the same points, over the geometric mean of
+/// two lengths: the distance of the facets from the patches and the unevenness of the facets'
+/// edges. Measured on bumps that the points resolve and on bumps that they do not
+/// (GapOfSurfaceTest), and on scans of a bunny and a dragon thinned to a third, a tenth or a
+/// twentieth of the points.
 constexpr double LeftOfFacets = 1.0 / 3.0;
-/// g² of what is left of a gap, over its mean square.
+/// g² of the residual of a gap, over its mean square.
 constexpr double OfRoughness = 30.0;
-/// Mean square slope under a contact of the angle mean of the surface.
+/// Mean square slope of the angle mean of the surface under a contact.
 double meanSlope(const Eigen::Vector4d& drop, double radius)
 {
   double sum = 0.0;
@@ -55,29 +57,30 @@ double meanSlope(const Eigen::Vector4d& drop, double radius)
   return sum / (radius * radius);
 }
 
-/// By how much more or less a body yields, mm/N, to a force that leans by the slope than to one
-/// along the normal: n·Γn of both, the signs such as add up.
+/// Difference of the compliance, mm/N, between a force that leans by the slope and a force along
+/// the normal: the difference of n·Γn. The signs are chosen such that both terms add up.
 double yieldsOtherwise(const Eigen::Matrix3d& directed, const Eigen::Vector2d& slope)
 {
   return 2.0 * slope.norm() * directed.col(2).head<2>().norm() +
     slope.dot(directed.topLeftCorner<2, 2>() * slope);
 }
 
-/// What the surface's shape around the axis does to a contact.
+/// Effect on a contact of the surface's shape around the axis.
 struct Unevenness
 {
-  double depth = 0.0; ///< how much less deep under the same force, mm
-  double left = 0.0;  ///< what may be missing of that, mm
+  double depth = 0.0; ///< reduction of δ under the same force, mm
+  double left = 0.0;  ///< error of that reduction, mm
   double slope = 0.0; ///< mean square
-  double cells = 0.0; ///< of the force
+  double cells = 0.0; ///< error of the cells, as a fraction of the force
 };
 
-/// Solves every second contact while it grows, and the last; all of those that have reached the
-/// wall. What cannot be solved stays.
+/// Solves one in ContactsPerSolution contacts while the contact grows and the last one of these,
+/// then every contact at the wall. The others are interpolated. A contact that extends beyond the
+/// known surface gets the larger error LeftOfGap.
 void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing, double modulus,
   UnevenContact& uneven, std::vector<Unevenness>& shape)
 {
-  std::size_t before = 0; // the last that was solved
+  std::size_t before = 0; // the last contact that was solved
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     const ContactSample& s = samples[i];
@@ -92,7 +95,8 @@ void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing,
       LeftOfCells };
     for (std::size_t k = before + 1; k < i; ++k)
     {
-      // Of a leaning plane it is the same for all, of unequal curvatures it goes with a².
+      // On a leaning plane the value is the same at all radii. With unequal curvatures it grows as
+      // a².
       const double t = static_cast<double>(k - before) / static_cast<double>(i - before);
       const auto between = [&](double Unevenness::*part)
       {
@@ -124,7 +128,7 @@ void addHarmonics(CurveSamples& curve, const ContactKernels& at, const Axisymmet
       continue;
     }
     const ContactKernel& kernel = curve.kernels[i];
-    // da/dF; 0 where the radius stays.
+    // da/dF; 0 if the radius is constant.
     const double grows = i < curve.growing && curve.growing > 1 ? growth(samples, i) : Infinity;
     const double widens = grows > 0.0 ? s.radius / (s.force * grows) : 0.0;
     const double torque = 4.0 / 3.0 * modulus * s.radius * s.radius * s.radius;

@@ -12,22 +12,22 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A curve on its way: its samples, and beside each of them what it was made of.
+/// A curve under construction: its samples, and the kernel and the stiffness of each.
 struct CurveSamples
 {
   std::vector<ContactSample> samples;
   std::vector<ContactKernel> kernels;
   std::vector<double> stiffness; ///< N/mm
-  /// The contact of the first so many widens from one to the next, that of the others keeps its
+  /// Number of samples, from the first, with a growing contact radius. The others keep their
   /// radius.
   std::size_t growing = 0;
 };
 
-/// Takes what the angle mean leaves out off the deflections of a curve's samples, to second order
-/// (ShapedContact.h), or where that is not enough and the surface is known as `tool` pressed on it
-/// solves it (UnevenContact). Adds to their errors what is left of it; what the surface between its
-/// points may do; and, as the force leans with the surface, how the body yields otherwise in that
-/// direction than along the normal.
+/// Corrects the deflections of a curve's samples for the parts that the angle mean leaves out, to
+/// second order (ShapedContact.h). If that is not enough and the surface is known, the contact of
+/// `tool` with the surface is solved (UnevenContact). Adds three errors to the samples: the
+/// residual of this correction, the effect of the surface between its points, and the different
+/// compliance in the direction of the force, which leans with the surface.
 void addHarmonics(CurveSamples& curve, const ContactKernels& at, const AxisymmetricTool& tool);
 } // namespace palpate
 

@@ -14,12 +14,14 @@ namespace palpate
 {
 namespace
 {
-/// Points that a polynomial of degree 0, 2, 4, 6 asks for.
+/// Number of points that a polynomial of degree 0, 2, 4, 6 needs.
 constexpr std::array<std::size_t, 4> PointsOfOrder = { 1, 9, 21, 37 };
-/// A least-squares fit whose pivots fall below this part of the largest does not tell its terms.
+/// A least-squares fit with a pivot below this fraction of the largest does not determine its
+/// terms.
 constexpr double LeastPivot = 1e-3;
 
-/// Of the points under a contact that is small against its disc; more would hide the others.
+/// Largest weight of the points under a contact that is small compared with its disc. A larger
+/// weight would hide the other points.
 constexpr double LargestEmphasis = 100.0;
 
 int termsOfDegree(int degree)
@@ -46,7 +48,7 @@ double angleMean(int i, int j)
   return mean;
 }
 
-/// 1 up to t = 1, and falling to 0 at DiscRatio.
+/// 1 up to t = 1, then falling to 0 at DiscRatio.
 double fade(double t)
 {
   const double s =
@@ -54,10 +56,10 @@ double fade(double t)
   return s * s * (3.0 - 2.0 * s);
 }
 
-/// What a fit makes of values at points: the even terms of the angle mean (order rows), then the
-/// two slopes; for the disc scaled to radius 1. Points under the contact itself count as much as
-/// those of the disc together, where that is larger: near an edge H varies over a disc that few
-/// elements make.
+/// Matrix that maps values at points to fitted terms: the even terms of the angle mean (`order`
+/// rows), then the two slopes, for the disc scaled to radius 1. The points under the contact itself
+/// weigh as much as all points of the disc together, if the disc is larger: near an edge H varies
+/// over a disc of few elements.
 Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index count, double radius,
   double contact, int order, bool& good)
 {
@@ -96,7 +98,7 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
   {
     taken(order, 1) = taken(order + 1, 2) = 1.0;
   }
-  // taken · A⁺ from the right, A Π = Q R: a few rows instead of a solution for each point.
+  // taken · A⁺ from the right with A Π = Q R: solves a few rows instead of one system per point.
   Eigen::MatrixXd rows = (taken * qr.colsPermutation()).transpose();
   qr.matrixQR()
     .topLeftCorner(terms, terms)
@@ -110,12 +112,12 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
 /// The fit of one disc.
 struct DiscFit
 {
-  Eigen::MatrixXd rows; ///< as of fitOperator()
+  Eigen::MatrixXd rows; ///< result of fitOperator()
   Eigen::Index count = 0;
-  double disc = 0.0; ///< its radius, mm
+  double disc = 0.0; ///< radius of the disc, mm
   int order = 0;
 
-  /// From powers of r/disc to powers of r/a.
+  /// Factors from powers of r/disc to powers of r/a.
   Eigen::VectorXd scale(double radius) const
   {
     Eigen::VectorXd powers(this->order);
@@ -137,7 +139,7 @@ struct DiscFit
   }
 };
 
-/// Around a contact of this radius, with the largest order that the points carry.
+/// Fit around a contact of this radius, with the largest order that the points support.
 DiscFit fitDisc(const std::vector<DiscPoint>& points, double radius, int largestOrder)
 {
   const std::size_t ring = std::min(PointsOfOrder[1], points.size()) - 1;
@@ -191,7 +193,8 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
     if (green.isSource(at.point))
     {
       this->Points.push_back(at);
-      this->Points.back().area = green.spacing() > 0.0 ? 1.0 : at.area; // thinned: evenly spread
+      // A thinned set is evenly spread: all its points weigh the same.
+      this->Points.back().area = green.spacing() > 0.0 ? 1.0 : at.area;
     }
   }
   if (this->Points.size() < disc->points.size())

@@ -8,34 +8,34 @@
 namespace palpate
 {
 /**
- * Kernels at one point of a body, by least squares with polynomials in the tangent plane on both
- * sides. The disc follows the contact: points up to a count in full, and fade out by 1.3 a (about
- * 1.15 a in the mean), so that a growing contact takes in new points without a step. The degree is
- * 2(N-1): N = 2 from 9 points on, 3 from 21, 4 from 37, and less where these do not tell it. Of a
- * small contact the disc is that of the 9 nearest points, those under it with more weight. The
- * points are sources of the Green function, not all of the surface's where that was solved for
- * some; the drop is fitted to all.
+ * Kernels at one point of a body, from least-squares fits of polynomials in the tangent plane in
+ * both arguments. The disc follows the contact. Points up to a radius a count in full; their weight
+ * falls to zero at 1.3 a (mean about 1.15 a), so that a growing contact takes in new points without
+ * a step. The degree is 2(N-1): N = 2 from 9 points, 3 from 21, 4 from 37, and less if these points
+ * do not determine the terms. A small contact uses the disc of the 9 nearest points, with more
+ * weight on the points under the contact. The points are sources of the Green function. If not all
+ * surface points are sources, the drop is still fitted to all of them.
  */
 class PALPATE_EXPORT ContactKernelFit : public ContactKernels
 {
 public:
-  /// `green` has been solved for `point`; it is not kept.
+  /// `green` must be solved for `point`; no reference is kept.
   ContactKernelFit(const RegularGreen& green, std::int32_t point);
 
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
 
-  /// H between the points of the disc, symmetric, beside points(). For oracles.
+  /// H between points(), symmetric. For checks against other methods.
   const Eigen::MatrixXd& values() const { return this->Values; }
   const std::vector<DiscPoint>& points() const { return this->Points; }
-  /// The largest |H(x,y) - H(y,x)| of the disc over the largest |H|; a sign of elements too coarse
-  /// near an edge, not an estimate of the error.
+  /// Largest |H(x,y) - H(y,x)| of the disc over the largest |H|. A large value indicates too coarse
+  /// elements near an edge. It is not an estimate of the error.
   double asymmetry() const { return this->Asymmetry; }
 
 private:
   double Asymmetry = 0.0;
   std::vector<DiscPoint> Points;  ///< sources
-  std::vector<DiscPoint> Surface; ///< all; empty: the same
-  Eigen::Matrix3Xd Normals;       ///< beside Points
+  std::vector<DiscPoint> Surface; ///< all surface points; empty: the same as Points
+  Eigen::Matrix3Xd Normals;       ///< one per point of Points
   Eigen::MatrixXd Values;
 };
 } // namespace palpate

@@ -12,60 +12,60 @@
 namespace palpate
 {
 /**
- * What a body adds to the half-space under an axisymmetric contact of radius a, whatever the tool:
- * the regular part of the Green function, averaged over the angles of both points,
+ * Difference between a body and the half-space under an axisymmetric contact of radius a, for any
+ * tool: the regular part of the Green function, averaged over the angles of both points,
  *   H₀(r, ρ) = Σ c_mn (r/a)^{2m} (ρ/a)^{2n},  m, n < order,
- * and how the surface falls off under it.
+ * and the drop of the surface under the contact.
  */
 struct ContactKernel
 {
   static constexpr int LargestOrder = 4;
 
-  int order = 0; ///< N; 0: there is none
+  int order = 0; ///< N; 0: no kernel
   /// c, mm/N, symmetric; zero beyond the order.
   Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
-  /// β = ∇_s H₀ at X, 1/N, in the tangent frame: how the surface turns under 1 N.
+  /// β = ∇_s H₀ at X, 1/N, in the tangent frame: the tilt of the surface under 1 N.
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
-  /// The mean of the surface's normals that c₀₀ belongs to, outward; shorter than 1 on a curved
-  /// one.
+  /// Mean of the outward surface normals for which c₀₀ holds. Shorter than 1 on a curved surface.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double spread = 0.0; ///< what is open of c₀₀ between the places it is known at, mm/N
+  double spread = 0.0; ///< uncertainty of c₀₀ from the interpolation between known places, mm/N
   GapTerms gap;
 };
 
-/// What the elements miss of c₀₀, mm/N, by contact radius, where a second mesh tells it
+/// Error of c₀₀ due to the elements, mm/N, over the contact radius, known from a second mesh
 /// (MeshDifference).
 struct PALPATE_EXPORT MissedCompliance
 {
   std::vector<double> radii;  ///< ascending, mm
-  std::vector<double> values; ///< beside them; empty: not told
+  std::vector<double> values; ///< one per radius; empty: unknown
 
   bool isKnown() const { return !this->values.empty(); }
-  /// Linear in ln a; beyond the radii as at the last one.
+  /// Linear in ln a. Outside the radii the value at the nearest one.
   double at(double radius) const;
-  /// What it and another estimate, >= 0, that knows nothing of it, tell together: the root of the
-  /// harmonic mean of their squares, which the lesser of both weighs most in, but not by more than
-  /// √2: either may be nothing by chance, or far too much.
+  /// This error combined with another, independent estimate `expected` >= 0: the root of the
+  /// harmonic mean of the two squares. The smaller estimate dominates, and the result is at most √2
+  /// times the smaller: either estimate may be zero by chance, or far too large.
   double beside(double expected, double radius) const;
 };
 
-/// A point of a body, as its kernels are known there.
+/// A point of a body with the data that its kernels need.
 struct KernelSite
 {
   PatchStatus status = PatchStatus::Degenerate;
   ElasticMaterial material;
   double reducedModulus = 0.0; ///< MPa
-  double limit = Infinity;     ///< mm to the nearest edge, held point or other material
-  PatchStatus limitedBy = PatchStatus::Valid; ///< which of them it is, where that ends contacts
-  double toHeld = Infinity;                   ///< mm to where what is held begins (HeldRim)
-  double largestRadius = 0.0; ///< of a contact, mm: what was solved for, or up to `limit`
-  double nearestSource = 0.0; ///< mm
-  double spacing = 0.0;       ///< of the elements' nodes, mm
-  /// Γ around the point, in the tangent frame, mm/N: how it yields by the direction of the force
-  /// (DirectedCompliance), less Boussinesq's field.
+  double limit = Infinity;     ///< distance to the nearest edge, held point or other material, mm
+  PatchStatus limitedBy = PatchStatus::Valid; ///< the kind of that limit, if it ends contacts
+  double toHeld = Infinity; ///< distance to the edge of the held surface, mm (HeldRim)
+  /// Largest contact radius, mm: the radius that was solved for, or `limit` if smaller.
+  double largestRadius = 0.0;
+  double nearestSource = 0.0; ///< distance to the nearest source, mm
+  double spacing = 0.0;       ///< spacing of the elements' nodes, mm
+  /// Γ around the point, in the tangent frame, mm/N: the compliance by direction of the force
+  /// (DirectedCompliance), without Boussinesq's field.
   Eigen::Matrix3d directed = Eigen::Matrix3d::Zero();
   ExpectedError elements;
-  MissedCompliance missed; ///< where it is known, beside `elements`
+  MissedCompliance missed; ///< if known, in addition to `elements`
 };
 
 /// Kernels of contacts at one point, of any radius.
@@ -74,17 +74,18 @@ class PALPATE_EXPORT ContactKernels
 public:
   virtual ~ContactKernels() = default;
 
-  /// Where a pointed tool's curve begins, over the largest contact: below it the law is a power.
+  /// Radius of the first contact of a pointed tool's curve over the largest contact radius. Below
+  /// it the law is a power.
   static constexpr double FirstRadius = 1.0 / 40.0;
 
   const KernelSite& site() const { return this->Site; }
   void setMissed(MissedCompliance missed) { this->Site.missed = std::move(missed); }
 
-  /// The kernel of the largest order that is known, but not above `largestOrder` >= 1. Of order 0
-  /// where the site is not valid, or for a radius that is none.
+  /// The kernel of the largest order that is known, but at most `largestOrder` >= 1. The order is 0
+  /// if the site or the radius is not valid.
   virtual ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const = 0;
 
-  /// The surface around the point, where its shape is known beyond the angle mean; or null.
+  /// The surface around the point if its shape is known beyond the angle mean, else null.
   virtual const SurfaceGap* surface() const { return nullptr; }
 
 protected:

@@ -17,9 +17,10 @@ namespace palpate
 namespace
 {
 constexpr std::size_t LoadsAtATime = 96;
-/// How often the mean is told anew, from the axis on.
+/// Number of iterations for the mean direction, starting with the axis.
 constexpr int Turns = 2;
-/// A corner of which the tool covers less is left out.
+/// Smallest covered area of a corner, as a fraction of the mean over all corners. Corners below it
+/// are left out.
 constexpr double LeastCovered = 0.02;
 } // namespace
 
@@ -145,7 +146,7 @@ double DirectContact::touchesBefore() const
   return before;
 }
 
-/// Of each corner's three directions in the tool's frame.
+/// Between all corners, in the three directions of the tool's frame each.
 Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
 {
   const std::size_t count = this->Corners.size();
@@ -189,8 +190,8 @@ Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
   return made;
 }
 
-/// A corner's force is one at the place and a moment about it; what they do to the part's cut moves
-/// all corners.
+/// A force on a corner is equivalent to a force at the place and a moment about it. The motion of
+/// the part's cut under these loads moves all corners.
 void DirectContact::addRest(
   const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const
 {

@@ -14,92 +14,97 @@
 
 namespace palpate
 {
-/// Which way pressures act.
+/// Direction of the pressures.
 enum class Pushed
 {
-  TogetherAlongTheMean, ///< of the normals, by what each carries
+  TogetherAlongTheMean, ///< along the mean of the normals, weighted by the force on each corner
   EachAlongItsOwn
 };
 
-/// A contact at a depth.
+/// Force, stiffness and contact radius at one depth.
 struct DirectForce
 {
-  double force = 0.0;     ///< along the way in, N; NaN where no contact was found that settles
+  /// Along the direction of the press, N. NaN if no converged contact was found.
+  double force = 0.0;
   double stiffness = 0.0; ///< N/mm
-  double radius = 0.0;    ///< of a circle of the area that is touched, mm
+  double radius = 0.0;    ///< of the circle with the same area as the contact, mm
 };
 
 /**
  * A tool pressed straight into an elastic body of hexahedra or tetrahedra: no Green function, no
  * half-space, no law of contact.
  *
- * Pressures are linear on the body's facets between their corners, and so are the gaps that must
- * not close: each corner's mean of them over the facets around it. Gaps are told along the tool's
- * axis. Linear in displacements and gaps, unilateral, without friction. The mesh must be fine under
- * the tool: with four quadratic facets over the contact's radius the force of a sphere is within
- * 1 % (DirectContactTest).
+ * The pressures are linear on the body's facets between their corners. The condition of no
+ * penetration holds in the mean: each corner uses the weighted mean of the gap over the facets
+ * around it. Gaps are measured along the tool's axis. The model is linear in displacements and
+ * gaps, unilateral and without friction. The mesh must be fine under the tool: with four quadratic
+ * facets over the contact radius the force of a sphere is within 1 % (DirectContactTest).
  *
- * Without friction pressures act along the normal, which turns from the body's to the tool's while
- * it is pressed. What that does to second order, with all else that is of this order, finite strain
- * tells: on balls and in cavities down to three contact radii it is within 1 % of pressures along
- * the mean normal, and up to 4 % above those each along its own. Where walls on several sides are
- * touched either may be nearer: how far both differ tells how far one can be trusted, and
- * pressAtFiniteStrain() decides.
+ * Without friction the pressures act along the normal, which turns from the body's normal to the
+ * tool's normal during the press. Finite strain gives the effect of this and of all other terms of
+ * second order. On balls and in cavities down to three contact radii the force at finite strain is
+ * within 1 % of the one with pressures along the mean normal, and up to 4 % above the one with each
+ * pressure along its own normal. If walls on several sides are touched, either variant may be
+ * closer to the truth: their difference is a measure of the error, and pressAtFiniteStrain()
+ * decides.
  *
- * The body may be a part cut out of a larger one and held on the cut: `rest` then tells how it
- * moves with what is around it.
+ * The body may be a part that was cut out of a larger one and is held on the cut. `rest` then gives
+ * the motion of the part with the surrounding body.
  *
  * Cost: three solutions per corner that may touch.
  */
 class PALPATE_EXPORT DirectContact
 {
 public:
-  /// The tool must stay. `deepest` (mm) of the depths to be asked for, at which the mean is told.
+  /// The tool must outlive this object. `deepest`: largest depth of the calls of at(), mm; the mean
+  /// direction is found there.
   DirectContact(const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at,
     double deepest, const UnitMotion* rest = nullptr);
 
   /// How many corners may touch.
   int corners() const { return static_cast<int>(this->Corners.size()); }
 
-  /// Mm by which the tool touches elsewhere before it comes to the place, as in a hollow too narrow
-  /// for it. Beyond the depth walls are pushed aside too far for small displacements.
+  /// Distance (mm) by which the tool touches the body elsewhere before it reaches the place, as in
+  /// a hollow that is too narrow for it. If this exceeds the depth, the displacements of the walls
+  /// are too large for the assumption of small displacements.
   double touchesBefore() const;
 
   DirectForce at(double deflection, Pushed pushed = Pushed::TogetherAlongTheMean) const;
 
 private:
-  /// A piece of the surface, seen from the tool.
+  /// A piece of the surface, in coordinates of the tool.
   struct Piece
   {
-    double depth;  ///< along its axis inwards, mm
-    double away;   ///< from its axis, mm
-    double weight; ///< of the corner's mean
+    double depth;  ///< along the tool's axis, inwards, mm
+    double away;   ///< distance from the tool's axis, mm
+    double weight; ///< share in the mean of the corner
   };
-  /// What moves, and carries pressure, as one.
+  /// A part of the surface that moves and carries pressure as one.
   struct Corner
   {
     std::vector<Piece> pieces;
-    std::vector<std::pair<std::int32_t, double>> nodes; ///< and their shares
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< inwards, 1 along the axis
-    double area = 0.0;                                  ///< mm², across the axis
+    std::vector<std::pair<std::int32_t, double>> nodes; ///< nodes and their shares
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< inwards, with component 1 along the axis
+    double area = 0.0;                                ///< projected along the axis, mm²
   };
 
   void takeCorners(const std::vector<ToolFacet>& facets);
   Eigen::MatrixXd compliance(const ElasticBody& body) const;
   void addRest(const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const;
-  /// What forces of 1 along the axis are, column by column.
+  /// Compliance of unit forces along `pushes`, measured along `pushes`, one column per corner.
   Eigen::MatrixXd along(const Eigen::MatrixXd& compliance, const Eigen::Matrix3Xd& pushes) const;
   void pushAlongMean(const Eigen::MatrixXd& compliance, double deepest);
-  /// On the corners, along the axis, N, and which touch; false where none settle.
+  /// Forces on the corners along the axis (N) and the corners that touch. False if the iteration
+  /// does not converge.
   bool solve(double deflection, const Eigen::MatrixXd& compliance, Eigen::VectorXd& forces,
     std::vector<int>& active) const;
 
   const AxisymmetricTool& Tool;
   DirectPlace At;
-  Eigen::Matrix3d Frame; ///< columns: two across, one inwards
-  double Reached;        ///< radius beyond which nothing of the tool is
+  Eigen::Matrix3d Frame; ///< columns: two tangents, then inwards
+  double Reached;        ///< radius beyond which no part of the tool can touch, mm
   std::vector<Corner> Corners;
-  /// Corner by corner, along their pushes, mm/N; for each Pushed.
+  /// Compliance between the corners along their pushes, mm/N, for each Pushed.
   std::array<Eigen::MatrixXd, 2> Compliance;
 };
 } // namespace palpate

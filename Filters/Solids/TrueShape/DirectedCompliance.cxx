@@ -7,13 +7,13 @@ namespace palpate
 {
 namespace
 {
-/// Of the squares of all weights: what is not told by normals that differ by less is taken for
-/// nothing, and what is told for as much less.
+/// Regularisation relative to the sum of the weights. Components of Γ that depend on smaller
+/// differences of the normals come out near zero; other components are reduced accordingly.
 constexpr double Damping = 1e-3;
 
 using Entries = Eigen::Matrix<double, 6, 1>; ///< xx, yy, zz, yz, xz, xy
 
-/// Γ n by the entries of Γ.
+/// Γ n as a matrix on the entries of Γ.
 Eigen::Matrix<double, 3, 6> motionOfEntries(const Eigen::Vector3d& n)
 {
   Eigen::Matrix<double, 3, 6> rows;

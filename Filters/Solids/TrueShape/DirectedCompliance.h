@@ -9,26 +9,27 @@
 namespace palpate
 {
 /**
- * How a region of a surface yields by its direction: the symmetric Γ, mm/N, by which a force f
- * moves it by Γ f, so that its compliance along a normal n is n·Γn. An ear is soft across and stiff
- * along: the normals of neighbouring places differ, and so do their compliances, by far more than
- * the body does between them.
+ * Compliance of a region of a surface by direction: the symmetric matrix Γ, mm/N. A force f moves
+ * the region by Γ f, so that its compliance along a normal n is n·Γn. An ear is soft across and
+ * stiff along its surface. The normals of neighbouring places differ, and the compliances along
+ * them differ far more than Γ itself does between the places.
  *
- * By least squares of motions g = Γ n of 1 N along normals n at places near each other, which the
- * body is taken to be alike at. What no normal tells of Γ is taken for nothing.
+ * Γ is a least-squares fit to motions g = Γ n under 1 N along normals n at places near each other.
+ * The body is assumed to be the same at these places. Components of Γ that no normal determines are
+ * zero.
  */
 class PALPATE_EXPORT DirectedCompliance
 {
 public:
-  /// A normal and its motion, mm/N, a column each; `weights`: positive, of sum 1. No column at all
-  /// gives zero.
+  /// `normals` and `motions` (mm/N): one column per place. `weights`: positive, with sum 1. Without
+  /// any column the result is zero.
   DirectedCompliance(const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& motions,
     const Eigen::VectorXd& weights);
 
-  /// n·Γn for a normal, or a mean of some.
+  /// n·Γn for a normal, or for a mean of several normals.
   double along(const Eigen::Vector3d& normal) const { return normal.dot(this->Matrix * normal); }
   const Eigen::Matrix3d& matrix() const { return this->Matrix; }
-  /// The same along the columns of a frame.
+  /// Γ in the coordinates of a frame, given by its columns.
   Eigen::Matrix3d inFrame(const Eigen::Matrix3d& frame) const
   {
     return frame.transpose() * this->Matrix * frame;

@@ -8,35 +8,37 @@ namespace palpate
 {
 namespace
 {
-constexpr double Missed = 1.5;         ///< of what second order lets expect: 2 of 100 pass it
-constexpr double MissedByLinear = 7.5; ///< likewise of linear tetrahedra, which lock
-constexpr double OfHeld = 0.5; ///< where a base holds, elements have its displacement exactly
-constexpr double QuadraticGain = 1.25; ///< as if a quadratic tetrahedron were so much smaller
+/// Factor on the second-order estimate; 2 of 100 errors exceed the result.
+constexpr double Missed = 1.5;
+constexpr double MissedByLinear = 7.5; ///< the same for linear tetrahedra, which lock
+/// Reduction at held faces, where elements have the exact displacement.
+constexpr double OfHeld = 0.5;
+constexpr double QuadraticGain = 1.25; ///< a quadratic tetrahedron counts as smaller by this factor
 
 double gainOf(ElementKind kind)
 {
   return kind == ElementKind::QuadraticTetrahedron ? QuadraticGain : 1.0;
 }
 
-/// A face that belongs to the smooth surface around the source: nearly level with it, and turned by
-/// no more than 30°.
+/// A face belongs to the smooth surface around the source if it is nearly level with the source and
+/// turned by no more than 30°.
 constexpr double SmoothTurn = 0.866;
 constexpr double SmoothSlope = 0.3;
-/// Of the part missed there, times the turn of the surface over one element: where a surface is
-/// smooth, so is what its curvature does to H. Measured on balls and bumps.
+/// Factor on the missed part there, times the turn of the surface over one element: where a surface
+/// is smooth, the effect of its curvature on H is smooth too. Measured on balls and bumps.
 constexpr double OfSmooth = 2.0;
 
-/// (h/r)², no more than all of it.
+/// (h/r)², at most 1.
 double missedPart(double spacing, double distance)
 {
   const double ratio = spacing / std::max(distance, 1e-300);
   return std::min(1.0, ratio * ratio);
 }
-/// What is left of the part missed at a free face, as the source sees it.
+/// Reduction of the missed part at a free face in the frame of the source, 1 for no reduction.
 double smoothPart(const Eigen::Vector3d& area, const Eigen::Vector3d& at, double spacing)
 {
   const double away = at.head<2>().norm();
-  const double level = -area[2] / area.norm(); // cosine of its turn; the frame looks inwards
+  const double level = -area[2] / area.norm(); // cosine of the turn; z points inwards
   if (!(level > SmoothTurn) || std::abs(at[2]) > SmoothSlope * std::max(away, spacing))
   {
     return 1.0;
@@ -101,7 +103,8 @@ ExpectedError ElementError::at(const SingularSource& source) const
     {
       return at;
     }
-    // What stands over the source knows the field only from where that ends, as far away.
+    // A part that overhangs the source uses the field at the edge of its cone, at the same
+    // distance.
     constexpr double level =
       1.0 - SingularSource::LargestOverhang * SingularSource::LargestOverhang;
     const double aside = at.head<2>().norm();

@@ -8,23 +8,24 @@
 namespace palpate
 {
 /**
- * What the elements of a body let expect of the error of H at a source, before anything is solved.
+ * Expected error of H at a source due to the elements of a body, known before anything is solved.
  *
- * H is what the body does otherwise than a half-space under Boussinesq's field: at each outer face,
- * by its traction where it is free and by the reaction where it is held, and in each element of
- * another material. Elements of size h at a distance r from the source, over which the field
- * changes, miss of that a part of second order, (h/r)². The parts are summed by their amounts:
- * where an edge softens and a base stiffens as much, H is nothing and its error is not. Of the
- * surface that is smooth around the source they miss less, by its turn over an element. What
- * bending does is not in it. How often it holds: ShapedErrorTest.
+ * H is the difference between the body and a half-space under Boussinesq's field. Contributions
+ * come from each outer face (its traction if it is free, its reaction if it is held) and from each
+ * element of another material. The field changes over an element of size h at a distance r from the
+ * source; the element misses a fraction of second order, (h/r)², of its contribution. The absolute
+ * values are summed: where the softening by an edge and the stiffening by a base cancel, H is zero
+ * but its error is not. On the smooth surface around the source the elements miss less, in
+ * proportion to the turn of the surface over an element. The error of bending is not included.
+ * ShapedErrorTest checks how often the estimate holds.
  *
- * Made once for a body; at() may be called by any number of threads. Cost: 0.1 µs per outer face
- * and per element of another material.
+ * One object serves a body; at() may be called from any number of threads. Cost: 0.1 µs per outer
+ * face and per element of another material.
  */
 class ElementError
 {
 public:
-  /// The body, assembled, must stay.
+  /// The body must be assembled and must outlive this object.
   explicit ElementError(const ElasticBody& body);
 
   ExpectedError at(const SingularSource& source) const;
@@ -38,7 +39,7 @@ private:
     double spacing;       ///< of its nodes, mm
     bool isHeld;
   };
-  /// One element, where there are several materials.
+  /// One element, used if there are several materials.
   struct Cell
   {
     Eigen::Vector3d middle;
@@ -47,7 +48,7 @@ private:
     ElasticMaterial material;
   };
 
-  double Part = 0.0; ///< of the sum, by the kind of the elements
+  double Part = 0.0; ///< factor on the sum, by kind of element
   std::vector<Side> Sides;
   std::vector<Cell> Cells;
 };

@@ -11,14 +11,14 @@ namespace palpate
 {
 namespace
 {
-/// Shapes of a face and their derivatives along its two coordinates.
+/// Shape functions of a face and their derivatives in its two coordinates.
 struct FaceShape
 {
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 2> slope = Eigen::Matrix<double, 6, 2>::Zero();
 };
 
-/// Corners of [-1, 1]² or of the unit triangle, then the middles of the latter's edges.
+/// Corners of [-1, 1]² or of the unit triangle, then the mid-edge nodes of the triangle.
 Eigen::Vector2d nodePlace(int count, int i)
 {
   constexpr std::array<std::array<double, 2>, 4> square = { { { -1, -1 }, { 1, -1 }, { 1, 1 },
@@ -62,14 +62,15 @@ FaceShape shapeAt(int count, const Eigen::Vector2d& xi)
   return s;
 }
 
-/// A point of a rule in the face's coordinates, and the shapes there.
+/// A point of a rule: its weight and the shape functions there.
 struct RulePoint
 {
   double weight;
   FaceShape shape;
 };
 
-/// Tensor Gauss rules with n points each way; on triangles collapsed into a corner.
+/// Tensor Gauss rules with n points in each direction. On triangles they are collapsed into a
+/// corner.
 std::vector<RulePoint> makeRule(int count, int n)
 {
   const GaussLegendre gauss(n);
@@ -121,7 +122,7 @@ FacePoint pointOf(const FaceShape& shape)
   return point;
 }
 
-/// Triangles with their corner at the origin, over the smooth surface.
+/// Triangles with a corner at the origin, over the smooth surface.
 void fanPoints(const LocalFace& face, std::vector<FacePoint>& points)
 {
   static const GaussLegendre gauss(4);

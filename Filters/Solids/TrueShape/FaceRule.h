@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Quadrature of a field that is singular at the origin over one face of an element.
+ * Quadrature over one face of an element of a field that is singular at the origin.
  *
- * A face that does not hold the origin takes Gauss points, the more the nearer it is. One that has
- * it for a node is cut into triangles with that corner, and the surface between its nodes is taken
- * to be smooth: along each ray from the origin it leaves the plane z = 0 as the square of the way,
- * so that Boussinesq's tractions on it stay as weak as on the body that the facets stand for (on
- * flat facets they would not be integrable).
+ * A face without the origin uses Gauss points; a nearer face uses more. A face with a node at the
+ * origin is cut into triangles with that corner, and the surface between its nodes is assumed to be
+ * smooth: along each ray from the origin its height over the plane z = 0 grows with the square of
+ * the distance. Boussinesq's tractions then stay as weak as on the body that the facets represent.
+ * On flat facets they would not be integrable.
  */
 #ifndef palpate_FaceRule_h
 #define palpate_FaceRule_h
@@ -18,8 +18,8 @@
 
 namespace palpate
 {
-/// The nodes of a face: 3 corners, 4, or 3 corners and 3 mid-edge nodes; seen from where the force
-/// is.
+/// The nodes of a face: 3 corners, 4 corners, or 3 corners and 3 mid-edge nodes. Coordinates
+/// relative to the point of the force.
 struct LocalFace
 {
   int count = 0;
@@ -38,11 +38,11 @@ struct FacePoint
 /// The points of one face; `points` is overwritten.
 void facePoints(const LocalFace& face, std::vector<FacePoint>& points);
 
-/// How many Gauss points along each direction a cell needs whose middle is `distance` away and
-/// whose farthest corner is `size` from the middle: the error of Boussinesq's stress stays near
-/// 1e-3 of what the cell contributes.
+/// Number of Gauss points in each direction for a cell whose middle is `distance` away and whose
+/// farthest corner is `size` from the middle. The error of Boussinesq's stress stays near 1e-3 of
+/// the cell's contribution.
 int pointsAlong(double distance, double size);
-constexpr int MostPoints = 6; ///< that it asks for
+constexpr int MostPoints = 6; ///< largest result of pointsAlong()
 } // namespace palpate
 
 #endif

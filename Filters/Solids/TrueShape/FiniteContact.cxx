@@ -14,36 +14,37 @@ namespace palpate
 {
 namespace
 {
-/// Of the deepest, where it is solved.
+/// Depths of the solution, as fractions of the deepest.
 constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.0 };
-/// Of the last penetration, by which the tool goes farther: it grows until the next.
+/// The tool goes deeper by this factor times the last penetration, because the penetration grows up
+/// to the next depth.
 constexpr double MakeUp = 1.6;
 constexpr int MostMadeUp = 4;
-/// Contact radii that it may touch before it comes to the place: beyond, nearly all of a ball would
-/// be in the hollow, and what else is over the place touches it too.
+/// Largest way from first touch to the place, in contact radii. Beyond it nearly all of a ball
+/// would be in the hollow, and parts of the body over the place would touch it too.
 constexpr double LongestWay = 3.0;
-/// At once, of the deepest and of the way to the place.
+/// Largest step, as fractions of the deepest depth and of the way to the place.
 constexpr double LongestStep = 0.3;
 constexpr double LongestShare = 0.2;
-constexpr int MostFailed = 4;      ///< steps in depth that are then halved
+constexpr int MostFailed = 4;      ///< failed steps in depth; each halves the step
 constexpr int MostIterations = 40; ///< of Newton's method
-constexpr int MostHalvings = 8;    ///< of one of its steps
-/// By what share of its stiffness at rest a tangent is made stiffer that is not positive.
+constexpr int MostHalvings = 8;    ///< of one Newton step
+/// Fraction of the stiffness at rest that is added to a tangent that is not positive definite.
 constexpr std::array<double, 5> Stiffened = { 0.0, 0.05, 0.3, 2.0, 10.0 };
-/// Relative to the energy, what an iteration gains that needs no other: the next gains some square
-/// of it.
+/// Energy gain of an iteration, relative to the energy, below which it is the last one: the gain of
+/// the next would be about the square of it.
 constexpr double Converged = 1e-7;
-constexpr double Fillet = 0.05;        ///< of the contact radius, at a tool's apex
+constexpr double Fillet = 0.05;        ///< of the tool's apex, in contact radii
 constexpr double ReachOfOutline = 3.0; ///< contact radii
 
-/// Of a force, by the square of the angle that a place turns with what is around it.
+/// Error of the force over the square of the angle by which the surrounding body turns the place.
 constexpr double LeftOfTurning = 2.5;
 
 /// Newton's method on the potential at successive depths.
 class FinitePress
 {
 public:
-  /// From where the tool touches on.
+  /// Starts at the depth of first touch.
   explicit FinitePress(FinitePart& part)
     : Part(part)
     , Factor(StiffnessFactor::make(StiffnessFactor::Kind::Automatic))
@@ -58,7 +59,8 @@ public:
   double deflection() const { return this->Depth - this->Contact.penetration; }
   const FinitePart::Pressed& pressed() const { return this->Contact; }
 
-  /// Goes there from the last depth, in steps; false where it does not come so far.
+  /// Goes to `depth` from the last depth in steps of at most `longest`, mm. False if it is not
+  /// reached.
   bool to(double depth, double longest)
   {
     double step = longest;
@@ -74,7 +76,7 @@ public:
   }
 
 private:
-  /// Where there is no equilibrium it stays.
+  /// Without an equilibrium the state stays as it was.
   bool stepTo(double depth)
   {
     const Eigen::VectorXd before = this->Now;
@@ -93,7 +95,8 @@ private:
     return true;
   }
 
-  /// A gradient, and less the inverse of the tangent times it; false where that is not positive.
+  /// Newton step, minus the inverse of the tangent times the gradient. False if the tangent is not
+  /// positive definite.
   bool newton(const Eigen::VectorXd& gradient, Eigen::VectorXd& found) const
   {
     const Eigen::MatrixXd& border = this->Part.border();
@@ -119,8 +122,9 @@ private:
     return true;
   }
 
-  /// A step of Newton's method; where the tangent is not positive, of one that is stiffened by what
-  /// it is at rest, with which the potential falls, too. How much of that; < 0: none was found.
+  /// One Newton step. If the tangent is not positive definite, a fraction of the tangent at rest is
+  /// added, so that the potential still falls along the step. Returns that fraction; < 0: no step
+  /// found.
   double step(double depth, Eigen::VectorXd& found)
   {
     const auto isFound = [&]() {
@@ -181,14 +185,14 @@ private:
   std::unique_ptr<StiffnessFactor> Factor;
   bool IsReady = false;
   Eigen::VectorXd Now;
-  Eigen::VectorXd Motion; ///< by the depth
+  Eigen::VectorXd Motion; ///< per mm of depth
   Eigen::VectorXd Gradient;
   FinitePart::Pressed Contact;
   double Depth; ///< mm
   int Failed = 0;
 };
 
-/// One material in quadratic tetrahedra.
+/// Whether the body is of one material in quadratic tetrahedra.
 bool isKnown(const ElasticBody& body)
 {
   const auto& elements = body.mesh().elements;
@@ -198,7 +202,7 @@ bool isKnown(const ElasticBody& body)
       { return element.kind == ElementKind::QuadraticTetrahedron; });
 }
 
-/// Towards the surface a power, that with which the samples begin.
+/// Below the first sample the curve is a power with the exponent at that sample.
 ContactCurve curveOf(const std::vector<ContactSample>& samples)
 {
   if (samples.empty())
@@ -237,7 +241,7 @@ ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool
   std::vector<ContactSample> samples;
   for (const double fraction : Fractions)
   {
-    // The penalty takes the more away the larger the force is.
+    // The penalty reduces the deflection more when the force is larger.
     const double wanted = fraction * deepest;
     bool isThere = true;
     for (int i = 0; i < MostMadeUp && isThere && !(press.deflection() >= wanted); ++i)

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Whether a tool can be pressed at finite strain: one without a flat end, whose rim would need a
+/// Whether a tool can be pressed at finite strain. It must have no flat end: its rim would need a
 /// mesh of its own.
 inline bool isForFiniteStrain(const AxisymmetricTool& tool)
 {
@@ -18,22 +18,24 @@ inline bool isForFiniteStrain(const AxisymmetricTool& tool)
 
 /**
  * A tool pressed straight into an elastic body of quadratic tetrahedra at finite strain
- * (Neo-Hooke), without friction: the surface moves aside and turns, and pressures act along the
- * tool's own normal. So it decides what DirectContact leaves open, what walls on several sides do,
- * and what a body does that turns away as it bends. The body does not touch itself.
+ * (Neo-Hooke), without friction. The surface moves aside and turns, and the pressures act along the
+ * tool's normal. This decides the cases that DirectContact leaves open: contact with walls on
+ * several sides, and bodies that turn away as they bend. Contact of the body with itself is not
+ * modelled.
  *
- * Newton's method on the potential of FinitePart, at a few depths, from where the tool first
- * touches, up to three contact radii before the place, down to `deepest` (mm), or as far as an
- * equilibrium is found: where the body gives way suddenly, as a flap that snaps aside, the one that
- * lies downhill. The curve is empty where there is none, in other cells, of several materials, and
- * of tools it is not for. Contact radii are of the undeformed area.
+ * Newton's method on the potential of FinitePart, at a few depths. It starts where the tool first
+ * touches, up to three contact radii before the place, and goes down to `deepest` (mm) or as far as
+ * an equilibrium is found. If the body gives way suddenly, as a flap that snaps aside, it follows
+ * the equilibrium of lower energy. The curve is empty if no equilibrium is found, for other kinds
+ * of elements, for several materials and for tools with a flat end. Contact radii refer to the
+ * undeformed area.
  *
- * `rest` as DirectContact has it: what is around the body moves as at small strain. Where that
- * turns the place by θ, its own length changes by θ²/2 that are not; on a bar held at one end the
- * force is then up to 2.5 θ² too large (FiniteContactTest), which is the curve's error of strain.
+ * `rest` is used as in DirectContact: the surrounding body moves as at small strain. If it turns
+ * the place by θ, small strain gives wrong length changes of θ²/2. On a bar held at one end the
+ * force is then up to 2.5 θ² too large (FiniteContactTest); this is the strain error of the curve.
  *
- * Four facets over the contact's radius: within 1 % of the axisymmetric solver on a layer. Cost:
- * some 35 factorisations of the stiffness, and more by the way to the place.
+ * With four facets over the contact radius the force is within 1 % of the axisymmetric solver on a
+ * layer. Cost: about 35 factorisations of the stiffness, and more if the way to the place is long.
  */
 PALPATE_EXPORT ContactCurve pressAtFiniteStrain(const ElasticBody& body,
   const AxisymmetricTool& tool, const DirectPlace& at, double deepest,

@@ -11,10 +11,11 @@ namespace palpate
 {
 namespace
 {
-/// Of E* per contact radius: the tool is left some hundredths of its depth in the body, for which
-/// the depth is corrected.
+/// Penalty in units of E* per contact radius. The tool stays some hundredths of its depth inside
+/// the body; the depth is corrected for this.
 constexpr double PenaltyFactor = 100.0;
-/// Of the depth: what may touch at finite strain, where the surface also moves aside.
+/// Factor on the depth for the set of facets that may touch at finite strain, where the surface
+/// also moves aside.
 constexpr double Farther = 1.2;
 } // namespace
 
@@ -147,7 +148,7 @@ void FinitePart::addBorder(const VolumeElement& element, const ElementMatrix& st
   }
 }
 
-/// Deformed, in the tool's frame.
+/// Deformed place, in the tool's frame.
 Eigen::Vector3d FinitePart::placeOf(const Piece& piece, const Vector& u) const
 {
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
@@ -172,7 +173,8 @@ FinitePart::Gap FinitePart::gapAt(const Piece& piece, const Vector& u, double de
   const Eigen::Vector3d at = this->placeOf(piece, u);
   const double r = at.head<2>().norm();
   const ToolOutline::Distance found = this->Tool.distance({ r, depth - at.z() });
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // away from the tool's axis, around it, along
+  // Columns: radial, circumferential and axial direction of the tool.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   if (r > 0.0)
   {
     axes.col(0) << at.head<2>() / r, 0.0;
@@ -302,7 +304,8 @@ double FinitePart::firstTouch() const
 
 FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const
 {
-  const Eigen::Vector3d deeper = -this->Frame.col(2); // the tool deeper is the body higher
+  // A deeper tool is equivalent to a higher body.
+  const Eigen::Vector3d deeper = -this->Frame.col(2);
   Pressed made;
   made.gradient = Vector::Zero(this->unknowns());
   double area = 0.0;

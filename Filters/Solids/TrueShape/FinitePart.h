@@ -13,63 +13,64 @@
 namespace palpate
 {
 /**
- * The potential of a body of quadratic tetrahedra and a tool in it, by the displacements of the
- * body's nodes: energies of FiniteTetrahedron, and ½ε⟨-g⟩² over the undeformed surface, g the
- * signed distance from the tool. Without friction.
+ * The potential of a body of quadratic tetrahedra and a tool in it, as a function of the
+ * displacements of the body's nodes. It is the sum of the energies of FiniteTetrahedron and of
+ * ½ε⟨-g⟩² over the undeformed surface, with the signed distance g from the tool. Without friction.
  *
- * Of a part cut out of a larger body the nodes on the cut move together, as those of the larger one
- * under a load: the numbers of that are unknowns, too, the last, and what is around stores its
- * energy (PartRest). At small strain they are then the load's.
+ * If the body is a part cut out of a larger one, the nodes on the cut move together, as those of
+ * the larger body do under a load. The sizes of these loads are the last unknowns. The surrounding
+ * body stores their energy (PartRest). At small strain these unknowns are equal to the load.
  */
 class FinitePart
 {
 public:
   using Vector = Eigen::VectorXd;
 
-  /// The body, of one material, and the outline must stay. `deepest` (mm) that is to be pressed;
-  /// `rest` null: held nodes do not move.
+  /// The body, of one material, and the outline must outlive this object. `deepest`: largest depth,
+  /// mm. `rest` null: held nodes do not move.
   FinitePart(const ElasticBody& body, const AxisymmetricTool& tool, const ToolOutline& outline,
     const DirectPlace& at, double deepest, const UnitMotion* rest);
 
   Eigen::Index unknowns() const { return this->free() + this->loads(); }
   bool isTouched() const { return !this->Surface.empty(); }
-  /// Where the tool first touches the undeformed body, mm: 0, or above, less than 0, in a hollow
-  /// that is too narrow for it.
+  /// Depth at which the tool first touches the undeformed body, mm: 0, or less than 0 in a hollow
+  /// that is too narrow for the tool.
   double firstTouch() const;
 
-  /// N mm, where the tool's tip is `depth` (mm) deep; +inf where the body is inside out.
+  /// Potential, N mm, with the tool's tip at `depth` (mm). +inf if an element is inverted.
   double energy(const Vector& u, double depth) const;
 
-  /// How a tool that is still far too deep bends the tangent.
+  /// Treatment of the curvature of the tool's surface in the tangent while the tool is far too
+  /// deep.
   enum class Bending
   {
     AsItDoes,
-    LeftOut ///< which it must be where the tangent is not positive with it
+    LeftOut ///< needed if the tangent with it is not positive definite
   };
-  /// Its gradient; the next three are then its second derivatives there.
+  /// Gradient of the potential. stiffness(), border() and corner() are then its second derivatives.
   void linearize(const Vector& u, double depth, Bending bending, Vector& gradient);
-  /// Adds a share of what these are at rest.
+  /// Adds a fraction of the second derivatives at rest.
   void stiffen(double share);
-  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< by nodes
+  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< nodes × nodes
   const Eigen::MatrixXd& border() const { return this->Border; }             ///< nodes × load
   const Eigen::MatrixXd& corner() const { return this->Corner; }             ///< load × load
 
   struct Pressed
   {
-    double force = 0.0;       ///< of the tool along its way in, N
-    double radius = 0.0;      ///< of a circle of the undeformed area that is touched, mm
-    double penetration = 0.0; ///< that the penalty leaves, the mean by pressure, mm
-    double turned = 0.0;      ///< angle by which what is around turns the place, rad
-    Vector gradient;          ///< by the depth, of the potential's gradient
+    double force = 0.0;       ///< on the tool, along the direction of the press, N
+    double radius = 0.0;      ///< of the circle with the same undeformed area as the contact, mm
+    double penetration = 0.0; ///< due to the penalty, mean weighted by pressure, mm
+    double turned = 0.0;      ///< angle by which the surrounding body turns the place, rad
+    Vector gradient;          ///< derivative of the potential's gradient with respect to depth
   };
   Pressed pressed(const Vector& u, double depth) const;
 
 private:
-  using Piece = SurfacePiece; ///< its place in the tool's frame
+  using Piece = SurfacePiece; ///< place in the tool's frame
   struct Gap
   {
     double value;             ///< mm, > 0 outside
-    Eigen::Vector3d gradient; ///< by the displacement
+    Eigen::Vector3d gradient; ///< with respect to the displacement
     Eigen::Matrix3d hessian;
   };
 
@@ -78,7 +79,7 @@ private:
   void takeSurface(const std::vector<ToolFacet>& facets);
   FiniteTetrahedron::Vector gather(const VolumeElement& element, const Vector& u) const;
   double displacement(std::int32_t node, int axis, const Vector& u) const;
-  /// How the load moves an element's held nodes.
+  /// Motion of an element's held nodes per unit of load.
   Eigen::MatrixXd restOf(const VolumeElement& element) const;
   /// Adds a force on a node to a gradient.
   void addForce(std::int32_t node, const Eigen::Vector3d& force, Vector& gradient) const;
@@ -86,7 +87,7 @@ private:
   double distance(const Piece& piece, const Vector& u, double depth) const;
   Gap gapAt(const Piece& piece, const Vector& u, double depth) const;
   Eigen::Vector3d placeOf(const Piece& piece, const Vector& u) const;
-  /// Calls visit(piece, gap) for what is inside the tool.
+  /// Calls visit(piece, gap) for each piece that is inside the tool.
   template <class Visit>
   void visitTouched(const Vector& u, double depth, const Visit& visit) const;
   void linearizeBody(const Vector& u, Vector& gradient);

@@ -28,7 +28,7 @@ Eigen::Matrix3d deformation(const Displacements& u, const Eigen::Matrix<double, 
   return Eigen::Matrix3d::Identity() + u * gradients.transpose();
 }
 
-/// dP/dF, whose block (i, a) is by j and b: ∂P_ij/∂F_ab.
+/// dP/dF. The entry (j, b) of block (i, a) is ∂P_ij/∂F_ab.
 struct Tangent
 {
   Tangent(const Moduli& moduli, const Eigen::Matrix3d& f, const Eigen::Matrix3d& g, double j)

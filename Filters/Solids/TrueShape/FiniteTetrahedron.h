@@ -11,28 +11,29 @@
 namespace palpate
 {
 /**
- * A tetrahedron of ten nodes at finite strain: Neo-Hooke's energy μ/2 (J^(-2/3) I₁ - 3) + K/2
- * (J-1)² per undeformed volume, as StrainEnergy.h has it for bodies of revolution. Four Gauss
- * points. At small strain it is that of ElasticElement.h.
+ * A tetrahedron of ten nodes at finite strain, with the Neo-Hookean energy μ/2 (J^(-2/3) I₁ - 3) +
+ * K/2 (J-1)² per undeformed volume, as in StrainEnergy.h for bodies of revolution. Four Gauss
+ * points. At small strain it is equal to the element of ElasticElement.h.
  */
 class FiniteTetrahedron
 {
 public:
-  using Vector = Eigen::Matrix<double, 30, 1>; ///< of the nodes' x, y, z, node by node
+  using Vector = Eigen::Matrix<double, 30, 1>; ///< x, y, z of the nodes, node by node
 
-  /// Must not be inverted.
+  /// The element must not be inverted.
   explicit FiniteTetrahedron(const ElementNodes& nodes);
 
-  /// Stored under displacements of the nodes (mm), N mm; +inf where it is inside out.
+  /// Energy under displacements of the nodes (mm), N mm; +inf if the element is inverted.
   double energy(const ElasticMaterial& material, const Vector& u) const;
-  /// The forces that hold it so, N, and their derivative, N/mm. It must not be inside out.
+  /// Nodal forces that hold the element in this state, N, and their derivative, N/mm. The element
+  /// must not be inverted.
   void linearize(const ElasticMaterial& material, const Vector& u, Vector& forces,
     ElementMatrix& stiffness) const;
 
 private:
   struct Point
   {
-    Eigen::Matrix<double, 3, 10> gradients; ///< of the shapes, 1/mm
+    Eigen::Matrix<double, 3, 10> gradients; ///< of the shape functions, 1/mm
     double weight;                          ///< mm³
   };
   std::array<Point, 4> Points;

@@ -19,7 +19,7 @@ HeldRim::HeldRim(const ElasticBody& body)
   struct Sides
   {
     bool isHeld = false;
-    Eigen::Vector3d free = Eigen::Vector3d::Zero(); ///< the normal of a triangle that is not
+    Eigen::Vector3d free = Eigen::Vector3d::Zero(); ///< normal of a free triangle
   };
   std::map<std::pair<std::int32_t, std::int32_t>, Sides> edges;
   for (std::int32_t t = 0; t < surface.triangleTotal(); ++t)

@@ -10,19 +10,19 @@
 namespace palpate
 {
 /**
- * The edges of a body's surface where what is held of it ends, each with the free triangle beside
- * it: how near a contact may come, at any place of the surface and not at its points alone.
+ * The edges of a body's surface where its held part ends, each with the adjacent free triangle.
+ * They limit how near a contact may come, at any place of the surface and not only at its points.
  */
 class PALPATE_EXPORT HeldRim
 {
 public:
-  HeldRim() = default; ///< nothing is held
-  /// The body must have been taken and assembled; it is not kept.
+  HeldRim() = default; ///< no part is held
+  /// The body must be taken and assembled; no reference is kept.
   explicit HeldRim(const ElasticBody& body);
 
-  /// From a place of the surface with this outward normal to the nearest of them whose triangle
-  /// faces the same way, within 40° as all that a contact covers (SurfaceDisc), mm; +inf where
-  /// there is none. From any number of threads. Cost: some ns per edge.
+  /// Distance from a place of the surface with this outward normal to the nearest edge, mm; +inf
+  /// without one. Only edges whose triangle faces the same way count: within 40°, as everywhere
+  /// under a contact (SurfaceDisc). Safe from any number of threads. Cost: some ns per edge.
   double distance(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
 private:

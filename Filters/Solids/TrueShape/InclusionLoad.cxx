@@ -14,7 +14,7 @@ struct VolumePoint
   double weight;
 };
 
-/// Tensor Gauss rules on [-1, 1]³ or, collapsed into a corner, on the unit tetrahedron.
+/// Tensor Gauss rules on [-1, 1]³, or collapsed into a corner on the unit tetrahedron.
 std::vector<VolumePoint> makeVolumeRule(bool hexahedron, int n)
 {
   const GaussLegendre gauss(n);

@@ -8,12 +8,14 @@
 namespace palpate
 {
 /**
- * The forces on the nodes of an element (3 × n, N) that stand for its material being another than
- * that of the field it lies in: -∫ ∇N·(D - D₀):ε dV, mm and MPa, in the frame of the field.
+ * Forces on the nodes of an element (3 × n, N) that represent the difference between its material
+ * and the material of the surrounding field: -∫ ∇N·(D - D₀):ε dV, mm and MPa, in the frame of the
+ * field.
  *
- * `nodes` in that frame. Gauss points by distance; the part of a hexahedron's incompatible modes is
- * condensed as in its stiffness; leaving it out was measured to change the force over a nodule by
- * 0.2 % on cells as large as the nodule is deep, by 0.1 % on cells of half that.
+ * `nodes` are given in that frame. The number of Gauss points depends on the distance. The
+ * incompatible modes of a hexahedron are condensed as in its stiffness. Without them the force over
+ * a nodule changes by 0.2 % on cells as large as the nodule is deep, and by 0.1 % on cells of half
+ * that size (measured).
  */
 ElementNodes inclusionLoad(ElementKind kind, const ElementNodes& nodes,
   const ElasticMaterial& material, const ElasticMaterial& around, const BoussinesqField& field);

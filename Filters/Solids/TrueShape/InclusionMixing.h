@@ -7,12 +7,11 @@
 namespace palpate
 {
 /**
- * Young's modulus (MPa) of a cell that an inclusion fills in part, `fraction` of its volume.
+ * Young's modulus (MPa) of a cell that an inclusion fills in part; `fraction` of its volume.
  *
- * Of an inclusion that is harder than what is around it the harmonic mean, of a softer one the
- * geometric: on cells of half the depth of a nodule of ten times and a fifth of the modulus the
- * force on it then errs by less than 5 %; arithmetic means err by up to 18 % (tables
- * shape/nodule_*.csv).
+ * A harder inclusion takes the harmonic mean, a softer one the geometric mean. On cells of half the
+ * depth of a nodule with ten times or a fifth of the modulus, the error of the force is then below
+ * 5 %. Arithmetic means give errors up to 18 % (tables shape/nodule_*.csv).
  */
 PALPATE_EXPORT double mixedModulus(double around, double inclusion, double fraction);
 } // namespace palpate

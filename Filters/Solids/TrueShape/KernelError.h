@@ -6,15 +6,17 @@
 
 namespace palpate
 {
-/// What the elements let expect of the error of a contact's compliance, mm/N: by its place
-/// (ElementError), less of a contact wider than they are; of what bends (BendingError); of facets
-/// on a curved surface (measured on a ball): all these as a second mesh tells, too; of what lies
-/// between the places where H is known; and of a contact that comes near what is held, which two
-/// meshes may miss alike. Not what the moduli of mixed cells do.
+/// Expected error of a contact's compliance due to the elements, mm/N. It combines several parts:
+/// by place (ElementError), smaller for a contact wider than the elements; of bending
+/// (BendingError); of facets on a curved surface (measured on a ball). If a second mesh gives an
+/// estimate, it is combined with these three. Two more parts are the interpolation between the
+/// places with known H, and a contact near held points, where two meshes may share the same error.
+/// The moduli of mixed cells are not included.
 double meshError(const ContactKernel& kernel, const KernelSite& site, double radius);
 
-/// What a kernel of one term leaves out, mm/N, where an edge or a base left too few sources for
-/// more: H varies by its distance, between the source and the point, and under the contact.
+/// Error of a kernel of one term, mm/N, used if an edge or a base leaves too few sources for more
+/// terms. H varies with the distance from that limit, between source and point and under the
+/// contact.
 double missedByOne(const ContactKernel& kernel, const KernelSite& site, double radius);
 } // namespace palpate
 

@@ -10,54 +10,55 @@
 namespace palpate
 {
 /**
- * The kernels of a body at the sources of its H, its landmarks, for contacts at any place between
- * them: on a surface that is finer than the elements. They hold for any tool.
+ * The kernels of a body at its landmarks, the sources of its H, for contacts at any place between
+ * them, as on a surface that is finer than the elements. They hold for any tool.
  *
- * Fitted once (ContactKernelFit) at radii that follow each other by a quarter; in between, and
- * between landmarks, linear.
+ * They are fitted once (ContactKernelFit) at radii whose ratio is about 5/4. Between radii and
+ * between landmarks they are interpolated linearly.
  */
 class PALPATE_EXPORT LandmarkKernels
 {
 public:
-  /// Of a body that has been solved for. Complete unless the observer stopped it; it must stay.
+  /// `green` must be solved and must outlive this object. Complete unless the observer stopped the
+  /// work.
   explicit LandmarkKernels(const RegularGreen& green, const WorkObserver& observer = {});
   bool isComplete() const { return this->Complete; }
 
   /// The surface points that are landmarks, ascending.
   const std::vector<std::int32_t>& points() const { return this->Points; }
   const RegularGreen& green() const { return this->Green; }
-  /// Contact radii that were fitted, ascending, mm.
+  /// Contact radii of the fits, ascending, mm.
   const std::vector<double>& radii() const { return this->Radii; }
-  /// Of the body at the landmark in a place of points().
+  /// Material of the body at landmark i of points().
   const ElasticMaterial& material(std::size_t i) const { return this->Landmarks[i].site.material; }
 
 private:
   friend class BlendedKernels;
 
-  /// At one radius: of the largest order, and of one less.
+  /// Kernel at one radius: of the largest order, and of one order less.
   struct Entry
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
     Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< of the kernel, along the axes of the body
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `full`
-    Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< and of `coarse`
+    Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `coarse`
     int order = 0;
   };
   struct Landmark
   {
     KernelSite site;
-    std::vector<Entry> entries; ///< beside Radii
+    std::vector<Entry> entries; ///< one per radius of Radii
   };
 
   const RegularGreen& Green;
   std::vector<double> Radii; ///< ascending, mm
   std::vector<std::int32_t> Points;
-  std::vector<Landmark> Landmarks; ///< beside Points
+  std::vector<Landmark> Landmarks; ///< one per point of Points
   bool Complete = false;
 };
 
-/// The surface at a place, as a contact there sees it.
+/// The surface at a place of contact.
 struct SurfaceSpot
 {
   Eigen::Vector3d place;  ///< mm
@@ -66,21 +67,23 @@ struct SurfaceSpot
 };
 
 /**
- * Kernels at a place between landmarks: the plane through their values in the tangent plane, by
- * least squares, each by its inverse square distance; what that leaves is the kernel's `spread`.
- * Where they lie on a line, or all to one side, their mean. c₀₀ of each is first turned from its
- * normal to that of the place (DirectedCompliance). The surface falls off as the spot's gap says,
- * and what is held of it begins where it does (HeldRim), which landmarks may not tell.
+ * Kernels at a place between landmarks. A plane in the tangent plane is fitted to the values at the
+ * landmarks by least squares, weighted by the inverse square distance. The residual of the fit is
+ * the kernel's `spread`. If the landmarks are on a line, or all on one side, their mean is used.
+ * First the c₀₀ of each landmark is converted from its own normal to the normal of the place
+ * (DirectedCompliance). The drop of the surface comes from the gap of the spot. The distance to the
+ * held part comes from HeldRim, because landmarks may miss it.
  */
 class PALPATE_EXPORT BlendedKernels : public ContactKernels
 {
 public:
-  /// `around`: places in LandmarkKernels::points(), nearest first; those of another material than
-  /// the first are left out. Without any the site is out of reach.
+  /// `around`: indices in LandmarkKernels::points(), nearest first. Landmarks of another material
+  /// than the first one are left out. Without any landmark the site is out of reach.
   BlendedKernels(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
     const std::vector<std::size_t>& around);
 
-  /// `largestOrder`: as it is known, or anything below for one less.
+  /// `largestOrder`: at least the known order for the full kernel; any smaller value gives one
+  /// order less.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
   const SurfaceGap* surface() const override
   {
@@ -88,12 +91,12 @@ public:
   }
 
 private:
-  /// How values at the landmarks become one at the place.
+  /// How the values at the landmarks are combined to one at the place.
   struct Weights
   {
-    Eigen::VectorXd near;       ///< by distance alone, sum 1
-    Eigen::Matrix3Xd plane;     ///< value at the place, and slopes, by the landmarks' values
-    Eigen::Matrix2Xd positions; ///< of the landmarks, from the place, mm
+    Eigen::VectorXd near;       ///< by distance alone, with sum 1
+    Eigen::Matrix3Xd plane;     ///< value at the place and slopes, per value at a landmark
+    Eigen::Matrix2Xd positions; ///< of the landmarks, relative to the place, mm
   };
   struct Blend
   {
@@ -108,8 +111,8 @@ private:
   void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
-  const std::vector<double>* Radii = nullptr; ///< the landmarks'
-  std::vector<Blend> Blends;                  ///< beside them
+  const std::vector<double>* Radii = nullptr; ///< of the landmarks
+  std::vector<Blend> Blends;                  ///< one per radius
   SurfaceGap Gap;
   Eigen::Matrix<double, 3, 2> Tangents;
 };

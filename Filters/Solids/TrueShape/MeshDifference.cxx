@@ -12,22 +12,25 @@ namespace palpate
 {
 namespace
 {
-/// Landmarks whose kernels are blended to one at a place.
+/// Number of landmarks that are blended to a kernel at a place.
 constexpr std::size_t BlendedLandmarks = 6;
-constexpr double FacingCosine = 0.5; ///< those that face the same way: within 60°
+constexpr double FacingCosine = 0.5; ///< facing the same way: within 60°
 
-/// How far around a place landmarks of the coarser mesh are taken, in spacings of its nodes.
+/// Radius around a place for landmarks of the coarser mesh, in spacings of its nodes.
 constexpr double ReachOfMean = 2.0;
-constexpr std::size_t LeastOfMean = 6; ///< or as far as so many of them are
-constexpr double BeyondLeast = 2.0;    ///< whose weight is not to be nothing; of a square
-constexpr double LeastRatio = 1.25;    ///< k; below it a difference of meshes tells little
-constexpr double LeastPart = 5e-4;     ///< of c₀₀
+constexpr std::size_t LeastOfMean = 6; ///< a larger radius is used if it holds fewer landmarks
+/// Factor on the squared distance of the last of these landmarks, so that its weight is not zero.
+constexpr double BeyondLeast = 2.0;
+/// Smallest ratio k of the spacings. A smaller one makes the difference of the meshes unreliable.
+constexpr double LeastRatio = 1.25;
+constexpr double LeastPart = 5e-4; ///< smallest error, as a fraction of c₀₀
 
-/// A landmark that faces the same way: the square of its distance, its place among all.
+/// A landmark that faces the same way: its squared distance and its index.
 using Facing = std::pair<double, std::size_t>;
 
-/// Those of `total` places of a surface that face as the normal does, the `nearest` of them first,
-/// in order. `placeAt`, `normalAt`: of each.
+/// Indices of the places of a surface (`total` of them) that face the same way as the normal. The
+/// `nearest` of them come first, in order. `placeAt` and `normalAt` return the place and the
+/// normal.
 template <class PlaceAt, class NormalAt>
 std::vector<Facing> facingAround(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
   std::size_t total, std::size_t nearest, const PlaceAt& placeAt, const NormalAt& normalAt)
@@ -45,7 +48,7 @@ std::vector<Facing> facingAround(const Eigen::Vector3d& place, const Eigen::Vect
   return facing;
 }
 
-/// The landmarks nearest to a place of the surface, nearest first.
+/// Landmarks near a place of the surface, nearest first.
 std::vector<std::size_t> landmarksAround(
   const LandmarkKernels& landmarks, const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
 {
@@ -97,7 +100,7 @@ MeshDifference::MeshDifference(const LandmarkKernels& body, const LandmarkKernel
     [](const Sample& sample) { return !sample.missed.empty(); });
 }
 
-/// At a landmark of the coarser mesh; empty where there is no kernel of both.
+/// Sample at a landmark of the coarser mesh. Empty unless both meshes have a kernel there.
 MeshDifference::Sample MeshDifference::sample(
   const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const
 {

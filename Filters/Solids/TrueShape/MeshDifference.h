@@ -9,25 +9,27 @@
 namespace palpate
 {
 /**
- * What the elements of a body miss of its kernels, told by a second, coarser mesh of the same body.
+ * Error of the kernels of a body due to its elements, estimated from a second, coarser mesh of the
+ * same body.
  *
- * c₀₀ of both is compared at the landmarks of the coarser one, radius by radius. Of two meshes
- * whose sides are as 1 to k the finer one misses 1/(k^p - 1) of what lies between them (Richardson
- * 1911). Where H is smooth p is 2, but the stress at the edge of what is held is singular, and how
- * the body bends about it converges with p = 1, which is what is taken; k is that of the surfaces
- * there. One such difference may be nothing by chance, where it changes its sign, so that what is
- * told at a place is the root of the mean square of those around it that face the
- * same way. How often it holds: MeshDifferenceTest.
+ * c₀₀ of the two meshes is compared at the landmarks of the coarser mesh, radius by radius. If the
+ * side lengths have the ratio k, the error of the finer mesh is 1/(k^p - 1) of the difference
+ * (Richardson 1911). p is 2 where H is smooth. But the stress at the edge of held points is
+ * singular, and the bending of the body about that edge converges with p = 1; therefore p = 1 is
+ * used. k is the ratio of the spacings at that place of the surfaces. A single difference may be
+ * zero by chance, where its sign changes. The estimate at a place is therefore the root mean square
+ * of the differences around it that face the same way. MeshDifferenceTest checks how often it
+ * holds.
  */
 class PALPATE_EXPORT MeshDifference
 {
 public:
-  /// Both complete and solved for the same contact radius; neither is kept. Cost: that of a
-  /// BlendedKernels per landmark of the coarser one, on threadCount() threads.
+  /// Both must be complete and solved for the same contact radius; no reference is kept. Cost: one
+  /// BlendedKernels per landmark of the coarser mesh, on threadCount() threads.
   MeshDifference(const LandmarkKernels& body, const LandmarkKernels& coarser);
 
-  /// At a place of the surface with this outward normal: not known where no landmark of the coarser
-  /// mesh faces that way. From any number of threads. Cost: some 10 ns per landmark.
+  /// Estimate at a place of the surface with this outward normal. Unknown if no landmark of the
+  /// coarser mesh faces that way. Safe from any number of threads. Cost: some 10 ns per landmark.
   MissedCompliance at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
 private:
@@ -37,7 +39,7 @@ private:
     Eigen::Vector3d place;
     Eigen::Vector3d normal;
     double spacing = 0.0;       ///< of the coarser mesh's nodes, mm
-    std::vector<double> missed; ///< beside Radii, mm/N
+    std::vector<double> missed; ///< one per radius of Radii, mm/N
   };
 
   Sample sample(const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const;

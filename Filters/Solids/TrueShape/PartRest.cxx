@@ -12,9 +12,9 @@ namespace
 {
 constexpr double LeastMotion = 0.005;
 
-using Loads = Eigen::Matrix<double, 6, 6>; ///< of forces and moments, by loads
+using Loads = Eigen::Matrix<double, 6, 6>; ///< rows: forces and moments, or motions; columns: loads
 
-/// What loads move and turn a place by: the rigid motion nearest to that of its pieces.
+/// Translation and rotation of a place under loads: the rigid motion nearest to that of its pieces.
 Loads motionOfPlace(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const Eigen::MatrixXd& motion, const Eigen::Vector3d& about)
 {
@@ -37,7 +37,7 @@ Loads motionOfPlace(const ElasticBody& part, const std::vector<SurfacePiece>& pl
   return normal.ldlt().solve(moved);
 }
 
-/// Twice what the part itself stores where it is moved.
+/// Twice the energy that the part itself stores under the motions.
 Loads storedInPart(const ElasticBody& part, const Eigen::MatrixXd& motion)
 {
   Loads stored = Loads::Zero();
@@ -57,7 +57,7 @@ Loads storedInPart(const ElasticBody& part, const Eigen::MatrixXd& motion)
   return stored;
 }
 
-/// Loads, as columns, that move the place enough.
+/// Loads, as columns, that move the place by enough.
 Eigen::Matrix<double, 6, Eigen::Dynamic> loadsThatMove(
   const Loads& place, const ElasticMaterial& material, double radius)
 {

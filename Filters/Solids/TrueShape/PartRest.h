@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A piece of a body's surface, which moves as six nodes do, by their shares.
+/// A piece of a body's surface. Its motion is the weighted mean of those of six nodes.
 struct SurfacePiece
 {
   std::array<std::int32_t, 6> nodes;
@@ -20,22 +20,23 @@ struct SurfacePiece
 };
 
 /**
- * What is around a part that was cut out of a larger body: how it moves the part with loads L on a
- * place of its surface, and the energy ½ Lᵀ W L that it stores. W follows from the motions by
- * Betti's theorem: what the loads move the place by, less what the part itself stores meanwhile.
+ * The body around a part that was cut out of it: the motion of the part under loads L on a place of
+ * its surface, and the energy ½ Lᵀ W L that the surrounding body stores. W follows from the motions
+ * by Betti's theorem: the motion of the place under the loads, less the energy that the part itself
+ * stores.
  */
 struct PartRest
 {
   Eigen::MatrixXd motion; ///< displacements of all nodes (mm) × loads
   Eigen::MatrixXd energy; ///< W
-  Eigen::MatrixXd turns;  ///< 3 × loads: of the place, rad
+  Eigen::MatrixXd turns;  ///< 3 × loads: rotation of the place, rad
 };
 
 /**
- * Of a part of one material, small strain, the motions by forces and moments being known, the place
- * in pieces. Of the six kinds of load are kept those that move the place by more than a
- * two-hundredth of what a contact of `radius` (mm) on a half-space gives way by: coarse cells do
- * not tell what others store, which can come out as less than nothing.
+ * `part`: of one material, at small strain. `moved`: its motions under forces and moments. `place`:
+ * in pieces. Of the six kinds of load only those are kept that move the place by more than 1/200 of
+ * the indentation of a half-space by a contact of `radius` (mm). On coarse cells the stored energy
+ * of the other loads is not reliable and may come out negative.
  */
 PartRest restAround(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const UnitMotion& moved, double radius);

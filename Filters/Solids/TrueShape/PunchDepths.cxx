@@ -7,15 +7,15 @@ namespace palpate
 {
 namespace
 {
-/// Over the radius: its line, and what strain does on it.
+/// Depths over the radius: for the line of the curve and the effect of strain on it.
 constexpr std::array Depths = { 0.05, 0.2, 0.4, 0.7, 1.0, 1.4 };
 
-/// Depths over the one from which on it touches all over, and what is open there of the shape below
-/// it where that is not solved for. Measured like LeftOfGap (ContactHarmonics).
+/// Depths over the depth of full contact, and the error of the force there due to the unsolved
+/// shape of the contact at smaller depths. Measured like LeftOfGap (ContactHarmonics).
 constexpr std::array<PunchDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
   { 1.5, 0.01 }, { 5.0, 0.003 } } };
 
-/// Forces over the one from which on it touches all over.
+/// Forces over the force at full contact.
 constexpr std::array PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0 };
 } // namespace
 

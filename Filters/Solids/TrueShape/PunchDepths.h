@@ -6,23 +6,25 @@
 
 namespace palpate
 {
-/// How a flat punch comes to touch all over a surface that bulges, hollows or leans under it.
+/// How a flat punch comes into full contact with a surface that bulges, is hollow or leans under
+/// it.
 struct PunchClosing
 {
-  double depth = 0.0;    ///< from which on it does, mm; 0: from the first touch
-  double sink = 0.0;     ///< F over dF/dδ there, mm
-  double carried = 0.0;  ///< the part of that force which the curve has before it meets the wall
-  bool isSolved = false; ///< what is uneven is solved for at each depth (UnevenContact)
+  double depth = 0.0;    ///< depth of full contact, mm; 0: full contact from the first touch
+  double sink = 0.0;     ///< F over dF/dδ at that depth, mm
+  double carried = 0.0;  ///< fraction of that force at which the growing contact reaches the wall
+  bool isSolved = false; ///< the uneven contact is solved at each depth (UnevenContact)
 };
 
-/// A depth at which a flat punch is pressed, as if it touched all over.
+/// A depth of a flat punch. Full contact is assumed.
 struct PunchDepth
 {
   double depth = 0.0; ///< mm
-  double open = 0.0;  ///< of the force, a fraction: what is not known of the shape below it
+  double open = 0.0;  ///< error of the force due to the unknown shape of the contact below this
+                      ///< depth, as a fraction
 };
 
-/// The depths that a flat punch's curve takes, ascending; `radius` of the punch, mm.
+/// The depths of a flat punch's curve, ascending. `radius` of the punch, mm.
 std::vector<PunchDepth> punchDepths(double radius, const PunchClosing& closing);
 } // namespace palpate
 

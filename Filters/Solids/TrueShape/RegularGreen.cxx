@@ -16,17 +16,17 @@ namespace palpate
 {
 namespace
 {
-/// Right-hand sides per solution, which goes over the factor once for all of them.
+/// Right-hand sides per solution, which reads the factor once for all of them.
 constexpr std::size_t GreenBlock = 32;
 
-/// Spacings within which there are sources enough for the smallest fit.
+/// Radius in spacings that holds enough sources for the smallest fit.
 constexpr double RingOfSources = 2.9;
 
-/// Sources are no closer than this part of the widest contact: a surface full of edges would have
-/// one everywhere.
+/// Smallest spacing of sources over the largest contact radius. Without it a surface full of edges
+/// would have a source everywhere.
 constexpr double ClosestSources = 2.0 / 3.0;
 
-/// Mean curvature at the middle of a disc, 1/mm, > 0 where convex: of the nearest points.
+/// Mean curvature at the middle of a disc, 1/mm, > 0 if convex, from the nearest points.
 double meanCurvature(const ElasticBody& body, std::int32_t point)
 {
   const SurfaceDisc ring = surfaceDisc(body, point, 2.0 * body.surface().spacing(point));
@@ -36,7 +36,7 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
   {
     if (at.distance > 0.0)
     {
-      // Each by its angle, roughly: its area over its distance.
+      // The weight is roughly the angle that the point covers: its area over its distance.
       const double weight = at.area / at.distance;
       sum += weight * 2.0 * at.drop / (at.distance * at.distance);
       weights += weight;
@@ -46,7 +46,7 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
 }
 } // namespace
 
-/// Its place in Points; their number if it is none of them.
+/// Index in Points; the size of Points if the point is not one of them.
 std::size_t RegularGreen::placeOf(std::int32_t point) const
 {
   const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
@@ -67,7 +67,7 @@ ExpectedError RegularGreen::elementError(std::int32_t point) const
   return place < this->Points.size() ? this->Errors.at(place) : ExpectedError{};
 }
 
-/// Null for what is no source.
+/// Null if the point is not a source.
 const RegularGreen::Row* RegularGreen::row(std::int32_t source) const
 {
   const auto at = std::lower_bound(this->Sources.begin(), this->Sources.end(), source);
@@ -131,7 +131,7 @@ double RegularGreen::asymmetry(std::int32_t x, std::int32_t source) const
   return there != nullptr && back != nullptr ? std::abs(*there - *back) : 0.0;
 }
 
-/// How far around a point sources are wanted: enough of them for the smallest fit.
+/// Radius around a point within which sources are needed: large enough for the smallest fit.
 double RegularGreen::discRadius(std::int32_t point) const
 {
   return std::max({ DiscRatio * this->Radius, RingOfSources * this->Body.surface().spacing(point),
@@ -141,7 +141,7 @@ double RegularGreen::discRadius(std::int32_t point) const
 double RegularGreen::memoryForecast(
   const std::vector<std::int32_t>& points, double radius, double spacing) const
 {
-  // Of some discs, spread over the points, their mean size; a row reaches twice as far.
+  // Mean size of some discs, spread over the points. A row reaches twice as far as a disc.
   constexpr std::size_t samples = 64;
   double inDisc = 0.0;
   double apart = 0.0;
@@ -163,13 +163,13 @@ double RegularGreen::memoryForecast(
   const double rows =
     sources * kept * std::min(total, 4.0 * disc) * (sizeof(double) + sizeof(std::int32_t));
   const double discs = static_cast<double>(points.size()) * disc * sizeof(DiscPoint);
-  // Loads, solution and CHOLMOD's permuted copies.
+  // Loads, solution and the permuted copies of CHOLMOD.
   const double blocks = static_cast<double>(threadCount()) * GreenBlock *
     static_cast<double>(this->Body.unknowns()) * 4.0 * sizeof(double);
   return rows + discs + blocks;
 }
 
-/// The points of all discs, or those of them that stand for the others.
+/// Takes the points of all discs, or a thinned set of them.
 void RegularGreen::chooseSources()
 {
   this->Sources.clear();
@@ -197,7 +197,7 @@ void RegularGreen::chooseSources()
   }
 }
 
-/// At which points each source is to be known.
+/// Chooses the points at which each source must be known.
 void RegularGreen::layOut()
 {
   std::vector<std::vector<std::int32_t>> known(this->Discs.size());
@@ -214,7 +214,7 @@ void RegularGreen::layOut()
     }
   }
   this->Rows.assign(this->Sources.size(), {});
-  // Discs overlap: each point is in a row once, though many of its discs know it.
+  // Discs overlap: each point is in a row only once, even if several discs contain it.
   std::vector<std::size_t> takenBy(static_cast<std::size_t>(this->Body.surface().pointTotal()), 0);
   for (std::size_t s = 0; s < this->Sources.size(); ++s)
   {
@@ -358,7 +358,7 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
   this->Bending.assign(blocks, {});
-  // The blocks are the same for any number of threads, and so are the results.
+  // The blocks, and so the results, do not depend on the number of threads.
   if (!shareWork(
         blocks, [&](std::size_t block) { this->solveBlock(loads, block); }, observer))
   {

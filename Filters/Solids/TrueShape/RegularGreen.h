@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
  * The regular part H of a body's Green function at points of its surface,
- *   G_nn(x, X) = 1/(πE*|x-X|) + H(x, X),
- * the normal displacement at x into the body by 1 N pressed into it at X, less Boussinesq's; mm/N.
+ *   G_nn(x, X) = 1/(πE*|x-X|) + H(x, X).
+ * G_nn is the normal displacement at x into the body under 1 N pressed into it at X, mm/N. The
+ * first term is Boussinesq's.
  *
- * The singular field is subtracted before the elements are asked (SubtractedLoad), so that they
- * solve for what is smooth: elements of half the distance to what makes H (a base, an edge, the top
- * of an inclusion) give it within 1 %, however small the contact. On a curved surface H has no
- * limit at X but for ν = 0.5; (1-2ν)/(2(1-ν)) κ/(πE*), κ the mean curvature, is what the chord
- * leaves.
+ * The singular field is subtracted before the elements are used (SubtractedLoad), so that they
+ * solve for a smooth field. Elements of half the distance to the source of H (a base, an edge, the
+ * top of an inclusion) give H within 1 %, however small the contact. On a curved surface H has a
+ * limit at X only for ν = 0.5; for other ν the term (1-2ν)/(2(1-ν)) κ/(πE*), κ the mean curvature,
+ * remains, since
+ * 1/|x-X| uses the length of the chord.
  *
- * Sources are solved in blocks of 32 with the one factor of the body, the blocks shared among
- * threadCount() threads; the same bits for any number.
+ * Sources are solved in blocks of 32 with the one factor of the body. The blocks are shared among
+ * threadCount() threads; the bits of the result do not depend on their number.
  */
 #ifndef palpate_RegularGreen_h
 #define palpate_RegularGreen_h
@@ -24,34 +26,35 @@
 
 namespace palpate
 {
-/// H between surface points that share a contact, and the surface around each.
+/// H between surface points that share a contact, and the surface around each of them.
 class PALPATE_EXPORT RegularGreen
 {
 public:
-  /// The body, factorised, must stay.
+  /// The body must be factorised and must outlive this object.
   explicit RegularGreen(const ElasticBody& body)
     : Body(body)
   {
   }
 
-  /// Bytes that solve() takes at its peak besides the body, to be asked beforehand.
+  /// Peak memory of solve() in addition to the body, in bytes. Call it before solve().
   double memoryForecast(
     const std::vector<std::int32_t>& points, double radius, double spacing = 0.0) const;
 
   /**
-   * Solves for all sources that contacts at `points` of up to `radius` (mm) need. Returns what is
-   * wrong (no point that can be pressed, a radius that is none), "stopped" when the observer said
-   * so, or "".
+   * Solves for all sources that contacts at `points` of up to `radius` (mm) need. Returns "" on
+   * success, a message if no point can be pressed or the radius is not valid, or "stopped" if the
+   * observer stopped it.
    *
-   * `spacing` (mm) > 0: not every surface point is a source, but some that are so far apart, or
-   * half as far as from the next edge where that is less, down to two thirds of `radius`. Contacts
-   * at the others take H from those around: kernels are fits, whose middle need not be a source.
-   * Half the distance to what makes H (a base, an inclusion) is enough.
+   * `spacing` (mm) > 0: only some surface points are sources, at least that far apart. Near an edge
+   * their distance is half the distance to the edge if that is less, but at least two thirds of
+   * `radius`. Contacts at the other points take H from the sources around them: kernels are fits,
+   * whose middle need not be a source. A spacing of half the distance to the source of H (a base,
+   * an inclusion) is enough.
    */
   std::string solve(const std::vector<std::int32_t>& points, double radius,
     const WorkObserver& observer, double spacing = 0.0);
 
-  /// What the fit takes the kernel from: this times the contact radius.
+  /// Radius of the disc that a kernel is fitted to, in contact radii.
   static constexpr double DiscRatio = 1.3;
 
   const ElasticBody& body() const { return this->Body; }
@@ -62,23 +65,23 @@ public:
   std::vector<std::int32_t> pressedSources() const;
   /// The surface around one of `points`; null for any other.
   const SurfaceDisc* disc(std::int32_t point) const;
-  /// Where what is held of the body begins.
+  /// The edge of the held part of the body.
   const HeldRim& held() const { return this->Held; }
-  /// H(x, X), the mean of both orders where both were solved; NaN if neither was.
+  /// H(x, X): the mean of H(x, X) and H(X, x) if both were solved, NaN if neither was.
   double at(std::int32_t x, std::int32_t source) const;
-  /// |H(x, X) - H(X, x)|; 0 where not both were solved.
+  /// |H(x, X) - H(X, x)|; 0 unless both were solved.
   double asymmetry(std::int32_t x, std::int32_t source) const;
-  /// How the body moves at a source under its own newton, less Boussinesq's field, reversed so that
-  /// into the body is along the outward normal; mm/N, along the axes of the body.
+  /// Motion of the body at a source under 1 N there, without Boussinesq's field. The sign is
+  /// reversed: motion into the body is along the outward normal. mm/N, along the axes of the body.
   const Eigen::Vector3d& motion(std::int32_t source) const;
-  /// What the elements let expect of the error of H at one of the points asked for (ElementError;
-  /// at those that are no source as at the nearest ones), mm/N; NaN for any other.
+  /// Expected error of H due to the elements at one of the points given to solve() (ElementError),
+  /// mm/N. A point that is not a source takes it from the nearest sources. NaN for any other point.
   ExpectedError elementError(std::int32_t point) const;
-  /// How many sources were solved.
+  /// Number of solved sources.
   std::size_t sources() const { return this->Sources.size(); }
 
 private:
-  /// Surface points, ascending, and H there; and how the source itself moves.
+  /// Surface points (ascending), H there, and the motion of the source itself.
   struct Row
   {
     std::vector<std::int32_t> points;
@@ -99,12 +102,12 @@ private:
   HeldRim Held;
   double Radius = 0.0;
   double Spacing = 0.0;
-  std::vector<std::int32_t> Points;                       ///< asked for, ascending
-  std::vector<SurfaceDisc> Discs;                         ///< beside Points
-  SourceErrors Errors;                                    ///< beside Points
+  std::vector<std::int32_t> Points;                       ///< given to solve(), ascending
+  std::vector<SurfaceDisc> Discs;                         ///< one per point of Points
+  SourceErrors Errors;                                    ///< one per point of Points
   std::vector<std::int32_t> Sources;                      ///< ascending
-  std::vector<Row> Rows;                                  ///< beside Sources
-  std::vector<std::vector<BendingError::Sample>> Bending; ///< by blocks of them
+  std::vector<Row> Rows;                                  ///< one per source of Sources
+  std::vector<std::vector<BendingError::Sample>> Bending; ///< one entry per block of sources
 };
 } // namespace palpate
 

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// r^{2m} becomes this times x^{2m}.
+/// Factors κ_m: r^{2m} is replaced by κ_m x^{2m}.
 const Eigen::Vector4d Reduced(1.0, 2.0, 8.0 / 3.0, 16.0 / 5.0);
 
 /// φ_m at x = t a, in powers of t.
@@ -28,18 +28,19 @@ Eigen::Vector4d reducedPowers(double t)
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
 }
 
-constexpr double RoundExponent = 1.5; ///< of a bulge: F goes with δ^1.5
+constexpr double RoundExponent = 1.5; ///< exponent m of F ∝ δ^m for a bulge
 
 /// How a contact begins.
 enum class Touch
 {
   Pointed, ///< the tool has a tip
-  Flat,    ///< the tool's end is flat, and so is the surface under it
+  Flat,    ///< the tool's end and the surface under it are flat
   Bulging, ///< the surface bulges under a flat end: the contact grows from a point
-  Closing  ///< a flat punch on a hollow, or on a surface that leans: its rim touches first
+  Closing  ///< a flat punch on a hollow or leaning surface: its rim touches first
 };
 
-/// A surface that rises by more than this part of a flat end's radius under it bulges.
+/// Smallest rise of the surface under a flat end, as a fraction of its radius, that counts as a
+/// bulge.
 constexpr double LeastBulge = 1e-4;
 
 std::vector<double> contactRadii(double smallest, double largest, Touch touch, int count)
@@ -65,7 +66,7 @@ std::vector<double> contactRadii(double smallest, double largest, Touch touch, i
   return radii;
 }
 
-/// What ends a curve that meets nothing else.
+/// End of a curve that is not limited otherwise.
 CurveEnd endOf(const KernelSite& site, bool reachesWall)
 {
   if (reachesWall)
@@ -78,7 +79,7 @@ CurveEnd endOf(const KernelSite& site, bool reachesWall)
                                        : CurveEnd::Patch;
 }
 
-/// Whether the tool is a flat punch and nothing else.
+/// Whether the tool is only a flat punch.
 bool isFlat(const AxisymmetricTool& tool)
 {
   return tool.largestContactRadius() <= tool.smallestContactRadius();
@@ -88,7 +89,7 @@ bool isFlat(const AxisymmetricTool& tool)
 struct FlatTouch
 {
   Touch touch = Touch::Pointed;
-  double closed = 0.0; ///< from this depth on a flat punch touches all over, mm
+  double closed = 0.0; ///< depth from which a flat punch is in full contact, mm
 };
 
 FlatTouch touchOf(
@@ -103,7 +104,7 @@ FlatTouch touchOf(
   const ContactKernel kernel = kernels.at(radius);
   const double rise = law.at(radius, kernel, kernels.site().reducedModulus).deflection;
   const double least = LeastBulge * smallest;
-  // Where the pressure at the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere below 0.
+  // The pressure at the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere below 0 from this depth.
   const double uneven = 2.0 * radius * kernel.gap.lean.norm() + std::sqrt(2.0 * kernel.gap.waves);
   FlatTouch found{ Touch::Flat, (rise < 0.0 ? -2.0 * rise : rise) + uneven };
   if (rise > std::max(least, isFlat(tool) ? uneven : 0.0))
@@ -117,8 +118,8 @@ FlatTouch touchOf(
   return found;
 }
 
-/// Leaves out samples that do not rise above those before, or above zero; true if the last one did
-/// not.
+/// Removes samples that do not rise above those before them, or above zero. Returns true if the
+/// last sample is removed.
 bool leaveRising(std::vector<ContactSample>& samples, bool beginsFlat)
 {
   std::size_t kept = beginsFlat ? std::min<std::size_t>(samples.size(), 1) : 0;
@@ -188,8 +189,8 @@ struct ShapedContact::Course : CurveSamples
   Touch touch = Touch::Pointed;
 };
 
-/// Adds the contact of a radius, or of the tool's wall at a given deflection; false where the
-/// kernel lets none grow to it.
+/// Adds the contact of a radius, or of the tool's wall at a given deflection. False if the kernel
+/// lets no contact grow to it.
 bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
   const ContactKernels& kernels, int largestOrder, Course& course) const
 {
@@ -208,17 +209,19 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
     sample.deflection = contact.deflection;
     sample.force = contact.force;
     const bool isFirst = course.samples.empty();
-    const double least = deflection ? -Infinity : 0.0; // what is uneven is not in it yet
+    // The uneven part of the shape is not included yet.
+    const double least = deflection ? -Infinity : 0.0;
     const double depthBefore = isFirst ? least : course.samples.back().deflection;
     const double forceBefore = isFirst ? 0.0 : course.samples.back().force;
     if (!(sample.deflection > depthBefore && sample.force > forceBefore))
     {
-      return !kernel.gap.drop.isZero(); // the surface, not the kernel: it grows on at once
+      // Due to the surface, not the kernel: the contact grows on at once.
+      return !kernel.gap.drop.isZero();
     }
     if (kernel.order > 1)
     {
       ContactKernel coarser = kernels.at(radius, kernel.order - 1);
-      coarser.gap = kernel.gap; // the shape is not what is expanded
+      coarser.gap = kernel.gap; // the shape is not part of the expansion
       const Contact lower = this->at(radius, coarser, modulus, deflection);
       sample.truncation =
         (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
@@ -237,7 +240,7 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
   return true;
 }
 
-/// What finite strain does to the samples, or may.
+/// Applies finite strain to the samples, or adds its error.
 void ShapedContact::addStrain(const ContactKernels& kernels, Course& course) const
 {
   for (std::size_t i = 0; i < course.samples.size(); ++i)
@@ -269,7 +272,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   course.touch = touch.touch;
   const bool isPunch = isFlat(this->Tool);
   bool grows = true;
-  bool isTaken = true; // the last one
+  bool isTaken = true; // the last sample
   const auto take = [&](double radius, std::optional<double> deflection, double open)
   {
     const std::size_t before = course.samples.size();

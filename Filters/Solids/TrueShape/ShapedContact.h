@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * An axisymmetric, rigid, frictionless tool pressed along the inward normal into a body whose
- * regular Green function is known around the point: one contact radius after the other, without
- * iteration.
+ * An axisymmetric, rigid, frictionless tool pressed along the inward normal into a body with a
+ * known regular Green function around the point. The contact radii are solved one after the other,
+ * without iteration.
  *
- * Dimensionality reduction turns r^{2m} into φ_m(x) = κ_m x^{2m}, κ = 1, 2, 8/3, 16/5, on both
- * sides of the kernel, so that the contact of radius a is y(x) + 2E* Σ c_mn φ_m(x) Y_n = δ - g(x),
- * Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth, the integral equation of a half-space
- * with a kernel of rank N. g is that of the tool plus the angle mean of the surface's drop.
+ * Dimensionality reduction replaces r^{2m} by φ_m(x) = κ_m x^{2m}, κ = 1, 2, 8/3, 16/5, in both
+ * arguments of the kernel. The contact of radius a then satisfies the integral equation of a
+ * half-space with a kernel of rank N:
+ *   y(x) + 2E* Σ c_mn φ_m(x) Y_n = δ - g(x),
+ *   Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth.
+ * g is the reduced profile of the tool plus the angle mean of the surface's drop.
  *
- * What that leaves is added. By its own shape the surface leans by s and waves (SurfaceGap), and
- * next to an edge it turns by βF under the force; to second order U*(F) is less by ½ E* ∫_0^a
- * (|2x(s
- * + βF)|² + Σ g_m²) dx and δ -= ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T,  T = (4/3) E*
- * a³. Where the shape does more than that describes, its part is solved for (UnevenContact).
+ * The remaining effects of the shape are added afterwards. The surface leans by s and has waves
+ * (SurfaceGap), and next to an edge it turns by βF under the force. To second order U*(F) decreases
+ * by
+ *   ½ E* ∫_0^a (|2x(s + βF)|² + Σ g_m²) dx
+ * and δ decreases by
+ *   ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T,  T = (4/3) E* a³.
+ * If the second order is not enough, the effect of the shape is solved for (UnevenContact).
  *
- * Linear elasticity at small strain; finite strain multiplies what is local of a contact, as it
- * does on a half-space under the same force (StrainCorrection), and what the body gives way
- * otherwise grows with that.
+ * Linear elasticity at small strain. Finite strain multiplies the local part of a contact, as on a
+ * half-space under the same force (StrainCorrection). The remaining deflection of the body grows
+ * with the force.
  */
 #ifndef palpate_ShapedContact_h
 #define palpate_ShapedContact_h
@@ -34,29 +38,29 @@ namespace palpate
 {
 class StrainCorrection;
 
-/// One tool, on any number of bodies and points.
+/// One tool, for any number of bodies and points.
 class PALPATE_EXPORT ShapedContact
 {
 public:
-  /// `tool` and `strain` must outlive it. `strain`: that of half-spaces; null for small strain.
-  /// `samples`: contact radii of a curve.
+  /// `tool` and `strain` must outlive this object. `strain`: the correction for half-spaces; null
+  /// for small strain. `samples`: number of contact radii of a curve.
   explicit ShapedContact(
     const AxisymmetricTool& tool, const StrainCorrection* strain = nullptr, int samples = 24);
 
-  /// The curve at a point. Empty where the site is not valid, or the tool begins wider than
-  /// the kernels reach: then end() says why. Safe from any number of threads.
+  /// The curve at a point. It is empty if the site is not valid or the tool begins wider than the
+  /// reach of the kernels; end() then gives the reason. Safe from any number of threads.
   ContactCurve curve(
     const ContactKernels& kernels, int largestOrder = ContactKernel::LargestOrder) const;
 
-  /// One contact: what a kernel makes of a radius, without the tilt.
+  /// One contact: the result for a kernel and a radius, without the tilt.
   struct Contact
   {
     double deflection = 0.0; ///< mm
     double force = 0.0;      ///< N
-    double stiffness = 0.0;  ///< 2E* Y₀ of a unit flat: dF/dδ while the kernel stays; N/mm
-    bool stable = false;     ///< the kernel lets δ rise
+    double stiffness = 0.0;  ///< 2E* Y₀ of a flat of depth 1: dF/dδ at constant kernel, N/mm
+    bool stable = false;     ///< δ rises with the radius for this kernel
   };
-  /// `deflection` for a contact that has reached the tool's wall, or of a flat: it is given then.
+  /// `deflection`: given for a flat or for a contact at the tool's wall.
   Contact at(double radius, const ContactKernel& kernel, double reducedModulus,
     std::optional<double> deflection = {}) const;
 

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// A node that is off its chord by less than this part of the lift lies on it.
+/// Distance of a node from its chord, over the lift, below which the node is on the chord.
 constexpr double OnTheChord = 0.25;
 } // namespace
 

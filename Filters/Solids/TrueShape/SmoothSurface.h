@@ -7,13 +7,13 @@
 namespace palpate
 {
 /**
- * Where a surface point lies on the smooth surface that the body's facets stand for.
+ * Place of a surface point on the smooth surface that the body's facets represent.
  *
- * That is where it is, but for the mid-edge nodes of quadratic tetrahedra that were made from
- * linear ones and lie on the chords of a curved surface: those are lifted by what the normals at
- * both ends say, ((n₂·e)n₂ - (n₁·e)n₁)/8 for the edge e (Vlachos, Peters, Boyd and Mitchell 2001).
- * On the chord a tool would find twice the true curvature of the surface around a corner, and none
- * around them.
+ * This is the point's own place, except for mid-edge nodes of quadratic tetrahedra that were made
+ * from linear ones and are on the chords of a curved surface. These nodes are lifted by ((n₂·e)n₂ -
+ * (n₁·e)n₁)/8, with the edge e and the normals n₁, n₂ at its ends (Vlachos, Peters, Boyd and
+ * Mitchell 2001). With nodes on the chords a tool would find twice the true curvature around a
+ * corner of the surface, and no curvature around the nodes.
  */
 Eigen::Vector3d smoothPosition(const ElasticBody& body, std::int32_t point);
 } // namespace palpate

@@ -11,16 +11,17 @@ namespace palpate
 {
 namespace
 {
-/// Sources around a point that is none, whose expected error it takes.
+/// Number of sources whose expected error a point takes if it is not a source itself.
 constexpr std::size_t ErrorSources = 3;
 
 struct NearSource
 {
-  std::size_t place; ///< in the points
+  std::size_t place; ///< index in the points
   double weight;
 };
 
-/// The sources that tell what to expect of a disc's middle: itself if it is one, or the nearest.
+/// Sources that give the expected error of a disc's middle: itself if it is a source, else the
+/// nearest.
 std::vector<NearSource> nearestSources(const SurfaceDisc& disc,
   const std::vector<std::int32_t>& points, const std::vector<std::int32_t>& sources)
 {

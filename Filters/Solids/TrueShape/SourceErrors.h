@@ -11,27 +11,26 @@
 
 namespace palpate
 {
-/// What elements let expect of the error of H at a source, mm/N, >= 0 (ElementError,
-/// BendingError).
+/// Expected error of H at a source due to the elements, mm/N, >= 0 (ElementError, BendingError).
 struct ExpectedError
 {
   double error = NotANumber;
-  double direct = NotANumber;             ///< of H what is beyond this is bending
-  double bending = BendingError::Assumed; ///< what they miss of that, as a fraction of it
+  double direct = NotANumber;             ///< the part of H beyond this is bending
+  double bending = BendingError::Assumed; ///< missed fraction of the bending
 };
 
-/// The expected errors of the points of a RegularGreen: own ones where they are sources, those of
-/// the nearest sources of their disc elsewhere.
+/// Expected errors of the points of a RegularGreen. A source has its own error; another point takes
+/// the errors of the nearest sources of its disc.
 class SourceErrors
 {
 public:
   SourceErrors() = default;
-  /// `points` and `sources` ascending; `discs` beside the points. Cost: that of an ElementError per
-  /// source, on threadCount() threads.
+  /// `points` and `sources` ascending; `discs`: one per point. Cost: one ElementError per source,
+  /// on threadCount() threads.
   SourceErrors(const ElasticBody& body, const std::vector<std::int32_t>& points,
     const std::vector<SurfaceDisc>& discs, const std::vector<std::int32_t>& sources);
 
-  /// Of the point at this place in `points`.
+  /// Error of the point with this index in `points`.
   const ExpectedError& at(std::size_t place) const { return this->Errors[place]; }
 
   void setBending(const BendingError& bending, const BodySurface& surface,

@@ -26,7 +26,7 @@ std::vector<std::int32_t> thinnedSources(const BodySurface& surface,
     return candidates;
   }
   using Box = std::array<long, 3>;
-  std::map<Box, std::vector<std::size_t>> kept; // as many as there are candidates, at most
+  std::map<Box, std::vector<std::size_t>> kept; // at most as many as candidates
   std::vector<std::int32_t> sources;
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {

@@ -7,10 +7,10 @@
 namespace palpate
 {
 /**
- * Some of the surface points, so that those kept are no nearer to each other than the smaller of
- * their two spacings (mm; beside `candidates`), and every one left out has one kept as near. Points
- * on two sides of a thin part do not stand for each other. In the order of the candidates, first
- * come first kept.
+ * Thinned set of surface points. Two kept points on the same side are at least the smaller of their
+ * two spacings apart (mm; one spacing per candidate), and each removed point has a kept point
+ * nearer than that. Points on opposite sides of a thin part do not replace each other. The
+ * candidates are visited in order; earlier ones have priority.
  */
 std::vector<std::int32_t> thinnedSources(const BodySurface& surface,
   const std::vector<std::int32_t>& candidates, const std::vector<double>& spacings);

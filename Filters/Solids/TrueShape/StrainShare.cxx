@@ -13,11 +13,11 @@ namespace palpate
 {
 namespace
 {
-/// Of what finite strain does, where a body's shape makes the contact another than that of a
-/// half-space under the same force.
+/// Error as a fraction of the effect of finite strain, for the part of the contact that differs
+/// from a half-space under the same force.
 constexpr double LeftOfStrain = 0.3;
 
-/// How deep the tool is pressed into a half-space by that force, mm.
+/// Depth of the tool in a half-space under that force, mm.
 double depthUnder(const AxisymmetricTool& tool, double force, double radius, double modulus)
 {
   double depth = radius < tool.largestContactRadius() && radius > tool.smallestContactRadius()

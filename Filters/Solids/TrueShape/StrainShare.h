@@ -18,18 +18,18 @@ struct SmallStrainContact
   double radius = 0.0;    ///< mm
 };
 
-/// What finite strain adds to such a contact, or may.
+/// Correction of such a contact for finite strain, and its error.
 struct StrainShare
 {
   double force = 0.0;      ///< N
-  double deflection = 0.0; ///< mm, under the force with that
-  double error = 0.0;      ///< of the force, relative
+  double deflection = 0.0; ///< change of δ at the corrected force, mm
+  double error = 0.0;      ///< relative error of the force
 };
 
 /**
- * Finite strain multiplies what is local of a contact, as on a half-space under the same force;
- * what the body gives way otherwise grows with the force. `strain` null: the body is taken at small
- * strain, and the error tells what that may miss. Cost: microseconds.
+ * Finite strain multiplies the local part of a contact, as on a half-space under the same force.
+ * The remaining deflection of the body grows with the force. `strain` null: small strain, with the
+ * neglected effect as the error. Cost: microseconds.
  */
 PALPATE_EXPORT StrainShare strainShare(const AxisymmetricTool& tool, const StrainCorrection* strain,
   const ElasticMaterial& material, const SmallStrainContact& contact);

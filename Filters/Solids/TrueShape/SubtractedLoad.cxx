@@ -37,7 +37,7 @@ struct SubtractedLoad::Work
   }
 
   bool isUnder(std::int32_t node) const { return this->under[static_cast<std::size_t>(node)] != 0; }
-  /// Of the elements' kind: how many of its nodes the singular field is used at.
+  /// Number of the element's nodes at which the singular field is used.
   int nodesUnder(const VolumeElement& element) const
   {
     int count = 0;
@@ -65,9 +65,9 @@ struct SubtractedLoad::Work
   BoussinesqField field;
   Eigen::Matrix3Xd nodes;
   Eigen::Matrix3Xd forces;
-  std::int32_t own;                 ///< the node at X
-  std::vector<unsigned char> under; ///< 1: a node where the singular field is used
-  bool overhangs = false;           ///< some are not
+  std::int32_t own;                 ///< node at X
+  std::vector<unsigned char> under; ///< 1 for a node where the singular field is used
+  bool overhangs = false;           ///< the singular field is not used at some nodes
   std::vector<FacePoint> points;
 };
 
@@ -212,7 +212,8 @@ void SubtractedLoad::addInclusions(Work& work) const
   }
 }
 
-/// The elements that cross the cone, and the faces of those before it that look at them.
+/// Adds the elements that cross the cone, and the faces of the elements outside the cone that
+/// adjoin them.
 void SubtractedLoad::addOverhang(Work& work) const
 {
   ElementMatrix k;

@@ -27,10 +27,10 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
-constexpr double AlikeModulus = 0.05; ///< by a fraction
+constexpr double AlikeModulus = 0.05; ///< relative
 constexpr double AlikeRatio = 0.01;
 
-/// Whether all elements at a point are of the material, nearly.
+/// Whether all elements at a point have nearly the given material.
 bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial& material)
 {
   const MeshTopology& topology = body.topology();
@@ -39,7 +39,7 @@ bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial
     [&](std::int32_t element) { return isNearlyAlike(body.material(element), material); });
 }
 
-/// One walk over the surface around a point.
+/// A walk over the surface around a point.
 class DiscWalk
 {
 public:
@@ -142,7 +142,7 @@ private:
     if (away > this->Radius ||
       this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < ContactTurn)
     {
-      return; // on an edge, whose other side limits the disc
+      return; // on an edge; its other side limits the disc
     }
     if (isHeldAlongNormal(this->Body, point))
     {

@@ -11,29 +11,29 @@
 
 namespace palpate
 {
-/// cos 40°: how far the surface may turn under a contact: less than the normals at the edge of a
-/// block do. At its own middle it may turn by less (PatchTurn), as a contact on an edge has no
-/// normal.
+/// cos 40°: largest turn of the surface under a contact, less than the turn of the normals at the
+/// edge of a block. At the middle of the contact the limit is smaller (PatchTurn), because a
+/// contact on an edge has no normal.
 constexpr double ContactTurn = 0.76604444311897803520;
 
-/// A surface point near another one, seen in the tangent plane there.
+/// A surface point near another one, in the tangent plane at the latter.
 struct DiscPoint
 {
   std::int32_t point = 0;
   Eigen::Vector2d at;    ///< mm
-  double drop = 0.0;     ///< how far it lies below that plane, mm (SmoothSurface)
-  double area = 0.0;     ///< a third of its triangles', mm²
+  double drop = 0.0;     ///< distance below that plane, mm (SmoothSurface)
+  double area = 0.0;     ///< a third of the area of its triangles, mm²
   double distance = 0.0; ///< |at|
 };
 
 /**
- * The points of the surface around a point X, up to a radius and as far as the surface is fit for a
- * contact: connected to X without a triangle that turns by more than 40° from the normal at X (30°
- * at X itself), free to move along their normal, and of the material of X: E within 5 %, ν within
- * 0.01 of the mean of the elements at X.
+ * The surface points around a point X, up to a radius, as far as the surface is fit for a contact.
+ * The points are connected to X without a triangle that turns by more than 40° from the normal at X
+ * (30° at X itself). They are free to move along their normal. Their material is that of X: E
+ * within 5 % and ν within 0.01 of the mean of the elements at X.
  *
- * `status` says what is wrong with X itself; `limit` how far from X the first edge, held point or
- * other material lies, and `limitedBy` which it is.
+ * `status`: why X itself cannot be pressed. `limit`: distance from X to the first edge, held point
+ * or other material. `limitedBy`: which of these it is.
  */
 struct SurfaceDisc
 {
@@ -43,17 +43,17 @@ struct SurfaceDisc
   PatchStatus limitedBy = PatchStatus::Valid;
 };
 
-/// X is a point of the surface of a body that was taken and assembled.
+/// `body` must be taken and assembled; `point` is a point of its surface.
 PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius);
 
-/// Whether there is no border between two materials: E within 5 % of the second's, ν within 0.01.
-/// Graded ones, and those of images, have none.
+/// Whether there is no border between two materials: E within 5 % of the second one's, ν within
+/// 0.01. Graded bodies and bodies from images have no borders.
 bool isNearlyAlike(const ElasticMaterial& other, const ElasticMaterial& material);
 
-/// Whether the elements at a surface point are of one material, as nearly as a disc asks for.
+/// Whether the elements at a surface point are of one material, within the tolerances of a disc.
 PALPATE_EXPORT bool isOfOneMaterial(const ElasticBody& body, std::int32_t point);
 
-/// Why a point cannot be pressed, in words; "" if it can.
+/// Reason why a point cannot be pressed; "" if it can.
 PALPATE_EXPORT std::string whyNotPressed(const ElasticBody& body, std::int32_t point);
 } // namespace palpate
 

@@ -15,13 +15,14 @@ namespace palpate
 namespace
 {
 constexpr double RingRatio = 0.82;
-constexpr int RingsBeyond = 3; ///< outside the largest contact; inside down to a twentieth of it
+/// Rings outside the largest contact. The inner rings go down to a twentieth of it.
+constexpr int RingsBeyond = 3;
 
-/// Fewest rings that a contact's gap is told from: a smaller contact has that of these.
+/// Fewest rings for the gap of a contact. A smaller contact takes the gap of these rings.
 constexpr int LeastRings = 5;
 
-/// ∫_0^1 t^n / √(1 - t²) dt, times n: a power r^k under a harmonic of order m makes n = m + 1 + k,
-/// g = n I_n a^k.
+/// n times ∫_0^1 t^n / √(1 - t²) dt =: n I_n. A power r^k in a harmonic of order m has n = m + 1 +
+/// k and gives g = n I_n a^k.
 double powerUnderContact(int n)
 {
   double integral = n % 2 == 0 ? 0.5 * Pi : 1.0;
@@ -170,7 +171,7 @@ GapTerms SurfaceGap::at(double a) const
   {
     return terms;
   }
-  // Rings stand for the annuli between the middles; each weighs as the force feels it.
+  // Rings represent the annuli between their middles, weighted by their share of the force.
   const double least = this->Radius * ring(LeastRings - 1);
   const double disc = std::clamp(a, least, this->reach());
   Eigen::VectorXd weights(this->Known);
@@ -190,7 +191,7 @@ GapTerms SurfaceGap::at(double a) const
   weights /= sum;
   const auto fitted = [&](int first, int parts, double meanSquare, const auto& valueAt)
   {
-    // Σ c_j (r/disc)^(first + 2j) by weighted least squares.
+    // Weighted least-squares fit of Σ c_j (r/disc)^(first + 2j).
     Eigen::MatrixXd system(count, parts);
     Eigen::MatrixXd values(count, valueAt(0).size());
     for (int k = 0; k < count; ++k)

@@ -10,36 +10,36 @@
 
 namespace palpate
 {
-/// A surface under a contact of radius a, in the tangent plane: r from the point, θ around it.
+/// Shape of a surface under a contact of radius a, in the tangent plane: r from the point, θ around
+/// it.
 struct GapTerms
 {
-  /// Angle mean of how far it lies below the plane, Σ d_m (r/a)^{2m}, mm.
+  /// Angle mean of the distance below the plane, Σ d_m (r/a)^{2m}, mm.
   Eigen::Vector4d drop = Eigen::Vector4d::Zero();
-  /// Which way it leans as the contact feels it: the slope of a plane with the same moment.
+  /// Effective slope of the surface under the contact: the slope of a plane with the same moment.
   Eigen::Vector2d lean = Eigen::Vector2d::Zero();
-  /// Σ g_m(a)² of the harmonics from the second on, mm² (SurfaceGap).
+  /// Σ g_m(a)² of the harmonics from the second up, mm² (SurfaceGap).
   double waves = 0.0;
-  /// Mean square under the contact of what all these leave, mm².
+  /// Mean square of the residual of these terms under the contact, mm².
   double left = 0.0;
-  /// How far its facets lie off the surface, which is smooth between its points, mm: the root of
-  /// the mean square under the contact.
+  /// Root mean square distance under the contact between the facets and the surface, which is
+  /// assumed to be smooth between its points, mm.
   double facets = 0.0;
-  /// How far the edges of its triangles are from arcs, likewise: (n₁ + n₂)·e of an edge e between
-  /// two normals, κ'l³/6 if its curvature changes by κ' per mm. It tells a surface that its points
-  /// describe from one that goes on between them.
+  /// Root mean square under the contact of the deviation of the triangles' edges from arcs: (n₁ +
+  /// n₂)·e of an edge e between two normals, which is κ'l³/6 if the curvature changes by κ' per mm.
+  /// A large value shows that the surface has detail between its points.
   double uneven = 0.0;
 };
 
 /**
- * How a surface falls off around a point, whatever its shape: its heights on rings, in harmonics of
- * the angle.
+ * Shape of a surface of any kind around a point: its heights on rings, as harmonics of the angle.
  *
- * To first order a contact of radius a feels the mean of the gap weighted by 1/√(a² - r²), to
- * second order its harmonics: the energy of a gap h_m(r) cos mθ that is closed over the contact is
+ * To first order a contact of radius a depends on the mean of the gap weighted by 1/√(a² - r²), to
+ * second order on its harmonics. A gap h_m(r) cos mθ that is closed over the contact has the energy
  *   ½ E* ∫_0^a g_m(x)² dx,  g_m(x) = x^{-m} d/dx ∫_0^x r^{m+1} h_m / √(x² - r²) dr
- * (Copson 1947), and since the pressure ends smoothly, that is all there is to second order: the
- * force at a depth grows by ½ E* Σ g_m(a)² da/dδ. Exact for a plane that leans (h = s r, g = 2 s x)
- * and for unequal curvatures (Hertz 1882: the force of the mean one times 1 + Δ²R²/12).
+ * (Copson 1947). The pressure ends smoothly, so there is no other term of second order: the force
+ * at a depth grows by ½ E* Σ g_m(a)² da/dδ. This is exact for a leaning plane (h = s r, g = 2 s x)
+ * and for unequal curvatures (Hertz 1882: the force of the mean curvature times 1 + Δ²R²/12).
  */
 class PALPATE_EXPORT SurfaceGap
 {
@@ -47,18 +47,18 @@ public:
   static constexpr int Rings = 19;
   static constexpr int Angles = 16;
 
-  /// How far the surface is to be known, for contacts up to a radius: three rings more, since on an
-  /// uneven surface they reach beyond those on the mean of it.
+  /// Radius to which the surface must be known for contacts up to a radius: three rings more,
+  /// because on an uneven surface a contact extends beyond the contact on the mean surface.
   static double reachFor(double radius);
 
-  /// The tangent plane's axes and the inward normal, in which heights and slopes are told.
+  /// Axes of the tangent plane and inward normal: the frame of heights and slopes.
   static Eigen::Matrix3d frame(const Eigen::Vector3d& outwardNormal);
 
-  /// Radius of ring k, over that of the last.
+  /// Radius of ring k over the radius of the last ring.
   static double ring(int k);
 
-  /// Heights below the tangent plane, mm, at angles 2π j/Angles of each ring: of the surface, and
-  /// of its facets; and how uneven the edges are there. Rings beyond `known` are not used.
+  /// Heights below the tangent plane, mm, at angles 2π j/Angles of each ring, for the surface and
+  /// for its facets, and the unevenness of the edges there. Rings beyond `known` are not used.
   struct Heights
   {
     Eigen::Matrix<double, Rings, Angles> surface;
@@ -72,28 +72,28 @@ public:
   /// `radius` of the last ring, mm.
   SurfaceGap(double radius, const Heights& heights);
 
-  /// How far from the point the surface is known, mm, and whether that is as far as was asked for.
+  /// Radius to which the surface is known, mm, and whether that is as far as requested.
   double reach() const;
   bool isWhole() const { return this->Known == Rings || this->Radius == 0.0; }
 
-  /// Under a contact of radius a, mm; of one beyond reach() as far as it is known.
+  /// Terms under a contact of radius a, mm. Beyond reach() the known part of the surface is used.
   GapTerms at(double a) const;
 
-  /// Heights below the tangent plane within reach(), mm: in harmonics of the angle, straight in r²
+  /// Heights below the tangent plane within reach(), mm: as harmonics of the angle, linear in r²
   /// from ring to ring.
   class PALPATE_EXPORT Spectrum
   {
   public:
     explicit Spectrum(const SurfaceGap& gap);
-    /// The angle mean at a distance of the point.
+    /// Angle mean at a distance from the point.
     double mean(double r) const;
-    /// What the surface lies below that at a place.
+    /// Height below that mean at a place.
     double around(const Eigen::Vector2d& place) const;
 
   private:
     struct Between
     {
-      int low; ///< the same ring as `high` inside the first
+      int low; ///< inside the first ring the same as `high`
       int high;
       double part;
     };
@@ -105,7 +105,7 @@ public:
     Eigen::Matrix<double, Angles, Rings> Amplitudes; ///< 1, cos θ, sin θ, cos 2θ, ... cos 8θ
   };
 
-  /// Where the height of a ring and an angle is told, mm.
+  /// Place of the height at ring k and angle j, mm.
   Eigen::Vector2d place(int k, int j) const;
 
 private:
@@ -115,10 +115,10 @@ private:
   int Known = 0;
   Eigen::Matrix<double, Rings, Angles> Surface = Eigen::Matrix<double, Rings, Angles>::Zero();
   std::array<double, Rings> Mean{};
-  std::array<double, Rings> Between{}; ///< mean square of surface less facets
+  std::array<double, Rings> Between{}; ///< mean square of surface minus facets
   std::array<double, Rings> Uneven{};  ///< mean square
-  std::array<double, Rings> Left{};    ///< mean square of the harmonics beyond
-  /// Of harmonics 1, 2, ...: cosine and sine.
+  std::array<double, Rings> Left{};    ///< mean square of the harmonics above these
+  /// Cosine and sine amplitudes of harmonics 1, 2, ...
   std::array<std::array<Eigen::Vector2d, Rings>, Harmonics> Waves;
 };
 } // namespace palpate

@@ -15,14 +15,14 @@ namespace palpate
 {
 namespace
 {
-/// Sources that tell a quadratic around another, and a plane.
+/// Fewest sources around another one for a quadratic and for a plane.
 constexpr std::size_t LeastForBend = 5;
 constexpr std::size_t LeastForSlope = 2;
 
-/// What of the work the modes are, as the observer is told.
+/// Share of the modes in the work that is reported to the observer.
 constexpr double ModesShare = 0.8;
 
-/// How the surface moves under 1 N pressed into it at a source, less the dent that is seen.
+/// Motion of the surface under 1 N pressed into it at a source, without the visible dent.
 Eigen::Matrix3Xd motionLessDent(
   const RegularGreen& green, const SingularSource& source, const Eigen::VectorXd& smooth)
 {
@@ -53,7 +53,7 @@ Eigen::Matrix3Xd motionLessDent(
     }
     field.col(i) = moved;
   }
-  // Where u_B is infinite H is what the sources say it tends to.
+  // u_B is infinite here. H takes the limit that the sources give.
   const Eigen::Vector3d& normal = surface.normal(source.point);
   const double depth = green.at(source.point, source.point);
   auto itself = field.col(source.point);
@@ -61,7 +61,7 @@ Eigen::Matrix3Xd motionLessDent(
   return field;
 }
 
-/// H(x, X) less what the modes tell of it, mm/N.
+/// H(x, X) minus the part of the modes, mm/N.
 double leftByModes(
   const RegularGreen& green, const GlobalModes& modes, std::int32_t x, std::int32_t source)
 {

@@ -10,22 +10,23 @@
 
 namespace palpate
 {
-/// How the surface of a body of true shape moves beside the dent of a tool: a few modes for the
-/// whole of it, and around each source of its H what they leave.
+/// Motion of the surface of a body of true shape, in addition to the dent of a tool: a few modes
+/// for the whole surface, and the residual of the modes around each source of H.
 struct SurfaceMotion
 {
   GlobalModes modes;
   std::vector<std::int32_t> points; ///< sources that can be pressed, ascending
-  std::vector<NearField> near;      ///< beside them
+  std::vector<NearField> near;      ///< one per point of `points`
 };
 
 /**
- * Of a body that has been solved for. The modes are those of H as drawn, see GlobalModes: of the
- * whole motion less the half-space's dent on the surface that faces as X does (VisibleDent.h). The
- * near fields are quadratics by least squares through H where it was solved for around each source.
+ * Motion of a body that has been solved for. The modes are those of the displayed H, see
+ * GlobalModes: of the whole motion without the half-space's dent on the surface that faces the same
+ * way as X (VisibleDent.h). The near fields are least-squares quadratics through the known H around
+ * each source.
  *
- * Costs one more solution for each of LandmarksPerMode × `modes` sources. Not complete (no points)
- * when the observer stopped it. The same bits for any number of threads.
+ * Costs one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
+ * it, the result is incomplete and has no points. The bits do not depend on the number of threads.
  */
 PALPATE_EXPORT SurfaceMotion surfaceMotion(
   const RegularGreen& green, int modes, const WorkObserver& observer);

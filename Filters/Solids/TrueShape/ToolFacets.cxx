@@ -13,9 +13,10 @@ namespace palpate
 {
 namespace
 {
-/// What may touch: no farther from the tool, pressed in, than this part of its depth.
+/// Largest distance from the pressed-in tool, as a fraction of its depth, of a facet that may
+/// touch.
 constexpr double TouchMargin = 0.1;
-/// Cosine between the tool's axis and what it is pressed on.
+/// Smallest cosine between the tool's axis and a facet that may touch.
 constexpr double LeastFacing = 0.1;
 constexpr double NearWall = 0.995;
 constexpr double NearTool = 1.1;

@@ -13,43 +13,43 @@
 
 namespace palpate
 {
-/// Where a tool is pressed: a point of the surface, mm, and the way there, a unit vector.
+/// Place of a press: a point of the surface (mm) and the direction of the press, a unit vector.
 struct DirectPlace
 {
   Eigen::Vector3d place;
   Eigen::Vector3d inward;
 };
 
-/// A facet of a body's surface, in the tool's frame: the place its origin, z inwards.
+/// A facet of a body's surface in the tool's frame: the origin is the place, z points inwards.
 struct ToolFacet
 {
   int corners = 0;
   std::vector<std::int32_t> nodes; ///< the corners first
-  Eigen::Matrix3Xd places;         ///< of them, mm
+  Eigen::Matrix3Xd places;         ///< of the nodes, mm
   Eigen::Vector3d area;            ///< outwards, mm²
 };
 
-/// The tool's frame: columns, two across and one inwards.
+/// The tool's frame: columns are two tangents, then inwards.
 Eigen::Matrix3d toolFrame(const DirectPlace& at);
 
 /**
- * Of a body's surface: facets that face the tool, that it reaches into where it is pressed
- * `deepest` (mm) deep, or nearly, and that hang together with the place where it is pressed.
+ * Facets of a body's surface that may touch the tool. They face the tool, they are inside or near
+ * the tool at the depth `deepest` (mm), and they are connected to the place of the press.
  */
 PALPATE_EXPORT std::vector<ToolFacet> facetsUnder(
   const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at, double deepest);
 
-/// How deep the tool comes upon such of them as have marked nodes alone, mm; +inf where it does
-/// not.
+/// Depth at which the tool reaches the first facet with only marked nodes, mm; +inf without such a
+/// facet.
 PALPATE_EXPORT double depthOfMarked(const std::vector<ToolFacet>& facets,
   const std::vector<unsigned char>& marked, const AxisymmetricTool& tool);
 
-/// Radius beyond which nothing of a tool is reached from below, mm: short of a round tool's wall,
-/// which is vertical there.
+/// Radius beyond which the tool cannot touch from above, mm. It is slightly less than the wall of a
+/// round tool, which is vertical there.
 double reachedRadius(const AxisymmetricTool& tool);
 
-/// Calls visit() with places in the middle of equal parts of a facet, in the coordinates of
-/// faceShapes(); how many parts there are.
+/// Calls visit() with the middles of equal parts of a facet, in the coordinates of faceShapes(),
+/// and gives the number of parts.
 constexpr int FacetDivisions = 5;
 constexpr int FacetParts = FacetDivisions * FacetDivisions;
 template <class Visit>

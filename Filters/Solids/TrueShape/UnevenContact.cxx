@@ -16,18 +16,18 @@ constexpr int CellsAcross = 16;
 constexpr double CellSide = 2.0 * HalfWidth / CellsAcross;
 constexpr auto CellArea = static_cast<float>(CellSide * CellSide);
 
-/// A contact that stands aside, or is wider than the cells, is solved again around its middle, or
-/// on wider ones.
+/// Number of attempts. A contact that is off-centre is solved again around its middle, a contact
+/// that is wider than the cells on wider cells.
 constexpr int MostTurns = 5;
 constexpr double Wider = 1.4;
 
 constexpr int MostSteps = 60;
-constexpr float Settled = 1e-4F; ///< the part of the load that a step still moves
+constexpr float Settled = 1e-4F; ///< part of the load that a step still moves
 
-/// The gap where nothing touches: beyond the tool's wall, or where the surface is not known.
+/// Gap where no contact is possible: beyond the tool's wall or where the surface is not known.
 constexpr float Away = 1e6F;
 
-/// How far the surface sinks at a place by a cell of pressure 1 (Love 1929; Johnson 1985, 3.25).
+/// Displacement of the surface under a cell of pressure 1 (Love 1929; Johnson 1985, 3.25).
 double sinkOfCell(const Eigen::Vector2d& at)
 {
   constexpr double h = 0.5 * CellSide;
@@ -42,8 +42,8 @@ double sinkOfCell(const Eigen::Vector2d& at)
 struct ContactCells
 {
   Eigen::Matrix2Xd places;
-  Eigen::VectorXf ofHertz; ///< the pressures of a sphere, but for a factor
-  Eigen::MatrixXf sink;    ///< of one by the pressure of another
+  Eigen::VectorXf ofHertz; ///< pressures of a sphere, up to a factor
+  Eigen::MatrixXf sink;    ///< displacement of one cell by the pressure of another
   std::vector<std::pair<Eigen::Index, Eigen::Index>> neighbours;
 
   ContactCells()
@@ -89,13 +89,13 @@ const ContactCells& contactCells()
   return cells;
 }
 
-/// Mean over the cells that carry pressure.
+/// Mean over the cells with pressure.
 float meanUnder(const Eigen::ArrayXf& touching, const Eigen::VectorXf& values)
 {
   return (touching * values.array()).sum() / touching.sum();
 }
 
-/// How far the cells sink by pressures, most of which are 0.
+/// Displacement of the cells under pressures, most of which are 0.
 Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
 {
   const ContactCells& cells = contactCells();
@@ -110,12 +110,13 @@ Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
   return sink;
 }
 
-/// The pressures that carry the load on a gap, from those that are given; how deep they sink.
+/// Finds the pressures that carry the load on a gap, starting with the given ones. Returns the
+/// depth.
 double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressures)
 {
   const float total = static_cast<float>(load) / CellArea;
   pressures = (gap.array() < Away).select(pressures, 0.0F);
-  if (!(pressures.sum() > 0.0F)) // what touched before cannot now
+  if (!(pressures.sum() > 0.0F)) // the cells that touched before cannot touch now
   {
     pressures = (gap.array() < Away).cast<float>();
   }
@@ -139,12 +140,12 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     const Eigen::VectorXf rise = raw.array() - meanUnder(touching, raw);
     const float along = open.dot(direction);
     const float against = rise.dot(direction);
-    const bool isBalanced = !(along > 0.0F && against > 0.0F); // as a single cell always is
-    // Those that would pull let go, those that the surface has come into take part.
+    const bool isBalanced = !(along > 0.0F && against > 0.0F); // always true of a single cell
+    // Cells with tension are released; cells that the surface has penetrated join the contact.
     const auto enters = touching == 0.0F && open.array() < 0.0F;
     if (isBalanced && !enters.any())
     {
-      break; // nothing is left to move
+      break; // converged
     }
     const float length = isBalanced ? 1.0F / contactCells().sink(0, 0) : along / against;
     const Eigen::VectorXf before = pressures;
@@ -205,7 +206,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
   const double onMean = radius * settle(gap, load / (radius * radius), this->OnMean);
   if (this->Tool.largestContactRadius() < HalfWidth * radius)
   {
-    this->Middle.setZero(); // all of the tool is over the cells
+    this->Middle.setZero(); // the whole tool is over the cells
   }
   Change change;
   change.isInside = false;
@@ -230,7 +231,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
     }
     change.deflection = scale * settle(gap, load / (scale * scale), this->OnShape) - onMean;
     change.isInside = true;
-    bool isAtEnd = false; // of the surface that is known
+    bool isAtEnd = false; // of the known surface
     for (Eigen::Index i = 0; i < count; ++i)
     {
       if (this->OnShape[i] > 0.0F)
@@ -253,7 +254,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
     if (this->OnShape[i] > 0.0F && this->OnShape[j] > 0.0F)
     {
       const double slope = static_cast<double>(around[i] - around[j]) / CellSide;
-      squares += 2.0 * slope * slope; // one of two directions
+      squares += 2.0 * slope * slope; // factor 2: the slope is in one of two directions
       steps += 1.0;
     }
   }

@@ -9,42 +9,43 @@
 namespace palpate
 {
 /**
- * Contacts of an axisymmetric tool with a half-space whose surface has any shape around the axis:
- * uniform pressures on square cells (Love 1929), found for a given force by conjugate gradients on
- * the cells that touch (Polonsky and Keer 1999). Frictionless, small slopes.
+ * Contacts of an axisymmetric tool with a half-space whose surface has any shape around the axis.
+ * The pressure is uniform on square cells (Love 1929). For a given force it is found by conjugate
+ * gradients on the cells in contact (Polonsky and Keer 1999). Frictionless, small slopes.
  *
- * It tells how that contact differs from the one with the angle mean of the surface, which the same
- * cells solve, so that most of what cells do to a contact is in neither.
+ * The result is the difference from the contact with the angle mean of the surface. The same cells
+ * solve both contacts, so most of the error of the cells cancels.
  *
- * One tool at one place, contact after contact, each from the pressures of the one before; not
- * shared by threads. Cost: 0.1 ms a contact.
+ * One object serves one tool at one place. Each contact starts with the pressures of the one
+ * before. Not safe from several threads. Cost: 0.1 ms per contact.
  */
 class PALPATE_EXPORT UnevenContact
 {
 public:
-  /// Both must outlive it.
+  /// Both must outlive this object.
   UnevenContact(const AxisymmetricTool& tool, const SurfaceGap& gap);
 
   struct Change
   {
-    double deflection = 0.0; ///< deeper, under the same force, than on the mean surface; mm
-    double steepness = 0.0;  ///< mean square slope, under the contact, of what is not the mean
-    bool isInside = true;    ///< the surface is known all around the contact
+    /// Difference of δ from the contact with the mean surface under the same force, mm.
+    double deflection = 0.0;
+    /// Mean square slope, under the contact, of the deviation from the mean surface.
+    double steepness = 0.0;
+    bool isInside = true; ///< the surface is known all around the contact
   };
 
-  /// Of the contact under `load`, F/E* in mm², > 0, whose radius on the mean surface is `radius`,
-  /// mm.
+  /// Contact under `load`, F/E* in mm², > 0. `radius`: contact radius on the mean surface, mm.
   Change at(double radius, double load);
 
 private:
-  /// Between tool and mean surface at first touch; +inf where there is none or it is not known.
+  /// Gap between tool and mean surface at first touch, mm; +inf where the surface is not known.
   double meanGap(double r) const;
 
   const AxisymmetricTool& Tool;
   double Reach;
   SurfaceGap::Spectrum Heights;
-  Eigen::Vector2d Middle = Eigen::Vector2d::Zero(); ///< of the contact before, mm
-  Eigen::VectorXf OnShape;                          ///< its pressures
+  Eigen::Vector2d Middle = Eigen::Vector2d::Zero(); ///< of the previous contact, mm
+  Eigen::VectorXf OnShape;                          ///< pressures of the previous contact
   Eigen::VectorXf OnMean;
 };
 } // namespace palpate

@@ -19,7 +19,7 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double OnPlane = 1e-9; ///< of the body's size: what constructions round
+constexpr double OnPlane = 1e-9; ///< of the body's size: rounding errors of constructed points
 
 std::string nameOf(const CutPlane& plane)
 {
@@ -34,7 +34,7 @@ CgalKernel::Plane_3 convertPlane(const CutPlane& plane)
   return { normal.x(), normal.y(), normal.z(), -sign * plane.at };
 }
 
-/// Moves points to the plane that lie on it but for rounding.
+/// Moves points to the plane if they are off it only by rounding.
 void roundTo(const CutPlane& plane, MeshedSurface& surface)
 {
   const double size =
@@ -45,7 +45,7 @@ void roundTo(const CutPlane& plane, MeshedSurface& surface)
   }
 }
 
-/// Adds the edges of only one of the triangles in the plane.
+/// Adds the edges that have exactly one triangle in the plane.
 void addRims(const CutPlane& plane, MeshedSurface& surface)
 {
   const auto isOn = [&](std::int32_t i) { return surface.points(plane.axis, i) == plane.at; };
@@ -66,14 +66,14 @@ void addRims(const CutPlane& plane, MeshedSurface& surface)
   {
     if (i + 1 < edges.size() && edges[i] == edges[i + 1])
     {
-      ++i; // both sides of it
+      ++i; // the edge has both its triangles in the plane
       continue;
     }
     surface.rims.push_back(edges[i]);
   }
 }
 
-/// Orders points and triangles by where they are: CGAL numbers what it cuts by addresses.
+/// Sorts points and triangles by position, because CGAL orders the cut ones by memory addresses.
 void putInOrder(MeshedSurface& surface)
 {
   const auto count = static_cast<std::size_t>(surface.points.cols());
@@ -103,7 +103,7 @@ void putInOrder(MeshedSurface& surface)
   std::sort(surface.triangles.begin(), surface.triangles.end());
 }
 
-/// Returns what is wrong, or "".
+/// Returns "", or a message about the fault.
 std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
 {
   try

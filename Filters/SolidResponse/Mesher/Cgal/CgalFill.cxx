@@ -34,8 +34,8 @@ using Complex =
 } // namespace
 } // namespace palpate
 
-/// CGAL writes a surface that it cannot fill to files in the working directory. This specialization
-/// writes none. CGAL 6 passes one more argument than CGAL 5.
+/// By default CGAL writes a surface that it cannot fill to files in the working directory. This
+/// specialization writes none. CGAL 6 passes one more argument than CGAL 5.
 template <>
 struct CGAL::Dump_c3t3<palpate::Complex>
 {
@@ -51,19 +51,20 @@ namespace
 {
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-// The criteria bound radii; the resulting lengths of edges were measured on balls: 0.95 to 1.05 of
-// the spacing in the mean, on the surface and inside.
+// The criteria limit radii. The resulting lengths of edges were measured on balls: on average 0.95
+// to 1.05 of the spacing, on the surface and inside.
 constexpr double FacetRadius = 0.72; ///< of the circle around a facet, in spacings
 constexpr double CellRadius = 0.80;  ///< of the ball around a cell, in spacings
-constexpr double FacetAngle = 25.0;  ///< least of a facet, degrees: at most 30 (CGAL)
-constexpr double RadiusEdge = 2.0;   ///< of a cell: its ball over its shortest edge
-constexpr double SliverAngle = 10.0; ///< least between two faces that is sought, degrees
+constexpr double FacetAngle = 25.0;  ///< smallest angle of a facet, degrees: at most 30 (CGAL)
+constexpr double RadiusEdge = 2.0;   ///< of a cell: radius of its ball over its shortest edge
+constexpr double SliverAngle = 10.0; ///< smallest dihedral angle that is aimed at, degrees
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
-constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is removing slivers
+constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is the removal of slivers
 
-constexpr double RunAway = 5.0; ///< times the expected cells, which the deviation needs
+/// Limit on the cells needed for the deviation, over the expected cells.
+constexpr double RunAway = 5.0;
 
 struct Stopped
 {
@@ -72,7 +73,7 @@ struct TooRough
 {
 };
 
-/// Looks up the spacing, and calls the observer from time to time.
+/// Looks up the spacing and calls the observer from time to time.
 class SpacingField
 {
 public:
@@ -123,7 +124,7 @@ struct RadiusField
   }
 };
 
-/// A domain whose first points lie on all of its parts, since rays from the centre miss small ones.
+/// A domain with initial points on all of its parts, because rays from the centre miss small parts.
 class SeededDomain : public Domain
 {
 public:

@@ -31,9 +31,10 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double WidestHole = 0.2;      ///< of the body's own box
-constexpr double LeastFragment = 0.001; ///< of all triangles
-constexpr double MostCrossing = 0.01;   ///< of the triangles: more are not a defect of scanning
+constexpr double WidestHole = 0.2;      ///< over the size of the body's box
+constexpr double LeastFragment = 0.001; ///< fraction of all triangles
+/// Largest fraction of crossing triangles. More are not a defect of scanning.
+constexpr double MostCrossing = 0.01;
 
 double diagonalOf(const CGAL::Bbox_3& box)
 {
@@ -49,11 +50,11 @@ Crossings crossingsOf(const CgalSurface& surface)
   return crossing;
 }
 
-/// Fraction by which a point where sheets touch moves towards the mean of its neighbours, each
-/// sheet to its own side.
+/// Fraction of the way to the mean of its neighbours by which a point is moved where sheets touch.
+/// Each sheet moves to its own side.
 constexpr double Parted = 0.05;
 
-/// Separates points at the same place; returns how many.
+/// Separates points at the same place. Returns their number.
 std::size_t partTouching(CgalSurface& mesh)
 {
   std::map<CgalPoint, std::size_t> used;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For the sources that include CGAL alone.
+// Only for sources that include CGAL.
 #ifndef palpate_CgalSurface_h
 #define palpate_CgalSurface_h
 
@@ -18,7 +18,7 @@ using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalPoint = CgalKernel::Point_3;
 using CgalSurface = CGAL::Surface_mesh<CgalPoint>;
 
-/// A surface as CGAL has it. Returns what is wrong with it, by its triangles, or "".
+/// Converts a surface to CGAL. Returns "", or a message with the triangles that are wrong.
 inline std::string toCgal(const MeshedSurface& from, CgalSurface& surface)
 {
   surface.reserve(static_cast<CgalSurface::size_type>(from.points.cols()),
@@ -44,7 +44,7 @@ inline std::string toCgal(const MeshedSurface& from, CgalSurface& surface)
   return {};
 }
 
-/// The points and triangles of a surface without garbage; all else of `to` stays.
+/// Copies points and triangles of a surface without garbage. All other members of `to` stay.
 inline void fromCgal(const CgalSurface& surface, MeshedSurface& to)
 {
   to.points.resize(3, static_cast<Eigen::Index>(surface.number_of_vertices()));

@@ -16,11 +16,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double OwnEdge = 3.0; ///< least length of an edge of the body, in spacings
+constexpr double OwnEdge = 3.0; ///< smallest length of an edge of the body, in spacings
 
 using Edges = std::vector<CgalSurface::Edge_index>;
 
-/// Those by which the surface turns more than wanted, but for the ones in `besides`.
+/// Edges at which the surface turns by more than the angle, except those in `besides`.
 Edges sharpEdges(const CgalSurface& surface, double angle, const Edges& besides)
 {
   const double least = std::cos(angle * CGAL_PI / 180.0);
@@ -42,8 +42,8 @@ Edges sharpEdges(const CgalSurface& surface, double angle, const Edges& besides)
   return found;
 }
 
-/// Whether the sharp edges of a surface are those of the body, lines several spacings long, and not
-/// the many short ones that a scan's noise has.
+/// Whether the sharp edges of a surface are edges of the body, which are lines several spacings
+/// long. The noise of a scan has many short ones.
 bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSurface& wanted)
 {
   std::vector<CgalSurface::Vertex_index> root(surface.vertices().begin(), surface.vertices().end());
@@ -71,7 +71,7 @@ bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSur
   return 2 * static_cast<std::size_t>(own) > lengths.size();
 }
 
-/// Ascending.
+/// Edges on the rims, ascending.
 Edges rimsOf(const CgalSurface& surface, const MeshedSurface& wanted)
 {
   Edges found;
@@ -88,7 +88,7 @@ Edges rimsOf(const CgalSurface& surface, const MeshedSurface& wanted)
 
 using LineGraph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, CgalPoint>;
 
-/// Lines, from corner to corner or closed.
+/// Collects lines, each from corner to corner or closed.
 class LineVisitor
 {
 public:
@@ -110,7 +110,7 @@ private:
   const LineGraph& Graph;
 };
 
-/// Where a line turns back by more than 90 degrees.
+/// A point where a line turns back by more than 90°.
 struct IsCorner
 {
   bool operator()(LineGraph::vertex_descriptor v, const LineGraph& graph) const
@@ -162,7 +162,8 @@ FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wan
   std::vector<Line> lines = linesOf(surface, followed);
   if (!areOwn)
   {
-    lines = separateLines(lines, wanted.spacing.front()); // a scan's rims are as rough as it is
+    // The rims of a scan are as rough as its surface.
+    lines = separateLines(lines, wanted.spacing.front());
   }
   for (const Line& line : lines)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For the sources that include CGAL alone.
+// Only for sources that include CGAL.
 #ifndef palpate_FollowedEdges_h
 #define palpate_FollowedEdges_h
 
@@ -9,16 +9,17 @@
 
 namespace palpate
 {
-/// Lines of a surface that the edges of its cells are to follow.
+/// Lines of a surface that the edges of the cells must follow.
 struct FollowedEdges
 {
-  bool areDetected = false; ///< all edges sharper than wanted, as the mesher finds them itself
+  /// Whether all edges sharper than the limit are followed. The mesher finds them itself.
+  bool areDetected = false;
   std::vector<std::vector<CgalPoint>> lines; ///< from corner to corner, or closed
 };
 
 /**
- * The rims, and the sharp edges where those are the body's own: lines several spacings long, and
- * not the many short ones that a scan's noise has.
+ * The rims, and the sharp edges if they are edges of the body: lines several spacings long, not the
+ * many short ones due to the noise of a scan.
  */
 FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wanted);
 } // namespace palpate

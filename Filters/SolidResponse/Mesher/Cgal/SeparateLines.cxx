@@ -10,13 +10,14 @@ namespace palpate
 {
 namespace
 {
-// In lengths of the cells.
+// Lengths in units of the cells' length.
 constexpr double LeastSide = 0.25;
 constexpr double LeastDistance = 1.0;
 constexpr double LeastPart = 3.0;
-constexpr double LeastOfPath = 0.5; // distance of two places, over the way along the lines
+// Smallest distance of two places over the path between them along the lines.
+constexpr double LeastOfPath = 0.5;
 
-/// Without points closer than `least` to the one before; the ends stay.
+/// The line without points closer than `least` to the previous one. The ends stay.
 Line withoutShortSides(const Line& line, double least)
 {
   Line made = { line.front() };
@@ -41,7 +42,7 @@ struct Place
   Eigen::Vector3d at;
   std::size_t line;
   std::size_t side;
-  double along; ///< from the line's first point, mm
+  double along; ///< distance from the line's first point, mm
 };
 
 class Separation
@@ -121,7 +122,7 @@ private:
     this->Near.emplace_back(line.size() - 1, false);
   }
 
-  /// The way along the lines from one place to another; infinite if they do not meet.
+  /// Length of the path along the lines between two places; infinite if the lines do not meet.
   double path(const Place& a, const Place& b) const
   {
     double least =
@@ -162,9 +163,9 @@ private:
 
   double Length;
   std::vector<Line> Lines;
-  std::vector<double> Totals; ///< lengths
+  std::vector<double> Totals; ///< length of each line
   std::vector<Place> Places;
-  std::vector<std::vector<bool>> Near; ///< of each side
+  std::vector<std::vector<bool>> Near; ///< per line and side: whether it is too near another one
 };
 } // namespace
 

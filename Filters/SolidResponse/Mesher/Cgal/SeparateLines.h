@@ -8,14 +8,15 @@
 
 namespace palpate
 {
-/// Points in their order, mm; closed if the last is the first.
+/// Points in order, mm. The line is closed if the last point equals the first.
 using Line = std::vector<Eigen::Vector3d>;
 
 /**
- * Of lines what cells of a given length can follow: without sides shorter than a quarter of it,
- * without what comes within it to another line, or to itself by a detour of twice that, and without
- * what is left in parts shorter than three times it. Along the rest a mesher that separates lines
- * would need cells without end. Lines may meet at their ends.
+ * The parts of lines that cells of a given length can follow. Removed are: sides shorter than a
+ * quarter of that length; sides within that length of another line, or of the same line if the path
+ * along it is more than twice the distance; remaining parts shorter than three times that length. A
+ * mesher that separates lines would need an unlimited number of cells at the removed parts. Lines
+ * may meet at their ends.
  */
 std::vector<Line> separateLines(const std::vector<Line>& lines, double length);
 } // namespace palpate

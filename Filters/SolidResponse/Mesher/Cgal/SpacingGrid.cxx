@@ -23,7 +23,7 @@ SpacingGrid::SpacingGrid(const MeshedSurface& surface)
   }
   this->Step =
     std::max(finest / StepsPerSpacing, std::cbrt((length.array() + finest).prod() / MostGridNodes));
-  // A plate's volume is small beside its nodes.
+  // The volume of a plate is small compared with its number of nodes.
   while (((length.array() / this->Step).ceil() + 3.0).prod() > MostGridNodes)
   {
     this->Step *= 1.1;
@@ -58,7 +58,8 @@ void SpacingGrid::refine(const FineBall& ball, double growth)
   }
 }
 
-/// Sets the nodes around points of the triangles less than a step apart from the spacing there.
+/// Sets the nodes around sample points of the triangles, less than a step apart, from the spacing
+/// there.
 void SpacingGrid::mark(const MeshedSurface& surface, double growth)
 {
   for (const auto& corners : surface.triangles)
@@ -94,7 +95,7 @@ void SpacingGrid::mark(const MeshedSurface& surface, double growth)
   }
 }
 
-/// Chamfer distances from the marked nodes: one sweep forwards, one backwards (Borgefors 1986).
+/// Chamfer distances from the marked nodes in two sweeps, forwards and backwards (Borgefors 1986).
 void SpacingGrid::sweep(double growth)
 {
   const auto total = static_cast<std::int64_t>(this->Values.size());
@@ -107,7 +108,7 @@ void SpacingGrid::sweep(double growth)
         static_cast<int>(flat / this->Size[0] % this->Size[1]),
         static_cast<int>(flat / this->Size[0] / this->Size[1]));
       double& value = this->Values[static_cast<std::size_t>(flat)];
-      for (int n = 0; n < 13; ++n) // those of the 26 neighbours that come before
+      for (int n = 0; n < 13; ++n) // those of the 26 neighbours that the sweep has visited before
       {
         const Eigen::Array3i beside =
           at + direction * Eigen::Array3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
