@@ -17,8 +17,8 @@ class vtkTable;
 
 namespace palpate
 {
-/// The curves of all tools at one point of a body, the depth of the verdict, and the shown tool's
-/// point on its curve.
+/// A chart with the curves of all tools at one point of a body, the depth of the verdict, and the
+/// present point of the shown tool.
 class ComparisonChart
 {
 public:
@@ -27,14 +27,14 @@ public:
   ComparisonChart(const ComparisonChart&) = delete;
   ComparisonChart& operator=(const ComparisonChart&) = delete;
 
-  /// Adds it to a part of the window: left, bottom, right, top as fractions.
+  /// Adds the chart to a part of the window: left, bottom, right, top as fractions.
   void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
 
-  /// Draws the curves of a point, and a line at `deflection` (mm). Returns what is wrong, or "".
+  /// Draws the curves of a point, and a line at `deflection` (mm). Returns the error, or "".
   std::string drawCurves(
     vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools, double deflection);
 
-  /// The running point, mm and N; hidden without contact.
+  /// Moves the present point (mm, N); a `deflection` of 0 hides it.
   void mark(double deflection, double force);
 
   vtkResponseChart* chart();

@@ -39,7 +39,7 @@ constexpr int TitleSize = 19;
 // The arrow's scale is kept for forces up to this many times larger or smaller.
 constexpr double SameScale = 4.0;
 
-/// The corner of a cell next to a place.
+/// The corner of a cell that is nearest to `place`.
 vtkIdType nearestCorner(vtkPolyData* body, vtkIdType cell, const double place[3])
 {
   vtkNew<vtkIdList> corners;
@@ -79,7 +79,7 @@ ComparisonColumn::ComparisonColumn()
 {
   this->Renderer->UseFXAAOn();
   this->Scene->SetRenderer(this->Renderer);
-  // The bodies are compared, not what a device can render of them.
+  // The bodies are compared, not the forces that a device can render.
   this->Scene->GetToolRepresentation()->SetAppliedForceVisibility(false);
   this->Scene->SetTrailVisibility(false);
   this->Map->SetVisibility(false);
@@ -91,7 +91,7 @@ ComparisonColumn::ComparisonColumn()
   this->Title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   this->Title->GetPositionCoordinate()->SetValue(0.02, 0.975);
   this->Renderer->AddViewProp(this->Title);
-  // The camera is shared with another body, of other bounds.
+  // The camera is shared with another body, which has other bounds.
   vtkNew<vtkCallbackCommand> fit;
   fit->SetCallback([](vtkObject* renderer, unsigned long, void*, void*)
     { static_cast<vtkRenderer*>(renderer)->ResetCameraClippingRange(); });

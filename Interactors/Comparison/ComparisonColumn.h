@@ -21,9 +21,9 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// One of the bodies that are compared, from top to bottom: title, the body under the tool or its
-/// regime map, the curves of all tools at the contact, the verdict. Functions that return text say
-/// what is wrong, or "".
+/// One of the bodies that are compared. It shows from top to bottom: title, the body under the tool
+/// or its regime map, the curves of all tools at the contact, the verdict. Functions that return
+/// text return the error, or "".
 class ComparisonColumn
 {
 public:
@@ -35,7 +35,7 @@ public:
   /// Occupies the part of the window between two fractions of its width.
   void addTo(vtkRenderWindow* window, double left, double right);
 
-  // Sets the body; it is judged when something is shown.
+  // Sets the body. The verdict is computed when something is shown.
   void setBody(vtkPolyData* body, const std::string& title);
   void setTools(const std::vector<ComparedTool>& tools);
   void setMaterial(const ComparedMaterial& material);
@@ -44,7 +44,7 @@ public:
 
   std::string showTip(vtkPolyData* probed, vtkIdType index);
   std::string showSession(vtkHapticSession* session);
-  /// Shows curves and verdict at the point of the body next to a place.
+  /// Shows curves and verdict at the point of the body nearest to `place`, mm.
   std::string showPlace(const double place[3]);
   /// -1: by displacement; otherwise a vtkRegimeMap::MapQuantity of the shown tool.
   std::string colorBy(int quantity);
@@ -68,9 +68,9 @@ private:
   ComparedMaterial Material;
   double Deflection = 1.0;
   std::size_t ShownTool = 0;
-  vtkIdType JudgedPoint = -1; ///< -1: none, or outdated
+  vtkIdType JudgedPoint = -1; ///< point of the statement; -1: none, or outdated
   RegimeStatement Statement;
-  double ArrowForce = 0.0; ///< N, that the scale of the arrow was chosen for
+  double ArrowForce = 0.0; ///< N, force for which the scale of the arrow was chosen
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkContactScene> Scene;

@@ -9,8 +9,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A body of one point, with that point's data and the body's field data, so that filters compute
-/// for this point alone. No cells.
+/// A body with one point, the data of this point, and the field data of `body`, so that filters
+/// compute for this point alone. It has no cells.
 vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
 } // namespace palpate
 

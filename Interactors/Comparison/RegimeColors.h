@@ -12,11 +12,11 @@ class vtkScalarsToColors;
 
 namespace palpate
 {
-/// Colours of the verdicts of vtkContactRegime, 0 to 2: dark where shape matters. Okabe and Ito.
+/// Colours of the verdicts of vtkContactRegime, 0 to 2, by Okabe and Ito. Dark: shape matters.
 constexpr std::array<Color, 3> VerdictColors = { { { 0.00, 0.45, 0.70 }, { 0.90, 0.62, 0.00 },
   { 0.95, 0.90, 0.25 } } };
 
-/// The same in few words, for a legend.
+/// Short names of the verdicts, for a legend.
 constexpr std::array<const char*, 3> VerdictNames = { "shape\nmatters", "mixed",
   "point force\nsuffices" };
 

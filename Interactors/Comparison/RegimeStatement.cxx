@@ -23,10 +23,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int Depths = 160; // between 0 and the range, denser where it is shallow
+constexpr int Depths = 160; // between 0 and the range, closer together near 0
 constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
-/// The depths at which a point is judged, and the most cautious verdict so far.
+/// The depths at which a point is judged, and the most cautious verdict of the tools so far.
 struct DepthVerdicts
 {
   std::vector<double> depths; ///< rising
@@ -50,7 +50,7 @@ DepthVerdicts makeDepths(double range, double asked)
   return all;
 }
 
-/// Reads the material at the body's only point; returns what is wrong with it, or "".
+/// Reads the material at the body's only point; returns the fault, or "".
 std::string readPoint(vtkPolyData* one, BodyMaterial& material)
 {
   BodyMaterial::Values values;

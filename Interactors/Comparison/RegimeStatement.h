@@ -20,15 +20,15 @@ struct ComparedTool
   std::string responseName;
 };
 
-/// The material of a body; its point arrays GlobalCompliance (mm/N) and LayerThickness (mm) count
-/// in addition, if present.
+/// The material of a body. Its point arrays GlobalCompliance (mm/N) and LayerThickness (mm) are
+/// also used, if present.
 struct ComparedMaterial
 {
   double youngsModulus = 0.1; ///< MPa
   double poissonRatio = 0.45;
 };
 
-/// One tool pressed at one point: see RegimeLaw.h. NaN where there is no stable contact.
+/// Results for one tool pressed at one point: see RegimeLaw.h. NaN if there is no stable contact.
 struct ToolRegime
 {
   double force = 0.0; ///< N, of the stored response
@@ -42,23 +42,23 @@ struct ToolRegime
 struct RegimeStatement
 {
   double deflection = 0.0;       ///< mm
-  std::vector<ToolRegime> tools; ///< in their order
-  int verdict = 0;               ///< the most cautious of the tools'
+  std::vector<ToolRegime> tools; ///< one per tool, in the order of the tools
+  int verdict = 0;               ///< the most cautious verdict of all tools
   double from = 0.0;             ///< mm: the verdict is the same from here ...
   double to = 0.0;               ///< ... to here, at most to the end of the responses
   double spread = 0.0;           ///< (largest - smallest force)/mean
-  double validity = 0.0;         ///< mm: the responses of all tools hold down to here
+  double validity = 0.0;         ///< mm: the responses of all tools are valid down to here
 };
 
-/// Judges a point of a body; an error in words, or "". A `deflection` (mm) beyond the range of the
-/// responses counts as that range. Some milliseconds.
+/// Judges a point of a body; returns the error in words, or "". A `deflection` (mm) beyond the
+/// range of the responses counts as that range. Takes some milliseconds.
 std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
   const ComparedMaterial& material, double deflection, RegimeStatement& statement);
 
-// The statement for a reader.
+// The statement as text.
 std::string verdictInWords(const RegimeStatement& statement);
-/// λ, sensitivity and spread at this depth; the depths for which the verdict and the responses
-/// hold.
+/// λ, sensitivity and spread at this depth, and the depths at which the verdict and the responses
+/// are valid.
 std::string numbersInWords(const RegimeStatement& statement);
 } // namespace palpate
 

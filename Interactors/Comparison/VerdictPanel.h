@@ -12,7 +12,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// A statement in words, beside a patch of the verdict's colour.
+/// A statement in words, next to a patch in the verdict's colour.
 class VerdictPanel
 {
 public:
@@ -21,7 +21,7 @@ public:
   VerdictPanel(const VerdictPanel&) = delete;
   VerdictPanel& operator=(const VerdictPanel&) = delete;
 
-  /// Adds it to a part of the window: left, bottom, right, top as fractions.
+  /// Adds the panel to a part of the window: left, bottom, right, top as fractions.
   void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
 
   void show(const RegimeStatement& statement);

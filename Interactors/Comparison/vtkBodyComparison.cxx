@@ -112,7 +112,7 @@ void vtkBodyComparison::SetShownTool(int tool)
     }
     if (this->Color != Displacement)
     {
-      this->SetColor(this->Color); // the maps are of the shown tool
+      this->SetColor(this->Color); // the maps show the shown tool
     }
     this->Modified();
   }
@@ -210,7 +210,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   {
     return;
   }
-  // Room for the arrow of the largest force, even if there is none now.
+  // Leaves room for the arrow of the largest force, even if there is no arrow now.
   double unit[3] = { up[0], up[1], up[2] };
   vtkMath::Normalize(unit);
   for (const int side : { Left, Right })
@@ -238,7 +238,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   camera->SetPosition(middle[0] + direction[0], middle[1] + direction[1], middle[2] + direction[2]);
   camera->SetViewUp(up);
   renderer->ResetCamera(bounds);
-  camera->Zoom(Zoom); // which fits the ball around them
+  camera->Zoom(Zoom); // ResetCamera fits the sphere around the bodies
   camera->SetWindowCenter(LegendShare, CaptionShare);
 }
 

@@ -5,27 +5,28 @@
  * matter?
  *
  * The question of Mahvash and Hayward (2002), section 2: on a body that deforms globally all tools
- * have the same force, on one that deforms locally they do not.
+ * have the same force, on a body that deforms locally they do not.
  *
  * Give it a window, two bodies that carry responses of the same tools under the same names, and the
- * tools. Each half of the window shows, from top to bottom, the body under the shown tool
- * (vtkContactScene), force over deflection of all tools at the point of contact (vtkResponseChart,
- * dotted beyond validity) with the running point of the shown one, and the verdict in words: λ and
- * tool sensitivity (vtkContactRegime) at Deflection, the spread of the forces, the depths for which
- * the verdict holds and the depth to which the responses are valid. The verdict is the most
- * cautious of those of the tools. Both bodies share one camera; axes and force arrows have separate
- * scales, since forces may differ a hundredfold.
+ * tools. Each half of the window shows three parts, from top to bottom. First, the body under the
+ * shown tool (vtkContactScene). Second, force over deflection of all tools at the point of contact
+ * (vtkResponseChart, dotted beyond validity), with the present point of the shown tool. Third, the
+ * verdict in words: λ and tool sensitivity (vtkContactRegime) at Deflection, the spread of the
+ * forces, the depths at which the verdict is the same, and the depth to which the responses are
+ * valid. The verdict is the most cautious one of all tools. Both bodies share one camera. Axes and
+ * force arrows have separate scales, because the forces may differ by a factor of a hundred.
  *
- * The bodies are of one material (YoungsModulus, PoissonRatio); their support and layers are given
- * by the point arrays `GlobalCompliance` (mm/N) and `LayerThickness` (mm), if present. Material and
- * responses must agree, otherwise an error says where they do not.
+ * The bodies are of one material (YoungsModulus, PoissonRatio). The point arrays `GlobalCompliance`
+ * (mm/N) and `LayerThickness` (mm), if present, give their support and layers. Material and
+ * responses must agree; a map reports an error that names a point where they do not.
  *
- * ShowTips moves both scenes to one tip each, of vtkToolContactProbe or a recording; ShowSessions
- * to the newest tick of two sessions. Curves and verdict follow the contact from vertex to vertex;
- * one change takes some milliseconds. Color chooses the colours of the bodies: the displacement, or
- * one of the maps of vtkRegimeMap, which take some seconds per million points when first shown.
+ * ShowTips moves both scenes to one tip each, from vtkToolContactProbe or a recording; ShowSessions
+ * moves them to the newest tick of two sessions. Curves and verdict follow the contact from vertex
+ * to vertex; one change takes some milliseconds. Color selects the colours of the bodies: the
+ * displacement, or one of the maps of vtkRegimeMap. A map takes some seconds per million points
+ * when it is first shown.
  *
- * Errors: vtkErrorMacro, and false.
+ * Errors are reported by vtkErrorMacro; the function then returns false.
  *
  * @sa vtkContactScene vtkContactRegime vtkRegimeMap
  */
@@ -54,13 +55,13 @@ public:
   vtkTypeMacro(vtkBodyComparison, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Which of the two bodies.
+  /// The two bodies.
   enum BodySide
   {
     Left = 0,
     Right = 1
   };
-  /// What the bodies are coloured by.
+  /// Quantities that the colours of the bodies can show.
   enum BodyColor
   {
     Displacement = 0,
@@ -84,13 +85,13 @@ public:
   ///@}
 
   ///@{
-  /** Which of the tools touches, from 0. Default 0. */
+  /** The tool that touches, by its number from 0. Default 0. */
   void SetShownTool(int tool);
   vtkGetMacro(ShownTool, int);
   ///@}
 
   ///@{
-  /** Of both bodies; MPa. Defaults 0.1 and 0.45. */
+  /** Young's modulus (MPa) and Poisson's ratio of both bodies. Defaults 0.1 and 0.45. */
   void SetYoungsModulus(double modulus);
   vtkGetMacro(YoungsModulus, double);
   void SetPoissonRatio(double ratio);
@@ -98,13 +99,13 @@ public:
   ///@}
 
   ///@{
-  /** Depth of the verdict and end of the colours of the displacement, mm, > 0. Default 1. */
+  /** Depth of the verdict and upper end of the colours of the displacement, mm, > 0. Default 1. */
   void SetDeflection(double deflection);
   vtkGetMacro(Deflection, double);
   ///@}
 
   ///@{
-  /** What the bodies are coloured by. Default Displacement. */
+  /** The quantity that the colours of the bodies show. Default Displacement. */
   bool SetColor(int color);
   vtkGetMacro(Color, int);
   ///@}
@@ -116,18 +117,19 @@ public:
   bool ShowSessions(vtkHapticSession* left, vtkHapticSession* right);
   ///@}
 
-  /** Curves and verdicts at the points of the bodies next to a place, mm. */
+  /** Shows curves and verdicts at the points of the bodies nearest to (x, y, z), mm. */
   bool ShowPlace(double x, double y, double z);
 
-  /** Sets the camera to show both bodies whole from `direction`; `up` points up. */
+  /** Sets the camera so that it shows all of both bodies from `direction`; `up` points up. */
   void LookAtBodies(const double direction[3], const double up[3]);
 
   ///@{
   /**
-   * The results at the last contact or place shown. Of one tool: force (N), λ, sensitivity; NaN
-   * before the first. Of all: the verdict (0 shape matters, 1 mixed, 2 a point force suffices; -1
-   * before the first), (largest - smallest force)/mean, the depths (mm) from and to which the
-   * verdict is the same, the depth to which the responses are valid, and all this in words.
+   * The results at the last contact or point shown. For one tool: force (N), λ, sensitivity; NaN
+   * before the first. For all tools: the verdict (0 shape matters, 1 mixed, 2 a point force
+   * suffices; -1 before the first), (largest - smallest force)/mean, the depths (mm) from and to
+   * which the verdict is the same, the depth to which the responses are valid, and all of these in
+   * words.
    */
   double GetForce(int side, int tool);
   double GetRegimeIndex(int side, int tool);

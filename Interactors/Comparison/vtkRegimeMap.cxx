@@ -22,7 +22,7 @@ namespace
 {
 constexpr int TextSize = 15;
 constexpr double MapLegendWidth = 175.0; // pixels, as the legend of a contact scene
-constexpr double NamesShift = 0.6;       // of that
+constexpr double NamesShift = 0.6;       // of the legend's width
 
 struct QuantityLook
 {
@@ -128,10 +128,10 @@ void vtkRegimeMap::PlaceLegend()
 {
   if (this->Renderer)
   {
-    // The same size in pixels for any width of the viewport.
+    // The legend has the same size in pixels for any width of the viewport.
     const double share = std::min(
       1.0, MapLegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
-    // Names are to the right of their bar, which would move with them.
+    // The names are to the right of the bar; the shift to the left makes room for them.
     const double shift = this->Quantity == Verdict ? NamesShift : 0.0;
     this->Legend->GetPositionCoordinate()->SetValue(1.0 - (1.0 + shift) * share, 0.2);
     this->Legend->SetWidth(0.85 * share);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRegimeMap
- * @brief a body coloured by where the shape of the tool matters, with a legend, in a renderer
+ * @brief shows on a body where the shape of the tool matters, with a legend, in a renderer
  *
  * Give it a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
- * - Index, λ: orange where deformation is global (1), white where it is local (0), violet where a
- *   near base stiffens the body (-1 and below);
+ * - Index, λ: orange where the deformation is global (1), white where it is local (0), violet where
+ *   a base close below stiffens the body (-1 and below);
  * - Sensitivity, S = dlnF/dln(size): from yellow (0: a point force suffices) to dark blue (1.5 and
  *   above);
- * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices. Grey where there
- * is no stable contact. A colour means the same number in every picture: the ranges do not follow
- * the data. Sensitivity and verdicts differ in lightness, for grey and for the colour-blind; the
- * index in violet and orange (ColorBrewer's PuOr).
+ * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices.
+ *
+ * Grey: there is no stable contact. A colour means the same number in every picture, because the
+ * ranges do not follow the data. The colours of sensitivity and verdicts differ in lightness, so
+ * that they can be distinguished in grey and by colour-blind people. The index is in violet and
+ * orange (ColorBrewer's PuOr).
  *
  * Cost: the arrays are uploaded once, and again when the quantity changes.
  *
@@ -51,8 +53,8 @@ public:
   void SetRenderer(vtkRenderer* renderer);
 
   /**
-   * The body, with the arrays of vtkContactRegime. Returns false, after an error that names the
-   * array, if one is missing; the display is then unchanged.
+   * The body, with the arrays of vtkContactRegime. If an array is missing, reports an error that
+   * names it and returns false; the display is then unchanged.
    */
   bool SetBody(vtkPolyData* body);
 

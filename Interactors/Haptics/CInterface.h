@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the handles of palpate.h are, for its implementation only.
+// The definitions of the handles of palpate.h, for its implementation only.
 #ifndef palpate_CInterface_h
 #define palpate_CInterface_h
 
@@ -25,13 +25,13 @@ struct palpate_contact
 
 namespace palpate::c
 {
-/// Copies a reason to `error`, cut to its size.
+/// Copies a reason to `error`, cut to `size`.
 void report(const std::string& reason, char* error, std::size_t size);
-/// Reports a fault by its name in C; returns whether there is one.
+/// Reports a fault with its name in C; returns whether there is one.
 bool isRefused(const SettingFault& fault, char* error, std::size_t size);
 
-/// Reports nonzero members of `reserved` of the struct `name`, set by a later header or not
-/// initialised. Returns whether there are any.
+/// Reports nonzero members of `reserved` of the struct `name`: a later header set them, or they are
+/// not initialised. Returns whether there are any.
 template <std::size_t N>
 bool isFromLater(const double (&reserved)[N], const char* name, char* error, std::size_t size)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of palpate.h with a mapping and a safety of its own.
+// The part of palpate.h with mapping and safety.
 #include "Haptics/CInterface.h"
 
 #include "Haptics/Safety/SafetySettings.h"
@@ -77,7 +77,7 @@ std::unique_ptr<palpate::ServoScene> sceneOf(palpate_scene* handle)
   return std::unique_ptr<palpate::ServoScene>(reinterpret_cast<palpate::ServoScene*>(handle));
 }
 
-/// Null with the reason in error.
+/// Returns null with the reason in error on failure.
 std::unique_ptr<palpate::ServoScene> makeScene(const palpate_body* body,
   const palpate_settings* settings, double forceFactor, char* error, std::size_t size)
 {

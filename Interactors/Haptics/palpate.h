@@ -2,25 +2,26 @@
 /*
  * Palpate from C: load a body, step, reset.
  *
- * For a servo loop of your own. palpate_step neither allocates, locks, logs nor throws; the other
- * functions may, and belong outside the loop unless they say otherwise. Positions and forces are
- * the device's: metres and newtons in its own frame; those in a palpate_tick are the body's: mm and
- * N in its frame. A body may be shared by any number of contacts and threads; a contact serves one
- * thread and must not outlive its body.
+ * For a servo loop of your own. palpate_step neither allocates, locks, logs nor throws. The other
+ * functions may do so; call them outside the loop unless their comment says otherwise. Positions
+ * and forces are in the device's frame, in metres and newtons; those in a palpate_tick are in the
+ * body's frame, in mm and N, unless noted. Any number of contacts and threads may share a body. A
+ * contact serves one thread and must not outlive its body.
  *
- * First come contacts for a loop with its own mapping and safety; then, from palpate_mapping on,
+ * First come contacts for a loop with its own mapping and safety. From palpate_mapping on follow
  * contacts that include both.
  *
  * How this interface may change, so that a program works with any later library of the same soname:
  * - Functions, enumerators and macros are only added. Existing ones keep name, arguments and
  *   meaning.
  * - A struct keeps its size and its members their place. A new member takes space from `reserved`,
- *   and zero means the behaviour before it. Initialise every input struct with its
- *   palpate_..._default or palpate_..._of, which sets `reserved` to zero; where a reason can be
- *   given, a library refuses a `reserved` that is not zero. Every output struct has zero there.
- * - Each such addition raises PALPATE_API_VERSION by one; palpate.symbols lists which function came
- *   with which. Any other change is another soname, with the second number of Palpate's version
- *   before 1.0, with the first from then on; PALPATE_API_VERSION continues.
+ *   and zero in it means the behaviour before it. Initialise every input struct with its
+ *   palpate_..._default or palpate_..._of, which sets `reserved` to zero. Functions that can report
+ *   a reason refuse a `reserved` that is not zero. Every output struct has zero there.
+ * - Each such addition raises PALPATE_API_VERSION by one; palpate.symbols lists the version in
+ *   which each function was added. Any other change makes another soname. The soname changes with
+ *   the second number of Palpate's version before 1.0, with the first from then on;
+ *   PALPATE_API_VERSION continues.
  */
 #ifndef PALPATE_H
 #define PALPATE_H
@@ -49,7 +50,7 @@ extern "C"
 #endif
 
   /* The version of the loaded library, "0.1.0", and its PALPATE_API_VERSION. A program may use all
-   * of its header if the library's number is no less than the header's. */
+   * of its header if the library's number is not less than the header's. */
   PALPATE_API const char* palpate_version(void);
   PALPATE_API int palpate_api_version(void);
 
@@ -58,7 +59,7 @@ extern "C"
   /* One tip on a body, and the history of its contact. */
   typedef struct palpate_contact palpate_contact;
 
-  /* What the contact is doing; values of palpate_tick.state. */
+  /* State of the contact; values of palpate_tick.state. */
   enum palpate_state
   {
     PALPATE_NONE = 0,
@@ -67,10 +68,10 @@ extern "C"
     PALPATE_BEYOND_RANGE = 3,
     PALPATE_LOST_AT_BORDER = 4,
     PALPATE_INVALID = 5,
-    PALPATE_TILTED_TOO_FAR = 6 /* since 4: felt as at the largest tilt of the response */
+    PALPATE_TILTED_TOO_FAR = 6 /* since 4: the force is that of the largest tilt of the response */
   };
 
-  /* How the curves of a triangle's corners become one force. */
+  /* How the curves at a triangle's corners are combined into one force. */
   enum palpate_force_form
   {
     PALPATE_PAPER = 0,
@@ -78,7 +79,7 @@ extern "C"
     PALPATE_ENERGY_CONSISTENT = 2
   };
 
-  /* The surface the tip is projected on. */
+  /* The surface onto which the tip is projected. */
   enum palpate_contact_surface
   {
     PALPATE_FACETS = 0,
@@ -100,17 +101,17 @@ extern "C"
     int force_form;      /* enum palpate_force_form */
     int contact_surface; /* enum palpate_contact_surface */
     int friction_model;  /* enum palpate_friction_model */
-    /* Coulomb's, finite and >= 0; 0, the default: no friction. */
+    /* Coulomb's coefficient, finite and >= 0; 0, the default: no friction. */
     double friction_coefficient;
-    /* Of the stuck contact, N/mm, finite and > 0. A loop of period T at a device of damping b is
-     * stable only up to 2b/T. Not used by PALPATE_SHAPE_DERIVED. */
+    /* Tangential stiffness of a sticking contact, N/mm, finite and > 0. A loop of period T on a
+     * device of damping b is stable only up to 2b/T. Not used by PALPATE_SHAPE_DERIVED. */
     double tangential_stiffness;
-    /* PALPATE_ELASTO_PLASTIC only: fraction of the sliding limit below which nothing creeps, 0 to
-     * 1; and fraction at which half of a further displacement is creep, > 0 and no less than the
-     * former. */
+    /* PALPATE_ELASTO_PLASTIC only: fraction of the sliding limit below which there is no creep, 0
+     * to 1; and fraction at which half of a further displacement is creep, > 0 and not less than
+     * the first one. */
     double friction_breakaway;
     double friction_stick_radius;
-    /* Of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
+    /* Poisson's ratio of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
     double poisson_ratio;
     double reserved[8]; /* zero */
   } palpate_settings;
@@ -118,8 +119,8 @@ extern "C"
   /* The input and result of one step. */
   typedef struct palpate_tick
   {
-    double device_force[3];  /* on the hand, N, frame of the device: what to send */
-    double tip[3];           /* mm, frame of the body, as all that follows */
+    double device_force[3];  /* on the hand, N, frame of the device: send this one */
+    double tip[3];           /* mm, frame of the body, as all vectors below */
     double force[3];         /* N, on the tool, before the device's limit: normal and friction */
     double friction[3];      /* N, on the tool, tangential */
     double normal_force;     /* N, along normal */
@@ -128,26 +129,26 @@ extern "C"
     double contact_point[3]; /* mm */
     int triangle;            /* of the body, -1 for none */
     int state;               /* enum palpate_state */
-    double memory;           /* N, what of normal_force a body that relaxes remembers (since 3) */
+    double memory;           /* N, memory part of normal_force if the body relaxes (since 3) */
     double torque[3];        /* N mm, on the tool about its tip (since 4, as tilt) */
-    double tilt;             /* rad, of the tool's axis from normal; 0 where it is not told */
+    double tilt;             /* rad, between the tool's axis and normal; 0 if the axis is unknown */
     double reserved[3];
   } palpate_tick;
 
-  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason, cut
-   * to error_size with its terminating zero, to error (which may be null). */
+  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason to
+   * error (which may be null), cut to error_size with its terminating zero. */
   PALPATE_API palpate_body* palpate_body_load(const char* path, char* error, size_t error_size);
   PALPATE_API void palpate_body_free(palpate_body* body);
 
-  /* A contact with the body: device axes are the body's, 1 m is 1000 mm, and device_force is
+  /* A contact with the body. Device axes are those of the body, 1 m is 1000 mm, and device_force is
    * limited to maximum_force (N) in magnitude. Null if body is null or memory is short. */
   PALPATE_API palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
 
   /* The default settings: those of palpate_contact_new. */
   PALPATE_API void palpate_settings_default(palpate_settings* settings);
 
-  /* The same with other settings (null: the default). Null, too, if one of them is out of its
-   * range; the reason, naming it, its range and its value, goes to error as in palpate_body_load.
+  /* The same with other settings (null: the default). Also null if a setting is out of its range;
+   * the reason, with its name, range and value, goes to error as in palpate_body_load.
    */
   PALPATE_API palpate_contact* palpate_contact_new_with(const palpate_body* body,
     double maximum_force, const palpate_settings* settings, char* error, size_t error_size);
@@ -158,31 +159,31 @@ extern "C"
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
 
   /* The same with the tool's axis: from the tip to the hand, of any length, in the frame of the
-   * device. Zero: not known, as in palpate_step, where the tool is along the body's normal. One
+   * device. Zero: unknown; the tool is then along the body's normal, as in palpate_step. An axis
    * that is not finite gives zero force. (since 4) */
   PALPATE_API void palpate_step_pose(palpate_contact* contact, const double position[3],
     const double axis[3], double time, palpate_tick* tick);
 
-  /* Forgets the contact: the next step begins anew. */
+  /* Forgets the contact: the next step starts again. */
   PALPATE_API void palpate_reset(palpate_contact* contact);
 
-  /* From the device to the body: x_body = rotation (1000 scale x_device) + translation. Forces keep
-   * their magnitude, so that a stiffness of the body is felt as scale times that. */
+  /* Mapping from the device to the body: x_body = rotation (1000 scale x_device) + translation.
+   * Forces keep their magnitude, so a stiffness of the body is multiplied by scale for the hand. */
   typedef struct palpate_mapping
   {
-    double rotation[9];    /* row after row; its columns are the axes of the device; orthonormal */
+    double rotation[9];    /* row by row; its columns are the axes of the device; orthonormal */
     double translation[3]; /* mm */
     double scale;          /* > 0 */
-    /* Not 0: the device has two axes, x and y, and moves in the plane through translation along
-     * them; only the part of a force in the plane reaches the hand. */
+    /* Not 0: the device has two axes, x and y, and moves in the plane that they span through
+     * translation. Only the part of a force in this plane reaches the hand. */
     int planar;
     double reserved[4];
   } palpate_mapping;
 
-  /* Device axes are the body's, and 1 m is 1000 mm: the mapping of palpate_contact_new. */
+  /* The mapping of palpate_contact_new: device axes are those of the body, and 1 m is 1000 mm. */
   PALPATE_API void palpate_mapping_default(palpate_mapping* mapping);
 
-  /* Sets translation and scale of a mapping, keeping its rotation: the least scale that puts the
+  /* Sets translation and scale of a mapping and keeps its rotation: the least scale that puts the
    * body, with a free margin (mm) around it, into a workspace of these half extents (m). Returns 1,
    * or 0 with the reason in error and the mapping unchanged. */
   PALPATE_API int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
@@ -195,17 +196,17 @@ extern "C"
     double maximum_stiffness;  /* N/m, of a sampled spring that comes to rest at the rate below */
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
-    double sample_time_out;    /* s; silent for longer, the device is lost. May be infinite */
+    double sample_time_out;    /* s; a device that is silent for longer is lost. May be infinite */
     double
-      delay; /* since version 2. s: readings and forces are late by no more together; 0: none */
-    /* since version 4. N m, about the tip: 0, it outputs none; and N m/rad, of a sampled torsion
-     * spring, as maximum_stiffness: 0, 0.5 is taken. */
+      delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
+    /* since version 4. N m, about the tip; 0: the device outputs none. And N m/rad, of a sampled
+     * torsion spring, as maximum_stiffness; 0: 0.5 is used. */
     double maximum_torque;
     double maximum_torsional_stiffness;
     double reserved[1];
   } palpate_device;
 
-  /* 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
+  /* The defaults: 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
   PALPATE_API void palpate_device_default(palpate_device* device);
 
   /* The links that a force passes before it is sent, in this order. Begin with palpate_safety_of.
@@ -213,28 +214,28 @@ extern "C"
   typedef struct palpate_safety
   {
     int gate;          /* not 0: no force until the tip has been outside once */
-    double entry_ramp; /* s, in which the force of the first touch rises from zero; 0: at once */
-    /* Factor of all forces, > 0 to 1: the same for all tools that are compared, so that their
-     * ratios survive the device's limits. */
+    double entry_ramp; /* s, over which the force of the first touch rises from zero; 0: at once */
+    /* Factor of all forces, > 0 to 1. Use the same for all tools that are compared, so that the
+     * device's limits do not change their ratios. */
     double force_factor;
     int cap_stiffness; /* not 0: no stiffer than maximum_stiffness */
     double maximum_stiffness;
     double maximum_force_rate;
     double maximum_force;
-    int control_passivity;  /* not 0: no more energy out of the device than was put in */
+    int control_passivity;  /* not 0: the device returns no more energy than was put in */
     double period;          /* s, > 0, of the loop */
     double sample_time_out; /* > 0 */
     double delay;           /* since version 2. s, >= 0, of the device: for control_passivity */
     double maximum_torque;  /* since version 4, as all below. N m; 0: no torque is sent */
-    double maximum_torsional_stiffness; /* N m/rad; 0: 0.5 is taken */
-    double maximum_torque_rate;         /* N m/s; 0: any */
+    double maximum_torsional_stiffness; /* N m/rad; 0: 0.5 is used */
+    double maximum_torque_rate;         /* N m/s; 0: no limit */
     double reserved[4];
   } palpate_safety;
 
   /* All links, with the limits of a device (null: the default). */
   PALPATE_API void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
 
-  /* The links that changed the force between palpate_full_tick's ideal_force and what is sent. */
+  /* The links that changed the force between palpate_full_tick.ideal_force and the force sent. */
   enum palpate_safety_link
   {
     PALPATE_NOT_FINITE = 1,
@@ -250,9 +251,9 @@ extern "C"
   };
 
   /* A contact with mapping (null: the default), safety and settings (null: the default). While a
-   * button of clutch_buttons is down the tip stays and the hand moves freely; 0: no clutch. Keeps
-   * its body alive, so that the caller may free it earlier. Null with the reason in error if a
-   * number is out of its range or memory is short. */
+   * button of clutch_buttons is down, the tip stays and the hand moves freely; 0: no clutch. The
+   * contact keeps its body alive, so the caller may free the body earlier. Null with the reason in
+   * error if a number is out of its range or memory is short. */
   PALPATE_API palpate_contact* palpate_contact_new_safe(const palpate_body* body,
     const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
     unsigned int clutch_buttons, char* error, size_t error_size);
@@ -264,9 +265,10 @@ extern "C"
     double velocity[3];   /* m/s; zero if the device does not measure it */
     unsigned int buttons; /* bit i: button i is down */
     int valid;            /* 0: there is nothing to report; the force is then zero */
-    int fresh;            /* 0: nothing new since the last reading, which is repeated */
-    /* since version 4. w, x, y, z of the unit quaternion that turns the tool's own frame, whose z
-     * is the shaft from tip to hand, into the device's; zeros: not known. And rad/s, or zeros. */
+    int fresh;            /* 0: nothing new, the last reading is repeated */
+    /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into the
+     * device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown. And
+     * rad/s, or zeros. */
     double orientation[4];
     double angular_velocity[3];
     double reserved[1];
@@ -275,58 +277,60 @@ extern "C"
   /* Zeros, valid and fresh. */
   PALPATE_API void palpate_sample_default(palpate_sample* sample);
 
-  /* The same of a contact with mapping and safety. */
+  /* The input and result of one step of a contact with mapping and safety. */
   typedef struct palpate_full_tick
   {
-    palpate_tick tick;       /* contact and what is sent, as from palpate_step */
-    double velocity[3];      /* of the hand, mm/s, frame of the body, as the forces: */
-    double ideal_force[3];   /* N, before the safety */
-    double applied_force[3]; /* N, tick.device_force */
-    double force_factor;     /* ratio of the second to the first, by PALPATE_FIT */
+    palpate_tick tick;       /* contact and force sent, as from palpate_step */
+    double velocity[3];      /* of the hand, mm/s, frame of the body, as the forces below */
+    double ideal_force[3];   /* N, before the safety chain */
+    double applied_force[3]; /* N, tick.device_force in the frame of the body */
+    double force_factor;     /* ratio of applied to ideal force, by PALPATE_FIT */
     double
       scene_share; /* fraction of the newest scene in the ideal force; 1 except while changing */
-    unsigned int scene; /* how many scenes came before that */
+    unsigned int scene; /* number of the newest scene: how many came before */
     unsigned int acted; /* sum of enum palpate_safety_link */
     int valid;          /* the sample was valid and finite */
     int clutched;       /* the tip stays while the hand moves */
-    /* since version 2. s: how long device_force may be held if no tick follows; a device that lets
-     * go then returns no more energy than was put in. May be infinite. */
+    /* since version 2. s: how long device_force may be held if no tick follows. A device that ends
+     * its force after this time returns no more energy than was put in. May be infinite. */
     double hold_time;
     double
       device_torque[3]; /* since version 4. N m, on the hand about the tip, frame of the device */
-    double ideal_torque[3]; /* N mm, before the safety, frame of the body */
+    double ideal_torque[3]; /* N mm, before the safety chain, frame of the body */
     double reserved[1];
   } palpate_full_tick;
 
-  /* One tick of any contact with the whole sample of a device, in the loop as palpate_step; time
-   * increases. palpate_step is this with a valid, fresh sample without velocity and buttons. */
+  /* One tick of any contact with the whole sample of a device. For the loop, as palpate_step; time
+   * must increase. palpate_step is this function with a valid, fresh sample without velocity and
+   * buttons. */
   PALPATE_API void palpate_step_sample(
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
-  /* In the loop, after the force is sent and before the wait for the next tick: prefetches the
+  /* For the loop, after the force is sent and before the wait for the next tick: prefetches the
    * memory that the next step reads if the hand continues its motion. Changes nothing, takes 50 ns
-   * to some microseconds, may be left out; a step on a new part of a large body is then a third
-   * slower. */
+   * to some microseconds, may be left out. Without it a step on a new part of a large body is a
+   * third slower. */
   PALPATE_API void palpate_foresee(const palpate_contact* contact);
 
-  /* In the loop: no force from the next step on, until start. */
+  /* For the loop: no force from the next step on, until palpate_start. */
   PALPATE_API void palpate_stop(palpate_contact* contact);
   PALPATE_API void palpate_start(palpate_contact* contact);
 
-  /* Another body, tool, material or other settings for a contact that may be touching. */
+  /* Another body, tool or material, or other settings, for a contact that may be touching. */
   typedef struct palpate_scene palpate_scene;
 
-  /* Keeps its body alive. force_factor (> 0 to 1) is that of the scene, on top of
-   * palpate_safety.force_factor. Null with the reason in error. */
+  /* The scene keeps its body alive. force_factor (> 0 to 1) belongs to the scene and applies in
+   * addition to palpate_safety.force_factor. Null with the reason in error. */
   PALPATE_API palpate_scene* palpate_scene_new(const palpate_body* body,
     const palpate_settings* settings, double force_factor, char* error, size_t error_size);
   /* Frees a scene that was not given to a contact, or all that palpate_take_retired returned. */
   PALPATE_API void palpate_scene_free(palpate_scene* scene);
 
-  /* In the loop: gives a scene (null: nothing happens) to the contact, whose force changes to it
-   * within 50 ms, without a jump. A scene given meanwhile waits; of several the newest is used. */
+  /* For the loop: passes a scene (null: nothing happens) to the contact, whose force changes to it
+   * within 50 ms, without a jump. A scene passed during a change waits; of several the newest is
+   * used. */
   PALPATE_API void palpate_change(palpate_contact* contact, palpate_scene* scene);
-  /* In the loop: the scenes that the contact no longer needs, or null. Free them outside the loop,
+  /* For the loop: the scenes that the contact no longer needs, or null. Free them outside the loop,
    * all at once by palpate_scene_free; those not taken are freed with the contact. */
   PALPATE_API palpate_scene* palpate_take_retired(palpate_contact* contact);
 

@@ -20,7 +20,8 @@ constexpr std::uint16_t Connexion = 0x256F;
 constexpr std::uint16_t GenericDesktopPage = 0x01;
 constexpr std::uint16_t MultiAxisController = 0x08;
 
-/// Both makers have other products; those with six axes are recognised by their usage.
+/// Both makers have other products, too. Those with six axes have this usage and product numbers
+/// 0xC6xx.
 bool isSpaceMouse(const HidEntry& entry) noexcept
 {
   const bool axes = (entry.usagePage == GenericDesktopPage && entry.usage == MultiAxisController) ||

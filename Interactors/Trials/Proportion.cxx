@@ -8,10 +8,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int Halvings = 60; // of an interval no longer than 80: to 1e-16 of it
+constexpr int Halvings = 60; // an interval of length 80 becomes shorter than 1e-16
 
-/// Probability of at least `successes` in `trials`, each a success with probability p in (0, 1).
-/// Terms are computed by logarithms, since the coefficients overflow from 1030 trials on.
+/// Probability of at least `successes` in `trials`, each with probability p of success in (0, 1).
+/// Terms are computed by logarithms, because the coefficients overflow from 1030 trials on.
 double upperTail(int successes, int trials, double p)
 {
   double sum = 0.0;
@@ -49,7 +49,7 @@ Proportion proportionOf(int successes, int trials, double confidence)
   result.lower = successes == 0
     ? 0.0
     : rootBetween(0.0, 1.0, [&](double p) { return upperTail(successes, trials, p) - tail; });
-  // At least as many failures: the same tail from the other side.
+  // The same tail from the other side: at least as many failures.
   result.upper = successes == trials ? 1.0
                                      : 1.0 -
       rootBetween(

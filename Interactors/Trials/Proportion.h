@@ -6,23 +6,24 @@
 
 namespace palpate
 {
-/// A fraction of successes among independent trials, with its exact interval.
+/// A fraction of successes among independent trials, with its exact confidence interval.
 struct Proportion
 {
   int successes = 0;
   int trials = 0;
-  double share = 0.5; ///< successes / trials; 0.5 of no trials
+  double share = 0.5; ///< successes / trials; 0.5 if there are no trials
   double lower = 0.0;
   double upper = 1.0;
 };
 
 /**
- * The interval of Clopper and Pearson (1934): the probabilities p under which neither at least as
- * many nor at most as many successes as observed have a probability below (1 - confidence) / 2. It
- * covers any true probability at least with the given confidence, for any number of trials.
+ * The interval of Clopper and Pearson (1934): all probabilities p under which the results "at least
+ * as many successes as observed" and "at most as many" both have a probability of at least (1 -
+ * confidence) / 2. It covers any true probability with at least the given confidence, for any
+ * number of trials.
  *
- * `successes` within 0 … trials, `confidence` within (0, 1); otherwise all results are NaN.
- * Accurate to 1e-12; costs some 10 µs per 100 trials.
+ * `successes` must be within 0 … trials and `confidence` within (0, 1); otherwise all results are
+ * NaN. Accurate to 1e-12; costs about 10 µs per 100 trials.
  */
 PALPATE_EXPORT Proportion proportionOf(int successes, int trials, double confidence = 0.95);
 

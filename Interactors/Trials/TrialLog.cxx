@@ -47,7 +47,7 @@ int chosenBy(const TrialAnswer& answer)
   return answer.choseX ? answer.trial.x : answer.trial.y;
 }
 
-/// The text in a row; empty if no answer is right.
+/// The entry for `correct` in a row; empty if no answer is right.
 const char* correctText(const TrialHead& head, const TrialAnswer& answer)
 {
   const int right = isRight(head, answer);
@@ -70,7 +70,7 @@ std::string headText(const TrialHead& head)
     "\n# started: " + head.started + "\n" + Columns + "\n";
 }
 
-/// Reads one line of the head after the first; false if it is not one.
+/// Reads one line of the head after the first; returns false if it is not such a line.
 bool readHeadLine(const CsvComment& line, TrialHead& head)
 {
   auto& alternatives = head.alternatives;
@@ -109,7 +109,7 @@ bool readLetter(std::string_view text, std::size_t alternatives, int& number)
   return number >= 0 && static_cast<std::size_t>(number) < alternatives;
 }
 
-/// Reads the row of trial `number`, which must be consistent.
+/// Reads the row of trial `number`; returns false if it is not consistent.
 bool readRow(const CsvReader& csv, const TrialHead& head, int number, TrialAnswer& answer)
 {
   int trial = 0;
@@ -178,7 +178,7 @@ std::string TrialLog::open(const std::string& path, const TrialHead& head)
   std::string error = this->write(headText(head));
   if (!error.empty())
   {
-    std::error_code ignored; // it may not exist
+    std::error_code ignored; // the file may not exist
     std::filesystem::remove(path, ignored);
   }
   return error;
@@ -217,7 +217,7 @@ std::string TrialLog::write(const std::string& text)
 std::string TrialLog::fail(int reason)
 {
   this->Fault = "cannot write the trial log '" + this->Path + "': " + std::strerror(reason);
-  this->File.close(); // which tries to write once more
+  this->File.close(); // tries to write once more
   std::error_code ignored;
   if (std::filesystem::is_regular_file(this->Path, ignored))
   {

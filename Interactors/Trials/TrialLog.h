@@ -16,7 +16,7 @@ namespace palpate
 struct TrialAlternative
 {
   std::string name;       ///< one line, as given: "sphere:6.35"
-  double intensity = 0.0; ///< of what the question asks for, N; 0: none
+  double intensity = 0.0; ///< N, of the quantity that the question asks for; 0: none
 };
 
 /// The head of a log.
@@ -24,7 +24,7 @@ struct TrialHead
 {
   std::vector<TrialAlternative> alternatives; ///< two or more
   std::string question;                       ///< one line
-  /// Whether the alternative with the larger intensity is the right answer.
+  /// Whether the answer with the larger intensity is right; otherwise no answer is right.
   bool hasRightAnswer = false;
   std::uint64_t seed = 0;
   double forceFactor = 1.0; ///< common to all alternatives
@@ -49,9 +49,10 @@ struct TrialRecord
 };
 
 /**
- * The log of a blind comparison: CSV, lines beginning with '#' in the head, then a row per answer,
- * written as soon as it is given, so that an aborted session keeps all answers. A row for which the
- * disk has no room is an error, and leaves the rows before it unchanged.
+ * The log of a blind comparison: a CSV file with a head of lines that begin with '#', then a row
+ * per answer. A row is written as soon as the answer is given, so that an aborted session keeps all
+ * answers. A row for which the disk has no room is an error, and leaves the rows before it
+ * unchanged.
  *
  *   # palpate trial 1
  *   # question: Which one pushes back more?
@@ -62,7 +63,7 @@ struct TrialRecord
  *   1,B,A,X,B,1,3.25,2
  *
  * Alternatives are letters from A on; `correct` is empty if no answer is right. An existing file is
- * not overwritten, as a log cannot be recovered.
+ * not overwritten, because a log cannot be recovered.
  */
 class PALPATE_EXPORT TrialLog
 {
@@ -80,14 +81,14 @@ private:
   TrialHead Head;
   std::ofstream File;
   int Rows = 0;
-  std::uintmax_t Size = 0; ///< of the file, without a partly written row
-  std::string Fault;       ///< after which nothing more is written
+  std::uintmax_t Size = 0; ///< size of the file without a partly written row
+  std::string Fault;       ///< the first error; nothing more is written after it
 };
 
 /// 1: right, 0: wrong, -1: no answer to this trial is right.
 PALPATE_EXPORT int isRight(const TrialHead& head, const TrialAnswer& answer);
 
-/// Reads a log. Returns an error that names file and line and leaves the record as it was, or "".
+/// Reads a log. Returns "", or an error that names file and line; `record` is then unchanged.
 PALPATE_EXPORT std::string readTrialLog(const std::string& path, TrialRecord& record);
 } // namespace palpate
 

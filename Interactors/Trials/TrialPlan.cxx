@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// A number below `count`, each equally likely. The standard's own distributions, and its shuffle,
-/// differ between libraries.
+/// A random number below `count`, all equally likely. The distributions and the shuffle of the
+/// standard library are not used, because they differ between libraries.
 std::size_t drawBelow(std::mt19937_64& random, std::size_t count)
 {
   const std::uint64_t largest = std::mt19937_64::max();

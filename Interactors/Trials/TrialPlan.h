@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// One question: two alternatives, by their numbers, presented as X and Y.
+/// One question: two alternatives, by their numbers, presented as X and as Y.
 struct Trial
 {
   int x = 0;
@@ -17,13 +17,14 @@ struct Trial
 };
 
 /**
- * The order of a blind comparison: rounds, each of which holds every pair of the alternatives once
- * as (X, Y) and once as (Y, X), in random order. So after each round all pairs have been asked
- * equally often, and each alternative has been X as often as Y: neither learning nor a bias for the
- * first of two favours one of them.
+ * The order of a blind comparison. In each round every pair of the alternatives occurs once as (X,
+ * Y) and once as (Y, X), in random order. So after each round all pairs have been asked equally
+ * often, and each alternative has been X as often as Y. Neither learning nor a bias for the first
+ * of two favours an alternative.
  *
- * Returns rounds · alternatives · (alternatives - 1) trials; none for fewer than two alternatives.
- * The same seed gives the same order on every machine (Mersenne Twister, Fisher–Yates).
+ * Returns rounds · alternatives · (alternatives - 1) trials; none if there are fewer than two
+ * alternatives. The same seed gives the same order on every machine (Mersenne Twister,
+ * Fisher–Yates).
  */
 PALPATE_EXPORT std::vector<Trial> planTrials(int alternatives, int rounds, std::uint64_t seed);
 } // namespace palpate

@@ -65,7 +65,7 @@ std::string inWords(double difference)
   return std::isfinite(difference) ? text.str() : "no limit";
 }
 
-/// What the interval says about whether the two were distinguished.
+/// Whether the two were distinguished, according to the interval.
 const char* verdict(const Proportion& correct)
 {
   if (correct.lower > 0.5)

@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-/// NaN counts as infinite.
+/// The larger value; NaN counts as infinite.
 double larger(double peak, double value) noexcept
 {
   return std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(peak, value);

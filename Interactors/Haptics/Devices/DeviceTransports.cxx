@@ -16,14 +16,15 @@ struct Transport
 constexpr Transport Transports[] = { { "hid:", &TransportsModule::openHid },
   { "bridge:", &TransportsModule::openBridge } };
 
-/// What follows the prefix; "" for another device.
+/// The part of the name after the prefix; "" for another device.
 std::string addressOf(const std::string& device, const Transport& transport)
 {
   const std::string prefix = transport.prefix;
   return device.rfind(prefix, 0) == 0 ? device.substr(prefix.size()) : std::string();
 }
 
-/// The module, or null and a verb and what is missing, for a sentence on what needs it.
+/// The module; or null, and then `fault` is "needs " with the missing module, the end of a
+/// sentence.
 const TransportsModule* transportsModule(std::string& fault)
 {
   static const LoadedModule loaded = loadModule("palpateTransports");

@@ -13,14 +13,14 @@
 
 namespace palpate
 {
-/// A force and a torque about the tool's tip, on the hand. The device's frame; N, N m.
+/// A force and a torque about the tool's tip, acting on the hand. The device's frame; N, N m.
 struct Wrench
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
 
   bool isFinite() const noexcept { return this->force.allFinite() && this->torque.allFinite(); }
-  /// Each limited to its maximum, N and N m; finite.
+  /// The wrench with each part limited to its maximum, N and N m. Both parts must be finite.
   Wrench within(double maximumForce, double maximumTorque) const noexcept
   {
     return { shortened(this->force, maximumForce), shortened(this->torque, maximumTorque) };
@@ -39,24 +39,24 @@ struct DeviceSpecification
 {
   double maximumForce = 10.0; ///< N
   /// N/m: the largest stiffness of a sampled spring at the given rate that comes to rest with any
-  /// hand or none: b/T of the device's own damping b and the period T, b/(T + 2t) if its readings
-  /// and forces are together t late. Beyond 2b/T it generates energy, and up to there it rings
-  /// (Testing/Studies/stability).
+  /// hand or none. It is b/T with the device's own damping b and the period T, or b/(T + 2t) if
+  /// readings and forces are late by t together. Beyond 2b/T the spring generates energy; between
+  /// b/T and 2b/T it oscillates for a long time (Testing/Studies/stability).
   double maximumStiffness = 1500.0;
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
-  double maximumDamping = 10.0; ///< N s/m, that a sampled damper may have at the given rate
+  double maximumDamping = 10.0; ///< N s/m, of a sampled damper at the given rate
   Eigen::Vector3d workspace = Eigen::Vector3d::Constant(0.1); ///< half extents about 0, m
   double rate = 1000.0;                                       ///< Hz
-  /// Without a new reading for longer than this (s) the device counts as lost; infinite for one
+  /// s: a device without a new reading for longer than this counts as lost; infinite for a device
   /// that sends nothing at rest.
   double sampleTimeOut = 0.02;
-  /// s: the largest sum of the delays of readings and forces; 0: no more than a tick.
+  /// s: the largest sum of the delays of readings and forces; 0: at most a tick.
   double delay = 0.0;
   bool outputsForce = true;
 
   bool outputsTorque = false;
   double maximumTorque = 0.0; ///< N m, about the tip; 0: it outputs none
-  /// N m/rad: like maximumStiffness, for rotation: b_θ/T, or b_θ/(T + 2t), of the device's own
+  /// N m/rad, for rotation as maximumStiffness: b_θ/T, or b_θ/(T + 2t), with the device's own
   /// rotational damping b_θ (N m s/rad).
   double maximumTorsionalStiffness = 0.5;
   double maximumTorqueRate = std::numeric_limits<double>::infinity(); ///< N m/s
@@ -71,15 +71,15 @@ struct DeviceSample
   std::uint32_t buttons = 0; ///< bit i: button i is down
   /// False if the device has nothing to report yet, is gone, or has failed: the force is then zero.
   bool valid = false;
-  /// False if there is nothing new since the last reading, which is repeated.
+  /// False if there is nothing new since the last reading; the sample then repeats that reading.
   bool fresh = true;
 
-  ToolOrientation orientation = orientationNotTold(); ///< unit, or not told
+  ToolOrientation orientation = orientationNotTold(); ///< unit, or unknown
   /// rad/s; zero if the device does not measure it
   Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero();
 };
 
-/// Errors of communication with a device, since it was opened.
+/// Communication errors of a device, since it was opened.
 struct DeviceErrors
 {
   std::uint64_t malformed = 0; ///< reports of wrong size, version, check sum or content
@@ -90,7 +90,7 @@ struct DeviceErrors
 };
 
 /**
- * A haptic device: read the hand, write the force. SI units, the device's own frame.
+ * A haptic device: reads the hand and applies the force. SI units, the device's own frame.
  *
  * read, write, writeWrench and holdFor are called from the servo tick: they return at once, and
  * neither allocate, lock nor throw. `time` (s) is passed in, so that a session can run in virtual
@@ -107,11 +107,11 @@ public:
   virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
   /// Force and torque. A device without torque uses the force alone.
   virtual bool writeWrench(const Wrench& wrench) noexcept { return this->write(wrench.force); }
-  /// Sets how long (s) each force from now on is held if none follows. No effect on a device that
-  /// cannot let go by itself.
+  /// Sets how long (s) each force from now on is held if no other follows. No effect on a device
+  /// that cannot end its force by itself.
   virtual void holdFor(double seconds) noexcept { static_cast<void>(seconds); }
 
-  /// In words, for a person: "connected", "unplugged, waiting for it to return".
+  /// Text for a person: "connected", "unplugged, waiting for it to return".
   virtual std::string status() const { return "connected"; }
   virtual DeviceErrors errors() const noexcept { return {}; }
 };

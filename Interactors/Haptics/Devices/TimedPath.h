@@ -24,10 +24,10 @@ struct WayPoint
  * A path in time: linear between its way points, at rest before the first and after the last. Two
  * way points of the same time are a jump: from that time on the later one counts.
  *
- * An axis turns at constant speed from one way point to the next; if one of the two has none, it is
- * unknown.
+ * The axis turns at constant speed from one way point to the next. If one of the two has no axis,
+ * the axis is unknown between them.
  *
- * Looking up costs O(log n) and allocates nothing.
+ * A look-up costs O(log n) and allocates nothing.
  */
 class PALPATE_EXPORT TimedPath
 {
@@ -37,7 +37,7 @@ public:
   {
     Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< at the given time, m
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
-    double end = 0.0;                                   ///< when it ends, s; may be infinite
+    double end = 0.0;                                   ///< end of the motion, s; may be infinite
   };
 
   explicit TimedPath(std::vector<WayPoint> points)
@@ -51,7 +51,7 @@ public:
 
   /// The position; zero on an empty path.
   Eigen::Vector3d at(double time) const noexcept;
-  /// The axis of the tool, unit; zero where it is unknown.
+  /// The axis of the tool, unit; zero if it is unknown.
   Eigen::Vector3d axisAt(double time) const noexcept;
   /// The motion of the path from `time` on. An empty path rests at zero.
   Ramp rampAt(double time) const noexcept;

@@ -12,8 +12,8 @@
 namespace palpate
 {
 /**
- * The rotation of a tool: from its own frame, whose +z is the shaft from the tip to the hand, into
- * the frame of the device. A unit quaternion; all zero: not told, that is, unknown.
+ * The orientation of a tool: the rotation from the tool's own frame, whose +z is the shaft from the
+ * tip to the hand, into the frame of the device. A unit quaternion; all zero: unknown.
  */
 using ToolOrientation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
@@ -22,14 +22,14 @@ inline ToolOrientation orientationNotTold() noexcept
   return { 0.0, 0.0, 0.0, 0.0 };
 }
 
-/// Whether it is not zero; of any length, and true for NaN.
+/// Whether the orientation is known, that is, not zero. Of any length; true for NaN.
 inline bool isTold(const ToolOrientation& orientation) noexcept
 {
   return !orientation.coeffs().isZero(0.0);
 }
 
-/// The shaft, unit, from tip to hand, in the frame of the device. Zero where it is not told, or not
-/// finite.
+/// The shaft, unit, from tip to hand, in the frame of the device. Zero if the orientation is
+/// unknown or not finite.
 inline Eigen::Vector3d shaftOf(const ToolOrientation& orientation) noexcept
 {
   const double length = orientation.norm();
@@ -42,23 +42,23 @@ inline Eigen::Vector3d shaftOf(const ToolOrientation& orientation) noexcept
   return unit * Eigen::Vector3d::UnitZ();
 }
 
-/// The smallest rotation that puts the shaft along `axis`, of any length; zero or not finite: not
-/// told.
+/// The smallest rotation that puts the shaft along `axis`, of any length. Unknown if `axis` is zero
+/// or not finite.
 PALPATE_EXPORT ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept;
 
-/// The rotation by a rotation vector: along the axis, as long as the angle, rad.
+/// The rotation by a rotation vector, which is along the axis and as long as the angle, rad.
 inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
 {
   const double angle = rotation.norm();
   const double half = 0.5 * angle;
-  // sin(x)/x, whose series is exact to rounding below
+  // sin(half)/angle; for small angles by its series, which is exact to rounding there
   const double share = angle > 1e-5 ? std::sin(half) / angle : 0.5 - half * half / 12.0;
   const Eigen::Vector3d vector = share * rotation;
   return { std::cos(half), vector.x(), vector.y(), vector.z() };
 }
 
-/// The smallest rotation that puts one axis along another, of any length but zero, as a rotation
-/// vector, rad; for opposite ones about some axis across them.
+/// The smallest rotation from one axis to another, both of any length except zero, as a rotation
+/// vector, rad. For opposite axes it is about some axis perpendicular to them.
 inline Eigen::Vector3d leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
 {
   const Eigen::Vector3d across = from.cross(to);
@@ -80,7 +80,7 @@ inline Eigen::Vector3d turnBetween(const ToolOrientation& from, const ToolOrient
   const ToolOrientation turn = to * from.conjugate();
   const double sine = turn.vec().norm();
   const double cosine = std::abs(turn.w());
-  // atan2(s, c)/s tends to 1/c
+  // atan2(s, c)/s tends to 1/c for small s
   const double share = sine > 1e-9 * cosine ? std::atan2(sine, cosine) / sine : 1.0 / cosine;
   return std::copysign(2.0 * share, turn.w()) * turn.vec();
 }

@@ -14,19 +14,19 @@ struct TrajectoryRow
 {
   double time = 0.0;                             ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< body frame, mm
-  /// Axis of the tool, from tip to hand, body frame, unit; zero: not known.
+  /// Axis of the tool, from tip to hand, body frame, unit; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
-  /// From a file only point, deflection, normal force and its memory, friction, torque and state.
+  /// A file has only its point, deflection, normal force, memory, friction, torque and state.
   Contact contact;
-  double idealForce = 0.0; ///< magnitude of the total, before any limit of the device, N
+  double idealForce = 0.0; ///< magnitude of the total force before any limit of the device, N
 
   /// The device, in its own frame; m, m/s, N.
   DeviceSample sample;
   Eigen::Vector3d sentForce = Eigen::Vector3d::Zero();
   bool isTaken = false; ///< whether the device accepted the force
 
-  /// A tick without a valid sample has no tip: it is (0, 0, 0), in state Invalid.
+  /// A tick without a valid sample has no tip: `tip` is (0, 0, 0), and the state is Invalid.
   bool hasTip() const noexcept
   {
     return this->contact.state != ContactState::Invalid || !this->tip.isZero(0.0);
@@ -40,8 +40,8 @@ struct Trajectory
   bool hasContact = false; ///< rows have the contact
   bool hasDevice = false;  ///< rows have the device
   bool hasAxis = false;    ///< rows have the tool's axis
-  bool hasTorque = false;  ///< rows have the contact, with its torque
-  bool hasMemory = false;  ///< rows have the contact, with the memory part of its force
+  bool hasTorque = false;  ///< rows have the torque of the contact
+  bool hasMemory = false;  ///< rows have the memory part of the contact's force
 };
 } // namespace palpate
 

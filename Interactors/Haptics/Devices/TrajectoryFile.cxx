@@ -18,7 +18,7 @@ namespace
 {
 using namespace TrajectoryTable;
 
-constexpr std::size_t Block = 65536; // bytes that are written at once
+constexpr std::size_t Block = 65536; // bytes per write
 
 bool isWritten(const Trajectory& trajectory, std::size_t column)
 {
@@ -55,7 +55,7 @@ TrajectoryRow rowOf(const Tick& tick)
   return row;
 }
 
-/// Why the rows could not be read back, or "".
+/// The reason why the rows could not be read back, or "".
 std::string faultOf(const Trajectory& trajectory)
 {
   for (std::size_t i = 0; i < trajectory.rows.size(); ++i)
@@ -117,7 +117,7 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   return csv.fault();
 }
 
-/// Keeps the rows written so far, as they cannot be recorded again; returns a text about them.
+/// Keeps the rows written so far, because they cannot be recorded again. Returns a text on them.
 std::string keepRows(WholeFile& file, std::size_t rows)
 {
   const std::size_t lines = file.keepLines(2); // including the names of the columns

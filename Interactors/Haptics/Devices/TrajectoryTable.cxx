@@ -42,7 +42,7 @@ Eigen::Vector3d get(const Numbers& numbers, Column column)
   return Eigen::Map<const Eigen::Vector3d>(numbers.data() + column);
 }
 
-/// Whether it is a whole number from 0 to `most`.
+/// Whether `value` is a whole number from 0 to `most`.
 bool isCount(double value, double most)
 {
   return value >= 0.0 && value <= most && value == std::floor(value);

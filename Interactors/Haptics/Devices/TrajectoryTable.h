@@ -23,8 +23,9 @@ extern const std::array<std::string_view, ColumnCount> Names;
 using Numbers = std::array<double, ColumnCount>;
 
 Numbers numbersOf(const TrajectoryRow& row);
-/// What is wrong with the numbers of [ContactBegin, DeviceBegin) if `hasContact`, of [DeviceBegin,
-/// MemoryBegin) if `hasDevice`, or with the axis; or "".
+/// Converts numbers to a row. Uses the numbers of [ContactBegin, DeviceBegin) if `hasContact`, and
+/// those of [DeviceBegin, MemoryBegin) if `hasDevice`. Returns the first fault of these or of the
+/// axis, or "".
 std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, TrajectoryRow& row);
 } // namespace palpate::TrajectoryTable
 

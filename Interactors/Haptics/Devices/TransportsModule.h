@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// What libpalpateTransports.so (room Transports) adds: see DeviceTransports.h.
+/// The functions of libpalpateTransports.so (room Transports): see DeviceTransports.h.
 struct TransportsModule : ModuleTable
 {
   using Open = std::unique_ptr<HapticDevice> (*)(const std::string& rest, std::string& error);

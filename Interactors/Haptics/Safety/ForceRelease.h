@@ -12,19 +12,19 @@ namespace palpate
 /**
  * For programs: ends the force on the hand before an exception ends the program.
  *
- * An exception that nobody catches, or that leaves a function which must not throw (such as read
- * and write of a HapticDevice), ends the process by std::terminate, without destructors: the last
- * force would remain until the device's own watchdog ends it. After this call every running
- * ServoLoop first writes zero force, for which the terminating thread waits up to 0.1 s; then
- * std::terminate proceeds as before.
+ * An exception that is not caught, or that leaves a function which must not throw (such as read and
+ * write of a HapticDevice), ends the process by std::terminate, without destructors. The last force
+ * would then remain until the device's own watchdog ends it. After this call, std::terminate first
+ * lets every running ServoLoop write zero force, and the terminating thread waits up to 0.1 s for
+ * that. Then std::terminate proceeds as before.
  *
- * A library does not call this, because it changes what the whole process does. Signals, such as
- * SIGSEGV or SIGKILL, are not caught: then only the device's watchdog acts.
+ * A library must not call this, because it changes the behaviour of the whole process. Signals,
+ * such as SIGSEGV or SIGKILL, are not caught: then only the device's watchdog acts.
  */
 PALPATE_EXPORT void releaseForceOnTerminate() noexcept;
 
-/// Lives on a servo thread's stack while its device may exert a force: one for each of its devices,
-/// destroyed in reverse order.
+/// Exists on a servo thread's stack while its device may exert a force: one for each device of the
+/// thread, destroyed in reverse order.
 class PALPATE_EXPORT ForceHold
 {
 public:
@@ -33,7 +33,7 @@ public:
   ForceHold(const ForceHold&) = delete;
   ForceHold& operator=(const ForceHold&) = delete;
 
-  /// The process is terminating: write zero force and end.
+  /// The process is terminating: the loop must write zero force and end.
   static bool mustRelease() noexcept { return Releasing.load(std::memory_order_relaxed); }
 
 private:

@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Largest credit of a hold much shorter than the period, as after a late one, in multiples of
-/// K_max.
+/// Largest credit, in multiples of K_max, of a hold that is much shorter than the period, as after
+/// a late hold.
 constexpr double LargestCredit = 2.0;
 
 double positive(double value) noexcept
@@ -74,7 +74,8 @@ double PassivityControl::givenByTurn() const noexcept
   {
     const SpatialVector moved = this->movedTo(position, orientation);
     const double passed = time - this->ReadTime;
-    // For several ticks without a new reading their mean, as if the hand moved at constant speed.
+    // For several ticks without a new reading: their mean force, as if the hand moved at constant
+    // speed.
     const SpatialVector held =
       passed > 0.0 ? (this->Impulse + (time - this->SentTime) * this->Force) / passed : this->Force;
     const double credit =
@@ -89,7 +90,8 @@ double PassivityControl::givenByTurn() const noexcept
     {
       this->Energy -= this->givenByTurn();
     }
-    this->Energy = std::isfinite(this->Energy) ? this->Energy : 0.0; // a jump of 1e150 m
+    // not finite after a jump of 1e150 m
+    this->Energy = std::isfinite(this->Energy) ? this->Energy : 0.0;
     this->Velocity = passed > 0.0 ? moved / passed : this->Velocity;
   }
   this->HasPosition = true;
@@ -118,7 +120,7 @@ double PassivityControl::givenInGap(const SpatialVector& moved) const noexcept
   return std::min(holds * most, std::max(this->Taken.dot(moved), along));
 }
 
-/// The largest acceleration of a hand by itself along a direction, m/s².
+/// The largest acceleration that a hand has by itself along a direction, m/s².
 double PassivityControl::accelerationOfHand(const SpatialVector& direction) const noexcept
 {
   return direction.isAngular() ? direction.linear.norm() * HandAcceleration +
@@ -136,14 +138,14 @@ double PassivityControl::handleAlong(const SpatialVector& direction) const noexc
                                : LightestHandle;
 }
 
-/// The displacement of a hand by itself along a direction in a time.
+/// The largest displacement of a hand by itself along a direction in a time.
 double PassivityControl::wayOfHand(const SpatialVector& direction, double time) const noexcept
 {
   return std::max(0.0, direction.dot(this->Velocity)) * time +
     0.5 * this->accelerationOfHand(direction) * time * time;
 }
 
-/// The size up to which a force may be sent while others are under way.
+/// The size up to which a force may be sent while other forces are under way.
 double PassivityControl::allowedUnderWay(
   const SpatialVector& force, double size, double energy) const noexcept
 {
@@ -255,7 +257,7 @@ void PassivityControl::sent(double time, const Eigen::Vector3d& force) noexcept
   {
     return std::numeric_limits<double>::infinity();
   }
-  // F (v t + a t²/2) = E, a of hand and handle
+  // F (v t + a t²/2) = E, with the acceleration a of hand and handle
   const double speed = std::max(0.0, this->Force.dot(this->Velocity) / force);
   const SpatialVector direction = this->Force / force;
   const double acceleration =

@@ -15,11 +15,11 @@
 namespace palpate
 {
 /**
- * A force with a torque, or a way with a turn, as one vector of six: torques are divided by a
- * length ℓ, turns multiplied with it, so that all is in N, or in m, and the product of a force and
- * a way is their work.
+ * A force with a torque, or a displacement with a rotation, as one vector of six. Torques are
+ * divided by a length ℓ and rotations are multiplied by it. So all components are in N, or all in
+ * m, and the product of a force and a displacement is their work.
  *
- * With no angular part every result is that of the linear part alone, to the bit.
+ * Without an angular part every result is that of the linear part alone, to the bit.
  */
 struct SpatialVector
 {
@@ -36,7 +36,7 @@ struct SpatialVector
     return this->linear.squaredNorm() + this->angular.squaredNorm();
   }
   double norm() const noexcept { return std::sqrt(this->squaredNorm()); }
-  /// Whose squares neither overflow nor vanish.
+  /// Norm whose squares neither overflow nor vanish.
   double stableNorm() const noexcept
   {
     const double straight = this->linear.stableNorm();
@@ -67,15 +67,15 @@ inline SpatialVector operator/(const SpatialVector& vector, double divisor) noex
 }
 
 /**
- * The forces that were sent last, any of which may be the one that acts now, where a device's
- * readings and forces are late by up to so many ticks together. None is kept where nothing is late.
+ * The forces that were sent last. If a device's readings and forces are late by up to so many ticks
+ * together, each of these forces may be the one that acts now. Without delay no force is stored.
  */
 class ForcesUnderWay
 {
 public:
   static constexpr std::size_t Most = 32; ///< ticks of delay
 
-  /// `delay` and `period` in s; more than Most ticks count as Most, NaN as none.
+  /// `delay` and `period` in s. A delay of more than Most ticks counts as Most, NaN as none.
   ForcesUnderWay(double delay, double period) noexcept
     : Late(delay > 0.0 && period > 0.0
           ? static_cast<std::size_t>(std::ceil(std::min(delay / period, 1.0 * Most) - 1e-9))
@@ -92,7 +92,8 @@ public:
     this->Forces[this->Newest] = force;
   }
 
-  /// The most that the hand may have got on a way (m) that took so many ticks, J: may be negative.
+  /// The largest energy, J, that the hand may have got on a displacement (m) that took so many
+  /// ticks; may be negative.
   double mostGiven(const SpatialVector& moved, std::size_t ticks) const noexcept
   {
     double most = this->at(0).dot(moved);
@@ -104,19 +105,20 @@ public:
   }
 
   /**
-   * The largest force f such that Σ max(|F_i|, f)² over the coming late() + 1 holds is within
-   * `square`, |F_i| the largest that may still act i holds from now; 0 if there is none.
+   * The largest force f such that Σ max(|F_i|, f)² over the coming late() + 1 holds is at most
+   * `square`. |F_i| is the largest force that may still act i holds from now. 0 if there is no such
+   * f.
    */
   double largestWithin(double square) const noexcept
   {
-    // largest[i]: of those sent within the last late() - i ticks; the last hold has the new one
-    // alone.
+    // largest[i]: the largest force sent within the last late() - i ticks; in the last hold only
+    // the new force acts.
     std::array<double, Most + 1> largest{};
     for (std::size_t i = this->Late; i-- > 0;)
     {
       largest[i] = std::max(largest[i + 1], this->at(this->Late - 1 - i).norm());
     }
-    // Down from the strongest: what is left is shared by the holds that have less.
+    // From the strongest force down: the holds with weaker forces share the rest of `square`.
     double left = square;
     for (std::size_t i = 0; i <= this->Late; ++i)
     {
@@ -146,67 +148,71 @@ private:
  * Prevents the device from returning more energy to the hand than it has received: a passivity
  * observer and controller in the time domain (Hannaford and Ryu 2002), on the force actually sent.
  *
- * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly
- * F_k · (x_k+1 - x_k), whatever the hand did in between. The hold makes a spring K a generator: the
- * held force is too small while pressing, and too large while releasing; every hold leaks
- * K |x_k+1 - x_k|²/2, a press and release at speed v F_max v T. No chain can prevent this before it
- * has happened; the damping b of the device itself must cover it: in a hold of length dt it
- * dissipates at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the
- * period T is 2b/T (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts
+ * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly F_k · (x_k+1 -
+ * x_k), whatever the motion in between. The hold makes a spring K a generator: the held force is
+ * too small while pressing, and too large while releasing. Every hold leaks K |x_k+1 - x_k|²/2; a
+ * press and release at speed v leaks F_max v T. No chain can prevent this before it has happened;
+ * the damping b of the device itself must cover it. In a hold of length dt this damping dissipates
+ * at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the period T is
+ * 2b/T (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts
  *   E_k+1 = E_k - F_k · d + b |d|²/dt,  d = x_k+1 - x_k,
  * and allows a force up to |F_k| = √(2 K_max E_k). Then, for any next d,
  *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
- * no motion, however sudden, extracts more energy than was put in, except what the device's own
- * damping dissipates in the same holds. There is no prediction, no estimate of velocity, no chatter
- * at rest. A device states b/T for its K_max: then half of its damping is credited, and the other
- * half brings it to rest.
+ * so no motion, however sudden, extracts more energy than was put in, except the energy that the
+ * device's own damping dissipates in the same holds. There is no prediction, no estimate of
+ * velocity, no chatter at rest. A device's specification has K_max = b/T: then half of the damping
+ * is credited, and the other half brings the device to rest.
  *
- * It does not act on a passive scene: for F = -∇U with U >= 0 and no second derivative above K_max,
+ * The control does not act on a passive scene: for F = -∇U with U >= 0 and no second derivative
+ * above K_max,
  *   U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k,
- * the force is never above the bound, whatever the motion. The force sent has the direction of the
- * scene's force and is never larger; a spring that is too stiff is felt as one that is not. A scene
- * that uses all of the credit would oscillate for ever, as a spring of K_max does on a device
+ * so the force is never above the bound, whatever the motion. The force sent has the direction of
+ * the scene's force and is never larger; a spring that is too stiff is rendered as a softer one. A
+ * scene that uses all of the credit would oscillate for ever, as a spring of K_max does on a device
  * without a hand. So while the force requested exceeds the bound, b and K_max above are multiplied
- * by a fraction, the ratio of bound and request but no less than SmallestShare, until there is no
- * force: the rest of the damping makes the motion decay.
+ * by a fraction. It is the ratio of bound and request, but not less than SmallestShare, and it
+ * lasts until there is no force. The rest of the damping makes the motion decay.
  *
- * When readings are missing the force is removed at once, and the motion of the hand in the last
- * hold is unknown. Then the energy that it may have got is counted, and none that it may have put
- * in: F · d to where it is found again or, if more, F times the displacement along F at its last
- * speed and the acceleration of a hand (HandAcceleration); but no more than F²/(2 K_max), the most
- * that any motion can extract from one hold.
+ * When readings are missing, the force is removed at once, and the motion of the hand in the last
+ * hold is unknown. Then the control counts the energy that the hand may have got, and none that the
+ * hand may have put in. This energy is F · d to the position where the hand is found again or, if
+ * larger, F times the displacement along F at the last speed and the acceleration of a hand
+ * (HandAcceleration). It is at most F²/(2 K_max), the most that any motion can extract from one
+ * hold.
  *
- * A hold longer than T can make E negative, at most by its own leak: then there is no force until
- * the motion has made up for it. A later instability could feed on the energy that friction and
- * damping took from the hand, and on the credit of long motion: so E is limited to what the scene
- * can store now, max(|F| depth, F²/(2 K_max)), and to 0 without force. Where the force is changed
- * on purpose (a ramp, another body), grant() counts the energy of the new force as put in.
+ * A hold longer than T can make E negative, at most by the leak of this hold: then there is no
+ * force until the motion has made up for it. A later instability could use the energy that friction
+ * and damping took from the hand, and the credit of long motion. So E is limited to the energy that
+ * the scene can store now, max(|F| depth, F²/(2 K_max)), and to 0 without force. If the force is
+ * changed on purpose (a ramp, another body), grant() counts the energy of the new force as put in.
  *
- * **Delay.** It cannot detect that a device reports its position, or applies its force, late. Given
- * a bound n of both together, in ticks, it counts for each displacement the most that any of the
- * forces under way may have given, max_j F_k-j · d, j = 0..n, and allows a force such that the
- * n + 1 holds in which it may act, with the forces sent before it, extract no more than E: Σ
- * |F|²/(2 K_max), or, if that allows more, for a hand at its present speed and the acceleration of
- * a hand. Without delay this is the rule above, to the bit. A spring passes unchanged up to about
- * K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
+ * **Delay.** The control cannot detect that a device reports its position late, or applies its
+ * force late. Given a bound n of both delays together, in ticks, it counts for each displacement
+ * the most that any of the forces under way may have given, max_j F_k-j · d, j = 0..n. It allows a
+ * force such that the n + 1 holds in which this force may act, with the forces sent before it,
+ * extract no more than E. The energy of these holds is Σ |F|²/(2 K_max) or, if that allows a larger
+ * force, the energy for a hand at its present speed and the acceleration of a hand. Without delay
+ * this is the rule above, to the bit. A spring passes unchanged up to about K_max/(2n + 1) (Colgate
+ * and Schenkel's b > K (T/2 + nT)).
  *
- * **Torque.** Given the largest torsional stiffness K_θ, it counts the work of force and torque in
- * one account, F · d + M · φ, φ the rotation in the hold, and credits b_θ = K_θ T/2 for rotations
- * as b for displacements. With torques over, and rotations times, ℓ = √(K_θ/K_max) all of the
- * above, including the proof, holds for vectors of six (SpatialVector): force and torque pass, with
- * one factor, up to F²/(2 K_max) + M²/(2 K_θ) <= E. M · φ is the exact work if the hold turns about
- * one axis, otherwise to second order in φ. An unknown rotation counts as the one that gives most,
- * M²/(2 K_θ). Without torque all is as above, to the bit.
+ * **Torque.** Given the largest torsional stiffness K_θ, the control counts the work of force and
+ * torque in one account, F · d + M · φ, where φ is the rotation in the hold. It credits b_θ = K_θ
+ * T/2 for rotations, as b for displacements. With torques divided and rotations multiplied by ℓ =
+ * √(K_θ/K_max), all of the above, including the proof, holds for vectors of six (SpatialVector):
+ * force and torque are scaled by one factor so that F²/(2 K_max) + M²/(2 K_θ) <= E. M · φ is the
+ * exact work if the hold turns about one axis; otherwise it is exact to second order in φ. An
+ * unknown rotation counts as the one that gives most energy, M²/(2 K_θ). Without torque all is as
+ * above, to the bit.
  */
 class PALPATE_EXPORT PassivityControl
 {
 public:
-  /// J: a debt that is forgiven once, so that rounding does not cut the force of a passive scene.
+  /// J: a debt that is ignored, so that rounding does not cut the force of a passive scene.
   static constexpr double Slack = 1e-9;
   /// The least fraction of the device's damping that is credited to the scene while the control
-  /// acts.
+  /// limits the force.
   static constexpr double SmallestShare = 0.5;
-  /// While the hand is unknown it accelerates along a force F by at most
+  /// While readings are missing, the hand is assumed to accelerate along a force F by at most
   /// HandAcceleration + F/LightestHandle, m/s²: 2 g by itself, and the acceleration by F of a
   /// released handle of this mass, kg.
   static constexpr double HandAcceleration = 20.0;
@@ -215,19 +221,20 @@ public:
   static constexpr double HandTurning = 1000.0;
   static constexpr double LightestInertia = 1e-5;
 
-  /// K_max in N/m; infinite: all passes, negative or NaN: nothing. T, and the bound of the delay, 0
-  /// for none, in s: at most ForcesUnderWay::Most periods count. K_θ in N m/rad; infinite: torques
-  /// pass uncounted; 0, negative or NaN: there are none.
+  /// K_max in N/m; infinite: all forces pass; negative or NaN: none. T and the bound of the delay
+  /// (0: none) in s; at most ForcesUnderWay::Most periods of delay count. K_θ in N m/rad; infinite:
+  /// torques pass uncounted; 0, negative or NaN: there are no torques.
   PassivityControl(double maximumStiffness, double period, double delay = 0.0,
     double maximumTorsionalStiffness = 0.0) noexcept;
 
-  /// Counts the hold that ends at a new reading (m). Time in s must not decrease.
+  /// Counts the hold that ends at a new reading (m). `time` in s must not decrease.
   void observe(double time, const Eigen::Vector3d& position,
     const ToolOrientation& orientation = orientationNotTold()) noexcept;
-  /// Limits E to what the scene can store: the larger of `force` (N) times `depth` (m; infinite:
-  /// unknown) and the energy of springs of K_max and K_θ under it and `torque` (N m).
+  /// Limits E to the energy that the scene can store: the larger of `force` (N) times `depth` (m;
+  /// infinite: unknown) and the energy of springs of K_max and K_θ under `force` and `torque` (N
+  /// m).
   void bound(double force, double depth, double torque = 0.0) noexcept;
-  /// Counts the energy that these can store as put in by the hand.
+  /// Counts the energy that this force, depth and torque can store as put in by the hand.
   void grant(double force, double depth, double torque = 0.0) noexcept;
   /// The part of the force that may be sent now.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;
@@ -235,7 +242,7 @@ public:
   /// The force that has left the chain in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept;
   void sent(double time, const Wrench& wrench) noexcept;
-  /// There is no reading, and no force until the next one.
+  /// There is no reading, and the force is zero until the next one.
   void interrupt(double time) noexcept;
   void reset() noexcept;
 
@@ -244,11 +251,11 @@ public:
   /// missing.
   double holdTime() const noexcept;
 
-  /// The part of E, J, that the last force cannot need, and that may go to the account of another
-  /// device in the same scene; 0 while readings are missing, and for a device with delay.
+  /// The part of E, J, that the last force does not need. It may move to the account of another
+  /// device in the same scene. 0 while readings are missing, and for a device with delay.
   double spare() const noexcept;
-  /// Increases E, or decreases it by no more than spare(). If what one account gets another gives,
-  /// all hands together get no more than they have put in.
+  /// Increases E, or decreases it by no more than spare(). If one account gives the energy that
+  /// another one gets, all hands together get no more than they have put in.
   void transfer(double energy) noexcept { this->Energy += energy; }
 
   /// E, J.
@@ -289,10 +296,10 @@ private:
   double SentTime = 0.0;
   SpatialVector Impulse;      ///< of the forces sent since ReadTime, N s
   SpatialVector Velocity;     ///< between the last two readings, m/s
-  bool IsInterrupted = false; ///< since ReadTime
-  SpatialVector Taken;        ///< the force before, N
-  double Held = 0.0;          ///< how long it had been held, s
-  ForcesUnderWay UnderWay;    ///< last, as it is large and rarely read
+  bool IsInterrupted = false; ///< readings are missing since ReadTime
+  SpatialVector Taken;        ///< the force before the interruption, N
+  double Held = 0.0;          ///< how long Taken had been held, s
+  ForcesUnderWay UnderWay;    ///< last member, because it is large and rarely read
 };
 } // namespace palpate
 

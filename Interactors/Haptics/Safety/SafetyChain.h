@@ -24,22 +24,22 @@ struct SafetyInput
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< m
   bool outside = false;                                 ///< the tip is not in contact
   Eigen::Vector3d idealForce = Eigen::Vector3d::Zero(); ///< the scene's force, N
-  /// The same with the stiffness cap applied (CappedResponse up to bodyStiffnessLimit); the same
-  /// force if there is nothing to cap.
+  /// The same with the stiffness cap applied (CappedResponse up to bodyStiffnessLimit); equal to
+  /// idealForce if there is nothing to cap.
   Eigen::Vector3d cappedForce = Eigen::Vector3d::Zero();
-  /// m: the longest displacement over which the present force can return what the hand has put in:
-  /// the deflection and, with friction, the largest pre-sliding displacement. Infinite if unknown.
+  /// m: the longest displacement over which the present force can return the energy that the hand
+  /// has put in: the deflection and, with friction, the largest pre-sliding displacement. Infinite
+  /// if unknown.
   double depth = std::numeric_limits<double>::infinity();
   ToolOrientation orientation = orientationNotTold(); ///< as in DeviceSample
-  /// About the tip, N m: the scene's torque, and the same with the stiffness cap applied.
+  /// Torques about the tip, N m: the scene's torque, and the same with the stiffness cap applied.
   Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d cappedTorque = Eigen::Vector3d::Zero();
-  /// The force is changing on purpose, not by the hand: a body, tool or material is being
-  /// exchanged.
+  /// The force changes on purpose, not by the hand: a body, tool or material is being exchanged.
   bool changing = false;
 };
 
-/// The links, by which a tick tells which ones changed something.
+/// The links of the chain; a tick reports those that changed something.
 enum class SafetyLink : std::uint16_t
 {
   NotFinite = 1 << 0, ///< a force or a time that is not finite
@@ -50,20 +50,20 @@ enum class SafetyLink : std::uint16_t
   Magnitude = 1 << 5,
   Passivity = 1 << 6,
   Watchdog = 1 << 7,
-  NoSample = 1 << 8, ///< the device has nothing to report, or no position
+  NoSample = 1 << 8, ///< the sample is not valid or not finite
   Stopped = 1 << 9
 };
 
-/// The force that is sent, and why it is not the ideal one.
+/// The force that is sent, and the links that changed it.
 struct SafeForce
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
   Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip
   double forceFactor = 1.0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
-  /// s: time without a further force after which the device must let go by itself.
+  /// s: after this time without a further force the device must end the force by itself.
   double holdTime = 0.0;
-  bool isGap = false; ///< no force, but the contact continues with the next reading
+  bool isGap = false; ///< no force now, but the contact continues with the next reading
 
   bool has(SafetyLink link) const noexcept
   {
@@ -72,32 +72,33 @@ struct SafeForce
 };
 
 /**
- * From the ideal force on a tool to the one sent to a device, in fixed order:
+ * From the ideal force on a tool to the force sent to a device, in fixed order:
  *
  * finite check → gate (EntryGate) → fit to device (one force factor) → stiffness cap → slew limit
  * (ForceRateLimit) → magnitude clamp (ForceLimit) → passivity control (PassivityControl) → watchdog
  * (SampleWatchdog) → no force while stopped or without a sample.
  *
- * The links that end the force - the first and the last - end it in the same tick, and count as a
+ * The finite check, the watchdog and the last link end the force in the same tick. This counts as a
  * loss: the gate closes, and slew limit and passivity control are reset. A clock that goes back is
- * a loss, too; it is not checked if no active link needs the time.
+ * also a loss; the clock is not checked if no active link needs the time.
  *
- * Each force has a hold time, during which it can return no more than the hand has put in, by the
- * passivity control: at least LeastHold periods, by which a loop may be late, at most the sample
- * time-out. A device that lets go after it is safe if the host hangs.
+ * Each force has a hold time. While the force is held for this time, it returns no more energy than
+ * the hand has put in, according to the passivity control. The hold time is at least LeastHold
+ * periods, by which a loop may be late, and at most the sample time-out. A device that ends its
+ * force after the hold time is safe if the host hangs.
  *
- * Under passivity control, readings missing for no longer than the device's time-out are a gap
- * instead: there is no force meanwhile, but the gate is unchanged, the slew limit continues from
- * zero, and the control keeps counting, so that a hand which went deeper meanwhile gets no more
- * than it had put in before.
+ * Under passivity control, readings missing for no longer than the device's time-out are a gap, not
+ * a loss. There is no force meanwhile, but the gate is unchanged, the slew limit continues from
+ * zero, and the control keeps counting. So a hand that went deeper meanwhile gets no more than it
+ * had put in before.
  *
- * Of a device that outputs torque (SafetySettings::maximumTorque above 0) the torque passes the
- * same links: the same gate and factor, its own stiffness cap, slew limit and clamp, and one
- * account with the force under passivity control; it is zero in every tick in which the force is
- * ended, and if the device's orientation is unknown. Otherwise no torque is sent, and the force is
- * unchanged, to the bit.
+ * If a device outputs torque (SafetySettings::maximumTorque above 0), the torque passes the same
+ * links: the same gate and factor, and its own stiffness cap, slew limit and clamp. Passivity
+ * control has one account for force and torque. The torque is zero in every tick in which the force
+ * is ended, and if the device's orientation is unknown. Without torque output no torque is sent,
+ * and the force is unchanged, to the bit.
  *
- * All members belong to the servo thread; none allocates, locks or throws.
+ * All members are for the servo thread; none allocates, locks or throws.
  */
 class PALPATE_EXPORT SafetyChain
 {
@@ -111,8 +112,8 @@ public:
   void stop() noexcept;
   void start() noexcept { this->IsStopped = false; }
   bool isStopped() const noexcept { return this->IsStopped; }
-  /// Whether apply() will send nothing for a valid sample at that time, whatever the scene: it is
-  /// stopped, the device has been silent, or the time is invalid.
+  /// Whether apply() will send nothing for a valid sample at that time, whatever the scene: the
+  /// chain is stopped, the device has been silent, or the time is invalid.
   bool isEnded(double time) const noexcept
   {
     return this->IsStopped ||
@@ -121,20 +122,21 @@ public:
   /// Resets the links; a stopped chain stays stopped.
   void reset() noexcept;
 
-  /// 0 to 1; beyond that 1, and 0 for NaN. Takes effect at once: the caller changes it gradually,
-  /// in ticks marked as changing if it grows.
+  /// `factor` from 0 to 1; a larger one counts as 1, a negative one or NaN as 0. Takes effect at
+  /// once: the caller must change it gradually, and mark the ticks as changing if it grows.
   void setForceFactor(double factor) noexcept;
   const SafetySettings& settings() const noexcept { return this->Settings; }
-  /// The largest stiffness (N/mm, frame of the body) that the device renders, at this scale of the
+  /// The largest stiffness (N/mm, frame of the body) that the device renders at this scale of the
   /// mapping (WorkspaceMapping) and the present force factor; infinite without cap.
   double bodyStiffnessLimit(double scale) const noexcept;
-  /// Likewise N mm/rad, for torques.
+  /// Likewise for torques, N mm/rad.
   double bodyTorsionalLimit(double scale) const noexcept;
   /// Whether torque is sent at all.
   bool hasTorque() const noexcept { return this->Settings.maximumTorque > 0.0; }
-  /// The energy that the hand has put in and not got back, J (PassivityControl); 0 if that is off.
+  /// The energy that the hand has put in and not got back, J (PassivityControl); 0 if passivity
+  /// control is off.
   double energy() const noexcept { return this->Passivity.energy(); }
-  /// The part of it that may go to another chain on the same body, and its transfer
+  /// The part of this energy that may move to another chain on the same body, and the transfer
   /// (PassivityControl).
   double spareEnergy() const noexcept
   {
@@ -143,7 +145,7 @@ public:
   void transferEnergy(double energy) noexcept { this->Passivity.transfer(energy); }
 
 private:
-  /// Which links end the force now.
+  /// The links that end the force now.
   std::uint16_t losses(const SafetyInput& input) noexcept;
   Wrench shape(const SafetyInput& input, SafeForce& result) noexcept;
   /// The scene's torque after the clamp; `share` is the factor of gate and fit.
@@ -165,7 +167,7 @@ private:
   SampleWatchdog Watchdog;
   double LastGateShare = 1.0;
   bool IsStopped = false;
-  PassivityControl Passivity; ///< last, since the largest
+  PassivityControl Passivity; ///< last member, because it is the largest
 };
 } // namespace palpate
 

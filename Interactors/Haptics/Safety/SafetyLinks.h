@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What weakens or ends a force: the ramp of changes on purpose, then the small links of
+// Links that weaken or end a force: the ramp of intended changes, then the small links of
 // SafetyChain, in its order.
 #ifndef palpate_SafetyLinks_h
 #define palpate_SafetyLinks_h
@@ -15,10 +15,10 @@ namespace palpate
  * A factor of a force that moves between 0 and 1 without a jump: linear in time, 50 ms for the
  * whole range.
  *
- * Of all ramps of 50 ms the linear one has the least maximum rate (a smooth step has 1.5 times
- * that); so a force s(t) F changes per tick of length T by no more than the change of F and |F| T /
- * 50 ms. A late tick counts for at most MaximumStep, so that a stall makes the ramp longer and not
- * the step larger.
+ * Among all ramps of 50 ms the linear one has the least maximum rate (a smooth step has 1.5 times
+ * that). So a force s(t) F changes per tick of length T by no more than the change of F plus |F| T
+ * / 50 ms. A late tick counts for at most MaximumStep: a stall makes the ramp longer, not the step
+ * larger.
  */
 class ForceRamp
 {
@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// `elapsed` (s) >= 0 towards `target`, 0 to 1; returns the new factor.
+  /// Moves towards `target` (0 to 1) for `elapsed` s, >= 0; returns the new factor.
   double advance(double target, double elapsed) noexcept
   {
     const double step = std::min(elapsed / Duration, MaximumStep);
@@ -45,10 +45,10 @@ private:
 };
 
 /**
- * The first link: a session that begins, or continues after a loss, with the tool inside the body
- * must not push it out with the force of that depth. The gate is closed until the tip has been
- * outside once. With a ramp, the first contact after that is soft: the factor grows linearly from 0
- * over the given time from that contact.
+ * The first link. A session that begins, or continues after a loss, with the tool inside the body
+ * must not push the tool out with the force of that depth. The gate is closed until the tip has
+ * been outside once. With a ramp, the first contact after that is soft: the factor grows linearly
+ * from 0 over the given time from the start of that contact.
  */
 class EntryGate
 {
@@ -97,7 +97,7 @@ private:
 /**
  * The slew limit: between two ticks the force changes by no more than the rate times the time
  * between them, along the straight line to its target. It starts from the force sent last, zero at
- * first, so that what later links remove does not return at once.
+ * first, so that a force which later links remove does not return at once.
  */
 class ForceRateLimit
 {
@@ -141,11 +141,11 @@ public:
 private:
   double Rate;
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
-  bool HasTime = false; ///< otherwise no time has passed yet
+  bool HasTime = false; ///< false: no time has passed yet
   double LastTime = 0.0;
 };
 
-/// The clamp of the magnitude, which keeps the direction.
+/// Limits the magnitude of the force and keeps its direction.
 class ForceLimit
 {
 public:
@@ -158,7 +158,7 @@ public:
   /// `force` is finite.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) const noexcept
   {
-    // The plain norm unless its squares overflow or underflow, to keep the bits of earlier
+    // The plain norm, unless its squares overflow or underflow; this keeps the bits of earlier
     // versions.
     const double plain = force.norm();
     const double size = plain > 1e-100 && plain < 1e100 ? plain : force.stableNorm();
@@ -170,20 +170,20 @@ private:
 };
 
 /**
- * Whether the device still reports the hand: without anything new for longer than its time-out it
- * is lost, until it reports again. So it is after a pause of the loop of this length, and when the
- * clock goes back.
+ * Whether the device still reports the hand. Without a new reading for longer than its time-out the
+ * device is lost, until it reports again. The device is also lost after a pause of the loop of this
+ * length, and when the clock goes back.
  */
 class SampleWatchdog
 {
 public:
-  /// `timeOut` in s; infinite: never; negative or NaN: always.
+  /// `timeOut` in s; infinite: the device is never lost; negative or NaN: always.
   explicit SampleWatchdog(double timeOut) noexcept
     : TimeOut(timeOut)
   {
   }
 
-  /// To be called in every tick with a valid sample; `fresh`: it is a new one. True: no force now.
+  /// Call it in every tick with a valid sample; `fresh`: the sample is new. True: no force now.
   bool isLost(double time, bool fresh) noexcept
   {
     if (!this->HasTime)
@@ -195,7 +195,7 @@ public:
     const bool wentBack = time < this->LastTime;
     if (wentBack)
     {
-      this->LastFresh = time; // of the new clock
+      this->LastFresh = time; // in the new clock
     }
     const bool isOld = !(time - this->LastFresh <= this->TimeOut);
     this->LastTime = time;
@@ -205,20 +205,20 @@ public:
     }
     return wentBack || isOld;
   }
-  /// The result that isLost would have now.
+  /// The result that isLost would have at that time.
   bool wouldBeLost(double time) const noexcept
   {
     const double since = this->HasTime ? time - this->LastFresh : 0.0;
     return (this->HasTime && time < this->LastTime) || !(since <= this->TimeOut);
   }
-  /// Whether readings missing now, or not valid, are a gap: the last new one is not older than the
-  /// time-out, or than LongestGap if there is no time-out.
+  /// Whether readings that are missing or not valid now are a gap: the last new one is not older
+  /// than the time-out, or than LongestGap if there is no time-out.
   bool isGap(double time) const noexcept
   {
     const double longest = std::isinf(this->TimeOut) ? LongestGap : this->TimeOut;
     return this->HasTime && time >= this->LastTime && time - this->LastFresh <= longest;
   }
-  /// The time-out begins with the next call.
+  /// The time-out starts again with the next call.
   void reset() noexcept { this->HasTime = false; }
 
   static constexpr double LongestGap = 0.02; ///< s: the usual time-out

@@ -10,45 +10,46 @@
 
 namespace palpate
 {
-/// The limits of a force before it reaches a hand (SafetyChain). The device's frame, SI units. A
-/// limit that is negative or NaN blocks everything, an infinite one nothing.
+/// The limits of a force before it reaches a hand (SafetyChain). In the device's frame, SI units. A
+/// limit that is negative or NaN blocks everything, an infinite limit nothing.
 struct PALPATE_EXPORT SafetySettings
 {
-  /// Factor of every force, 0 to 1: the same for all tools that are compared, so that their ratios
-  /// are kept (DeviceFit).
+  /// Factor of every force, 0 to 1. Use the same for all tools that are compared, so that the
+  /// ratios of their forces are kept (DeviceFit).
   double forceFactor = 1.0;
   double maximumForce = 10.0;       ///< N
-  double maximumStiffness = 1500.0; ///< N/m, that a sampled spring may have at `period`
+  double maximumStiffness = 1500.0; ///< N/m, of a sampled spring at `period`
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
   double maximumTorque = 0.0; ///< N m; 0: no torque is sent, and orientations are ignored
   double maximumTorsionalStiffness = 0.5; ///< N m/rad, as maximumStiffness
   double maximumTorqueRate = std::numeric_limits<double>::infinity(); ///< N m/s
-  /// s; a device without a new reading for longer is lost.
+  /// s: a device without a new reading for longer than this is lost.
   double sampleTimeOut = 0.02;
-  /// s, > 0: of the ticks that maximumStiffness was stated for.
+  /// s, > 0: the period of the ticks for which maximumStiffness was stated.
   double period = 1e-3;
-  /// s, >= 0: the largest sum of the delays of readings and forces, by the device's specification;
-  /// used by passivity control, up to 32 periods.
+  /// s, >= 0: the largest sum of the delays of readings and forces, from the device's
+  /// specification. Passivity control uses it, up to 32 periods.
   double delay = 0.0;
   /// s over which the force of the first contact rises from zero; 0: at once.
   double entryRamp = 0.0;
-  /// No force until the tip has been outside once.
+  /// No force until the tip has been outside of the body once.
   bool gate = true;
   bool capStiffness = true;
   bool controlPassivity = true;
 
   /// All links, with the limits of the specification.
   static SafetySettings of(const DeviceSpecification& specification);
-  /// Two links alone: no force that is not finite or for an invalid sample, and none above the
-  /// maximum. No torque.
+  /// Two links only: no force that is not finite or for a sample that is not valid, and no force
+  /// above the maximum. No torque.
   static SafetySettings magnitudeOnly(double maximumForce);
 };
 
-/// The first setting out of its range, or NaN, by its capitalised name ("MaximumForce"); for
-/// settings from outside. The chain itself is safe with any, but may send nothing.
+/// The first setting that is out of its range or NaN, with its capitalised name ("MaximumForce");
+/// for settings from outside. The chain itself is safe with any settings, but may send nothing.
 PALPATE_EXPORT SettingFault faultOf(const SafetySettings& settings);
 
-/// The range is that of SafetySettings::forceFactor and ServoScene::forceFactor.
+/// The fault of a force factor; its range is that of SafetySettings::forceFactor and
+/// ServoScene::forceFactor.
 PALPATE_EXPORT SettingFault faultOfForceFactor(double factor);
 } // namespace palpate
 

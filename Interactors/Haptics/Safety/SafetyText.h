@@ -9,11 +9,11 @@
 
 namespace palpate
 {
-/// How the force sent differs from the ideal one, in words: the factor and the other links that
-/// acted, in the chain's order. "force ×0.12, stiffness capped"; "" if none acted.
+/// Text that says how the force sent differs from the ideal one: the factor and the other links
+/// that acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if none acted.
 PALPATE_EXPORT std::string describeSafety(std::uint16_t acted, double forceFactor);
 
-/// "force ×0.12", with two digits.
+/// Example: "force ×0.12", with two digits.
 PALPATE_EXPORT std::string describeForceFactor(double forceFactor);
 } // namespace palpate
 

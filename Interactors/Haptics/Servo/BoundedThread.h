@@ -11,10 +11,10 @@
 namespace palpate
 {
 /**
- * A thread whose owner does not wait for it forever: for calls into a driver that may hang.
+ * A thread whose owner waits for it only for a limited time: for calls into a driver that may hang.
  *
- * finish waits for the end of the work up to a limit, then lets it go on alone. The work must
- * therefore own everything it touches.
+ * finish waits for the end of the work up to a limit. After that the thread is detached and goes on
+ * alone, so the work must own everything that it uses.
  */
 class BoundedThread
 {
@@ -29,7 +29,8 @@ public:
   BoundedThread(const BoundedThread&) = delete;
   BoundedThread& operator=(const BoundedThread&) = delete;
 
-  /// Whether it ended in time; the work must have been told to.
+  /// Waits up to `limit` for the end of the work; returns whether it ended. The caller must have
+  /// asked the work to end before.
   bool finish(std::chrono::milliseconds limit)
   {
     if (!this->Thread.joinable())

@@ -5,7 +5,8 @@ namespace palpate
 {
 namespace
 {
-/// Whether the force was ended, not changed.
+/// Whether the force was ended, not only changed. False in a gap, after which the contact
+/// continues.
 bool isLost(const SafeForce& safe) noexcept
 {
   return !safe.isGap &&

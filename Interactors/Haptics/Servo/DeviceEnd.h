@@ -16,34 +16,35 @@
 
 namespace palpate
 {
-/// What one step of the servo loop saw and did.
+/// Input and result of one step of the servo loop.
 struct Tick
 {
   double time = 0.0;                                     ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();         ///< body frame, mm
   Contact contact;                                       ///< body frame; the ideal force
-  Eigen::Vector3d deviceForce = Eigen::Vector3d::Zero(); ///< device frame, N; what is sent
+  Eigen::Vector3d deviceForce = Eigen::Vector3d::Zero(); ///< device frame, N; as sent
 
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< of the hand, body frame, mm/s
-  /// What enters the safety chain, body frame, N: contact.force, but blended while a scene is left
-  /// for another, and less while the clutch is at work.
+  /// Input of the safety chain, body frame, N: contact.force, but blended while the scene changes,
+  /// and reduced while the clutch is held.
   Eigen::Vector3d idealForce = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedForce = Eigen::Vector3d::Zero(); ///< deviceForce, body frame, N
-  /// Of the tool, body frame, unit, from tip to hand; zero where the device does not tell it.
+  /// Axis of the tool, body frame, unit, from tip to hand; zero if the device does not report it.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  /// As the forces, about the tip: device frame, N m; body frame, N mm.
+  /// Torques about the tip, as the forces: deviceTorque in the device frame, N m; the others in the
+  /// body frame, N mm.
   Eigen::Vector3d deviceTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedTorque = Eigen::Vector3d::Zero();
-  double forceFactor = 1.0; ///< of applied over ideal force (DeviceFit)
-  double holdTime = 0.0;    ///< s: for so long deviceForce may be held (SafetyChain)
-  /// How much of idealForce is of the scene that `contact` tells of: less than 1 during a ramp.
+  double forceFactor = 1.0; ///< ratio of applied to ideal force by the device fit (DeviceFit)
+  double holdTime = 0.0;    ///< s: how long deviceForce may be held (SafetyChain)
+  /// Share of idealForce that comes from the scene of `contact`: less than 1 during a ramp.
   double sceneShare = 1.0;
-  std::uint32_t scene = 0; ///< which that is: how many changes came before
+  std::uint32_t scene = 0; ///< number of that scene: how many changes came before
   std::uint32_t buttons = 0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
-  bool valid = false;      ///< the device told where it is
-  bool fresh = false;      ///< and not for the second time
+  bool valid = false;      ///< the device reported its position
+  bool fresh = false;      ///< and the sample is new
   bool clutched = false;   ///< the tip stays while the hand moves
 
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
@@ -52,31 +53,32 @@ struct Tick
 };
 
 /**
- * Takes the hand off the tip, so that a small workspace reaches a large body: while one of its
- * buttons is held the tip stays and the hand moves freely; on release the tip follows again from
- * where it stood, moved by as much as the hand was.
+ * Decouples the hand from the tip, so that a small workspace reaches a large body. While one of its
+ * buttons is held, the tip stays and the hand moves freely. On release the tip follows the hand
+ * again from where the tip is, with a constant offset.
  *
- * The force fades to nothing within 50 ms of pressing the button and comes back within 50 ms of
- * its release (ForceRamp), in or out of contact: neither tip nor force jumps. A gate that is shut
- * stays shut, as the tip has not left the body by it.
+ * The force fades to zero within 50 ms after the button is pressed and returns within 50 ms after
+ * its release (ForceRamp), in or out of contact. So neither tip nor force jumps. A closed gate
+ * stays closed, because the clutch does not move the tip out of the body.
  *
  * Positions are the tip's, in the body's frame, mm. No heap; nothing throws.
  */
 class Clutch
 {
 public:
-  /// `buttons`: any of these bits of DeviceSample::buttons holds it; 0: there is no clutch.
+  /// `buttons`: the clutch is held while any of these bits of DeviceSample::buttons is set; 0:
+  /// there is no clutch.
   explicit Clutch(std::uint32_t buttons = 0) noexcept
     : Buttons(buttons)
   {
   }
 
-  /// Where the tip is, when the mapping puts the hand at `hand`, finite; `elapsed` (s) since the
-  /// last tick.
+  /// Returns the position of the tip when the mapping puts the hand at `hand` (finite), `elapsed` s
+  /// after the last tick.
   Eigen::Vector3d follow(
     const Eigen::Vector3d& hand, std::uint32_t buttons, double elapsed) noexcept
   {
-    if (this->Held) // up to this tick, however far the hand has come since the last
+    if (this->Held) // also in the tick of the release: the hand may have moved since the last tick
     {
       this->Offset = this->Tip - hand;
       this->Moved = true;
@@ -91,46 +93,49 @@ public:
   }
 
   bool isHeld() const noexcept { return this->Held; }
-  /// The share of the force that the hand gets: 1 while the tip follows it, 0 while it moves
-  /// freely.
+  /// Share of the force that reaches the hand: 1 while the tip follows the hand, 0 while the hand
+  /// moves freely.
   double forceShare() const noexcept { return this->Force.share(); }
 
-  /// The tip is where the mapping puts it, as at the beginning.
+  /// Puts the tip where the mapping puts it, as at the start.
   void reset() noexcept { *this = Clutch(this->Buttons); }
 
 private:
   std::uint32_t Buttons;
   bool Held = false;
-  bool Moved = false; ///< Offset is not zero: adding zero would turn -0 into +0
+  bool Moved = false; ///< Offset is in use: adding a zero offset would turn -0 into +0
   Eigen::Vector3d Tip = Eigen::Vector3d::Zero();
   Eigen::Vector3d Offset = Eigen::Vector3d::Zero(); ///< tip minus hand
   ForceRamp Force{ 1.0 };
 };
 
 /**
- * What of a servo step belongs to one device: mapping, clutch and safety chain. A tick reads the
- * sample, follows the tip, takes what that feels, and sends; in between the caller steps the
- * contact. Without a valid sample there is no tip to be followed or felt.
+ * The part of a servo step that belongs to one device: mapping, clutch and safety chain. In a tick,
+ * read() takes the sample, follow() returns the pose of the tool, feel() takes the force of the
+ * scene at that pose, and send() puts the force for the device into the tick. Between follow() and
+ * feel() the caller steps the contact. Without a valid sample there is no tip, so follow() and
+ * feel() are left out.
  *
  * Nothing here allocates, locks or throws; for one thread.
  */
 class PALPATE_EXPORT DeviceEnd
 {
 public:
-  /// Parameters as of ServoStep.
+  /// Parameters as in ServoStep.
   DeviceEnd(const WorkspaceMapping& mapping, const SafetySettings& safety,
     std::uint32_t clutchButtons) noexcept;
 
-  /// Begins a tick; tick.valid says whether there is a tip.
+  /// Begins a tick; tick.valid is then true if there is a tip.
   void read(const DeviceSample& sample, double time, Tick& tick, SafetyInput& input) noexcept;
-  /// Where the tool is, `elapsed` s after the last tick.
+  /// Returns the pose of the tool, `elapsed` s after the last tick.
   ToolPose follow(double elapsed, Tick& tick) noexcept;
-  /// What it feels there.
+  /// Takes the force of the scene at that pose.
   void feel(const SceneForce& felt, Tick& tick, SafetyInput& input) noexcept;
-  /// Ends a tick. True: the force was ended, not changed; the contact is to be forgotten.
+  /// Ends a tick. Returns true if the force was ended, not only changed; the caller must then
+  /// forget the contact.
   bool send(const SafetyInput& input, Tick& tick) noexcept;
 
-  /// Whether a sample at that time has no force, whatever is felt (SafetyChain::isEnded).
+  /// Whether a sample at that time gets no force, whatever the scene (SafetyChain::isEnded).
   bool isEnded(double time) const noexcept { return this->Chain.isEnded(time); }
 
   void stop() noexcept { this->Chain.stop(); }
@@ -139,7 +144,7 @@ public:
 
   const WorkspaceMapping& mapping() const noexcept { return this->Mapping; }
   const SafetySettings& safety() const noexcept { return this->Safety; }
-  /// Up to which stiffness a scene of force factor 1 may be felt.
+  /// The largest stiffness that a scene of force factor 1 may have at this device.
   const StiffnessLimits& limits() const noexcept { return this->Limits; }
   double energy() const noexcept { return this->Chain.energy(); }
   double spareEnergy() const noexcept { return this->Chain.spareEnergy(); }
@@ -151,8 +156,8 @@ private:
   SafetySettings Safety;
   Clutch Hand;
   StiffnessLimits Limits;
-  bool IsSound;      ///< the mapping
-  double Held = 1.0; ///< share of the force that the hand got in the tick before
+  bool IsSound;      ///< the mapping has no fault
+  double Held = 1.0; ///< share of the force in the last tick
 };
 } // namespace palpate
 

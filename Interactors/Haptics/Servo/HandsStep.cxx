@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Where a hand is that is not there.
+/// The pose of a hand that is not in the scene.
 ToolPose nowhere() noexcept
 {
   return ToolPose(Vector3::Constant(NotANumber));
@@ -100,7 +100,7 @@ void HandsStep::feelAll(double elapsed) noexcept
 
 void HandsStep::shareEnergy() noexcept
 {
-  // What a linear scene holds of each hand is half of this.
+  // Twice the energy that a linear scene stores at each hand.
   const auto held = [this](std::size_t i)
   { return this->Inputs[i].idealForce.norm() * this->Inputs[i].depth; };
   const auto takesPart = [this](std::size_t i)

@@ -15,32 +15,35 @@
 namespace palpate
 {
 /**
- * One step of a servo loop for several devices on one body: what ServoStep is for one. All are
- * read, their contacts are stepped together (CoupledContacts: on a body with coupling they feel one
- * another), and each force goes through a mapping, clutch and safety chain of its own.
+ * One step of a servo loop for several devices on one body; ServoStep is for one device. All
+ * devices are read and their contacts are stepped together (CoupledContacts: on a body with
+ * coupling each contact moves the surface under the others). Each force passes its own mapping,
+ * clutch and safety chain.
  *
- * A device whose sample is not valid, that is silent or stopped loses its own contact alone: its
- * force is zero in the same tick, in which the others already feel it no more. A gap, which keeps
- * the contact of a ServoStep, forgets it here. A tool whose gate is shut, or whose hand the clutch
- * has taken off, is in the body, and the others feel it.
+ * A device whose sample is not valid, or that is silent or stopped, loses only its own contact: its
+ * force is zero in the same tick, and the contact has no effect on the others in that tick. A gap
+ * of the readings ends the contact here, unlike in ServoStep. A tool whose gate is closed, or whose
+ * hand is decoupled by the clutch, is still in the body and affects the others.
  *
- * The stiffness cap of each counts by how much contacts are stiffer together: no motion of all
- * hands, in or out, is stiffer than the device's limit. Where contacts feel one another the
- * passivity controls have one account: what one hand put in comes out at another when the first
- * lets go, so what no force needs goes in each tick to where the scene holds it. All hands together
- * get no more than they have put in and their devices' damping takes.
+ * The stiffness cap of each device includes how much stiffer the contacts are together: no motion
+ * of all hands, in or out, is stiffer than the device's limit. On a body with coupling the
+ * passivity controls share one account of energy, because the energy that one hand put in comes out
+ * at another hand when the first one unloads. In each tick, the energy that no force needs moves to
+ * the hands where the scene stores it. All hands together get no more than they have put in, plus
+ * the energy that the damping of their devices dissipates.
  *
- * Another scene is taken from no force: the forces of all hands go to nothing within 50 ms, and
- * come from the other scene within another 50.
+ * A change of the scene passes through zero force: the forces of all hands fade to zero within 50
+ * ms, then rise to those of the new scene within another 50 ms.
  *
- * step() and all that is noexcept neither allocate, free, lock nor throw, and are for one thread.
+ * step() and all other noexcept functions neither allocate, free, lock nor throw. All functions are
+ * for one thread.
  */
 class PALPATE_EXPORT HandsStep
 {
 public:
   static constexpr std::size_t Most = 4;
 
-  /// What ServoStep is told of its one device.
+  /// The parameters of one device, as in ServoStep.
   struct Hand
   {
     WorkspaceMapping mapping;
@@ -48,27 +51,29 @@ public:
     std::uint32_t clutchButtons = 0;
   };
 
-  /// `scene` is not null; where it is made for another number of hands it is made anew. 1 to Most
-  /// hands: any beyond have no step.
+  /// `scene` is not null; if it is made for another number of hands, it is made again. 1 to Most
+  /// hands: further ones are ignored.
   HandsStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>& hands);
 
   std::size_t count() const noexcept { return this->Ends.size(); }
 
-  /// A sample for each hand; what each has is there until the next step. `time` as of ServoStep.
+  /// One sample per hand. Returns one tick per hand, valid until the next step. `time` as in
+  /// ServoStep.
   const std::vector<Tick>& step(const DeviceSample* samples, double time) noexcept;
   const std::vector<Tick>& ticks() const noexcept { return this->Ticks; }
 
   void foresee() const noexcept { this->Current->together->foresee(); }
   void rehearse(double elapsed) const noexcept { this->Current->together->rehearse(elapsed); }
 
-  /// False, and nothing happens but that it is retired, if it is made for another number of hands.
+  /// Changes to another scene. Returns false for null, or if the scene is made for another number
+  /// of hands; such a scene is only retired.
   bool change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Waiting || this->Fade.share() < 1.0; }
   std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
 
   void stop() noexcept;
   void start() noexcept;
-  /// One hand alone.
+  /// Stops one hand alone.
   void stop(std::size_t hand) noexcept;
   void start(std::size_t hand) noexcept { this->Ends[hand].start(); }
   void reset() noexcept;
@@ -81,7 +86,7 @@ public:
   {
     return this->Ends[hand].safety();
   }
-  /// J, as its own chain observes it.
+  /// J, as the hand's own safety chain observes it.
   double energy(std::size_t hand) const noexcept { return this->Ends[hand].energy(); }
 
 private:
@@ -95,15 +100,16 @@ private:
   std::vector<DeviceEnd> Ends;
   std::vector<Tick> Ticks;
   std::vector<SafetyInput> Inputs;
-  std::vector<ToolPose> Poses; ///< not finite of a hand that is not there
-  std::vector<char> AtWork;    ///< whose gate is open, and whose force the tick before did not end
-  std::vector<double> Wanted;  ///< J, of each account
+  std::vector<ToolPose> Poses; ///< not finite for a hand without a tip, or whose force is ended
+  /// Hands whose gate is open and whose force did not end in the last tick.
+  std::vector<char> AtWork;
+  std::vector<double> Wanted; ///< J, missing in each account
   std::unique_ptr<ServoScene> Current;
-  std::unique_ptr<ServoScene> Waiting; ///< null but until the forces have gone
+  std::unique_ptr<ServoScene> Waiting; ///< null unless the forces are fading out
   std::unique_ptr<ServoScene> Retired;
   ForceRamp Fade{ 1.0 };
   std::uint32_t Changes = 0;
-  double LastTime; ///< NaN: none
+  double LastTime; ///< NaN: no step yet
 };
 } // namespace palpate
 

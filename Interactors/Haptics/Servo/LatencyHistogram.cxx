@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int ClassBits = 5; // 32 classes to a doubling
+constexpr int ClassBits = 5; // 32 classes per doubling
 constexpr std::size_t ClassesPerDoubling = std::size_t{ 1 } << ClassBits;
 } // namespace
 
@@ -20,7 +20,7 @@ std::size_t LatencyCounts::classOf(std::int64_t nanoseconds) noexcept
   {
     return static_cast<std::size_t>(value);
   }
-  // A double does not hold all of an int64, but those it rounds are beyond the last class.
+  // A double cannot hold every int64, but the values that it rounds are beyond the last class.
   const int shift = std::ilogb(static_cast<double>(value)) - ClassBits;
   const std::size_t index =
     static_cast<std::size_t>(shift) * ClassesPerDoubling + static_cast<std::size_t>(value >> shift);
@@ -90,7 +90,7 @@ void LatencyCounts::fitWorst() noexcept
   }
   else if (classOf(this->Worst) != last - 1)
   {
-    // Added, or forgotten, while the counts were read.
+    // The longest duration was added or reset while the counts were read.
     this->Worst = longestOf(last - 1);
   }
 }

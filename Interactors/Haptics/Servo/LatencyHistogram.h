@@ -12,32 +12,33 @@
 namespace palpate
 {
 /**
- * How often durations of each length were met, and the longest. Nanoseconds.
+ * Counts of durations by length, and the longest duration. In nanoseconds.
  *
- * Classes are 1 ns wide up to 64 ns, then 32 to each doubling: at most 1/32 of what they hold. The
- * last one takes everything from 68 s on.
+ * Classes are 1 ns wide up to 64 ns. From there each doubling has 32 classes, so that a class is at
+ * most 1/32 as wide as the durations in it are long. The last class takes everything from 68 s on.
  */
 class PALPATE_EXPORT LatencyCounts
 {
 public:
   static constexpr std::size_t Classes = 1024;
 
-  /// The class a duration belongs to; a negative one belongs to 0 ns.
+  /// The class of a duration; a negative duration counts as 0 ns.
   static std::size_t classOf(std::int64_t nanoseconds) noexcept;
   /// The longest duration of a class.
   static std::int64_t longestOf(std::size_t index) noexcept;
 
-  /// How many durations a class holds.
+  /// Number of durations in a class.
   std::uint64_t count(std::size_t index) const noexcept { return this->Counts[index]; }
   std::uint64_t total() const noexcept;
-  /// The least duration that `share` (0 to 1) of all do not exceed: never less than the true one,
-  /// and less than 1/32 more. 0 if there is none.
+  /// The least duration that `share` (0 to 1) of all durations do not exceed. It is never below the
+  /// true value, and less than 1/32 above it. 0 if there is no duration.
   std::int64_t quantile(double share) const noexcept;
-  /// The longest, exactly. 0 if there is none.
+  /// The longest duration, exactly. 0 if there is none.
   std::int64_t worst() const noexcept { return this->Worst; }
 
-  /// What came after `earlier`, an earlier reading of the same histogram. `worstSince` is the
-  /// longest of it as far as it is known; it is never reported shorter than its class.
+  /// The durations counted after `earlier`, an earlier reading of the same histogram. `worstSince`
+  /// is the longest of them, as far as it is known. If `worstSince` is not in the highest class
+  /// that has a count, the upper end of that class is reported instead.
   LatencyCounts since(const LatencyCounts& earlier, std::int64_t worstSince) const noexcept;
 
 private:
@@ -49,14 +50,14 @@ private:
 };
 
 /**
- * Counts durations in one thread while another one reads; neither ever waits.
+ * Counts durations in one thread while another thread reads. Neither thread ever waits.
  *
- * add is for one thread: two relaxed stores, no read-modify-write. read and reset are for one other
- * thread. Each class only grows, and a reader never sees it smaller than before: of two readings
- * the later holds all of the earlier. A reading may lack the durations that were added during it,
- * but its total and quantiles are those of one set of counts, and worst() is none that it lacks the
- * class of. reset leaves the counts alone and remembers them, so that the other thread has nothing
- * to do for it.
+ * add is for one thread: at most two stores, no read-modify-write. read and reset are for one other
+ * thread. The count of a class only grows, and a reader never sees it smaller than before: a later
+ * reading contains all of an earlier one. A reading may lack durations that were added during it.
+ * Its total and quantiles are still those of one set of counts, and worst() always belongs to a
+ * class that has a count. reset does not change the counts: it stores them as a baseline, so that
+ * the counting thread has nothing to do for it.
  */
 class PALPATE_EXPORT LatencyHistogram
 {
@@ -71,7 +72,7 @@ public:
     count.store(count.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
 
-  /// Since the last reset.
+  /// The durations since the last reset.
   LatencyCounts read() const noexcept;
   void reset() noexcept;
 
@@ -80,7 +81,7 @@ private:
 
   std::array<std::atomic<std::uint64_t>, LatencyCounts::Classes> Counts{};
   std::atomic<std::int64_t> Worst{ 0 };
-  LatencyCounts Baseline; ///< the reader's
+  LatencyCounts Baseline; ///< the counts at the last reset; used by the reading thread only
 };
 } // namespace palpate
 

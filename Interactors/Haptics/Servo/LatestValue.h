@@ -9,11 +9,12 @@
 namespace palpate
 {
 /**
- * Hands the newest value from one thread to one other; neither ever waits.
+ * Passes the newest value from one thread to one other thread. Neither thread ever waits.
  *
- * Three slots: the writer fills its own and swaps it with the shared one, the reader swaps the
- * shared one with its own when it is newer. Values in between are lost, none is ever torn. One
- * thread may call write, one other read. Copying a Value must neither allocate nor throw.
+ * There are three slots. The writer fills its own slot and swaps it with the shared slot. The
+ * reader swaps the shared slot with its own if the shared one is newer. Values in between are lost;
+ * no value is ever read half written. One thread may call write, one other thread read. Copying a
+ * Value must neither allocate nor throw.
  */
 template <class Value>
 class LatestValue
@@ -29,8 +30,8 @@ public:
     this->Writing = previous & Index;
   }
 
-  /// Writer: fills its slot, so that the memory is at hand when a value is written. Nobody reads it
-  /// before.
+  /// For the writer: fills its slot, so that the memory is in the caches when a value is written.
+  /// The reader does not see this value.
   void prepare(const Value& likely) noexcept { this->Slots[this->Writing] = likely; }
 
   /// The newest value written, or the initial one.
@@ -50,9 +51,9 @@ private:
   static constexpr std::uint8_t Fresh = 4;
 
   std::array<Value, 3> Slots;
-  std::uint8_t Writing = 0; ///< the writer's
+  std::uint8_t Writing = 0; ///< slot of the writer
   std::atomic<std::uint8_t> Shared{ 1 };
-  std::uint8_t Reading = 2; ///< the reader's
+  std::uint8_t Reading = 2; ///< slot of the reader
 };
 } // namespace palpate
 

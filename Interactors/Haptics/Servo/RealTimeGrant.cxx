@@ -96,7 +96,8 @@ void touchStack() noexcept
   constexpr std::size_t Bytes = 64 * 1024;
   constexpr std::size_t Page = 4096;
   std::array<unsigned char, Bytes> stack;
-  volatile unsigned char* const memory = stack.data(); // volatile: not to be optimised away
+  volatile unsigned char* const memory =
+    stack.data(); // volatile: so that the writes are not optimised away
   for (std::size_t i = 0; i < Bytes; i += Page)
   {
     memory[i] = 0;

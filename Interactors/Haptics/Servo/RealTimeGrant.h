@@ -8,34 +8,35 @@
 
 namespace palpate
 {
-/// What a servo thread asks the system for.
+/// Requests of a servo thread to the system.
 struct RealTimeRequest
 {
-  /// SCHED_FIFO with this priority, 1 to 99; 0: stay with the scheduling there is.
+  /// SCHED_FIFO with this priority, 1 to 99; 0: keep the present scheduling.
   int priority = 80;
   /**
-   * Keep the memory of the whole process from being paged out, whatever it touches now or later
-   * (mlockall with MCL_ONFAULT: nothing is read in for it, and memory that is never touched costs
-   * nothing). Off, because it is the process's own business: a program with gigabytes, of which a
-   * servo loop is a small part, may want to page. It stays in force after the loop. Programs that
-   * are there for the loop should ask for it.
+   * Lock the memory of the whole process, present and future, so that it is not paged out (mlockall
+   * with MCL_ONFAULT: nothing is read in for it, and memory that is never used costs nothing). Off
+   * by default, because it affects the whole process: a program with gigabytes, of which a servo
+   * loop is a small part, may need paging. The lock stays after the loop. Programs whose main task
+   * is the loop should set it.
    */
   bool lockMemory = false;
 };
 
 /**
- * What the system granted, and why not more.
+ * The rights that the system granted, and the reasons of refusals.
  *
- * Refusals are no errors: without SCHED_FIFO a loop ticks as well, with later wake-ups when the
- * processors are busy. Root is granted all of it, others what their limits say (RLIMIT_RTPRIO; in
- * Debian `/etc/security/limits.conf`: rtprio, memlock).
+ * A refusal is no error: without SCHED_FIFO a loop ticks as well, but wakes up later when the
+ * processors are busy. Root is granted everything, other users as much as their limits allow
+ * (RLIMIT_RTPRIO; in Debian `/etc/security/limits.conf`: rtprio, memlock).
  */
 struct PALPATE_EXPORT RealTimeGrant
 {
   RealTimeRequest request;
-  /// Of SCHED_FIFO; 0: the scheduling is what it was. Less than requested where the limit is lower.
+  /// Granted priority of SCHED_FIFO; 0: the scheduling is unchanged. Less than requested if the
+  /// limit is lower.
   int priority = 0;
-  int priorityError = 0; ///< errno of what was refused first; 0: nothing was
+  int priorityError = 0; ///< errno of the first refusal; 0: none
   bool memoryLocked = false;
   int memoryError = 0;     ///< errno
   bool timerSlack = false; ///< 1 ns instead of 50 µs for a thread that is not SCHED_FIFO
@@ -45,9 +46,9 @@ struct PALPATE_EXPORT RealTimeGrant
 };
 
 /**
- * Asks for the calling thread, and touches the first 64 KiB of its stack, so that no tick has to
- * wait for a page of it. Memory is locked only where no limit stands against it: mlockall under a
- * limit would make allocations of the process fail later.
+ * Makes the requests for the calling thread. Also touches the first 64 KiB of its stack, so that no
+ * tick waits for a page of it. Memory is locked only if locked memory is not limited: mlockall
+ * under a limit would make later allocations of the process fail.
  */
 PALPATE_EXPORT RealTimeGrant requestRealTime(const RealTimeRequest& request) noexcept;
 } // namespace palpate

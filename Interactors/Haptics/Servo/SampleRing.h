@@ -10,24 +10,24 @@
 namespace palpate
 {
 /**
- * Hands every value from one thread to one other, in order; neither ever waits.
+ * Passes every value from one thread to one other thread, in order. Neither thread ever waits.
  *
- * All memory is taken, and touched, by the constructor. When the reader has not drained in time and
- * the ring is full, the newest value is lost and counted, so that a record has a gap that is known
- * but is never overwritten while it is read. One thread may call push, one other drain; the counts
- * are for both. Copying a Value must neither allocate nor throw.
+ * The constructor allocates and touches all memory. If the reader has not drained in time and the
+ * ring is full, the newest value is lost and counted. So a record may have a gap, and the gap is
+ * known, but no value is overwritten while it is read. One thread may call push, one other thread
+ * drain; both may read the counts. Copying a Value must neither allocate nor throw.
  */
 template <class Value>
 class SampleRing
 {
 public:
-  /// With a capacity of 0 nothing is kept and nothing counts as lost.
+  /// With a capacity of 0, no value is kept and none counts as lost.
   explicit SampleRing(std::size_t capacity)
     : Slots(capacity)
   {
   }
 
-  /// Returns false when there was no room.
+  /// Returns false if there was no room.
   bool push(const Value& value) noexcept
   {
     if (this->Slots.empty())
@@ -47,8 +47,8 @@ public:
     return true;
   }
 
-  /// The pushing thread: fills the slot of the next value, so that its memory is at hand. Nobody
-  /// reads it before it is pushed.
+  /// For the pushing thread: fills the slot of the next value, so that its memory is in the caches.
+  /// The reader does not see this value.
   void prepare(const Value& likely) noexcept
   {
     if (this->size() < this->Slots.size())
@@ -57,8 +57,9 @@ public:
     }
   }
 
-  /// Calls sink(const Value&) for each value that was there when drain began, oldest first, and
-  /// forgets it. Returns how many. A sink that throws keeps its value and those after it.
+  /// Calls sink(const Value&) for each value that was present when drain began, oldest first, and
+  /// removes it. Returns how many. If the sink throws, its value and those after it stay in the
+  /// ring.
   template <class Sink>
   std::size_t drain(Sink&& sink)
   {
@@ -74,7 +75,7 @@ public:
   }
 
   std::size_t capacity() const noexcept { return this->Slots.size(); }
-  /// Values that are waiting. To the pushing thread never fewer than there are.
+  /// Number of waiting values. In the pushing thread it is never too small.
   std::size_t size() const noexcept
   {
     const std::uint64_t drained = this->Drained.load(std::memory_order_acquire);
@@ -89,14 +90,14 @@ private:
     return index + 1 < this->Slots.size() ? index + 1 : 0;
   }
 
-  // What the one thread writes and what the other lies in cache lines of its own.
+  // The members of each thread are in cache lines of their own.
   static constexpr std::size_t CacheLine = 64;
 
   alignas(CacheLine) std::atomic<std::uint64_t> Pushed{ 0 };
   std::atomic<std::uint64_t> Overruns{ 0 };
-  std::size_t PushIndex = 0; ///< the pushing thread's
+  std::size_t PushIndex = 0; ///< used by the pushing thread only
   alignas(CacheLine) std::atomic<std::uint64_t> Drained{ 0 };
-  std::size_t DrainIndex = 0; ///< the draining thread's
+  std::size_t DrainIndex = 0; ///< used by the draining thread only
   std::vector<Value> Slots;
 };
 } // namespace palpate

@@ -10,16 +10,16 @@
 namespace palpate
 {
 /**
- * Hands scenes from the thread that makes and frees them, the owner, to the servo thread that
- * renders them, and gets them back. Neither ever waits; the servo thread frees none.
+ * Passes scenes from their owner, the thread that makes and frees them, to the servo thread that
+ * renders them, and back. Neither thread ever waits. The servo thread frees no scene.
  *
- * The owner offers a scene; the servo thread takes it at a tick and, once it has let go of others,
- * gives these back; the owner collects them, which frees them. Of two offers in quick succession
- * the newer one wins: the older is freed by the owner if it has not been taken.
+ * The owner offers a scene. The servo thread takes it at a tick, and gives back the scenes that it
+ * no longer needs. The owner collects these, which frees them. Of two offers in quick succession
+ * the newer one wins: if the older one has not been taken, the owner frees it.
  *
- * A Scene has a member `std::unique_ptr<Scene> next`: scenes that are given back are a list, so
- * that there may be any number of them without memory for it. One thread may call offer and
- * collect, one other take and giveBack.
+ * A Scene has a member `std::unique_ptr<Scene> next`: scenes that are given back form a list, so
+ * that any number of them needs no extra memory. One thread may call offer and collect, one other
+ * thread take and giveBack.
  */
 template <class Scene>
 class SceneExchange
@@ -28,7 +28,7 @@ public:
   SceneExchange() = default;
   SceneExchange(const SceneExchange&) = delete;
   SceneExchange& operator=(const SceneExchange&) = delete;
-  /// Frees what was not taken and what was not collected.
+  /// Frees a scene that was not taken and those that were not collected.
   ~SceneExchange()
   {
     this->offer(nullptr);
@@ -42,7 +42,7 @@ public:
       this->Offered.exchange(scene.release(), std::memory_order_acq_rel));
   }
 
-  /// Owner. Frees what was given back; returns how many.
+  /// Owner. Frees the scenes that were given back; returns how many.
   std::size_t collect() noexcept
   {
     std::unique_ptr<Scene> list(this->Returned.exchange(nullptr, std::memory_order_acquire));
@@ -57,13 +57,13 @@ public:
   /// Servo thread. The newest offer, or null.
   std::unique_ptr<Scene> take() noexcept
   {
-    // A read first: most ticks find nothing, and an exchange is many times dearer.
+    // Reads first: most ticks find no offer, and an exchange costs many times more.
     return std::unique_ptr<Scene>(this->Offered.load(std::memory_order_relaxed) == nullptr
         ? nullptr
         : this->Offered.exchange(nullptr, std::memory_order_acquire));
   }
 
-  /// Servo thread. A list of scenes that it has let go of; null is none.
+  /// Servo thread. Gives back a list of scenes that it no longer needs; null changes nothing.
   void giveBack(std::unique_ptr<Scene> list) noexcept
   {
     if (!list)
@@ -75,7 +75,7 @@ public:
     {
       last = last->next.get();
     }
-    // Only this thread puts lists there: what the owner may find meanwhile is nothing.
+    // Only this thread puts lists here. If the owner collects meanwhile, the owner finds null.
     last->next.reset(this->Returned.exchange(nullptr, std::memory_order_acquire));
     this->Returned.store(list.release(), std::memory_order_release);
   }

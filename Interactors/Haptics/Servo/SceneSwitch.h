@@ -16,15 +16,16 @@
 namespace palpate
 {
 /**
- * A body with the response of a tool, as one ServoStep renders it: another body, tool, material or
- * other settings are another scene. Made and freed outside of the tick, which only hands it on.
+ * A body with the response of a tool, as one ServoStep renders it. Another body, tool or material,
+ * or other settings, are another scene. Scenes are made and freed outside of the tick; the tick
+ * only passes them on.
  */
 struct ServoScene
 {
-  /// `contactBody` must not be null and is kept alive by the scene. `sceneForceFactor` (0, 1] fits
-  /// this scene to the device, beside SafetySettings::forceFactor: their product is what counts.
-  /// Outside of its range it gives no force. For a HandsStep each of its hands has a contact; 0:
-  /// for a ServoStep.
+  /// `contactBody` must not be null; the scene keeps it alive. `sceneForceFactor` (0, 1] fits this
+  /// scene to the device, in addition to SafetySettings::forceFactor: the force is multiplied by
+  /// both. A factor outside of its range counts as 0: no force. `hands`: for a HandsStep the number
+  /// of contacts, one per hand; 0: for a ServoStep.
   explicit ServoScene(std::shared_ptr<const ContactBody> contactBody,
     const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0,
     std::size_t hands = 0)
@@ -38,13 +39,13 @@ struct ServoScene
   }
   ~ServoScene()
   {
-    // One after the other: a long list would nest as deep.
+    // One by one: recursion would be as deep as the list is long.
     while (this->next)
     {
       this->next = std::move(this->next->next);
     }
   }
-  /// A copy with its history, without the list.
+  /// Copies the scene and its history, not the list.
   ServoScene(const ServoScene& other)
     : body(other.body)
     , settings(other.settings)
@@ -58,73 +59,74 @@ struct ServoScene
   const std::shared_ptr<const ContactBody> body;
   const ContactSettings settings;
   ToolContact contact;
-  const std::unique_ptr<CoupledContacts> together; ///< of several hands, instead; or null
+  const std::unique_ptr<CoupledContacts> together; ///< used for several hands instead; or null
   const double forceFactor;
-  /// Scenes no longer needed are a list: freeing the first frees all.
+  /// The next one in a list of scenes no longer needed: freeing the first scene frees all.
   std::unique_ptr<ServoScene> next;
 };
 
-/// Up to which stiffness a scene may be felt at a force factor of 1; the body's frame.
+/// The largest stiffness that a scene may have at a force factor of 1; the body's frame.
 struct StiffnessLimits
 {
   double straight = std::numeric_limits<double>::infinity(); ///< N/mm
   double turning = std::numeric_limits<double>::infinity();  ///< N mm/rad
 };
 
-/// Of the torque of a contact so much may stay where the torsional stiffness that a loop feels is
-/// to be no larger than `limit`, N mm/rad: 0 to 1. Of that stiffness no more is known than |M|/θ,
-/// which it is of a flat end in full contact.
+/// The share (0 to 1) of a contact's torque that may remain so that the torsional stiffness seen by
+/// a loop is at most `limit`, N mm/rad. This stiffness is taken as |M|/θ, because no better value
+/// is known; it is exact for a flat end in full contact.
 inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
 {
   const double torque = contact.torque.norm();
-  const double most = limit * contact.tilt; // NaN where nothing is limited and nothing is tilted
+  const double most = limit * contact.tilt; // NaN if the limit is infinite and the tilt zero
   return most < torque ? most / torque : 1.0;
 }
 
-/// What the tip feels of a scene, or of two of which one is left for the other. Body frame; mm, N.
+/// The force of a scene on the tip, or the blend of two scenes during a change. Body frame; mm, N.
 struct SceneForce
 {
   Contact contact;                        ///< of the newest scene
   Vector3 idealForce = Vector3::Zero();   ///< blended; contact.force when not switching
-  Vector3 cappedForce = Vector3::Zero();  ///< the same, each stiffness capped
-  Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm, likewise
-  Vector3 cappedTorque = Vector3::Zero(); ///< the same, each torsional stiffness capped
-  double forceFactor = 1.0;               ///< blended; 0: there is no force
-  double share = 1.0;                     ///< of idealForce: of the newest scene
-  /// Over no longer way (mm) can the contacts give back work: out of the body, and as far as
-  /// friction is stretched.
+  Vector3 cappedForce = Vector3::Zero();  ///< the same with each stiffness capped
+  Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm; blended likewise
+  Vector3 cappedTorque = Vector3::Zero(); ///< the same with each torsional stiffness capped
+  double forceFactor = 1.0;               ///< blended; 0: no force
+  double share = 1.0;                     ///< part of idealForce that comes from the newest scene
+  /// The longest displacement (mm) over which the contacts can return work: the deflection and the
+  /// elastic displacement of the friction.
   double reach = 0.0;
   bool outside = true;   ///< no contact
-  bool changing = false; ///< the share is another than in the tick before
+  bool changing = false; ///< the share differs from that of the last tick
 };
 
-/// What a contact of a scene is to a tool in that pose, where of its force `share` may stay under
-/// the stiffness cap.
+/// The force of a scene's contact on a tool in that pose. `share` is the part of the contact's
+/// force that the stiffness cap leaves.
 PALPATE_EXPORT SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
   const ToolPose& pose, const StiffnessLimits& limits) noexcept;
 
 /**
- * The scene of a ServoStep, and how it is left for another while the tip may be in contact.
+ * The scene of a ServoStep, and its change to another scene while the tip may be in contact.
  *
- * Within 50 ms the force goes over from one to the other (ForceRamp), both being felt at the tip of
- * now: what is sent is (1-w) φ F of the old and w φ' F' of the new, straight in time with the force
- * factors φ included, so that it changes per tick by no more than motion changes the two, blended,
- * and |φ'F' - φF| T / 50 ms. No tick is stiffer than the stiffer of the two.
+ * The force changes from the old scene to the new one within 50 ms (ForceRamp). Both contacts are
+ * computed at the present tip. The force sent is (1-w) φ F of the old scene plus w φ' F' of the new
+ * one, where w grows linearly in time and φ, φ' are the force factors. So the force changes per
+ * tick by at most |φ'F' - φF| T / 50 ms, in addition to the blended changes of both forces by
+ * motion. No tick is stiffer than the stiffer of the two scenes.
  *
- * The new contact begins where the old one is: under the same side of a thin body, if both have it
- * there. It begins without pre-sliding displacement, so friction builds up anew; the old one keeps
- * its own until it is gone. A scene that comes during a ramp waits for its end (it would take a
- * third contact, or a force that no longer answers to the hand); of several that wait the newest is
- * taken.
+ * The new contact begins where the old one is: under the same side of a thin body, if both bodies
+ * have it there. The new contact begins without pre-sliding displacement, so friction builds up
+ * again; the old contact keeps its own until the end of the ramp. A scene that comes during a ramp
+ * waits for the end of the ramp. Otherwise a third contact would be necessary, or a force that does
+ * not respond to the hand. Of several waiting scenes the newest is taken.
  *
- * Nothing here allocates or frees but the constructors; a tick of a ramp costs two contacts.
+ * Only the constructors allocate or free; a tick of a ramp costs two contacts.
  */
 class PALPATE_EXPORT SceneSwitch
 {
 public:
   /// `scene` is not null.
   explicit SceneSwitch(std::unique_ptr<ServoScene> scene) noexcept;
-  /// With copies of the scenes, but none that is no longer needed.
+  /// Copies the scenes, except those no longer needed.
   SceneSwitch(const SceneSwitch& other);
   SceneSwitch(SceneSwitch&& other) noexcept = default;
   SceneSwitch& operator=(const SceneSwitch&) = delete;
@@ -152,40 +154,41 @@ public:
     }
   }
 
-  /// What an update would feel of the current scene, on a copy of its contact that is thrown away;
-  /// a scene that is left is felt likewise, and forgotten. Changes nothing.
+  /// The result that update would have for the current scene. It uses a copy of the contact, which
+  /// is discarded. A scene that is being left is computed too, and its result is dropped. Changes
+  /// nothing.
   SceneForce rehearse(
     const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept;
 
-  /// Begins to leave the scene for this one; null changes nothing.
+  /// Begins the change to this scene; null changes nothing.
   void change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Leaving != nullptr; }
-  /// How many scenes were left, or begun to be.
+  /// Number of changes, including one that has only begun.
   std::uint32_t changes() const noexcept { return this->Changes; }
-  /// What is no longer needed, as a list, or null; to be freed outside of the tick.
+  /// The scenes no longer needed, as a list, or null; free them outside of the tick.
   std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
 
-  /// The contacts are over, and so is a ramp: the newest scene is the only one. What its body
-  /// remembers of having been pressed stays.
+  /// Ends the contacts and a ramp: only the newest scene remains. The body keeps its memory of
+  /// having been pressed.
   void forget() noexcept;
-  /// The same, and what the body remembers is forgotten too.
+  /// The same, and clears the memory of the body.
   void reset() noexcept;
   /// Lets time pass (s) while the position of the tip is not known.
   void pass(double elapsed) noexcept;
 
 private:
   void begin(std::unique_ptr<ServoScene> next) noexcept;
-  /// Ends a ramp; one that waits begins.
+  /// Ends a ramp; the change to a waiting scene begins.
   void end() noexcept;
   void retire(std::unique_ptr<ServoScene> scene) noexcept;
   SceneForce blend(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
 
   std::unique_ptr<ServoScene> Current;
-  std::unique_ptr<ServoScene> Leaving; ///< null but during a ramp
-  std::unique_ptr<ServoScene> Waiting; ///< null but after a change during a ramp
+  std::unique_ptr<ServoScene> Leaving; ///< null except during a ramp
+  std::unique_ptr<ServoScene> Waiting; ///< null except after a change during a ramp
   std::unique_ptr<ServoScene> Retired;
   ForceRamp Ramp{ 0.0 };
-  bool Entering = false; ///< the ramp has had no tick yet
+  bool Entering = false; ///< the ramp has not had a tick yet
   std::uint32_t Changes = 0;
 };
 } // namespace palpate

@@ -34,7 +34,7 @@ void sleepUntil(std::int64_t deadline) noexcept
   const timespec time{ deadline / NanosecondsPerSecond, deadline % NanosecondsPerSecond };
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) != 0)
   {
-    // woken by a signal: the deadline still stands
+    // woken by a signal: sleep again until the deadline
   }
 }
 
@@ -221,8 +221,8 @@ bool ServoLoop::goesOn() const noexcept
   this->Likely = DeviceSample();
   const std::int64_t begin = now();
   std::int64_t deadline = begin;
-  std::int64_t before = begin; // when the last tick began
-  std::int64_t skipped = 0;    // deadlines since then
+  std::int64_t before = begin; // start of the last tick
+  std::int64_t skipped = 0;    // deadlines skipped since then
   const auto skip = [&](std::int64_t periods)
   {
     deadline += periods * period;
@@ -237,7 +237,7 @@ bool ServoLoop::goesOn() const noexcept
     this->takeScene();
     this->tick(secondsSince(begin, deadline));
     const std::int64_t done = now();
-    // The accounts wait for the force, not the force for them.
+    // The statistics come after the force, so that the force does not wait for them.
     this->Meter.wakeUp.add(late);
     if (!isFirst)
     {
@@ -312,7 +312,7 @@ void ServoLoop::wait(std::int64_t deadline, double time) noexcept
   this->rehearse(time);
   while (now() < deadline && this->goesOn())
   {
-    // a sleep as short as this would end late
+    // a sleep this short would end late
   }
 }
 
@@ -344,7 +344,7 @@ void ServoLoop::rehearse(double time) noexcept
 
 void ServoLoop::finish() noexcept
 {
-  // A device may be at work on the force before; one that is gone takes none.
+  // A device may still be busy with the last force; a device that is gone takes none.
   constexpr int Attempts = 10;
   constexpr std::int64_t Pause = NanosecondsPerSecond / 1000;
   std::array<bool, HandsStep::Most> isDone{};

@@ -24,47 +24,47 @@
 
 namespace palpate
 {
-/// How fast the loop ticks, what it keeps, what it asks of the system.
+/// The rate and the recording of a servo loop, and its requests to the system.
 struct PALPATE_EXPORT ServoLoopSettings
 {
   static constexpr double MaximumRate = 100000.0;
   static constexpr double MaximumRecordedTicks = 1e7; ///< some gigabytes
 
   double rate = 1000.0; ///< ticks per second, 1 to MaximumRate
-  /// How long (s) ticks are kept for drain() before they are lost; 0: there is no recording. The
-  /// memory is taken at once, some 600 bytes per tick and device.
+  /// How long (s) ticks are kept for drain() before they are lost; 0: no recording. The constructor
+  /// allocates the memory, about 600 bytes per tick and device.
   double recordedSeconds = 0.0;
-  /// How long (s) before each tick is due the thread wakes up, makes the tick beforehand
-  /// (ServoStep::rehearse; of several devices their contacts) and then waits without sleeping: the
-  /// sample is read in time, and its force comes sooner. Takes so much of a processor; 0 (none) to
-  /// half a period.
+  /// Time (s) before each deadline at which the thread wakes up. It then computes the tick in
+  /// advance (ServoStep::rehearse; for several devices only their contacts) and waits without
+  /// sleeping. So the sample is read on time, and its force is sent sooner. It keeps a processor
+  /// busy for this time; 0 (none) to half a period.
   double rehearsal = 0.0;
   RealTimeRequest realTime;
 
-  /// What is wrong with them, or "".
+  /// The first setting that is out of its range, as text, or "".
   std::string fault() const;
 };
 
 /**
- * The servo thread: device → ServoStep → device at a fixed rate. The newest tick is published in a
- * slot, every tick in a ring. Or several devices → HandsStep → devices: all are read, then stepped,
- * then written, in one thread and at one time; each has a slot and a ring of its own.
+ * The servo thread: device → ServoStep → device at a fixed rate. It publishes the newest tick in a
+ * slot and every tick in a ring. Or several devices → HandsStep → devices: all are read, then
+ * stepped, then written, in one thread and with one time; each device has its own slot and ring.
  *
- * Deadlines are absolute: tick k is due k periods after the start, and that is the time it is
- * given, whenever it wakes up. A tick that cannot begin before the next one is due is missed:
- * skipped and counted, so that a loop which cannot keep up still sleeps between ticks. So the k of
- * the newest tick is ticks + missed - 1.
+ * Deadlines are absolute: tick k is due k periods after the start. This due time is the time of the
+ * tick, whenever the thread wakes up. A tick that cannot begin before the next one is due is
+ * missed: it is skipped and counted, so that a loop which cannot keep up still sleeps between
+ * ticks. So the newest tick has k = ticks + missed - 1.
  *
- * The thread asks for real-time scheduling and, if told to, for locked memory; grant() tells what
- * it got. A tick neither allocates, frees, locks, logs nor throws.
+ * The thread requests real-time scheduling and, if this is set, locked memory; grant() returns the
+ * result. A tick neither allocates, frees, locks, logs nor throws.
  *
- * Zero force is written when the loop is stopped or destroyed, so also when an exception unwinds
- * its owner. A device or step that throws in spite of its word ends the process: see
- * releaseForceOnTerminate. The last tick published after a stop has no force and says
- * SafetyLink::Stopped.
+ * Zero force is written when the loop is stopped or destroyed, also when an exception unwinds its
+ * owner. A device or step that throws, although it must not, ends the process: see
+ * releaseForceOnTerminate. The last tick published after a stop has no force and has
+ * SafetyLink::Stopped set.
  *
- * All that is public is for one owning thread; the device must outlive the loop, the bodies of its
- * scenes are kept alive by them.
+ * All public functions are for one owning thread. The device must outlive the loop. The scenes keep
+ * their bodies alive.
  */
 class PALPATE_EXPORT ServoLoop
 {
@@ -72,19 +72,21 @@ public:
   ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings);
   /// `rate` in ticks per second.
   ServoLoop(HapticDevice& device, ServoStep step, double rate);
-  /// As many devices as the step has hands, none of them null.
+  /// One device per hand of the step, none of them null.
   ServoLoop(std::vector<HapticDevice*> devices, HandsStep step, const ServoLoopSettings& settings);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /// Begins to tick at time 0, or goes on if it runs. Returns what is wrong with the settings or
-  /// why there is no thread, or "". Waits until the system has granted or refused, not for a tick.
+  /// Begins to tick at time 0; a running loop goes on. Returns the fault of the settings, the
+  /// reason why there is no thread, or "". Waits until the system has granted or refused the
+  /// requests, not for a tick.
   std::string start();
-  /// Waits for the tick under way, at most a period.
+  /// Waits for the end of the tick under way, at most a period, and then until the devices have
+  /// taken zero force, at most about 10 ms.
   void stop();
   bool isRunning() const noexcept { return this->Thread.joinable(); }
-  /// What the thread of the newest start was granted.
+  /// The rights granted to the thread of the newest start.
   const RealTimeGrant& grant() const noexcept { return this->Grant; }
 
   std::size_t devices() const noexcept { return this->Devices.size(); }
@@ -93,34 +95,34 @@ public:
   {
     return this->Channels[device]->latest.read();
   }
-  /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns how
-  /// many. Also after a stop. Ticks for which there was no room are counted in the statistics.
+  /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns how many.
+  /// Works also after a stop. Ticks for which there was no room are counted in the statistics.
   template <class Sink>
   std::size_t drain(Sink&& sink, std::size_t device = 0)
   {
     return this->Channels[device]->recording.drain(sink);
   }
 
-  /// Renders another scene from the next tick on, or from the next start: the force goes over to
-  /// it within 50 ms (ServoStep). Of several in quick succession the newest is certain to be
-  /// rendered. Frees the scenes that are no longer in use. Of several devices: a scene made for as
-  /// many, HandsStep.
+  /// Renders another scene from the next tick on, or from the next start: the force changes to it
+  /// within 50 ms (ServoStep). Of several scenes in quick succession only the newest is certain to
+  /// be rendered. Frees the scenes that are no longer in use. For several devices the scene must be
+  /// made for as many hands (HandsStep).
   void changeScene(std::unique_ptr<ServoScene> scene);
-  /// The same without another scene, some time later; returns how many were freed.
+  /// Frees the scenes that are no longer in use, some time after a change; returns how many.
   std::size_t freeScenes() noexcept { return this->Scenes.collect(); }
 
-  /// Since the loop was made, or since the last reset; see ServoMeter for what may differ by a
-  /// tick. Samples, forces and errors are counted of each device, and summed.
+  /// Statistics since the loop was made or last reset; some counts may differ by a tick, see
+  /// ServoMeter. Samples, forces and errors are counted for each device, and summed.
   ServoStatistics statistics() const;
   void resetStatistics();
-  /// Since the loop was made.
+  /// Counts since the loop was made.
   std::uint64_t ticks() const noexcept { return this->Meter.ticks.total(); }
   std::uint64_t missed() const noexcept { return this->Meter.missed.total(); }
-  /// Ticks that drain() will never see.
+  /// Ticks that drain() will never see, because the ring was full.
   std::uint64_t overruns() const noexcept;
 
 private:
-  /// What the owner is told of one device.
+  /// The data that the owner reads from one device.
   struct Channel
   {
     explicit Channel(std::size_t recordedTicks)
@@ -137,29 +139,30 @@ private:
   void write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept;
   void takeScene() noexcept;
   void foresee() const noexcept;
-  /// Until a deadline, ns, with a rehearsal before it; `time` (s) is that of the tick then.
+  /// Waits until a deadline, ns, with a rehearsal before it. `time` (s) is that of the tick at the
+  /// deadline.
   void wait(std::int64_t deadline, double time) noexcept;
-  /// The tick that is to come, and where it will be kept.
+  /// Computes the next tick in advance, and prefetches the memory where it will be written.
   void rehearse(double time) noexcept;
-  /// Leaves no force: on the devices, in the step, in what is published.
+  /// Leaves no force on the devices, in the step and in the published tick.
   void finish() noexcept;
   DeviceErrors errors() const;
 
   std::vector<HapticDevice*> Devices;
-  std::optional<ServoStep> Step;  ///< of one device
-  std::optional<HandsStep> Hands; ///< of several, instead
+  std::optional<ServoStep> Step;  ///< for one device
+  std::optional<HandsStep> Hands; ///< for several devices, instead
   ServoLoopSettings Settings;
   std::vector<std::unique_ptr<Channel>> Channels;
   Tick Newest;         ///< of one device
-  DeviceSample Likely; ///< the last sample of one device, moved on as it moved last
+  DeviceSample Likely; ///< the last sample of one device, moved on by its last displacement
   Eigen::Vector3d LastPosition = Eigen::Vector3d::Zero(); ///< of that sample
   SceneExchange<ServoScene> Scenes;
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };
 
-  RealTimeGrant Grant;              ///< the owner's, as all below
+  RealTimeGrant Grant;              ///< used by the owner only, as all members below
   DeviceErrors ErrorsBefore;        ///< at the last reset of the statistics
-  std::uint64_t OverrunsBefore = 0; ///< likewise
+  std::uint64_t OverrunsBefore = 0; ///< at the last reset of the statistics
   std::thread Thread;
 };
 } // namespace palpate

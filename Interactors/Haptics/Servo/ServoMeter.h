@@ -13,30 +13,30 @@
 
 namespace palpate
 {
-/// How a servo loop has kept time, and what went wrong, since it was made or last reset.
+/// Timing and errors of a servo loop, since it was made or last reset.
 struct PALPATE_EXPORT ServoStatistics
 {
-  double rate = 0.0;   ///< ticks per second that were asked for
+  double rate = 0.0;   ///< requested ticks per second
   RealTimeGrant grant; ///< of the newest start
 
   std::uint64_t ticks = 0;
   std::uint64_t missed = 0;         ///< ticks whose whole period had passed before they could begin
-  std::uint64_t invalidSamples = 0; ///< ticks in which the device had nothing valid to say
-  std::uint64_t repeatedSamples = 0; ///< ticks in which it had nothing new to say
+  std::uint64_t invalidSamples = 0; ///< ticks in which the device had no valid sample
+  std::uint64_t repeatedSamples = 0; ///< ticks whose valid sample was not new
   std::uint64_t refusedForces = 0;   ///< ticks whose force the device did not take
-  std::uint64_t overruns = 0;        ///< ticks that the recording had no room for
+  std::uint64_t overruns = 0;        ///< ticks for which the recording had no room
   std::uint64_t sceneChanges = 0;    ///< scenes that were taken over
   DeviceErrors device;               ///< the device's own counts
 
-  LatencyCounts period; ///< from one tick's beginning to the next one's
+  LatencyCounts period; ///< from the beginning of one tick to that of the next
   LatencyCounts wakeUp; ///< from a tick's deadline to its beginning
   LatencyCounts tick;   ///< from a tick's beginning to the force written and the tick published
 
-  /// Some lines for a person: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
+  /// Some lines of text: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
   std::string describe() const;
 };
 
-/// Counts events in one thread for another one to read; neither ever waits.
+/// Counts events in one thread while another thread reads. Neither thread ever waits.
 class EventCount
 {
 public:
@@ -46,19 +46,19 @@ public:
       this->Events.load(std::memory_order_relaxed) + events, std::memory_order_release);
   }
   std::uint64_t total() const noexcept { return this->Events.load(std::memory_order_acquire); }
-  /// Since the last reset; read and reset are for one thread.
+  /// Events since the last reset; read and reset are for one thread.
   std::uint64_t read() const noexcept { return this->total() - this->Baseline; }
   void reset() noexcept { this->Baseline = this->total(); }
 
 private:
   std::atomic<std::uint64_t> Events{ 0 };
-  std::uint64_t Baseline = 0; ///< the reader's
+  std::uint64_t Baseline = 0; ///< the total at the last reset; used by the reading thread only
 };
 
 /**
- * Keeps the statistics of a servo loop. The servo thread adds to it, one other thread reads and
- * resets it; neither ever waits. See LatencyHistogram for what a reading holds; counts of one
- * reading may differ by the tick that was under way.
+ * Keeps the statistics of a servo loop. The servo thread adds to them, one other thread reads and
+ * resets them; neither ever waits. LatencyHistogram says how exact a reading is; the counts of one
+ * reading may differ by the tick under way.
  */
 struct PALPATE_EXPORT ServoMeter
 {
@@ -72,7 +72,8 @@ struct PALPATE_EXPORT ServoMeter
   EventCount refusedForces;
   EventCount sceneChanges;
 
-  /// Since the last reset; the fields of which the meter knows nothing are left alone.
+  /// Writes the statistics since the last reset; leaves the fields that the meter does not know
+  /// unchanged.
   void read(ServoStatistics& statistics) const noexcept;
   void reset() noexcept;
 };

@@ -8,14 +8,14 @@ namespace palpate
 {
 namespace
 {
-/// A scene of a body that somebody else keeps alive.
+/// A scene of a body that the caller keeps alive.
 std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettings& settings)
 {
   const std::shared_ptr<void> nobody;
   return std::make_unique<ServoScene>(std::shared_ptr<const ContactBody>(nobody, &body), settings);
 }
-/// A tick of a device; `own` are the scenes, or null in a rehearsal. One function and never
-/// inlined: what a rehearsal has brought into the caches is the code of the tick itself.
+/// One tick of a device. `own` are the scenes to update, or null in a rehearsal. A rehearsal must
+/// bring the code of the tick itself into the caches, so this is one function and never inlined.
 [[gnu::hot, gnu::noinline]] Tick tickOf(DeviceEnd& end, const SceneSwitch& scenes, SceneSwitch* own,
   const DeviceSample& sample, double time, double elapsed, bool& isOver) noexcept
 {

@@ -12,18 +12,19 @@
 namespace palpate
 {
 /**
- * The ticks of the last seconds, oldest first: what is drained from a servo loop and need not be
- * kept for ever.
+ * The ticks of the last seconds, oldest first: for ticks that are drained from a servo loop and
+ * need not be kept for ever.
  *
- * Those whose time is within `seconds` before the newest one, itself included, so seconds * rate of
- * a loop that misses none. They are numbered from 0 on as they were added, so that a reader can
- * tell which are new to it. At most seconds * rate + 1 are held; their memory, some 600 bytes each,
- * is used only once they come. Not for the servo thread: it is for the one thread that drains.
+ * Keeps the ticks whose time is within `seconds` before the newest one, and the newest one: seconds
+ * * rate ticks of a loop that misses none. Ticks are numbered from 0 on as they are added, so that
+ * a reader can find those that are new to it. At most seconds * rate + 1 ticks are kept, about 600
+ * bytes each; their memory is used only when they arrive. For the one thread that drains, not for
+ * the servo thread.
  */
 class TickHistory
 {
 public:
-  /// Times in s, ticks per second; both finite. With no seconds, none is kept.
+  /// `seconds` in s, `rate` in ticks per second; both finite. With 0 seconds no tick is kept.
   TickHistory(double seconds, double rate)
     : Seconds(seconds)
     , HalfPeriod(0.5 / rate)
@@ -63,7 +64,7 @@ public:
   {
     return this->Slots[(this->Begin + index) % this->Capacity];
   }
-  /// How many were ever added: the number of the oldest one here is added() - size().
+  /// How many ticks were ever added. The oldest one here has the number added() - size().
   std::uint64_t added() const noexcept { return this->Added; }
 
 private:

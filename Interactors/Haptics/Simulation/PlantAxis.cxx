@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // With x_t the hand's target, e = x - x_t and w = dx/dt - v_t, the equation between two events is
 //   e' = w,  w' = G - κe - βw,   κ = k/m, β = (b + b_hand)/m, G = (F - f_c sign v - b v_t)/m.
-// Let s be its response to a unit impulse and S = ∫s. Then
+// Let s be the response of this equation to a unit impulse and S = ∫s. Then
 //   e(h) = e + s w + S (G - κe),   w(h) = w + s (G - κe) - (βs + κS) w.
 #include "Haptics/Simulation/PlantAxis.h"
 
@@ -16,8 +16,8 @@ namespace
 constexpr int MaximumStretches = 1000;
 constexpr int MaximumEvents = 32;
 constexpr int Bisections = 40;
-/// Length of an interval that is checked for events at its end only, in radians of the hand's own
-/// oscillation: the velocity changes its sign at most once.
+/// Length of an interval that is checked for events only at its end, in radians of the hand's own
+/// oscillation: the velocity changes its sign at most once in it.
 constexpr double LongestAngle = 0.5;
 
 int sign(double value)
@@ -37,8 +37,8 @@ double meanDecay(double x)
   return x == 0.0 ? 1.0 : -std::expm1(-x) / x;
 }
 
-/// By the power series of the impulse response, accurate for any short duration: with βh < 1 and
-/// κh² < 1 the truncated term is below 1e-18 of the first.
+/// The response by the power series of the impulse response, accurate for short durations: with βh
+/// < 1 and κh² < 1 the truncated term is below 1e-18 of the first.
 PlantAxis::Response shortResponse(double kappa, double beta, double duration)
 {
   constexpr int Terms = 24;
@@ -60,7 +60,7 @@ PlantAxis::Response shortResponse(double kappa, double beta, double duration)
   return { impulse, duration * step };
 }
 
-/// In closed form, accurate for any long duration.
+/// The response in closed form, accurate for long durations.
 PlantAxis::Response longResponse(double kappa, double beta, double duration)
 {
   const double a = 0.5 * beta;
@@ -126,7 +126,7 @@ PlantAxis::State PlantAxis::advance(State state, Load load, double duration) noe
     ++events;
     if (regime.sticks)
     {
-      // The threshold is reached, not exceeded: regimeAt would still return sticking.
+      // The threshold is reached, not exceeded, so regimeAt would still return sticking.
       regime = this->regimeAt(state, load);
       regime.sticks = false;
       regime.slide = sign(load.targetVelocity);
@@ -146,7 +146,7 @@ double PlantAxis::handForce(const State& state, const Load& load) const noexcept
   return std::clamp(this->wish(state, load), -this->Hand.maximumForce, this->Hand.maximumForce);
 }
 
-/// The force the hand would have without a limit, N.
+/// The force that the hand would have without a limit, N.
 double PlantAxis::wish(const State& state, const Load& load) const noexcept
 {
   return this->Hand.stiffness * (load.target - state.position) +

@@ -12,18 +12,18 @@ namespace palpate
  * target moves uniformly.
  *
  * Between events the equation (SimulatedPlant, HandModel) is linear with constant coefficients and
- * is integrated exactly, to rounding, whatever the duration. Events are: the motion stops, friction
- * breaks loose, the hand reaches or leaves its maximum force; their times are found to 2^-40 of an
- * interval. Intervals are 0.08 of the hand's period, or a thousandth of the duration: two opposite
- * events within one may be missed. After 32 events in one duration the last regime continues to its
- * end.
+ * is integrated exactly, to rounding, for any duration. Events are: the motion stops, friction
+ * breaks loose, the hand's force reaches or leaves its maximum. The times of events are found to
+ * 2^-40 of an interval. Intervals are 0.08 of the hand's period, or a thousandth of the duration if
+ * that is longer: two opposite events within one interval may be missed. After 32 events in one
+ * duration the last regime continues to the end of the duration.
  *
- * Cost: below half a microsecond; some forty times that per event.
+ * Cost: below half a microsecond; about forty times that per event.
  */
 class PALPATE_EXPORT PlantAxis
 {
 public:
-  /// Of the mass.
+  /// State of the mass.
   struct State
   {
     double position = 0.0; ///< m
@@ -47,7 +47,7 @@ public:
   PlantAxis(const SimulatedPlant& plant, const HandModel& hand);
 
   State advance(State state, Load load, double duration) noexcept;
-  /// N, on the device
+  /// Force of the hand on the device, N.
   double handForce(const State& state, const Load& load) const noexcept;
 
 private:
@@ -55,7 +55,7 @@ private:
   struct Regime
   {
     bool sticks = false;
-    int slide = 0; ///< sign of the motion against which friction acts; 0: none
+    int slide = 0; ///< sign of the motion that friction opposes; 0: none
     int limit = 0; ///< sign of the hand's force if it is at its maximum
   };
 
@@ -63,10 +63,10 @@ private:
   Regime regimeAt(const State& state, const Load& load) const noexcept;
   bool leaves(const Regime& regime, const State& state, const Load& load) const noexcept;
   State move(const Regime& regime, const State& state, const Load& load, double duration) noexcept;
-  /// The end of a stretch, shortened to the first event within it.
+  /// The end of a stretch, or the first event within it.
   double stretchEnd(
     const Regime& regime, const State& state, const Load& load, double duration) noexcept;
-  /// How long friction holds, at most `duration`.
+  /// How long friction holds the mass, at most `duration`.
   double holdingTime(const State& state, const Load& load, double duration) const noexcept;
   Response respond(double kappa, double beta, double duration) noexcept;
 
@@ -76,7 +76,7 @@ private:
   bool HasEvents;
   double LongestStretch; ///< s
 
-  /// The last response computed: the axes of a device mostly need the same.
+  /// The last response computed: the axes of a device mostly need the same one.
   double LastKappa = 0.0;
   double LastBeta = 0.0;
   double LastDuration = 0.0;

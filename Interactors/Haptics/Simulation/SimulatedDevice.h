@@ -16,28 +16,29 @@
 namespace palpate
 {
 /**
- * A device without hardware, of two kinds. Deterministic to the bit in virtual time: it depends
- * only on its settings, the times read and the forces written. FaultyDevice adds faults.
+ * A device without hardware, of two kinds. In virtual time it is deterministic to the bit: it
+ * depends only on its settings, the times read and the forces written. FaultyDevice adds faults.
  *
  * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever the force: the
- * sample depends on these and the time alone.
+ * sample depends only on these and on the time.
  *
- * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant), and is
- * held by a spring and a damper (HandModel) that follow a path, or steerTo: it gives way to the
- * force. It starts at rest at the hand's target at the first reading, without force. A force
- * written acts from the time of the reading before it, plus the force delay, until the next one; it
- * is not limited to the specification (the safety chain does that). Between the ticks the motion is
- * integrated exactly: the time between two readings is arbitrary. A time that does not increase
- * repeats the last reading, not fresh. The reported velocity is that of the mass or, with an
- * encoder step, the difference of the last two readings.
+ * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant). It is
+ * held by a spring and a damper (HandModel) whose target follows a path, or steerTo, so it yields
+ * to the force. It starts at the first reading, at rest at the hand's target and without force. A
+ * force written acts from the time of the reading before it, plus the force delay, until the next
+ * one. The force is not limited to the specification (the safety chain does that). Between the
+ * ticks the motion is integrated exactly, so the time between two readings is arbitrary. A time
+ * that does not increase repeats the last reading, not fresh. The reported velocity is that of the
+ * mass or, with an encoder step, the difference of the last two readings divided by their time.
  *
- * It reports the tool's orientation if the way points of its path have an axis, or after turnTo. A
- * plant with an inertia is turned by torques, too; it begins with the hand's target orientation.
+ * It reports the tool's orientation if the way points of its path have an axis, or after turnTo.
+ * Torques also turn a plant with an inertia; it begins with the hand's target orientation.
  *
- * Settings out of range (`fault` of HeldPlant; a path that is not finite or goes back in time; a
- * rate that is not of 0 to 100000 Hz): no sample is valid and status() says why. Call read and
- * write of a plant from one thread, steerTo from one other; none waits or allocates. A tick costs a
- * microsecond; with friction or a limited hand some ten per axis at an event (PlantAxis).
+ * If settings are out of range (`fault` of HeldPlant; a path that is not finite or goes back in
+ * time; a rate that is not of 0 to 100000 Hz), no sample is valid and status() gives the reason.
+ * Call read and write of a plant from one thread, steerTo from one other; none of them waits or
+ * allocates. A tick costs a microsecond; with friction or a limited hand about ten per axis at an
+ * event (PlantAxis).
  */
 class PALPATE_EXPORT SimulatedDevice final : public HapticDevice
 {
@@ -47,21 +48,22 @@ public:
   /// A stiff hand.
   explicit SimulatedDevice(
     std::vector<WayPoint> path, const DeviceSpecification& specification = {});
-  /// A stiff hand that is steered, as by a mouse.
+  /// A stiff hand that is steered, for example by a mouse.
   explicit SimulatedDevice(
     const Eigen::Vector3d& start, const DeviceSpecification& specification = {});
-  /// A plant in a hand that follows a path (of a script or a file, or a single place to rest).
+  /// A plant in a hand that follows a path (of a script or a file, or a single point of rest).
   SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand, std::vector<WayPoint> path,
     const DeviceSpecification& specification = {});
-  /// A plant in a hand that is steered, as by a mouse or step by step from a script.
+  /// A plant in a hand that is steered, for example by a mouse, or step by step by a script.
   SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand, const Eigen::Vector3d& start,
     const DeviceSpecification& specification = {});
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// Not valid while `time` or the target is not finite, or a stiff hand's path is empty.
+  /// Not valid for an empty path, for a target of a stiff hand that is not finite, and for a `time`
+  /// that is not finite, except with a steered stiff hand.
   DeviceSample read(double time) noexcept override;
-  /// A stiff hand accepts any force, finite or not; a plant refuses one that is not finite, and has
-  /// none then.
+  /// A stiff hand accepts any force, finite or not. A plant refuses a force that is not finite, and
+  /// has no force then.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -69,20 +71,20 @@ public:
   bool writeWrench(const Wrench& wrench) noexcept override;
   std::string status() const override;
 
-  /// Sets the target of a steered hand, m (SteeredTarget); without effect on one with a path, or if
-  /// not finite.
+  /// Sets the target of a steered hand, m (SteeredTarget). No effect on a hand with a path. A hand
+  /// does not move towards a target that is not finite.
   void steerTo(const Eigen::Vector3d& target) noexcept;
 
   /// Sets the axis (from tip to hand, any length, the device's frame) along which a steered hand
-  /// holds the tool (SteeredAxis); zero: unknown, as at first. Without effect on one with a path,
-  /// or if not finite.
+  /// holds the tool (SteeredAxis); zero: unknown, as at first. No effect on a hand with a path, or
+  /// if the axis is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
   const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
   const Eigen::Vector3d& lastTorque() const noexcept { return this->Last.torque; }
   /// Time of the last way point, s; 0 for an empty path or a steered hand.
   double duration() const noexcept { return this->Duration; }
-  /// Position (m) and velocity (m/s) of a plant when its last reading was measured, without the
+  /// Position (m) and velocity (m/s) of a plant at its last measurement, not rounded to the
   /// encoder's step; zero for a stiff hand.
   Eigen::Vector3d truePosition() const noexcept;
   Eigen::Vector3d trueVelocity() const noexcept;

@@ -11,7 +11,7 @@ namespace
 {
 constexpr double FastestRate = 1e5; // Hz
 
-/// The rotation vector; zero if unknown.
+/// The rotation vector of an orientation; zero if it is unknown.
 Eigen::Vector3d turnOf(const ToolOrientation& orientation) noexcept
 {
   return isTold(orientation) ? turnBetween(ToolOrientation::Identity(), orientation)
@@ -190,7 +190,7 @@ void SimulatedMotion::advanceTo(double time) noexcept
   }
   const Eigen::Vector3d meantFrom = turnOf(isTold(heldBefore) ? heldBefore : held);
   const Eigen::Vector3d turning = (turnOf(held) - meantFrom) / (time - from);
-  // Bounded by the way points and the forces under way.
+  // Each interval ends at a way point, or when a force under way begins to act.
   while (this->Clock < time)
   {
     this->hold();

@@ -21,31 +21,31 @@ namespace palpate
  * The implementation of a simulated device with a mass: accepts forces, advances to the time of the
  * next reading, and reports as encoders do.
  *
- * It advances from one change of force, or of the target's velocity, to the next, each interval by
- * PlantAxis. It starts at rest at the hand's target at the first reading. With a sample delay the
- * plant itself runs late by it, so that only forces under way are stored. read and write are for
- * one thread, and allocate nothing.
+ * It advances from one change of the force, or of the target's velocity, to the next one, each
+ * interval by PlantAxis. It starts at rest at the hand's target at the first reading. With a sample
+ * delay the plant itself runs late by this delay, so that only forces under way are stored. read
+ * and write are for one thread, and allocate nothing.
  */
 class PALPATE_EXPORT SimulatedMotion
 {
 public:
-  /// The hand follows `path`; on an empty one it is steered, from `start`.
+  /// The hand follows `path`; with an empty path it is steered, from `start` on.
   SimulatedMotion(const SimulatedPlant& plant, const HandModel& hand, TimedPath path,
     const Eigen::Vector3d& start, double rate);
 
   DeviceSample read(double time) noexcept;
   bool write(const Wrench& wrench) noexcept;
-  /// From one other thread; without effect on a hand that follows a path.
+  /// For one other thread; no effect on a hand that follows a path.
   void steerTo(const Eigen::Vector3d& target) noexcept;
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
-  /// Position and velocity of the mass when the last reading was measured, without the encoder's
-  /// step; m, m/s.
+  /// Position and velocity of the mass at the last measurement, not rounded to the encoder's step;
+  /// m, m/s.
   Eigen::Vector3d position() const noexcept;
   Eigen::Vector3d velocity() const noexcept;
   /// The rotation vector of a plant that turns, rad; zero while its orientation is unknown.
   Eigen::Vector3d rotation() const noexcept;
-  /// What is wrong with the settings, or "".
+  /// The fault of the settings, or "".
   const std::string& fault() const noexcept { return this->Fault; }
 
 private:
@@ -68,7 +68,7 @@ private:
 
   SimulatedPlant Plant;
   PlantAxis Axis;
-  PlantAxis TurningAxis; ///< of angles and torques
+  PlantAxis TurningAxis; ///< for angles and torques
   TimedPath Path;
   std::unique_ptr<SteeredTarget> Steered; ///< null: the hand follows the path
   SteeredAxis SteeredShaft;
@@ -79,8 +79,8 @@ private:
   DeviceSample Last;
   PlantAxis::State States[3];
   PlantAxis::State Turns[3]; ///< of the rotation vector, rad
-  bool IsTurned = false;     ///< its orientation is known
-  Wrench Held;               ///< the force that acts now
+  bool IsTurned = false;     ///< the orientation is known
+  Wrench Held;               ///< the force and torque that act now
 
   /// A ring buffer of the forces under way.
   std::vector<TimedForce> Pending;

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Most = 1e9; // beyond any device, and its square does not overflow
+constexpr double Most = 1e9; // more than any device has, and its square does not overflow
 constexpr double Endless = std::numeric_limits<double>::infinity();
 
 struct Setting

@@ -12,16 +12,17 @@
 namespace palpate
 {
 /**
- * The mechanics and electronics of a simulated device. SI units; each axis by itself:
+ * The mechanics and electronics of a simulated device. SI units; each axis is independent:
  *
  *   m dv/dt = F + hand - b v - f_c sign v
  *
- * F is the force last written, held until the next (zero-order hold). Where v = 0, friction holds
- * against up to f_c. Both delays may be any fraction of a tick; a loop is affected by their sum.
+ * F is the force written last, held until the next one (zero-order hold). At v = 0, friction holds
+ * against a force of up to f_c. Both delays may be any fraction of a tick; a loop is affected by
+ * their sum.
  *
- * With an inertia it outputs torque and turns: each component of r, the rotation vector from the
- * tool's frame to the device's, follows I d²r/dt² = M + hand - b_θ dr/dt. This is valid while |r|
- * is small, as for tilts.
+ * With an inertia the device outputs torque and turns: each component of r, the rotation vector
+ * from the tool's frame to the device's, follows I d²r/dt² = M + hand - b_θ dr/dt. This is valid
+ * while |r| is small, as for tilts.
  */
 struct SimulatedPlant
 {
@@ -31,7 +32,7 @@ struct SimulatedPlant
   double encoderStep = 0.0;  ///< readings are multiples of it, m; 0: not rounded
   double forceDelay = 0.0;   ///< time from the tick that writes a force until it acts, s; at most 1
   double sampleDelay = 0.0;  ///< age of a reading, s; at most 1
-  double inertia = 0.0;      ///< I, kg m²; 0: it has no torque, and the hand's target orientation
+  double inertia = 0.0;      ///< I, kg m²; 0: no torque; the orientation is the hand's target
   double turnDamping = 1e-3; ///< b_θ, N m s/rad
 };
 
@@ -41,11 +42,11 @@ struct SimulatedPlant
  *
  *   hand = k (x_t - x) + b (v_t - v), kept within ± the maximum force
  *
- * The defaults are of the order of a relaxed grip.
+ * The defaults have the order of magnitude of a relaxed grip.
  */
 struct HandModel
 {
-  double stiffness = 300.0; ///< k, N/m; if damping is 0, too, there is no hand
+  double stiffness = 300.0; ///< k, N/m; if damping is 0 as well, there is no hand
   double damping = 5.0;     ///< b, N s/m
   double maximumForce = std::numeric_limits<double>::infinity(); ///< N, on each axis
   double turnStiffness = 0.5;    ///< rotational, N m/rad, towards the hand's target
@@ -59,12 +60,12 @@ struct HeldPlant
   HandModel hand;
 };
 
-/// What is wrong, naming the setting, its range and its value; or "".
+/// The first setting that is out of its range, with its name, range and value; or "".
 PALPATE_EXPORT std::string fault(HeldPlant held);
 
 /**
- * Reads "mass=0.1,damping=1,stiffness=300", each at most once, in any order; others have their
- * defaults. Returns what is wrong, and leaves `held` unchanged, or "".
+ * Reads "mass=0.1,damping=1,stiffness=300": each name at most once, in any order; settings that are
+ * not named have their defaults. Returns "", or the fault; `held` is then unchanged.
  *
  * | name           | of                           | unit  | range       | default |
  * |----------------|------------------------------|-------|-------------|---------|
@@ -74,26 +75,27 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
  * | `encoder-step` | device                       | m     | 0 to 1e9    | 0       |
  * | `force-delay`  | device                       | s     | 0 to 1      | 0       |
  * | `sample-delay` | device                       | s     | 0 to 1      | 0       |
- * | `stiffness`    | hand, towards where it means | N/m   | 0 to 1e9    | 300     |
+ * | `stiffness`    | hand, towards its target     | N/m   | 0 to 1e9    | 300     |
  * | `hand-damping` | hand                         | N s/m | 0 to 1e9    | 5       |
- * | `hand-force`   | hand, the most               | N     | from 0      | endless |
- * | `inertia`      | device; 0: it has no torque  | kg m² | 0 to 1e9    | 0       |
+ * | `hand-force`   | hand, maximum                | N     | from 0      | no max. |
+ * | `inertia`      | device; 0: no torque         | kg m² | 0 to 1e9    | 0       |
  *
  * and for rotations, per rad:
  *
  * | name                | of                              | unit  | range    | default |
  * |---------------------|---------------------------------|-------|----------|---------|
  * | `turn-damping`      | device                          | N m s | 0 to 1e9 | 0.001   |
- * | `turn-stiffness`    | hand, towards the axis it means | N m   | 0 to 1e9 | 0.5     |
+ * | `turn-stiffness`    | hand, towards its target axis   | N m   | 0 to 1e9 | 0.5     |
  * | `turn-hand-damping` | hand                            | N m s | 0 to 1e9 | 0.005   |
  */
 PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
 
 /**
- * The specification of such a device for ticks at `rate` (Hz) and any hand: 10 N; the stiffest
- * spring that a sampled loop renders passively, b/(T/2 + delays) (Colgate and Schenkel 1997;
- * stability with delays: Diolaiti et al. 2006), N/m; and a damper of b. With an inertia 0.5 N m
- * too, and likewise the stiffest torsion spring, of b_θ, N m/rad.
+ * The specification of such a device for ticks at `rate` (Hz) and any hand: 10 N; the stiffness
+ * b/(T + 2t) in N/m, where t is the sum of the delays; and a damper of b. This stiffness is half of
+ * that of the stiffest spring which a sampled loop renders passively, b/(T/2 + t) (Colgate and
+ * Schenkel 1997; stability with delays: Diolaiti et al. 2006). With an inertia also 0.5 N m and the
+ * same for a torsion spring, with b_θ, in N m/rad.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate);
 } // namespace palpate

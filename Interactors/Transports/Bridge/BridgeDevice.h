@@ -16,19 +16,20 @@
 namespace palpate
 {
 /**
- * A device that another program drives: the 64-byte force reports (PROTOCOL.md) as datagrams on a
- * local socket (BridgeSocket). So any vendor's SDK becomes a device; device/bridge_device.c is such
- * a program.
+ * A device that another program drives. The 64-byte force reports (PROTOCOL.md) go as datagrams
+ * through a local socket (BridgeSocket). So any vendor's SDK can become a device;
+ * device/bridge_device.c is such a program.
  *
- * No threads: read receives the datagrams that have arrived, at most ReadsPerTick, and uses the
- * newest state; write sends. Each takes a few system calls and never waits. Only datagrams from the
- * program's own address are used. Without a new state for longer than the specification's
- * sampleTimeOut (by the time passed to read), or when the program has restarted, it counts as lost:
- * read is not valid, write sends no force and returns false. It is then greeted four times a
- * second, and used again when it describes itself as before and a valid state has arrived.
+ * There are no threads: read receives the datagrams that have arrived, at most ReadsPerTick, and
+ * uses the newest state; write sends. Each takes a few system calls and never waits. Only datagrams
+ * from the program's own address are used. The program counts as lost without a new state for
+ * longer than the specification's sampleTimeOut (by the time passed to read), or when it has
+ * restarted. Then read is not valid, and write sends no force and returns false. A lost program is
+ * greeted four times a second. It is used again when it has described itself as before and a valid
+ * state has arrived.
  *
- * Destroying it sends "amplifiers off, zero force". read and write belong to one thread; status and
- * the counters may be called from another.
+ * The destructor sends "amplifiers off, zero force". read and write are for one thread; another
+ * thread may call status and the counters.
  */
 class PALPATE_EXPORT BridgeDevice final : public HapticDevice
 {
@@ -36,7 +37,7 @@ public:
   static constexpr int ReadsPerTick = 64;
 
   /// Greets the program at `address` ("unix:/PATH", "udp:PORT") until it describes itself, for at
-  /// most `patience` seconds. Null, and why in words, if it does not.
+  /// most `patience` seconds. Null, with the reason in words, if it does not.
   static std::unique_ptr<BridgeDevice> open(
     const std::string& address, std::string& error, double patience = 2.0);
   ~BridgeDevice() override;
@@ -45,8 +46,8 @@ public:
   const DescriptionReport& description() const noexcept { return this->Description; }
 
   DeviceSample read(double time) noexcept override;
-  /// Limited to the maximum force of the specification; one that is not finite is sent as zero.
-  /// Likewise the torque, which is not sent to a device without torque.
+  /// Force and torque are limited to the maxima of the specification. If one of them is not finite,
+  /// both are sent as zero. No torque is sent to a device without torque.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -56,14 +57,14 @@ public:
 
   std::string status() const override;
   DeviceErrors errors() const noexcept override;
-  /// Number of datagrams from other senders, which are ignored.
+  /// Number of datagrams from other senders; they are ignored.
   std::uint64_t foreign() const noexcept { return this->Foreign; }
 
 private:
   enum class Stage : std::uint8_t
   {
-    Greeting,  ///< waiting for its description
-    Described, ///< waiting for its first state
+    Greeting,  ///< waiting for the program's description
+    Described, ///< waiting for the program's first state
     Alive
   };
   BridgeDevice(std::unique_ptr<BridgeSocket> socket, std::string address, std::uint32_t nonce);
@@ -78,18 +79,18 @@ private:
 
   std::unique_ptr<BridgeSocket> Socket;
   std::string Address;
-  std::string Remark; ///< which parts of the description were not credible
+  std::string Remark; ///< the parts of the description that were not credible
   DeviceSpecification Limits;
   DescriptionReport Description;
   std::uint32_t Watchdog = 0; ///< µs
-  bool Known = false;         ///< it has described itself once
+  bool Known = false;         ///< the program has described itself once
 
   std::uint32_t Nonce;
   bool Started = false;   ///< read has been called
   double GreetedAt = 0.0; ///< s
   ReportSequence Sequence;
   StateReport Newest;
-  double NewsAt = 0.0; ///< s, when Newest came
+  double NewsAt = 0.0; ///< s, time of Newest
   bool Fresh = false;
   std::uint32_t ForceSequence = 0;
 

@@ -16,33 +16,34 @@
 namespace palpate
 {
 /**
- * The host's end of a local datagram socket to one device's program; never waits for it.
+ * The host's end of a local datagram socket to the program of one device; never waits for the
+ * program.
  *
- * Addresses: "unix:/PATH", where the program has bound a Unix datagram socket by this very path;
- * "udp:PORT", where it has bound 127.0.0.1:PORT. No traffic leaves or enters this machine. The
- * socket has its own address, to which the program answers, and is not connected, so that a
+ * Addresses: "unix:/PATH", if the program has bound a Unix datagram socket to exactly this path;
+ * "udp:PORT", if it has bound 127.0.0.1:PORT. No traffic leaves or enters this machine. The socket
+ * has its own address, to which the program answers. The socket is not connected, so that a
  * restarted program is reached again.
  */
 class PALPATE_EXPORT BridgeSocket
 {
 public:
-  /// Null, and why in words, for a wrong address or if the system refuses.
+  /// Null, with the reason in words, for a wrong address or if the system refuses.
   static std::unique_ptr<BridgeSocket> open(const std::string& address, std::string& error);
   ~BridgeSocket();
   BridgeSocket(const BridgeSocket&) = delete;
   BridgeSocket& operator=(const BridgeSocket&) = delete;
 
-  /// Returns at once. False: there is no receiver, or its buffer is full.
+  /// Returns at once. False: there is no receiver, or the receiver's buffer is full.
   bool send(const std::uint8_t* bytes, std::size_t size) noexcept;
 
   enum class Arrival : std::uint8_t
   {
     None,
     Datagram,
-    Foreign ///< of another sender; its bytes must not be used
+    Foreign ///< from another sender; its bytes must not be used
   };
-  /// Returns at once. `size`: in, that of the buffer; out, that of the datagram, which may be
-  /// larger.
+  /// Returns at once. `size` is the size of the buffer before the call, and that of the datagram,
+  /// which may be larger, after it.
   Arrival receive(std::uint8_t* bytes, std::size_t& size) noexcept;
 
   /// Waits for a datagram, at most `milliseconds`. Not for the tick.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// specificationOf: a device is believed only where it is credible.
+// specificationOf: uses only the credible values of a description.
 #include "Transports/Hid/HapticReport.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// Replaces `value`, the conservative one, by `stated` if that is above 0 and within the limits.
+/// Replaces `value`, which is conservative, by `stated` if that is above 0 and within the limits.
 class CredibleValues
 {
 public:

@@ -18,7 +18,7 @@ namespace palpate
 namespace
 {
 constexpr std::chrono::milliseconds Patience(1000);
-constexpr int Priority = 79; ///< below the servo's, so that no device can delay a tick
+constexpr int Priority = 79; ///< below the servo's priority, so that no device can delay a tick
 
 struct Order
 {
@@ -29,24 +29,24 @@ struct Order
 };
 } // namespace
 
-/// Shared by the thread and the writer, in case the writer does not wait for the thread.
+/// Shared by the thread and the writer, because the writer may end before the thread.
 struct ForceWriter::Shared
 {
-  std::uint32_t Watchdog; ///< the tick's
+  std::uint32_t Watchdog; ///< used by the tick
 
-  std::uint64_t Number = 0;           ///< the tick's
+  std::uint64_t Number = 0;           ///< used by the tick
   LatestValue<Order> Orders;          ///< tick → thread
-  std::atomic<bool> Waiting{ false }; ///< an order for which the thread has not been woken
+  std::atomic<bool> Waiting{ false }; ///< a wake-up that the thread has not taken yet
   sem_t Wake{};
 
   std::mutex Mutex;
-  std::shared_ptr<HidPort> Port; ///< under Mutex
+  std::shared_ptr<HidPort> Port; ///< protected by Mutex
   std::atomic<bool> Stopping{ false };
   std::atomic<bool> Taken{ true };
   std::atomic<std::uint64_t> Unsent{ 0 };
 
-  std::uint64_t Done = 0;     ///< the thread's: number of the last order
-  std::uint32_t Sequence = 0; ///< the thread's: of the last report
+  std::uint64_t Done = 0;     ///< used by the thread: number of the last order
+  std::uint32_t Sequence = 0; ///< used by the thread: number of the last report
 
   explicit Shared(std::uint32_t watchdog)
     : Watchdog(watchdog)
@@ -66,7 +66,7 @@ struct ForceWriter::Shared
       {
         // interrupted by a signal
       }
-      this->Waiting.store(false); // before the order is taken: a later one wakes again
+      this->Waiting.store(false); // before the order is taken: a later one wakes the thread again
       if (this->Stopping)
       {
         break;
@@ -91,7 +91,7 @@ struct ForceWriter::Shared
 
   bool report(const Order& order, bool enable)
   {
-    std::shared_ptr<HidPort> port; // kept while the device is busy, even if it is lost
+    std::shared_ptr<HidPort> port; // kept while the device is busy, even if the device is lost
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       port = this->Port;

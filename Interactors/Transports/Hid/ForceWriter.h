@@ -18,28 +18,29 @@ namespace palpate
  * Sends forces to a HID device from its own thread, so that a slow device does not delay the tick.
  *
  * send and holdFor are for the tick: send stores the force and returns at once, without lock,
- * allocation or wait. Only the newest force is sent; one replaced while the device was busy counts
- * as unsent. The other functions are for other threads. Destroying it sends "no force, amplifiers
- * off", and waits at most a second, even if the driver hangs, when the device's own watchdog acts.
+ * allocation or wait. Only the newest force is sent; a force that is replaced while the device is
+ * busy counts as unsent. The other functions are for other threads. The destructor sends "no force,
+ * amplifiers off" and waits at most a second. If the driver hangs, the device's own watchdog ends
+ * the force.
  */
 class PALPATE_EXPORT ForceWriter
 {
 public:
-  /// Each force report asks the device to go to zero if none follows for `watchdog` µs, or for the
-  /// time set by holdFor.
+  /// Each force report asks the device to go to zero force if no other report follows within
+  /// `watchdog` µs, or within the time set by holdFor.
   explicit ForceWriter(std::uint32_t watchdog);
   ~ForceWriter();
   ForceWriter(const ForceWriter&) = delete;
   ForceWriter& operator=(const ForceWriter&) = delete;
 
-  /// Amplifiers off, for good; also when destroyed.
+  /// Switches the amplifiers off for good; the destructor does so, too.
   void stop();
 
-  /// The port for sending from now on; null: none.
+  /// The port to which forces are sent from now on; null: none.
   void use(std::shared_ptr<HidPort> port);
 
-  /// N, finite; `stateSequence` is that of the newest state the force is based on. False if the
-  /// device did not accept the last one.
+  /// `force` in N, finite; `stateSequence` is the number of the newest state on which the force is
+  /// based. False if the device did not accept the last force.
   bool send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept
   {
     return this->send(Wrench{ force, Eigen::Vector3d::Zero() }, stateSequence);

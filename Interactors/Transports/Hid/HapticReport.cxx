@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 256> checkSumTable()
 
 constexpr std::array<std::uint32_t, 256> CheckSumTable = checkSumTable();
 
-/// Little-endian fields of a report, whatever the host's own order.
+/// Little-endian fields of a report, whatever the byte order of the host.
 void put32(HapticReportBytes& bytes, std::size_t offset, std::uint32_t value) noexcept
 {
   for (std::size_t i = 0; i < 4; ++i)
@@ -97,15 +97,16 @@ std::uint8_t flags(bool first, bool second, bool third = false) noexcept
 constexpr std::size_t OrientationOffset = 48;
 constexpr std::size_t TorqueOffset = 36;
 constexpr std::size_t TorqueLimitsOffset = 44;
-constexpr std::size_t ShortName = 3; ///< bytes of the name if the limits of torque follow
+constexpr std::size_t ShortName = 3; ///< bytes of the name if the torque limits follow
 
-/// Index of component `i` of w, x, y, z when the largest is left out.
+/// Offset of component `i` of w, x, y, z; the largest component is left out.
 std::size_t placeOf(int i, int largest) noexcept
 {
   return OrientationOffset + 4 * static_cast<std::size_t>(i < largest ? i : i - 1);
 }
 
-/// The three smaller components of the quaternion; the largest, positive, follows from them.
+/// Puts the three smaller components of the quaternion. The largest one, positive, follows from
+/// them.
 void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation) noexcept
 {
   const Eigen::Vector4d told(orientation.w(), orientation.x(), orientation.y(), orientation.z());
@@ -122,10 +123,10 @@ void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation
   }
 }
 
-/// False if it is invalid: the one left out would not be the largest.
+/// False if the bytes are invalid: the component left out would not be the largest.
 bool getOrientation(const std::uint8_t* bytes, ToolOrientation& orientation) noexcept
 {
-  constexpr double Rounding = 1e-3; // for inexact devices
+  constexpr double Rounding = 1e-3; // tolerance for inexact devices
   const int largest = bytes[3] >> 3 & 3;
   Eigen::Vector4d told = Eigen::Vector4d::Zero();
   for (int i = 0; i < 4; ++i)

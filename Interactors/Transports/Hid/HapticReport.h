@@ -16,8 +16,8 @@ namespace palpate
  * The reports between a host and a self-built device, 64 bytes each, over raw HID or datagrams.
  * PROTOCOL.md describes them byte by byte; palpate_hid.h is the device's side in C.
  *
- * pack always makes a valid report; parse accepts any bytes, says what is wrong with them, and
- * leaves its result unchanged then. Unused bytes are sent as zero and ignored. Nothing here
+ * pack always makes a valid report. parse accepts any bytes; if they are invalid, it returns the
+ * defect and leaves its result unchanged. Unused bytes are sent as zero and ignored. Nothing here
  * allocates, locks or throws, except specificationOf.
  */
 constexpr std::size_t HapticReportSize = 64;
@@ -57,11 +57,12 @@ struct ForceReport
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; finite
   /// The device goes to zero force without a force report for this time, µs.
   std::uint32_t watchdog = 20000;
-  std::uint32_t stateSequence = 0;                  ///< of the newest state seen
+  std::uint32_t stateSequence = 0;                  ///< of the newest state received
   Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip; finite
 };
 
-/// Device → host: the maker's specification as received. specificationOf makes it credible.
+/// Device → host: the maker's specification as received. specificationOf replaces values that are
+/// not credible.
 struct DescriptionReport
 {
   bool outputsForce = true;
@@ -74,9 +75,10 @@ struct DescriptionReport
   double rate = 0.0;                                   ///< Hz
   double sampleTimeOut = 0.0;                          ///< s
   std::array<char, 17> name{};                         ///< at most 16 bytes of UTF-8, and a zero
-  std::uint32_t nonce = 0; ///< that of the hello it answers; 0 in HID's feature report
+  std::uint32_t nonce = 0; ///< that of the hello that it answers; 0 in HID's feature report
 
-  bool outputsTorque = false;             ///< if so, its name has at most 3 bytes, and it states:
+  /// if true, name has at most 3 bytes, and these are given:
+  bool outputsTorque = false;
   double maximumTorque = 0.0;             ///< N m
   double maximumTorsionalStiffness = 0.0; ///< N m/rad
   double maximumTorqueRate = 0.0;         ///< N m/s, may be infinite
@@ -88,12 +90,12 @@ struct HelloReport
   std::uint32_t nonce = 0;
 };
 
-/// The watchdog of a force report, µs, for a hold time (s): at most the device's time-out, which
-/// NaN means.
+/// The watchdog of a force report, µs, for a hold time (s). It is at most the device's time-out,
+/// which is also the value for NaN.
 PALPATE_EXPORT std::uint32_t watchdogOf(
   double seconds, const DeviceSpecification& specification) noexcept;
 
-/// Why a report is invalid, in the order of the checks.
+/// The defect of a report, in the order of the checks.
 enum class ReportDefect : std::uint8_t
 {
   None,
@@ -101,10 +103,10 @@ enum class ReportDefect : std::uint8_t
   Mark,     ///< the first byte is not 'P'
   Version,  ///< not 1
   CheckSum, ///< damaged in transit
-  Kind,     ///< not of the kind expected
+  Kind,     ///< not of the expected kind
   Content   ///< a position, velocity, force or torque that is not finite, or an invalid rotation
 };
-/// "wrong check sum" and the like.
+/// Text such as "wrong check sum".
 PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
 
 PALPATE_EXPORT void pack(const StateReport& report, HapticReportBytes& bytes) noexcept;
@@ -121,23 +123,23 @@ PALPATE_EXPORT ReportDefect parse(
 PALPATE_EXPORT ReportDefect parse(
   const std::uint8_t* bytes, std::size_t size, HelloReport& report) noexcept;
 
-/// Checks size, mark, version and check sum alone; the kind of a valid report is byte 1.
+/// Checks only size, mark, version and check sum; the kind of a valid report is byte 1.
 PALPATE_EXPORT ReportDefect checkReport(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /// CRC-32 of IEEE 802.3 (reflected, polynomial 0xEDB88320), as zlib's crc32.
 PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /**
- * The specification of a device by its description, with a conservative value in place of each that
- * is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force
- * rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1
- * s; of a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad,
- * 0 < torque rate). `replaced`, if given, names each such value in words. Not for the tick: it
- * allocates.
+ * The specification of a device from its description, with a conservative value in place of each
+ * that is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 <
+ * force rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤
+ * 0.1 s; for a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N
+ * m/rad, 0 < torque rate). `replaced`, if given, names each replaced value in words. Not for the
+ * tick: it allocates.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(
   const DescriptionReport& description, std::string* replaced = nullptr);
-/// For a device without a description: weak and slow enough for any.
+/// For a device without a description: weak and slow enough for any device.
 PALPATE_EXPORT DeviceSpecification carefulSpecification() noexcept;
 } // namespace palpate
 

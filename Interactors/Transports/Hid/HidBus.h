@@ -25,37 +25,38 @@ struct HidEntry
   std::string serial;
 };
 
-/// An open HID device. read is for one thread, the rest for one other, unless they use two ports.
+/// An open HID device. read is for one thread, the other functions for one other thread, unless
+/// they use two ports.
 class PALPATE_EXPORT HidPort
 {
 public:
   virtual ~HidPort() = default;
-  /// Waits for a report, at most `milliseconds`. Returns its length, cut to `size`; 0: none; −1:
-  /// the device is gone.
+  /// Waits for a report, at most `milliseconds`. Returns its length, cut to `size`; 0 if there is
+  /// none; −1 if the device is gone.
   virtual int read(std::uint8_t* bytes, std::size_t size, int milliseconds) noexcept = 0;
-  /// Sends an unnumbered output report. May block as long as the device does.
+  /// Sends an unnumbered output report. May block as long as the device blocks.
   virtual bool write(const std::uint8_t* bytes, std::size_t size) noexcept = 0;
-  /// Requests the unnumbered feature report. Returns its length; −1: it has none.
+  /// Requests the unnumbered feature report. Returns its length, or −1 if the device has none.
   virtual int feature(std::uint8_t* bytes, std::size_t size) noexcept = 0;
 };
 
-/// Lists and opens HID devices: the system's, by hidapi, or simulated ones for a test. For any
-/// thread but a servo thread.
+/// Lists and opens HID devices: those of the system, by hidapi, or simulated ones for a test. For
+/// any thread except a servo thread.
 class PALPATE_EXPORT HidBus
 {
 public:
   virtual ~HidBus() = default;
   virtual std::vector<HidEntry> entries() = 0;
-  /// Null, and why in words, if it cannot be opened.
+  /// Null, with the reason in words, if the device cannot be opened.
   virtual std::unique_ptr<HidPort> open(const std::string& path, std::string& error) = 0;
-  /// Why it cannot be opened, in words; empty: nothing known.
+  /// The reason why the device cannot be opened, in words; empty: no reason is known.
   virtual std::string obstacle(const std::string& path) = 0;
-  /// Why there can be no entries, in words; empty: there can be.
+  /// The reason why there can be no entries, in words; empty: there can be.
   virtual std::string complaint() const { return {}; }
 };
 
-/// The system's devices, by hidapi; a bus without entries, and with a complaint, if Palpate was
-/// built without it (PALPATE_USE_HIDAPI).
+/// The system's devices, by hidapi. If Palpate was built without hidapi (PALPATE_USE_HIDAPI), the
+/// bus has no entries and a complaint.
 PALPATE_EXPORT HidBus& systemHidBus();
 } // namespace palpate
 

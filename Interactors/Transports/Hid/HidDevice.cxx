@@ -19,7 +19,7 @@ struct NumberedState
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 
-/// The description in the feature report; its bytes are zero if there is none.
+/// The feature report with the description; its bytes are zero if there is none.
 HapticReportBytes describe(HidPort& port)
 {
   HapticReportBytes bytes{};
@@ -32,7 +32,7 @@ HapticReportBytes describe(HidPort& port)
 
 } // namespace
 
-/// The reader thread's listener, and the data it shares with the tick.
+/// The listener of the reader thread, and the data that it shares with the tick.
 class HidDevice::Link final : public HidListener
 {
 public:
@@ -43,7 +43,7 @@ public:
   {
   }
 
-  /// Writes use a separate port, as a port of hidapi is not thread-safe.
+  /// Writes use a separate port, because a port of hidapi is not thread-safe.
   std::string connectWriter(const std::string& path)
   {
     std::string error;
@@ -80,7 +80,7 @@ public:
     this->States.write({ state, ++this->Number });
     this->Faulty.store(state.fault, std::memory_order_relaxed);
     this->Amplified.store(state.amplifiersOn, std::memory_order_relaxed);
-    this->Alive.store(true, std::memory_order_release); // after its first state is stored
+    this->Alive.store(true, std::memory_order_release); // after the first state is stored
   }
 
   void lost() noexcept override
@@ -90,8 +90,8 @@ public:
   }
 
   ForceWriter Writer;
-  LatestValue<NumberedState> States; ///< reader's thread → tick
-  std::atomic<bool> Alive{ false };  ///< a valid state has arrived since it was opened
+  LatestValue<NumberedState> States; ///< reader thread → tick
+  std::atomic<bool> Alive{ false };  ///< a valid state has arrived since the device was opened
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };
@@ -101,8 +101,8 @@ public:
 private:
   HidBus& Bus;
   const HapticReportBytes DescriptionBytes;
-  ReportSequence Sequence;  ///< the reader's thread's
-  std::uint64_t Number = 0; ///< the reader's thread's
+  ReportSequence Sequence;  ///< used by the reader thread
+  std::uint64_t Number = 0; ///< used by the reader thread
 };
 
 std::unique_ptr<HidDevice> HidDevice::open(const std::string& path, std::string& error, HidBus& bus)
@@ -144,7 +144,7 @@ HidDevice::HidDevice(HidBus& bus, const HidEntry& entry, std::unique_ptr<HidPort
 
 HidDevice::~HidDevice()
 {
-  this->Connection->Writer.stop(); // while it is still connected
+  this->Connection->Writer.stop(); // while the device is still connected
 }
 
 DeviceSample HidDevice::read(double) noexcept

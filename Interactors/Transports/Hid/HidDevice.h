@@ -16,38 +16,39 @@
 namespace palpate
 {
 /**
- * A device that speaks the 64-byte force reports over raw HID (PROTOCOL.md).
+ * A device that uses the 64-byte force reports over raw HID (PROTOCOL.md).
  *
  * A reader and a writer thread decouple the tick from the driver: read returns the newest state
- * received, write leaves the force to the writer; neither waits, whatever the driver does. Reports
+ * received, write passes the force to the writer; neither waits, whatever the driver does. Reports
  * that are damaged, of another version, old or repeated are counted and not used.
  *
- * The specification is that of the device's feature report, where that is credible; otherwise
- * conservative values (specificationOf). No force is sent before a valid state has arrived, so that
- * another device on the same vendor page is left alone.
+ * The specification comes from the device's feature report, as far as it is credible; the other
+ * values are conservative (specificationOf). No force is sent before a valid state has arrived, so
+ * that another device on the same vendor page is left alone.
  *
- * Unplugged, or reporting a fault: read is not valid from the next call on, write sends no force
- * and returns false. It connects again when the device returns, if it describes itself as before;
- * samples are valid again with its first state. status says all of this. Destroying it sends
- * "amplifiers off" and ends within about two seconds even if the driver hangs.
+ * If the device is unplugged or reports a fault, read is not valid from the next call on, and write
+ * sends no force and returns false. The device connects again when it returns, if it describes
+ * itself as before; samples are valid again with its first state. status reports all of this. The
+ * destructor sends "amplifiers off" and ends within about two seconds even if the driver hangs.
  *
  * The two threads request SCHED_FIFO, but do not need it.
  */
 class PALPATE_EXPORT HidDevice final : public HapticDevice
 {
 public:
-  /// Opens the device at `path`, such as "/dev/hidraw0". Null, and why in words, if that fails.
+  /// Opens the device at `path`, such as "/dev/hidraw0". Null, with the reason in words, if that
+  /// fails.
   static std::unique_ptr<HidDevice> open(
     const std::string& path, std::string& error, HidBus& bus = systemHidBus());
   ~HidDevice() override;
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// As received from the device; all zero if it has none.
+  /// As received from the device; all zero if the device has none.
   const DescriptionReport& description() const noexcept { return this->Description; }
 
   DeviceSample read(double time) noexcept override;
-  /// Limited to the maximum force of the specification; one that is not finite is sent as zero.
-  /// Likewise the torque, which is not sent to a device without torque.
+  /// Force and torque are limited to the maxima of the specification. If one of them is not finite,
+  /// both are sent as zero, and the result is false. No torque is sent to a device without torque.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -65,7 +66,7 @@ private:
 
   DeviceSpecification Limits;
   DescriptionReport Description;
-  std::string Remark; ///< which parts of the description were not credible
+  std::string Remark; ///< the parts of the description that were not credible
   std::shared_ptr<Link> Connection;
   std::unique_ptr<HidReader> Reader;
   std::uint64_t Seen = 0;          ///< number of the last state read

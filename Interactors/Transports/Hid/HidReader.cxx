@@ -17,14 +17,15 @@ namespace
 constexpr int ReadLimit = 50; ///< ms; the longest delay of a stop
 constexpr std::chrono::milliseconds SearchPause(250);
 constexpr std::chrono::milliseconds ReaderPatience(1000);
-constexpr int ReaderPriority = 79; ///< below the servo's, so that many reports do not delay a tick
+/// below the servo's priority, so that many reports do not delay a tick
+constexpr int ReaderPriority = 79;
 } // namespace
 
-/// Shared by the thread and the reader, in case the reader does not wait for the thread.
+/// Shared by the thread and the reader, because the reader may end before the thread.
 struct HidReader::Shared
 {
   HidBus& Bus;
-  HidEntry Entry; ///< the thread's
+  HidEntry Entry; ///< used by the thread
   std::unique_ptr<HidPort> Port;
   std::shared_ptr<HidListener> Listener;
   std::vector<std::uint8_t> Report;
@@ -33,8 +34,9 @@ struct HidReader::Shared
   std::atomic<std::uint64_t> Disconnections{ 0 };
   mutable std::mutex Mutex;
   std::condition_variable Stop;
-  bool Stopping = false; ///< under Mutex
-  std::string Words;     ///< under Mutex: why a device that has returned is not used
+  bool Stopping = false; ///< protected by Mutex
+  /// protected by Mutex: the reason why a device that has returned is not used
+  std::string Words;
 
   Shared(HidBus& bus, HidEntry entry, std::unique_ptr<HidPort> port,
     std::shared_ptr<HidListener> listener, std::size_t reportSize)
@@ -61,7 +63,7 @@ struct HidReader::Shared
       {
         this->readOnce();
       }
-      else if (this->pause()) // just after the loss the system may still list it
+      else if (this->pause()) // just after the loss the system may still list the device
       {
         this->search();
       }
@@ -69,7 +71,7 @@ struct HidReader::Shared
     this->Port.reset();
   }
 
-  /// False: stop.
+  /// Waits until the next search. False: stop.
   bool pause()
   {
     std::unique_lock<std::mutex> lock(this->Mutex);
@@ -85,7 +87,7 @@ struct HidReader::Shared
     }
     else if (count < 0)
     {
-      this->Listener->lost(); // before it is counted, so that the count implies the loss
+      this->Listener->lost(); // before the loss is counted, so that the count implies it
       this->Connected = false;
       this->Disconnections.fetch_add(1);
       this->Port.reset();

@@ -13,13 +13,13 @@
 
 namespace palpate
 {
-/// Is notified by a HidReader, in its thread.
+/// Receives the events of a HidReader, in the reader's thread.
 class PALPATE_EXPORT HidListener
 {
 public:
   virtual ~HidListener() = default;
-  /// A device has returned and is open on `port`. Returns why it must not be used, in words; empty:
-  /// it may.
+  /// A device has returned and is open on `port`. Returns the reason why it must not be used, in
+  /// words; empty: it may be used.
   virtual std::string returned(HidPort& port, const HidEntry& entry) = 0;
   virtual void received(const std::uint8_t* report, std::size_t size) noexcept = 0;
   virtual void lost() noexcept = 0;
@@ -28,14 +28,14 @@ public:
 /**
  * Reads a HID device in its own thread, and waits for its return after it has been unplugged.
  *
- * The device may return with another path: it is recognised by vendor, product and serial number
- * (without one, by vendor and product; the old path is preferred). Searched four times a second.
- * Destroying it waits at most a second, even if the driver hangs.
+ * The device may return with another path. It is recognised by vendor, product and serial number
+ * (if it has none, by vendor and product; the old path is preferred). The search runs four times a
+ * second. The destructor waits at most a second, even if the driver hangs.
  */
 class PALPATE_EXPORT HidReader
 {
 public:
-  /// `port` is open on `entry`. Reports are read as `reportSize` bytes at most.
+  /// `port` is open on `entry`. Reports are read with at most `reportSize` bytes.
   HidReader(HidBus& bus, HidEntry entry, std::unique_ptr<HidPort> port,
     std::shared_ptr<HidListener> listener, std::size_t reportSize);
   ~HidReader();
@@ -44,7 +44,8 @@ public:
 
   bool connected() const noexcept;
   std::uint64_t disconnections() const noexcept;
-  /// In words: "connected", "unplugged, waiting for it to return", or why it is not used again.
+  /// Text: "connected", "unplugged, waiting for it to return", or the reason why it is not used
+  /// again.
   std::string status() const;
 
 private:
@@ -53,7 +54,7 @@ private:
   BoundedThread Thread;
 };
 
-/// The entry of the bus that is the same device as `entry`, or one with an empty path.
+/// The entry of the bus that is the same device as `entry`; its path is empty if there is none.
 PALPATE_EXPORT HidEntry findAgain(HidBus& bus, const HidEntry& entry);
 } // namespace palpate
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The system's HID devices: the only file that knows hidapi.
+// The system's HID devices: the only file that uses hidapi.
 #include "Transports/Hid/HidBus.h"
 
 #include <hidapi.h>
@@ -16,14 +16,14 @@ namespace palpate
 {
 namespace
 {
-/// hidapi has one error text for all calls without a device, and frees it in each of them.
+/// For all calls without a device hidapi has one error text, and each of these calls frees it.
 std::mutex& oneAtATime()
 {
   static std::mutex mutex;
   return mutex;
 }
 
-/// UTF-8 of hidapi's text, without depending on the program's locale.
+/// hidapi's text as UTF-8, independent of the program's locale.
 std::string narrow(const wchar_t* text)
 {
   std::string bytes;
@@ -67,7 +67,8 @@ public:
   {
     errno = 0;
     const int count = hid_read_timeout(this->Device, bytes, size, milliseconds);
-    return count < 0 && errno == EINTR ? 0 : count; // a signal is not an unplugging
+    // a signal does not mean that the device is unplugged
+    return count < 0 && errno == EINTR ? 0 : count;
   }
 
   bool write(const std::uint8_t* bytes, std::size_t size) noexcept override

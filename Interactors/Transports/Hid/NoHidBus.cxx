@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of HidapiBus.cxx where there is no hidapi.
+// Replaces HidapiBus.cxx if there is no hidapi.
 #include "Transports/Hid/HidBus.h"
 
 namespace palpate

@@ -41,13 +41,13 @@ DeviceSpecification inputOnly(const SpaceMouseSettings& settings)
 }
 } // namespace
 
-/// The reader thread's listener, and the data it shares with the tick.
+/// The listener of the reader thread, and the data that it shares with the tick.
 class SpaceMouseDevice::Link final : public HidListener
 {
 public:
   std::string returned(HidPort&, const HidEntry&) override
   {
-    this->State = {}; // at rest, until a report arrives
+    this->State = {}; // at rest until a report arrives
     this->publish();
     return {};
   }
@@ -66,8 +66,8 @@ public:
 
   void lost() noexcept override { this->Alive.store(false, std::memory_order_release); }
 
-  LatestValue<NumberedAxes> States; ///< reader's thread → tick
-  std::atomic<bool> Alive{ true };  ///< silent at rest: open is enough
+  LatestValue<NumberedAxes> States; ///< reader thread → tick
+  std::atomic<bool> Alive{ true };  ///< from the start, because the device is silent at rest
   std::atomic<std::uint64_t> Malformed{ 0 };
 
 private:

@@ -17,35 +17,37 @@ namespace palpate
 {
 enum class SpaceMouseMode : std::uint8_t
 {
-  Rate,    ///< pushing the cap moves the tip, the farther the faster; letting go leaves it there
-  Position ///< the tip stands where the cap is; letting go brings it back to 0
+  /// pushing the cap moves the tip, with a speed that grows with the push; at release the tip stays
+  Rate,
+  Position ///< the tip is at the cap's position; at release it returns to 0
 };
 
 /// How the cap of a SpaceMouse moves the tip.
 struct SpaceMouseSettings
 {
-  double fullSpeed = 0.05; ///< m/s at full deflection, in rate mode
-  double halfExtent =
-    0.05; ///< m: limit of the tip, which it reaches at full deflection in position mode
+  double fullSpeed = 0.05;  ///< m/s at full deflection, in rate mode
+  double halfExtent = 0.05; ///< m: limit of the tip, reached at full deflection in position mode
   double deadZone = 0.05;   ///< fraction of full deflection within which the cap counts as at rest
   double filterTime = 0.02; ///< s, of the low-pass between reports, which come at 60 to 125 Hz
-  /// A pushed cap reports all the time; without a report for this time (s) the tip stands still. At
-  /// rest the device sends nothing.
+  /// s; in rate mode the tip stands still without a report for this time. A pushed cap reports all
+  /// the time; at rest the device sends nothing.
   double longestSilence = 0.25;
 };
 
 /**
- * A 3Dconnexion SpaceMouse: input only. Classic and wireless layouts; see SpaceMouseReport.h.
+ * A 3Dconnexion SpaceMouse: input only. Classic and wireless report layouts; see
+ * SpaceMouseReport.h.
  *
  * The device's frame: x right, y up, z towards the user. A reader thread decouples the tick from
  * the driver. Silence is not a fault: sampleTimeOut is infinite, and every reading counts as fresh.
- * Unplugged, read is not valid from the next call on; when it returns, the tip continues from where
- * it stood.
+ * After unplugging, read is not valid from the next call on. When the device returns, the tip
+ * continues from where it was.
  */
 class PALPATE_EXPORT SpaceMouseDevice final : public HapticDevice
 {
 public:
-  /// Opens the device at `path`, such as "/dev/hidraw0". Null, and why in words, if that fails.
+  /// Opens the device at `path`, such as "/dev/hidraw0". Null, with the reason in words, if that
+  /// fails.
   static std::unique_ptr<SpaceMouseDevice> open(const std::string& path, SpaceMouseMode mode,
     std::string& error, HidBus& bus = systemHidBus(), const SpaceMouseSettings& settings = {});
   ~SpaceMouseDevice() override;
@@ -72,7 +74,7 @@ private:
   std::unique_ptr<HidReader> Reader;
 
   std::uint64_t Seen = 0; ///< number of the last report read
-  double SeenTime = 0.0;  ///< s, when it was
+  double SeenTime = 0.0;  ///< s, time of that reading
   double LastTime = std::numeric_limits<double>::quiet_NaN();
   Eigen::Vector3d Position = Eigen::Vector3d::Zero();
   Eigen::Vector3d Velocity = Eigen::Vector3d::Zero();

@@ -12,10 +12,10 @@
 namespace palpate
 {
 /**
- * How far the cap of a 3Dconnexion mouse is pushed and turned, and its buttons.
+ * Displacement and rotation of the cap of a 3Dconnexion mouse, and its buttons.
  *
- * Axes: x to the right, y up, z towards the user. (The reports' own are right, towards the user,
- * down.) 1 is full deflection: 350 counts; worn devices reach some more.
+ * Axes: x to the right, y up, z towards the user. (The axes of the reports are right, towards the
+ * user, down.) 1 is full deflection: 350 counts; worn devices reach somewhat more.
  */
 struct SpaceMouseState
 {
@@ -32,10 +32,10 @@ struct SpaceMouseState
  * | 1 | 7 | x, y, z (classic: SpaceNavigator, SpaceMouse Pro, …) |
  * | 2 | 7 | rotation about x, y, z (classic) |
  * | 1 | 13 or more | all six in one (wireless and newer) |
- * | 3 | 2 or more | a bit per button, as many bytes as there are |
+ * | 3 | 2 or more | one bit per button, up to 32 |
  *
- * False: the report has another length, and nothing is changed. Reports with other numbers
- * (battery, display, …) are ignored.
+ * Returns false, and changes nothing, if the report has another length. Reports with another first
+ * byte (battery, display, …) are ignored.
  */
 PALPATE_EXPORT bool takeSpaceMouseReport(
   const std::uint8_t* report, std::size_t size, SpaceMouseState& state) noexcept;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes any vendor's device one of Palpate's: put its SDK into the two functions at the top.
- *   cc bridge_device.c palpate_hid.c -lm -o bridge_device && ./bridge_device /tmp/d  #
- * bridge:unix:/tmp/d */
+/* Makes any vendor's device a device of Palpate: put its SDK into the two functions at the top.
+ *   cc bridge_device.c palpate_hid.c -lm -o bridge_device && ./bridge_device /tmp/d
+ * Its address is then bridge:unix:/tmp/d. */
 #define _POSIX_C_SOURCE 200809L
 #include "palpate_hid.h"
 
@@ -15,7 +15,7 @@
 static void sdk_read(palpate_hid_reading* hand, double seconds) /* here: a hand that taps */
 {
   hand->position[2] = 0.01f * (float)cos(6.2831853 * seconds);
-  hand->orientation[0] = 1.0f; /* upright; zeros if the SDK does not tell */
+  hand->orientation[0] = 1.0f; /* upright; zeros if the SDK does not report it */
 }
 static void sdk_write(const float force[3], const float torque[3])
 {
@@ -48,7 +48,7 @@ int main(int argc, char** argv)
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &now, NULL); /* or wait for the SDK's tick */
     const uint64_t us = (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
     for (;;)
-    { /* what has come: the newest force wins, a hello is answered */
+    { /* all that has arrived: the newest force is used, a hello is answered */
       struct sockaddr_un from = { 0 };
       socklen_t size = sizeof from;
       uint32_t nonce;

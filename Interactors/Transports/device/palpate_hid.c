@@ -44,7 +44,7 @@ uint32_t palpate_hid_check_sum(const uint8_t* bytes, size_t size)
   return ~remainder;
 }
 
-/* Fields are little-endian, whatever the processor is. */
+/* Fields are little-endian, whatever the byte order of the processor. */
 static void put32(uint8_t* to, uint32_t value)
 {
   for (int i = 0; i < 4; ++i)
@@ -80,7 +80,7 @@ static float get_float(const uint8_t* from)
   return value;
 }
 
-/* Neither NaN nor infinite, whatever the compiler is allowed to assume. */
+/* Neither NaN nor infinite; true also if the compiler assumes finite numbers. */
 static bool is_finite(const uint8_t* from)
 {
   return (get32(from) & 0x7F800000u) != 0x7F800000u;
@@ -119,7 +119,7 @@ void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_w
   hid->longest_watchdog = longest_watchdog_us;
 }
 
-/* Time is up for the last force: none until the next. */
+/* Ends the last force when its time has expired: no force until the next one. */
 static void watch(palpate_hid* hid, uint64_t now_us)
 {
   if (hid->alive && now_us - hid->force_time > hid->watchdog)
@@ -139,7 +139,8 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
     return false;
   }
   number = get32(report + 4);
-  /* Old or repeated, modulo 2^32. After the watchdog any number will do: the host has restarted. */
+  /* Old or repeated, modulo 2^32. After the watchdog any number is accepted: the host has
+     restarted. */
   if (hid->alive && (number == hid->force_sequence || number - hid->force_sequence > 0x7FFFFFFFu))
   {
     ++hid->refused;
@@ -162,7 +163,7 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
   return true;
 }
 
-/* A vector of the host's, no longer than it may be; zeros while the amplifiers are off. */
+/* A vector from the host, limited to the length `most`; zeros while the amplifiers are off. */
 static bool applied(palpate_hid* hid, uint64_t now_us, const float told[3], float most, float to[3])
 {
   float length;
@@ -195,8 +196,8 @@ bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3])
   return applied(hid, now_us, hid->torque, hid->maximum_torque, torque);
 }
 
-/* The largest of the four is left out, and made positive: the host finds it, since their squares
- * add up to 1. */
+/* Leaves out the largest of the four components and makes it positive. The host computes it,
+ * because the squares add up to 1. */
 static void put_orientation(uint8_t* report, const float told[4])
 {
   int largest = 0;
@@ -210,7 +211,7 @@ static void put_orientation(uint8_t* report, const float told[4])
   }
   if (told[largest] == 0.0f)
   {
-    return; /* not known */
+    return; /* unknown */
   }
   report[3] = (uint8_t)(report[3] | 4 | largest << 3);
   for (int i = 0; i < 4; ++i)
@@ -260,7 +261,7 @@ void palpate_hid_describe(const palpate_hid_description* description, uint32_t n
   if (description->outputs_torque)
   {
     report[3] |= 4;
-    report[43] = 0; /* the end of a name of 3 bytes */
+    report[43] = 0; /* end of a name of 3 bytes */
     put_float(report + 44, description->maximum_torque);
     put_float(report + 48, description->maximum_torsional_stiffness);
     put_float(report + 52, description->maximum_torque_rate);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * The device's side of Palpate's force reports, for a microcontroller: C99, no memory is allocated,
- * nothing is waited for, no library but memcpy, memset and sqrtf. PROTOCOL.md has the reports byte
- * by byte.
+ * The device's side of Palpate's force reports, for a microcontroller: C99, without memory
+ * allocation, without waiting, and without library functions except memcpy, memset and sqrtf.
+ * PROTOCOL.md describes the reports byte by byte.
  *
  * In the firmware, with palpate_hid_report_descriptor as HID report descriptor:
  *   at start            palpate_hid_start(&hid, 6.0f, 20000);
@@ -11,8 +11,8 @@
  *   control, each tick  palpate_hid_force(&hid, now, force);      put it on the motors
  *                       palpate_hid_torque(&hid, now, torque);    if there are motors for it
  *                       palpate_hid_state(&hid, now, &reading, report);      and send it
- * `now` is a clock in microseconds that does not run backwards. Calls must not interrupt one
- * another: where receive is called from an interrupt, disable it around the others.
+ * `now` is a clock in microseconds that does not go back. Calls must not interrupt one another: if
+ * receive is called from an interrupt, disable this interrupt around the others.
  */
 #ifndef PALPATE_HID_H
 #define PALPATE_HID_H
@@ -38,15 +38,16 @@ extern "C"
     bool outputs_force;
     bool planar;              /* moves in its xy plane only */
     float maximum_force;      /* N */
-    float maximum_stiffness;  /* N/m, of a spring rendered at `rate`: its damping times that */
+    float maximum_stiffness;  /* N/m, of a spring rendered at `rate`: the damping times `rate` */
     float maximum_force_rate; /* N/s, may be infinite */
     float maximum_damping;    /* N s/m */
     float half_extents[3];    /* of the workspace about 0, m */
     float rate;               /* states per second, Hz */
-    float sample_time_out;    /* without a state for so long the host gives up, s */
-    char name[16];            /* UTF-8, padded with zeros; 3 bytes are told with outputs_torque */
-    bool outputs_torque;      /* about the tip of the tool; false, zeros: as before there was one */
-    float maximum_torque;     /* N m */
+    float sample_time_out;    /* s; without a state for longer, the host takes the device as lost */
+    /* UTF-8, padded with zeros; with outputs_torque only 3 bytes are sent */
+    char name[16];
+    bool outputs_torque;  /* about the tip of the tool; false, with zeros below: no torque */
+    float maximum_torque; /* N m */
     float maximum_torsional_stiffness; /* N m/rad, of a torsion spring rendered at `rate` */
     float maximum_torque_rate;         /* N m/s, may be infinite */
   } palpate_hid_description;
@@ -57,42 +58,44 @@ extern "C"
     float position[3]; /* m */
     float velocity[3]; /* m/s; zeros if not known */
     uint32_t buttons;  /* bit i: button i is down */
-    bool fault;        /* do not trust me: the host sends no force */
-    /* w, x, y, z of the unit quaternion that turns the tool's frame, whose z is the shaft from tip
-     * to hand, into the device's; zeros if not known. */
+    bool fault;        /* the reading is not reliable: the host sends no force */
+    /* w, x, y, z of the unit quaternion that rotates the tool's frame, whose z is the shaft from
+     * tip to hand, into the device's frame; zeros if unknown. */
     float orientation[4];
   } palpate_hid_reading;
 
   /* The state of the device's side. Counters are for inspection. */
   typedef struct palpate_hid
   {
-    float maximum_force;       /* N: a stronger force is shortened to it */
-    uint32_t longest_watchdog; /* us: a host that asks for longer gets this */
+    float maximum_force;       /* N: a stronger force is scaled down to it */
+    uint32_t longest_watchdog; /* us: the longest watchdog that a host may request */
     uint32_t sequence;         /* of the last state sent */
-    uint32_t force_sequence;   /* of the last force taken */
+    uint32_t force_sequence;   /* of the last force received */
     uint32_t watchdog;         /* us */
-    uint64_t force_time;       /* us, when it was taken */
+    uint64_t force_time;       /* us, when this force was received */
     float force[3];            /* N */
     float torque[3];           /* N m */
-    float maximum_torque;      /* N m: a stronger one is shortened to it; 0, none, after start */
-    bool alive;                /* forces are coming; set by one, cleared by the watchdog */
-    bool enabled;              /* the host wants the amplifiers on */
-    uint32_t refused;          /* reports that were none, or old */
-    uint32_t expired;          /* times the watchdog has cut the force */
+    /* N m: a stronger torque is scaled down to it; 0 (none) after start */
+    float maximum_torque;
+    bool alive;       /* forces are arriving; set by a force, cleared by the watchdog */
+    bool enabled;     /* the host wants the amplifiers on */
+    uint32_t refused; /* number of reports that were invalid or old */
+    uint32_t expired; /* number of times that the watchdog ended the force */
   } palpate_hid;
 
   /* Resets everything; no force. */
   void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_watchdog_us);
 
-  /* To be called with a report from the host. True if it was a new force. */
+  /* Call it with each report from the host. True if it was a new force. */
   bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, uint64_t now_us);
 
-  /* The force to apply now, N. False, and zeros: amplifiers off (none came yet, the watchdog has
-   * expired, or the host does not enable it). */
+  /* The force to apply now, N. False, with zeros: amplifiers off (no force has come yet, the
+   * watchdog has expired, or the host does not enable it). */
   bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3]);
 
-  /* The torque with that force, N m, about the tip: up to hid->maximum_torque, to be set after
-   * palpate_hid_start. False, and zeros, as for the force. */
+  /* The torque that belongs to this force, N m, about the tip. It is limited to
+   * hid->maximum_torque, which is to be set after palpate_hid_start. False, with zeros, as for the
+   * force. */
   bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3]);
 
   /* Packs the next state. */
@@ -103,10 +106,10 @@ extern "C"
   void palpate_hid_describe(const palpate_hid_description* description, uint32_t nonce,
     uint8_t report[PALPATE_HID_REPORT_SIZE]);
 
-  /* Datagrams only: true if this is a hello, and its nonce. */
+  /* Datagrams only: true if this is a hello; sets its nonce. */
   bool palpate_hid_hello(const uint8_t* report, size_t size, uint32_t* nonce);
 
-  /* CRC-32 of IEEE 802.3, bit by bit. Of "123456789": 0xCBF43926. */
+  /* CRC-32 of IEEE 802.3, bit by bit. The result for "123456789" is 0xCBF43926. */
   uint32_t palpate_hid_check_sum(const uint8_t* bytes, size_t size);
 
 #ifdef __cplusplus
