@@ -14,7 +14,6 @@ namespace palpate
 /// Result of orientParts().
 struct OrientedParts
 {
-  std::size_t leftOut = 0; ///< triangles of small parts that enclose nothing; first corner -1 now
   /// Triangles of sheets inside a closed solid; first corner -1 now.
   std::vector<std::int32_t> hidden;
   /// Whether walls between two solids are left out; these solids now share open borders.
