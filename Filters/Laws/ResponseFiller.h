@@ -82,9 +82,9 @@ public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
-  /// Switches on the estimate of the error: validity ends where the error exceeds `tolerance` (>
-  /// 0). `contact` belongs to the law. `contact` and `measured` (null: the material is given, not
-  /// measured) must outlive this.
+  /// Switches on the estimate of the error: validity ends where the error exceeds `tolerance`
+  /// (> 0). `contact` belongs to the law. `contact` and `measured` (null: the material is given,
+  /// not measured) must outlive this.
   void estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
     const MeasuredBodyError* measured = nullptr);
 
