@@ -27,9 +27,9 @@ struct NearEdge
  * Distances of each point of a surface from two things: the convex edge that reduces its force
  * most, and the border.
  *
- * SurfaceEdges.h defines the edges for a contact of radius a. Distant edges must be larger to
- * count: beyond four cells the search uses cells three times as large, and so on, up to a quarter
- * of the body's width. At that size a bump on a face is not an edge, but a wide fillet is.
+ * findEdges (LinkedSurface.h) defines the edges for a contact of radius a. Distant edges must be
+ * larger to count: beyond four cells the search uses cells three times as large, and so on, up to a
+ * quarter of the body's width. At that size a bump on a face is not an edge, but a wide fillet is.
  *
  * The search runs along the surface up to the distance `reach`. It skips an edge more than 15°
  * above the point's tangent plane, because there is material below such an edge, as at the foot of

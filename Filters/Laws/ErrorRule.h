@@ -66,8 +66,8 @@ struct LawScope
  * - Edge: 1 - Φ(d/a) of the edge with the largest effect (edgeFactor, edgeSharpness). On a layer it
  *   is multiplied by e^(-d/h), because the base holds the layer. It is 0 if the body's own
  *   compliance is known, which contains this effect. Beyond an open border the unseen body is
- *   assumed to continue: the error is that of a right-angled edge and falls to 0 at a distance of 2
- *   a. If the servo tick takes a sharp edge into account, the fraction FeltEdge remains at a right
+ *   assumed to continue: the error is that of a right-angled edge and falls to 0 at a distance of
+ *   2a. If the servo tick takes a sharp edge into account, the fraction FeltEdge remains at a right
  *   angle, and FeltWedge at other angles, for which edgeSharpness is less certain. The error is all
  *   of the force if the contact is wider than the whole body.
  * - Elements: the error of the compliance times dF/dδ.

@@ -4,7 +4,7 @@
  * @brief   converts any surface or volume to triangles in millimetres, a body that can be touched
  *
  * Input: any vtkDataSet, or a composite of them (multi-block, partitioned, collections). Other data
- * - tables, graphs, adaptive grids - are an error that names the filter to apply first. Empty input
+ * (tables, graphs, adaptive grids) are an error that names the filter to apply first. Empty input
  * gives empty output.
  *
  * Output: one vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm:

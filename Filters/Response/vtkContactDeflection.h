@@ -78,7 +78,7 @@ public:
   ///@}
 
   ///@{
-  /** Which tip of port 1; -1 (default) is the last. */
+  /** Index of the tip in port 1; -1 (default): the last tip. */
   vtkSetMacro(TipIndex, vtkIdType);
   vtkGetMacro(TipIndex, vtkIdType);
   ///@}

@@ -9,7 +9,7 @@
  * SetFrictionCoefficient, are those of the object they hold:
  *
  *     session.SetSettings(probe.GetSettings())
- *     session.SetFrictionCoefficient(0.3)        # the probe's too
+ *     session.SetFrictionCoefficient(0.3)        # also changes the probe
  *
  * | Property | meaning | range | default |
  * | --- | --- | --- | --- |

@@ -166,7 +166,7 @@ float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>
   return *middle;
 }
 
-/** Runs a loop over `count` points in blocks; false when aborted. */
+/** Runs a loop over `count` points in blocks. Returns false if aborted. */
 template <class Loop>
 bool ForAll(vtkIdType count, Stage stage, const Loop& loop)
 {

@@ -153,7 +153,7 @@ vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
   return clean->GetOutput();
 }
 
-/** The advice for data with points but no triangles. */
+/** Advises on data that have points but no triangles. */
 std::string withoutTriangles(const std::vector<vtkDataSet*>& pieces)
 {
   vtkIdType points = 0;

@@ -214,7 +214,7 @@ std::string applyNiftiHeader(
   const double intercept = reader->GetRescaleIntercept();
   if (slope == 0.0 || (slope == 1.0 && intercept == 0.0))
   {
-    return ""; // 0: the header does not give them
+    return ""; // slope 0: the header does not give them
   }
   if (!std::isfinite(slope) || !std::isfinite(intercept))
   {
