@@ -17,7 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// The first value that does not pass `check`, and what it must be; or "".
+/// Finds the first value that fails `check`. Returns a message with the required range, or "" if
+/// all values pass.
 template <class Check>
 std::string checkEach(
   const PointValues& given, const char* quantity, const char* must, Check&& check)
@@ -128,7 +129,8 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   return {};
 }
 
-/// What is wrong with the layers of a stack, or with values of one where there is none.
+/// Checks the values for the layers of a stack. Reports an error also for values of a second layer
+/// if the body is not a stack.
 std::string BodyMaterial::checkStackOf(const Values& values) const
 {
   if (!this->Given.isStack())
@@ -186,7 +188,7 @@ std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
   this->ReducedModulus.resize(points);
   for (std::size_t i = 0; i < points; ++i)
   {
-    this->ReducedModulus[i] = reducedModulus(youngAt(i), poissonAt(i)); // NaN if one is wrong
+    this->ReducedModulus[i] = reducedModulus(youngAt(i), poissonAt(i)); // NaN if a value is invalid
   }
   const auto wrong =
     static_cast<std::size_t>(std::find_if(this->ReducedModulus.begin(), this->ReducedModulus.end(),

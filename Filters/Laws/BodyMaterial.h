@@ -18,14 +18,15 @@ namespace palpate
 class AxisymmetricTool;
 class ResponseLaw;
 
-/// Values of a body's points, and their name in errors. No values: the constant is used.
+/// Values at the points of a body, and their name for error messages. Without values, the constant
+/// applies.
 struct PointValues
 {
   std::string name;
   std::vector<double> values;
 };
 
-/// The material of a body, point by point: constants, and values that override them.
+/// The material of a body at each point: constants, and values that override them.
 class PALPATE_EXPORT BodyMaterial
 {
 public:
@@ -49,16 +50,17 @@ public:
     double thickness; ///< mm, 0 for a half-space
     LayerBase base;
     bool complianceExcludesLayer;
-    /// Layers below that one, from above. With them, or with a half-space as base, the body is a
-    /// stack (LayerStack.h) everywhere, and Young's modulus and Poisson's ratio are constant.
+    /// Layers below the first one, from top to bottom. With deeper layers, or with a half-space as
+    /// base, the whole body is a stack (LayerStack.h). Young's modulus and Poisson's ratio are then
+    /// constant.
     std::vector<StackLayer> deeper;
     std::optional<StackLayer> halfSpace; ///< in place of the rigid base
 
     bool isStack() const { return !this->deeper.empty() || this->halfSpace.has_value(); }
-    /// The whole stack; without layers if the body is not one.
+    /// The whole stack. It has no layers if the body is not a stack.
     LayerStack stack() const;
   };
-  /// Values that override the constants, each at every point or nowhere.
+  /// Values that override the constants. Each array has a value for every point, or no values.
   struct Values
   {
     PointValues youngsModulus; ///< MPa
@@ -70,26 +72,26 @@ public:
   };
   explicit BodyMaterial(const Constants& constants);
 
-  /// What is wrong with the constants, or "".
+  /// Checks the constants. Returns "" if they are valid, else an error message.
   std::string checkConstants() const;
-  /// Takes the values of `points` points, none or one for each. Returns what is wrong with them,
-  /// naming point and value, or "".
+  /// Takes the values of `points` points. Each array has one value per point or none. Returns "" if
+  /// the values are valid, else a message that names the point and the value.
   std::string take(Values values, std::size_t points);
 
   ContactSpots spots() const;
   const MaterialRange& range() const noexcept { return this->Range; }
-  /// Sets the range of all pieces, if other processes have some.
+  /// Sets the range of all pieces, if other processes hold pieces of the body.
   void setRange(const MaterialRange& range) { this->Range = range; }
 
-  /// The tip's exponent or 1: the one with the smaller storage error where the body is softest,
-  /// stiffest, thinnest and thickest.
+  /// The exponent for storage: the tip's own exponent or 1. Chooses the one with the smaller
+  /// storage error at the softest, stiffest, thinnest and thickest spot of the body.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
-  /// The largest relative error of storage with an exponent at the same four places, of those that
-  /// can be stored.
+  /// The largest relative storage error with `exponent` at these four spots. Spots that cannot be
+  /// stored are ignored.
   double storageError(const ResponseLaw& law, double exponent) const;
 
-  /// The model in words, and as a sum of ModelPart.
+  /// Describes the model in words.
   std::string describe() const;
   int modelParts() const;
 
@@ -99,7 +101,7 @@ private:
   std::string takeModulus(const Values& values, std::size_t points);
 
   Constants Given;
-  std::vector<double> ReducedModulus; ///< empty vectors: the constant holds
+  std::vector<double> ReducedModulus; ///< empty vectors: the constant applies
   std::vector<double> PoissonsRatio;
   std::vector<double> Compliance;
   std::vector<double> Thickness;

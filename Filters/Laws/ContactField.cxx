@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// The thickness of the layer under the contact, mm; 0 on a half-space. 1/h is interpolated, as a
-/// base stiffens in proportion to it and it is 0 on a half-space.
+/// The thickness of the layer under the contact, mm; 0 on a half-space. Interpolates 1/h, since the
+/// stiffening by a base is proportional to 1/h, and 1/h is 0 on a half-space.
 double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weights)
 {
   if (thickness[0] == thickness[1] && thickness[1] == thickness[2])
@@ -34,8 +34,8 @@ double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weight
   return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 
-/// The stack under the contact. Thicknesses that vary are rounded to half a percent, so that a
-/// kernel serves its surroundings.
+/// The stack under the contact. Thicknesses that vary are rounded to half a percent, so that one
+/// kernel also serves nearby contacts.
 LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
 {
   LayerStack stack = triangle.stack;
@@ -55,10 +55,10 @@ LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
   return stack;
 }
 
-/// A dent deeper than this many times the deflection is not accepted for a force.
+/// Limit of the local deflection for a given force, as a multiple of the deflection.
 constexpr double DeepestDent = 10.0;
 
-/// The deflection at which a tool on a half-space has a force; no more than `most`.
+/// The deflection at which a tool on a half-space has the given force; at most `most`.
 double deflectionOf(const AxisymmetricTool& tool, double force, double reducedModulus, double most)
 {
   const double high = std::min(most, tool.depthLimit().depth);
@@ -75,21 +75,21 @@ double deflectionOf(const AxisymmetricTool& tool, double force, double reducedMo
     0.0, high, 0.5 * high);
 }
 
-/// The edge of a tool that lies well within its contact; 0 if there is none.
+/// Radius of a tool's edge that is well within the contact; 0 if the tool has no such edge.
 double edgeWithin(const AxisymmetricTool& tool, double contactRadius)
 {
   const std::vector<double> kinks = tool.kinks();
   return !kinks.empty() && kinks.front() < 0.999 * contactRadius ? kinks.front() : 0.0;
 }
 
-/// 0 below `begin`, 1 above `end`, without a kink between.
+/// 0 below `begin`, 1 above `end`, smooth between them.
 double smoothStep(double begin, double end, double x)
 {
   const double t = std::clamp((x - begin) / (end - begin), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Adds the displacement by a mode; returns whether all of it is finite.
+/// Adds the displacement of a mode. Returns whether all values are finite.
 template <class Number>
 bool addMode(const Number* mode, double weight, std::size_t points, float* displacement)
 {

@@ -20,20 +20,21 @@
 
 namespace palpate
 {
-/// One contact for its field. Body frame, mm, N.
+/// Input of the field of one contact. Body frame, mm, N.
 struct FieldContact
 {
-  std::int64_t cell = -1;  ///< of the body; -1: no contact
-  double deflection = 0.0; ///< local and global together
-  double force = 0.0;      ///< along the normal, > 0 out of the body: for modes and near field
+  std::int64_t cell = -1;  ///< of the contact on the body; -1: no contact
+  double deflection = 0.0; ///< local and global part together
+  /// Along the normal, > 0 out of the body; used for the modes and the near field.
+  double force = 0.0;
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::Zero(); ///< outward, unit
-  /// Depth of the tip, mm, where another tool holds the body against this one, so that its dent is
+  /// Depth of the tip, mm, where another tool holds the body against this one. The dent is then
   /// less than the deflection.
   double depth = std::numeric_limits<double>::infinity();
 };
 
-/// The triangle of a contact, with the data of its corners.
+/// The triangle of a contact, and the data at its corners.
 struct FieldTriangle
 {
   /// A global mode of the body at the corners.
@@ -46,17 +47,18 @@ struct FieldTriangle
   std::array<Vector3, 3> corners = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
   std::array<double, 3> thickness{}; ///< of the layer, mm; 0 on a half-space
   LayerBase base = LayerBase::Bonded;
-  LayerStack stack;               ///< if the layer is the first of one; otherwise without layers
-  std::array<double, 3> second{}; ///< thickness of its second layer, mm; 0: that of `stack`
-  std::vector<Mode> modes;        ///< none if the response has no global motion
-  std::array<NearField, 3> near;  ///< of radius 0 if the response is not of true shape
+  LayerStack stack; ///< the stack whose first layer this is; no layers if the body is not a stack
+  /// Thickness of the second layer, mm; 0: the thickness in `stack`.
+  std::array<double, 3> second{};
+  std::vector<Mode> modes;       ///< empty if the response has no global motion
+  std::array<NearField, 3> near; ///< radius 0 if the response is not of true shape
 };
 
 /// Settings common to all contacts.
 struct FieldSettings
 {
   double poissonRatio = 0.45; ///< 0 to 0.5
-  double reach = 0.0;         ///< mm; 0: limited by the normals alone
+  double reach = 0.0;         ///< mm; 0: limited by the normals only
 };
 
 /**
@@ -64,62 +66,66 @@ struct FieldSettings
  *
  *   u(x) = fade [u_r(r) t - (u_z(r) + v(d)) n] + Σ_k w_k φ_k(x)
  *
- * Local part: u_r, u_z of the tool on a half-space, or on the layer that is under the contact
- * (LayerSurface), at the local deflection; n is the contact normal, r the distance along the
- * surface and t the tangent away from the contact at x (SurfacePatch.h).
+ * Local part: u_r and u_z are the displacements by the tool on a half-space, or on the layer under
+ * the contact (LayerSurface), at the local deflection. n is the contact normal, r the distance
+ * along the surface, and t the tangent at x that points away from the contact (SurfacePatch.h).
  *
- * Near part, on a body of true shape, where the response has R (NearField.h): the effect of an
- * edge, a base or an inclusion near the contact on a half-space's dent. d is the vector from the
- * contact in its tangent plane, of length r,
- *     v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) beyond a, else 0:
- * within the contact the surface is that of the tool; outside, it is what a flat punch that cannot
- * tilt leaves of a tilt (Johnson 1985, § 5.4 (f)). The local deflection is then that of the same
- * force on a half-space of the E* at the contact, and v₀ the rest of δ without that and the modes.
+ * Near part: used on a body of true shape if the response has R (NearField.h). It is the effect of
+ * an edge, a base or an inclusion near the contact on the dent of a half-space. d is the vector of
+ * length r from the contact in its tangent plane, and
+ *     v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) for r > a, else 0.
+ * Within the contact radius a the surface has the shape of the tool. Outside, m is the part of a
+ * tilt of the surface that remains at the distance r from a flat punch that cannot tilt (Johnson
+ * 1985, § 5.4 (f)). The local deflection is that of the same force on a half-space with the E* at
+ * the contact. v₀ is δ minus the local deflection and the deflection of the modes.
  *
- * Global part, by the modes φ_k of the body (GlobalModes.h) with their signs s_k: w_k = -F s_k
- * (n·φ_k(X)), X the contact. The local deflection is what the modes leave of the whole, δ - F Σ s_k
- * (n·φ_k(X))², so that the surface meets the tool. Without modes and R the local part is that at
- * the whole deflection, or at the depth of the tip.
+ * Global part: by the modes φ_k of the body (GlobalModes.h) with their signs s_k, w_k = -F s_k
+ * (n·φ_k(X)), where X is the contact. The local deflection is δ - F Σ s_k (n·φ_k(X))², so that the
+ * surface meets the tool. Without modes and without R the local part is evaluated at the whole
+ * deflection, or at the depth of the tip if that is smaller.
  *
- * Fade: 1 where reach is 0. Otherwise exactly 1 within 3/4 of the reach and 50° of the contact
- * normal, and smoothly down to 0 at the reach and at 60°, so that the field has no visible edge.
+ * Fade: 1 if reach is 0. Otherwise it is exactly 1 within 3/4 of the reach and within 50° of the
+ * contact normal. It falls smoothly to 0 at the reach and at 60°, so that the field has no visible
+ * edge.
  *
  * Cost: some µs on a half-space, 1 to 2 ms on a layer.
  */
 class PALPATE_EXPORT ContactField
 {
 public:
-  static constexpr double CosineOfEnd = 0.5;          ///< 60°: beyond, the body is no half-space
+  static constexpr double CosineOfEnd = 0.5; ///< 60°: beyond, the body is not like a half-space
   static constexpr double CosineOfFade = 0.642787610; ///< 50°
-  static constexpr double FadeBegin = 0.75;           ///< of the reach
+  static constexpr double FadeBegin = 0.75;           ///< fraction of the reach
 
-  ContactField() = default; ///< of no contact: zero
-  /// `tool` must outlive the field. `kernel` is that of the last layer, kept by the caller since
-  /// making one is expensive.
+  ContactField() = default; ///< no contact: the field is zero
+  /// `tool` must outlive the field. `kernel` is the kernel of the last layer. The caller keeps it,
+  /// since making a kernel is expensive.
   ContactField(const FieldTriangle& triangle, const AxisymmetricTool& tool,
     const FieldContact& contact, const FieldSettings& settings,
     std::shared_ptr<const LayerKernel>& kernel);
 
-  /// u_r and u_z at r >= 0, not faded.
+  /// u_r and u_z at r >= 0, without fade.
   SurfaceDisplacement local(double r) const;
-  /// `cosine`: of the angle between the point's normal and the contact's.
+  /// The factor `fade`. `cosine`: of the angle between the normals of the point and of the contact.
   double fade(double r, double cosine) const;
-  /// v: the further inward displacement of the surface, mm, at `away` from the contact in its
-  /// tangent plane.
+  /// v: the additional inward displacement of the surface, mm. `away` is the vector from the
+  /// contact in its tangent plane.
   double near(const Vector3& away) const;
-  /// F R, mm, and v₀; of radius 0 where there is none.
+  /// The near field times the force (F R, mm). Its radius is 0 if the body has no near field.
+  /// nearDepth() is v₀, mm.
   const NearField& nearField() const { return this->Near; }
   double nearDepth() const { return this->NearDepth; }
-  /// One per mode of the triangle; none without a global part.
+  /// One weight per mode of the triangle; empty without a global part.
   const std::vector<double>& modeWeights() const { return this->Weights; }
 
   bool isEmpty() const { return !this->Law; }
   double localDeflection() const { return this->Deflection; }
   double contactRadius() const { return this->Radius; } ///< mm; 0 if empty
   double reach() const { return this->Reach; }
-  /// Radius of an edge of the tool within the contact, where u_z has a kink, mm; 0: none.
+  /// Radius of an edge of the tool within the contact, mm. u_z has a kink there. 0: the tool has no
+  /// edge there.
   double kinkRadius() const { return this->Kink; }
-  /// Why there is no local part though there is contact; "" if there is one.
+  /// The reason why a contact has no local part; "" if it has one.
   const std::string& fault() const { return this->Fault; }
 
 private:
@@ -143,15 +149,16 @@ private:
 /// View of a mode's vectors, 3 numbers per point.
 using ModeSpan = std::variant<const float*, const double*>;
 
-/// Continues a patch across the seams of pieces: enters the points reached on other pieces. False
-/// when nothing is left to visit on any.
+/// Continues a patch across the seams of pieces: enters the points that were reached on other
+/// pieces. Returns false if no piece has points left to visit.
 using SeamCrossing = std::function<bool(SurfacePatch&)>;
 
 /**
- * Adds the displacement by a field to `displacement`, 3 floats (mm) per point of the patch's mesh:
- * the modes at every point, the local part at those of the patch, whose start points have been
- * entered. `modes`: at least as many as the field has weights. False if a mode's displacement is
- * not finite. The same bits for any number of threads.
+ * Adds the displacement of a field to `displacement`, 3 floats (mm) per point of the patch's mesh.
+ * The modes act at every point; the local part acts at the points of the patch. The caller has
+ * entered the start points of the patch. `modes` has at least as many modes as the field has
+ * weights. Returns false if a mode's displacement is not finite. The bits do not depend on the
+ * number of threads.
  */
 PALPATE_EXPORT bool contactField(const ContactField& field, const Vector3& normal,
   const std::vector<ModeSpan>& modes, SurfacePatch& patch, std::size_t points, float* displacement,

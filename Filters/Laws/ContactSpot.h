@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Curvature of the body's surface at a point, 1/mm: the principal curvatures, positive where it is
-/// convex, and their error.
+/// Curvature of the body's surface at a point, 1/mm: the two principal curvatures, positive where
+/// the surface is convex, and their error.
 struct SpotCurvature
 {
   double first = 0.0;
@@ -28,9 +28,9 @@ struct ContactSpot
   double poissonsRatio = 0.0;   ///< of the layer; a half-space needs E* alone
   double compliance = 0.0;      ///< in series, mm/N
   double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
-  SpotCurvature curvature = {}; ///< that the law is to take into account
-  double second = 0.0;          ///< of a stack: thickness of its second layer, mm
-  double thinnest = 0.0;        ///< of a stack: thickness of its thinnest layer, mm
+  SpotCurvature curvature = {}; ///< included in the law
+  double second = 0.0;          ///< thickness of the second layer of a stack, mm
+  double thinnest = 0.0;        ///< thickness of the thinnest layer of a stack, mm
   double complianceError = 0.0; ///< error of the compliance, mm/N
 
   LayerPlace place() const noexcept
@@ -39,7 +39,8 @@ struct ContactSpot
   }
 };
 
-/// The body under each point: constants, and arrays that override them unless null.
+/// The body under each point: constants, and arrays that override them. A null array overrides
+/// nothing.
 struct ContactSpots
 {
   ContactSpot constant;
@@ -48,7 +49,7 @@ struct ContactSpots
   const double* compliance = nullptr;
   const double* thickness = nullptr;
   const double* second = nullptr;
-  double deeperThinnest = 0.0; ///< of the layers below those two, mm; 0: no stack
+  double deeperThinnest = 0.0; ///< thinnest of the layers below the first two, mm; 0: no stack
   const double* complianceError = nullptr;
 
   ContactSpot at(std::size_t i) const

@@ -12,19 +12,21 @@
 
 namespace palpate
 {
-/// Least sum of the tool's and the body's curvature, relative to the tool's, at which the tool fits
-/// into a hollow.
+/// The tool fits into a hollow if the sum of the tool's and the body's curvature is at least this
+/// fraction of the tool's curvature.
 constexpr double LeastSum = 0.5;
 
-/// A contact for E* = 1 on one body, at ascending depths, between which it is interpolated.
+/// A contact for E* = 1 on one body at ascending depths. Values between the depths are
+/// interpolated.
 struct ContactNodes
 {
   std::vector<double> depths;      ///< mm
   std::vector<double> forces;      ///< F/E*, mm²
   std::vector<double> stiffnesses; ///< (dF/dδ)/E*, mm
-  std::vector<double> radii;       ///< of the contact, mm
-  std::vector<double> toolDepths;  ///< of the tool with that radius on the flat body, mm
-  bool coversTouch = true;         ///< false: no law holds above the first node
+  std::vector<double> radii;       ///< contact radius, mm
+  /// Depth of the tool with that contact radius on the flat body, mm.
+  std::vector<double> toolDepths;
+  bool coversTouch = true; ///< false: no law holds above the first node
 
   std::size_t size() const noexcept { return this->depths.size(); }
   void reserve(std::size_t nodes);
@@ -38,22 +40,23 @@ struct LocalState
   double force = 0.0;     ///< F/E*, mm²
   double stiffness = 0.0; ///< (dF/dδ)/E*, mm
   double radius = 0.0;    ///< mm
-  /// Depth of the tool with that contact radius on the flat body, mm; negative: to be found from
+  /// Depth of the tool with that contact radius on the flat body, mm. Negative: to be computed from
   /// the radius.
   double toolDepth = -1.0;
-  double toolTurn = 1.0; ///< derivative of toolDepth by the depth
-  bool isCovered = true; ///< false: no law holds there, the values only lead to where one does
+  double toolTurn = 1.0; ///< derivative of toolDepth with respect to the depth
+  /// false: no law holds at this depth; the values only lead to the first depth with a law
+  bool isCovered = true;
 };
 
 /**
- * Nodes as a law: cubic Hermite polynomials of F over √δ, in which spheres (F ~ δ^1.5), flats (δ)
- * and cones (δ²) are powers; below the first node a power of δ through it. With 64 nodes at even √δ
- * its error is 1e-6.
+ * A law from nodes: cubic Hermite polynomials of F over √δ. Spheres (F ~ δ^1.5), flats (δ) and
+ * cones (δ²) are powers of √δ. Below the first node the law is a power of δ through that node. With
+ * 64 nodes at even √δ the error is 1e-6.
  */
 class PALPATE_EXPORT NodeLaw final : public IndentationLaw
 {
 public:
-  /// At least one node; depths ascend from above 0.
+  /// Needs at least one node. Depths ascend and are > 0.
   explicit NodeLaw(ContactNodes nodes)
     : Nodes(std::move(nodes))
   {
@@ -68,9 +71,9 @@ private:
   ContactNodes Nodes;
 };
 
-/// The paraboloid of curvature `curvature` (1/mm) that represents the body's own curvature, its
-/// sag, on the same flat body; on a half-space in closed form (Hertz), with F = 4/3 κ a³ and δ = κ
-/// a².
+/// The sag of the body on the same flat body: a paraboloid of curvature `curvature` (1/mm) that
+/// represents the body's own curvature. On a half-space it has a closed form (Hertz): F = 4/3 κ a³
+/// and δ = κ a².
 struct SagLaw
 {
   double curvature = 1.0;
@@ -80,33 +83,34 @@ struct SagLaw
 /**
  * A tool on a curved body: the body's sag is added to the tool's profile.
  *
- * At one contact radius a the depths and the forces of two profiles add, since the contact problem
- * is linear in the profile once its circle is known (Sneddon 1965; on layers likewise). So the
- * tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and F + κ F_sag(a), with
- * unchanged dF/dδ, which depends on a alone.
+ * At one contact radius a the depths and the forces of two profiles add, because the contact
+ * problem is linear in the profile if its circle is known (Sneddon 1965; the same holds on layers).
+ * So the tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and F + κ F_sag(a).
+ * dF/dδ does not change, since it depends on a alone.
  *
  * A flat end of radius b in full contact depends on the mean curvature alone: F = 2E*b(δ -
- * b²κ_m/3), δ of its centre. On a convex body it is in full contact from κ b² on, and the law is
- * that of the sag before; on a saddle or in a hollow from b² times the larger of |κ₁|, |κ₂|
- * (wholeFrom). Before that, where only parts of its rim touch, a power of the depth stands in for
- * the missing law.
+ * b²κ_m/3), where δ is the deflection of its centre. On a convex body the flat end is in full
+ * contact from κ b² on; before, the law is that of the sag. On a saddle or in a hollow it is in
+ * full contact from b² times the larger of |κ₁|, |κ₂| on (wholeFrom). Before, only parts of its rim
+ * touch, and no law is known; a power of the depth is used instead.
  *
- * Unequal curvatures act by the geometric mean of both sums, κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t,
- * κ_t = g(a)/a² of the tool at that circle, and F multiplied by 1 + ln²((κ_t+κ₂)/(κ_t+κ₁))/48: 1e-4
- * to a ratio of 3 for a sphere (Hertz's ellipse).
+ * Unequal curvatures act by the geometric mean of both sums: κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t, where
+ * κ_t = g(a)/a² of the tool at that circle. F is multiplied by 1 + ln²((κ_t+κ₂)/(κ_t+κ₁))/48. For a
+ * sphere the error is 1e-4 up to a ratio of 3 (Hertz's ellipse).
  *
- * Where the body is hollow and the tool does not fit into it (a sum below LeastSum of κ_t) there is
- * no law: the result ends there, and may be empty. A flat end touches a hollow with its rim first:
- * the result begins where it fits.
+ * If the body is hollow and the tool does not fit into it (a sum below LeastSum of κ_t), no law
+ * holds. The result ends there and may be empty. A flat end touches a hollow with its rim first;
+ * the result begins where the flat end fits.
  */
 PALPATE_EXPORT ContactNodes onCurvedBody(
   const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature);
 
 /// Depth (mm) from which a flat end of radius `b` is in full contact with a body that is not
-/// convex; 0 for a convex one.
+/// convex; 0 for a convex body.
 PALPATE_EXPORT double wholeFrom(double b, const SpotCurvature& curvature);
 
-/// ln²(B/A)/48 of a tool of curvature κ_t (1/mm) on the body; +inf where it does not fit.
+/// ln²(B/A)/48 of a tool of curvature κ_t (1/mm) on the body, where A and B are the two sums of
+/// curvatures; +inf if the tool does not fit.
 PALPATE_EXPORT double ellipseFactor(double toolCurvature, const SpotCurvature& curvature);
 } // namespace palpate
 

@@ -12,7 +12,7 @@ namespace
 {
 constexpr int PieceCount = 128;
 constexpr int MostSteps = 30;
-// Relative to the depth: the error of the next step is its square.
+// Relative to the depth. The error after the next step is the square of this.
 constexpr double Converged = 1e-5;
 
 double cubic(const std::array<double, 4>& c, double x)
@@ -33,7 +33,7 @@ std::array<double, 4> throughFour(const double* value, double from)
   return { cubic(s, b), s[1] + b * (2.0 * s[2] + 3.0 * b * s[3]), s[2] + 3.0 * b * s[3], s[3] };
 }
 
-/// 1 + ln²/48 of two sums of curvatures.
+/// 1 + ln²(one/other)/48 of two sums of curvatures.
 double ellipse(double one, double other)
 {
   if (one == other)
@@ -44,7 +44,8 @@ double ellipse(double one, double other)
   return 1.0 + ratio * ratio / 48.0;
 }
 
-/// A power of the depth up to where the law begins.
+/// The state before full contact of a rim: a power of the depth, up to the depth where the law
+/// begins.
 LocalState beforeRim(const LocalState& first, double fraction)
 {
   const double power = first.stiffness * first.depth / first.force;
@@ -135,8 +136,8 @@ CurvedHalfSpace::Contact CurvedHalfSpace::contactAt(double t, const SpotCurvatur
     body.slope, this->FlatRadius > 0.0 || std::min(body.one, body.other) > LeastSum * tool };
 }
 
-/// A flat end of radius b on a bump until full contact, at a depth of κ_m b²: Hertz's contact,
-/// continued linearly once its radius is b.
+/// A flat end of radius b on a bump before full contact, which begins at a depth of κ_m b². Hertz's
+/// contact, continued linearly once its radius is b.
 LocalState CurvedHalfSpace::sagAlone(double depth, const SpotCurvature& curvature) const
 {
   const double b = this->FlatRadius;
@@ -177,8 +178,9 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
   const double b = this->FlatRadius;
   const auto total = [softness](const LocalState& state)
   { return state.depth + softness * state.force; };
-  // From full contact on a flat end depends on the mean curvature alone. On a bump that begins at a
-  // depth of κ_m b²; elsewhere the rim touches first, and there is no law before.
+  // In full contact a flat end depends on the mean curvature alone. On a bump full contact begins
+  // at a depth of κ_m b². On other surfaces the rim touches first, and no law holds before full
+  // contact.
   const double mean = around.mean();
   const SpotCurvature curvature = b > 0.0 ? SpotCurvature{ mean, mean, 0.0 } : around;
   const double rim = b > 0.0 ? wholeFrom(b, around) : 0.0;
@@ -188,8 +190,8 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
     : b > 0.0 && mean > 0.0 ? this->sagAlone(mean * b * b, around)
                             : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
   const double whole = total(first);
-  // t² over the deflection hardly changes, so the next is extrapolated linearly. The first is that
-  // of two paraboloids.
+  // t² divided by the deflection hardly changes, so the next value is extrapolated linearly. The
+  // first value is that of two paraboloids.
   const double flat = std::min(std::sqrt(deflections.front()), end);
   const double radius = this->at(flat).radius;
   const double sum = flat * flat + curvature.mean() * radius * radius;

@@ -14,30 +14,30 @@ namespace palpate
 class AxisymmetricTool;
 
 /**
- * The contact of one tool on a curved half-space (CurvedContact.h) at given depths, without nodes
- * for each curvature.
+ * The contact of one tool on a curved half-space (CurvedContact.h) at given depths. It needs no
+ * nodes for each curvature.
  *
- * Tabulated once for the tool: contact radius a and F/(a t²) as cubic polynomials of t = √depth, in
- * which spheres, cones and flats are smooth. On a body of curvatures κ₁, κ₂ the depth of the same
- * circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)), solved for t by Newton's method; the force is F + 4/3
- * a (y - t²), the stiffness 2a, both times 1 + ln²(B/A)/48. A flat end in full contact has the mean
- * curvature for both. Error 1e-7, 1e-4 near the kinks of a profile. Cost: 40 ns a depth. Safe to
- * use from any number of threads.
+ * Two functions are tabulated once per tool: the contact radius a and F/(a t²), as cubic
+ * polynomials of t = √depth. Spheres, cones and flats are smooth in t. On a body with curvatures
+ * κ₁, κ₂ the depth of the same circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)). Newton's method solves
+ * it for t. The force is F + 4/3 a (y - t²) and the stiffness 2a, both times 1 + ln²(B/A)/48. For a
+ * flat end in full contact both curvatures are the mean curvature. Error: 1e-7; 1e-4 near the kinks
+ * of a profile. Cost: 40 ns per depth. Safe to use from any number of threads.
  */
 class PALPATE_EXPORT CurvedHalfSpace
 {
 public:
-  /// For a tool pressed at most `deepest` (mm) into the flat body.
+  /// For a tool that is pressed at most `deepest` (mm) into the flat body.
   CurvedHalfSpace(const AxisymmetricTool& tool, double deepest);
 
-  /// The contact at `deflections` (mm), which ascend from above 0, in series with a compliance of
-  /// `softness` = C E* (1/mm), not negative: the states are those of the local part. False where
-  /// the tool does not fit into the body down to the last of them.
+  /// Computes the contact at `deflections` (mm), which ascend and are > 0. The contact is in series
+  /// with a compliance of `softness` = C E* (1/mm), not negative; the states are those of the local
+  /// part. Returns false if the tool does not fit into the body at one of the deflections.
   bool solve(const SpotCurvature& around, double softness, const std::vector<double>& deflections,
     LocalState* states) const;
 
 private:
-  /// On one interval of t, coefficients of the powers of the fraction of the interval.
+  /// One interval of t: coefficients of the powers of the position in the interval, 0 to 1.
   struct Piece
   {
     std::array<double, 4> radius;
@@ -47,12 +47,12 @@ private:
   struct Circle
   {
     double radius; ///< mm
-    double slope;  ///< derivative of the radius by t
+    double slope;  ///< derivative of the radius with respect to t
     double force;  ///< F/E*, mm²
   };
   Circle at(double t) const;
-  /// The curved body under a circle: the two sums of t² and the sag, the depth, and its derivative
-  /// by t; 0 where the body's hollow is too narrow.
+  /// The curved body under a circle: the two sums of t² and the sag, the depth, and the derivative
+  /// of the depth with respect to t. Depth and derivative are 0 if the hollow is too narrow.
   struct Sagging
   {
     double one;
@@ -61,22 +61,22 @@ private:
     double slope;
   };
   static Sagging saggingAt(double t, const Circle& circle, const SpotCurvature& curvature);
-  /// The contact on the curved body with the circle of t.
+  /// The contact on the curved body whose circle belongs to t.
   struct Contact
   {
     LocalState local;
-    double slope; ///< derivative of its depth by t
-    bool isThere; ///< false: the body's hollow is too narrow
+    double slope; ///< derivative of the depth with respect to t
+    bool isThere; ///< false: the hollow is too narrow
   };
   Contact contactAt(double t, const SpotCurvature& curvature) const;
   LocalState sagAlone(double depth, const SpotCurvature& curvature) const;
   LocalState sagInSeries(const SpotCurvature& curvature, double softness, double deflection) const;
 
-  double Step; ///< of t, √mm
+  double Step; ///< step of t, √mm
   double FlatRadius;
   std::vector<Piece> Pieces;
-  double FirstRadius = 0.0; ///< at the end of the first piece, in which the radius is a power of t;
-  double FirstPower = 0.0;  ///< 0: it is not, as for a flat end
+  double FirstRadius = 0.0; ///< radius at the end of the first piece, in which it is a power of t
+  double FirstPower = 0.0;  ///< exponent of that power; 0 for a flat end, which has no such power
 };
 } // namespace palpate
 

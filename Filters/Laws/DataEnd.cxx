@@ -29,7 +29,7 @@ double depthOfDataEnd(const ResponseSampling& sampling, double range, const floa
   {
     return std::numeric_limits<double>::infinity();
   }
-  // Force and stiffness grow with depth: one crossing, between sample i - 1 and i.
+  // Force and stiffness grow with depth, so there is one crossing, between samples i - 1 and i.
   double low = i > 0 ? sampling.depth(i - 1, range) : 0.0;
   double high = sampling.depth(i, range);
   for (int k = 0; k < Halvings; ++k)

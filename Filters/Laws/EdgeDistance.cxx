@@ -22,12 +22,14 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double IncompressibleRatio = 0.5; // at which edges are compared
-constexpr double BluntSharpness = 0.2; // that of 60°: less sharp edges reach less far in proportion
-constexpr double Raised = 0.25;      // sine of the largest angle of an edge above the tangent plane
-constexpr double CellsAway = 4.0;    // the farthest edge found with cells of a size
-constexpr double Coarser = 3.0;      // ratio of the next cells' size
-constexpr double LargestCell = 0.25; // of the body's width: larger ones do not resolve its shape
+constexpr double IncompressibleRatio = 0.5; // Poisson's ratio at which edges are compared
+// Sharpness of 60°; the reach of blunter edges is reduced in proportion.
+constexpr double BluntSharpness = 0.2;
+constexpr double Raised = 0.25;   // sine of the largest angle of an edge above the tangent plane
+constexpr double CellsAway = 4.0; // farthest edge found with cells of one size, in cells
+constexpr double Coarser = 3.0;   // ratio of the next cells' size
+// Fraction of the body's width: larger cells do not resolve its shape.
+constexpr double LargestCell = 0.25;
 
 double sharpnessOf(float turn)
 {
@@ -39,8 +41,8 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
   return std::sqrt(squareToSegment(Vector3d(from - point), Vector3d(to - point)));
 }
 
-/// The middle one of the three lengths of a box whose surface is spread as widely, mm. It does not
-/// depend on the axes of the coordinates.
+/// A width of the body, mm: the middle one of the three lengths of a box whose surface has the same
+/// spread. Does not depend on the axes of the coordinates.
 double widthOf(const LinkedSurface& surface)
 {
   double area = 0.0;
@@ -63,7 +65,8 @@ double widthOf(const LinkedSurface& surface)
   }
   const Vector3d mean = sum / area;
   const Eigen::Matrix3d spread = squares / area - mean * mean.transpose();
-  constexpr double cube = 36.0 / 5.0; // its squared side, over the variance along an axis
+  // Squared side of a cube divided by its variance along an axis.
+  constexpr double cube = 36.0 / 5.0;
   return std::sqrt(cube *
     std::max(0.0,
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly)
@@ -87,7 +90,7 @@ std::vector<double> cellRadii(const LinkedSurface& surface, double contactRadius
   }
 }
 
-/// Propagates sides outwards over the surface; each point passes on its nearest one.
+/// Propagates sides outwards over the surface. Each point passes on its nearest side.
 class SideSpread
 {
 public:
@@ -108,15 +111,15 @@ public:
     }
   }
 
-  /// Calls `take(point, side, distance)` for the nearest of `sides` within `reach` (mm) of each
-  /// point that does not rise above its tangent plane.
+  /// Calls `take(point, side, distance)` for each point that has one of `sides` within `reach`
+  /// (mm): with the nearest side that does not rise above the point's tangent plane.
   template <class Take>
   void from(const std::vector<SurfaceSide>& sides, double reach, const Take& take) const
   {
     using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
-    // `reached`: distance of the front; nearer points have found their side.
+    // `reached`: distance of the front. Nearer points have already found their side.
     const auto offer = [&](std::int32_t point, std::int32_t side, float reached)
     {
       const auto i = static_cast<std::size_t>(point);
@@ -177,7 +180,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
   const std::vector<double> radii = cellRadii(linked, contactRadius, reach);
   std::vector<SurfaceEdges> found(radii.size());
   shareWork(radii.size(), [&](std::size_t i) { found[i] = findEdges(linked, radii[i]); });
-  double inner = 0.0; // mm: nearer edges were searched with finer cells
+  double inner = 0.0; // mm: nearer edges were already searched with finer cells
   for (const SurfaceEdges& edges : found)
   {
     const bool isLast = &edges == &found.back();
@@ -194,7 +197,8 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
         nearest.isSharp = side.isSharp;
       }
     };
-    // Sharp edges and blunt ones are searched separately, so that a nearer blunt one hides none.
+    // Sharp and blunt edges are searched separately, so that a near blunt edge does not hide a
+    // sharp one.
     std::vector<SurfaceSide> sharp;
     std::vector<SurfaceSide> blunt;
     for (const SurfaceSide& side : edges.sides)
@@ -217,7 +221,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
 double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness)
 {
   const double psi = pointLoadSoftness(poissonsRatio);
-  // The fraction of the force that remains at the edge itself.
+  // Determines the fraction of the force that remains at the edge itself.
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);
   return x / (x + sharpness * psi / Pi);

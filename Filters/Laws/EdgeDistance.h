@@ -13,30 +13,30 @@
 
 namespace palpate
 {
-/// The edge of a surface next to a point, and its border.
+/// The edge of a surface that is nearest to a point, and the nearest border.
 struct NearEdge
 {
   static constexpr float Far = std::numeric_limits<float>::infinity();
-  float distance = Far; ///< mm, straight
-  float turn = 0.0F;    ///< by which the surface turns away there, rad
-  float border = Far;   ///< mm, straight, to the border
+  float distance = Far; ///< mm, straight line
+  float turn = 0.0F;    ///< angle by which the surface turns away there, rad
+  float border = Far;   ///< distance to the border, mm, straight line
   bool isSharp = false; ///< the edge is a side between two facets that turn by BluntTurn or more
 };
 
 /**
- * Distances of each point of a surface from the convex edge that reduces its force most, and from
- * the border.
+ * Distances of each point of a surface from two things: the convex edge that reduces its force
+ * most, and the border.
  *
- * What is an edge for a contact of radius a: SurfaceEdges.h. Farther edges must be larger: beyond
- * four cells they are searched with cells three times as large, and so on, up to a quarter of the
- * body's width; from there a bump on a face is not an edge, but a wide fillet is.
+ * findEdges (LinkedSurface.h) defines the edges for a contact of radius a. Distant edges must be
+ * larger to count: beyond four cells the search uses cells three times as large, and so on, up to a
+ * quarter of the body's width. At that size a bump on a face is not an edge, but a wide fillet is.
  *
- * The search runs along the surface, no farther than `reach`, and skips an edge more than 15° above
- * the point's tangent plane: there is body below it, as at the foot of a horn.
+ * The search runs along the surface up to the distance `reach`. It skips an edge more than 15°
+ * above the point's tangent plane, because there is material below such an edge, as at the foot of
+ * a horn.
  *
- * Cost: O(n log n), 1 to 3 s for a million triangles on one thread; 100 bytes a triangle and thread
- * meanwhile.
- * The same bits for any number of threads.
+ * Cost: O(n log n), 1 to 3 s for a million triangles on one thread; temporary memory 100 bytes per
+ * triangle and thread. The bits do not depend on the number of threads.
  */
 class PALPATE_EXPORT EdgeDistance
 {
@@ -44,7 +44,7 @@ public:
   EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach);
 
   const NearEdge& at(std::size_t point) const noexcept { return this->Found[point]; }
-  /// Number of facet sides that are edges.
+  /// Number of facet sides that belong to an edge.
   std::size_t edges() const noexcept { return this->EdgeCount; }
 
 private:
@@ -52,10 +52,10 @@ private:
   std::size_t EdgeCount = 0;
 };
 
-/// Φ of a contact of radius a whose axis is u = d/a from the straight edge of a wedge: its force
-/// relative to that far from the edge, at the same depth. u >= 0; for flats, paraboloids and cones
-/// within 0.03 of Hetényi's two half-spaces (Data/Reference/edges), for other angles by their
-/// sharpness.
+/// Φ of a contact of radius a whose axis is at u = d/a from the straight edge of a wedge: its force
+/// divided by the force far from the edge at the same depth. u >= 0. For flats, paraboloids and
+/// cones it is within 0.03 of Hetényi's two half-spaces (Data/Reference/edges). Other angles are
+/// taken into account by their sharpness.
 PALPATE_EXPORT double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness);
 } // namespace palpate
 

@@ -16,18 +16,19 @@ namespace palpate
 {
 namespace
 {
-constexpr double StackBound = 1.6; // times the layers' mean: bounds all of 30 random forces
-// Error relative to the loss of force by an edge that is taken into account: Hetényi's law is known
-// to 3 %, the effect of a base to 10 %, and a corner is a product of edges; for other angles
-// edgeSharpness is up to 1.4 times too large.
+// Factor on the mean of the layers: bounds all of 30 random forces.
+constexpr double StackBound = 1.6;
+// Error relative to the loss of force by an edge that is taken into account. Hetényi's law is known
+// to 3 % and the effect of a base to 10 %; a corner is approximated by a product of edges. For
+// other angles edgeSharpness is up to 1.4 times too large.
 constexpr double FeltEdge = 0.2;
 constexpr double FeltWedge = 0.4;
 constexpr double RightAngle = 0.5 * Pi;
 constexpr double SomeDegrees = 0.09; // 5°
 constexpr double BorderReach = 2.0;  // contact radii beyond which a border has no effect
 
-/// 2 |C_g E* R_b|, by finite elements on balls and in cavities: how much less a body of mean
-/// curvature κ gives way globally than a half-space, per a |κ|.
+/// 2 |C_g E* R_b|, from finite elements on balls and in cavities: the reduction of the global
+/// compliance of a body with mean curvature κ compared with a half-space, per a |κ|.
 double wholeCompliance(double radius, double meanCurvature, double poissonsRatio)
 {
   constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less for a compressible body
@@ -40,10 +41,10 @@ double wholeCompliance(double radius, double meanCurvature, double poissonsRatio
   return ball + 0.975 * n + 0.32 * n * n * logarithm;
 }
 
-/// Effects of curvature on a contact, relative to its force.
+/// Effects of curvature on the force of a contact, relative to that force.
 struct CurvatureEffect
 {
-  double perCurvature; ///< to first order, mm
+  double perCurvature; ///< first order, mm
   double sag;
   double structural;
 };
@@ -55,7 +56,7 @@ CurvatureEffect effectOf(
   const double mean = std::abs(curvature.mean());
   const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
   const double first = perCurvature * mean;
-  // In a hollow the second order adds to it: of a sphere 1/√(1-2x) - 1 = x + 3/2 x².
+  // In a hollow the second order increases the effect: for a sphere 1/√(1-2x) - 1 = x + 3/2 x².
   return { perCurvature, curvature.mean() < 0.0 ? first * (1.0 + 2.0 * first) : first,
     spot.compliance == 0.0 ? wholeCompliance(a, curvature.mean(), spot.poissonsRatio) * a * mean
                            : 0.0 };
@@ -154,9 +155,9 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   const auto modulusOf = [](const StackLayer& layer)
   { return reducedModulus(layer.youngsModulus, layer.poissonsRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
-  double above = 0.0; // the layer's depth below the surface
-  // Below the centre of a uniform pressure on a circle the stress is 1 - (z/√(a²+z²))³ of it; this
-  // is its integral.
+  double above = 0.0; // depth of the layer's top below the surface
+  // Below the centre of a uniform pressure on a circle the stress is the pressure times 1 -
+  // (z/√(a²+z²))³. This is the integral of that factor over z.
   const auto taken = [a](double z)
   {
     const double slant = std::hypot(a, z);
@@ -212,8 +213,8 @@ double ErrorRule::curvaturePart(
   const double toolDepth =
     state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
   const double toolCurvature = toolDepth / (a * a);
-  // A flat end in full contact depends on the mean curvature alone; before that there is no law in
-  // a hollow.
+  // A flat end in full contact depends on the mean curvature alone. Before full contact no law
+  // holds in a hollow.
   const double end = this->Tool.smallestContactRadius();
   const bool isWhole = end > 0.0 && a > 0.99 * end;
   const double ellipse = curvature.isFlat()   ? 0.0
@@ -221,7 +222,7 @@ double ErrorRule::curvaturePart(
     : state.depth < wholeFrom(end, curvature) ? 1.0
                                               : 0.0;
   const double leftOut = this->Scope.curvature ? 0.0 : effect.sag;
-  const double both = leftOut * effect.structural; // their product
+  const double both = leftOut * effect.structural; // product of both effects
   return std::min(
     1.0, leftOut + ellipse + effect.structural + both + effect.perCurvature * curvature.error);
 }

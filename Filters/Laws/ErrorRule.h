@@ -16,74 +16,77 @@ namespace palpate
 class AxisymmetricTool;
 class StrainCorrection;
 
-/// Relative errors of a force by what is neglected or unknown.
+/// Relative errors of a force by neglected or unknown effects.
 struct ErrorParts
 {
-  std::array<double, ResponseLimitCount> of{}; ///< by ResponseLimit; that of None is storage
+  /// By ResponseLimit; the entry None is the storage error.
+  std::array<double, ResponseLimitCount> of{};
 
   double& operator[](ResponseLimit limit) { return of[static_cast<std::size_t>(limit)]; }
   PALPATE_EXPORT double total() const;
-  PALPATE_EXPORT double norm() const; ///< of sources that know nothing of each other
+  PALPATE_EXPORT double norm() const; ///< root of the sum of squares, for independent sources
   PALPATE_EXPORT ResponseLimit largest() const;
 };
 
 /// The surface at a spot, and its measurement.
 struct SpotSurface
 {
-  SpotCurvature curvature; ///< of the mesh, whether or not the law includes it
+  SpotCurvature curvature; ///< of the mesh, even if the law does not include it
   NearEdge edge;
-  /// The contact with which the material was measured; null: it was not.
+  /// The contact with which the material was measured; null: the material was not measured.
   const LocalState* measured = nullptr;
 };
 
-/// What a law takes into account, and what it does not.
+/// The effects that a law takes into account.
 struct LawScope
 {
   bool curvature = false;                   ///< the law includes the body's curvature
   const StrainCorrection* strain = nullptr; ///< the law includes finite strain
-  double bodyWidth = 0.0;                   ///< mm, of the whole body
+  double bodyWidth = 0.0;                   ///< mm, width of the whole body
   double storage = 0.0;                     ///< relative error of stored curves
   const LayerStack* stack = nullptr;        ///< a stack of layers, with the spot's thicknesses
   bool edges = false; ///< the servo tick takes sharp edges into account (BodyEdges)
 };
 
 /**
- * Relative error of a tool's law at a depth, part by part; the parts are added, since they may have
- * the same sign. With a the contact radius, F the force, κ_m the body's mean curvature and σ its
- * error:
+ * Relative error of a tool's law at a depth, as a list of parts. The parts are added, since they
+ * may have the same sign. a is the contact radius, F the force, κ_m the body's mean curvature and σ
+ * the error of κ_m.
  *
- * - Strain, Thickness: the error of small strain (smallStrainError), on a layer named after its
- *   larger term; with a StrainCorrection, that one's own error. In a stack 1.6 times the mean over
- *   its layers, each with its own part of the depth and the pressure that reaches it.
- * - Curvature: left out, |κ_m| times 2/3 E* a³/F, to first order for any tool, in hollows with a
- *   second; in the law, none of that. In both: ln²(B/A)/48 of unequal curvatures, σ times 2/3 E*
- *   a³/F, and, unless the body's own compliance is known, q a |κ_m| for the global compliance,
- *   which is less than that of a half-space: q = 0.46 of a ball, in hollows more for a compressible
- *   body, as in a cavity, 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
- * - Edge: 1 - Φ(d/a) of the edge with the largest effect (edgeFactor, edgeSharpness); on a layer
- *   times e^(-d/h), as its base holds it. Not where the body's own compliance is known, which
- *   contains it. Beyond an open border the unseen body is assumed to continue: the error is that of
- *   a right-angled edge, falling to 0 at a distance of 2 a. Of a sharp edge that the servo tick
- *   takes into account, the fraction FeltEdge remains at a right angle and, as edgeSharpness is
- *   less certain, FeltWedge at others. All of the force where the contact is wider than the whole
- *   body.
+ * - Strain, Thickness: the error of small strain (smallStrainError). On a layer the name is that of
+ *   the larger term. With a StrainCorrection it is the error of that correction. In a stack it is
+ *   1.6 times the mean over the layers; each layer has its own part of the depth and the pressure
+ *   that reaches it.
+ * - Curvature: if the law does not include the curvature, |κ_m| times 2/3 E* a³/F, to first order
+ *   for any tool, and in hollows with a second-order term. If the law includes it, this term is 0.
+ *   In both cases: ln²(B/A)/48 of unequal curvatures, and σ times 2/3 E* a³/F. If the body's own
+ *   compliance is unknown, also q a |κ_m| for the global compliance, which is less than that of a
+ *   half-space: q = 0.46 of a ball. In hollows q is larger for a compressible body, as in a cavity:
+ *   0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
+ * - Edge: 1 - Φ(d/a) of the edge with the largest effect (edgeFactor, edgeSharpness). On a layer it
+ *   is multiplied by e^(-d/h), because the base holds the layer. It is 0 if the body's own
+ *   compliance is known, which contains this effect. Beyond an open border the unseen body is
+ *   assumed to continue: the error is that of a right-angled edge and falls to 0 at a distance of
+ *   2a. If the servo tick takes a sharp edge into account, the fraction FeltEdge remains at a right
+ *   angle, and FeltWedge at other angles, for which edgeSharpness is less certain. The error is all
+ *   of the force if the contact is wider than the whole body.
  * - Elements: the error of the compliance times dF/dδ.
  * - None: storage.
  *
- * A measured material includes the effects of shape and strain on the contact it was measured with:
- * of curvature and edge the difference from that contact's counts; of strain, which the rule only
- * bounds, the larger of the two. The error by noise and the distance of the sites (DataEnd) is
- * added by the caller.
+ * A measured material already includes the effects of shape and strain on the contact with which it
+ * was measured. For curvature and edge, the difference from that contact counts. For strain, which
+ * the rule only bounds, the larger of the two counts. The caller adds the error by noise and by the
+ * distance of the sites (DataEnd).
  *
- * In series with a compliance a local error counts by the local fraction of the series, k/k_local.
- * Sources: finite elements with finite strain, on layers, balls and in cavities; Hertz 1882;
- * Hetényi 1970 (edges). How often the bound holds: Testing/Cxx/Laws/RandomContactTest.cxx and the
- * study error.
+ * In series with a compliance a local error is multiplied by the local fraction of the series,
+ * k/k_local. Sources: finite elements with finite strain, on layers, balls and in cavities; Hertz
+ * 1882; Hetényi 1970 (edges). Frequency with which the bound holds:
+ * Testing/Cxx/Laws/RandomContactTest.cxx and the study error.
  */
 class PALPATE_EXPORT ErrorRule
 {
 public:
-  /// `tool` and what `scope` points to must outlive this.
+  /// `tool` and the objects that `scope` points to must outlive this.
   ErrorRule(const AxisymmetricTool& tool, const LawScope& scope);
 
   /// `state` is the local contact.

@@ -19,8 +19,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double SameWay = 0.15;   // cosine between the facets of a patch, at least
-constexpr double SmallPatch = 0.2; // of a cell: too few facets to know its normal
+constexpr double SameWay = 0.15;   // smallest cosine between the facets of a patch
+constexpr double SmallPatch = 0.2; // fraction of a cell's area: fewer facets do not define a normal
 
 double cosineBetween(const Vector3d& one, const Vector3d& other)
 {
@@ -113,7 +113,7 @@ void FacePatches::makePatches(double longArea)
     keys.push_back(key);
   }
   std::sort(keys.begin(), keys.end());
-  std::size_t first = this->Patches.size(); // of the cell
+  std::size_t first = this->Patches.size(); // first patch of the cell
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
     const auto t = static_cast<std::size_t>(keys[i].facet);
@@ -128,7 +128,8 @@ void FacePatches::makePatches(double longArea)
   }
 }
 
-/// To a patch, or to a new one. Normals and centres are sums, weighted by area, for now.
+/// Adds a facet to a patch, or to a new one. At this stage normals and centres are sums, weighted
+/// by area.
 void FacePatches::addFacet(std::size_t t, std::size_t patch)
 {
   if (patch == this->Patches.size())
@@ -179,8 +180,8 @@ void FacePatches::joinSmallPatches()
   }
 }
 
-/// The patch next to a small one that faces most alike, of those that faces can be averaged with;
-/// -1 if there is none.
+/// The neighbour of a small patch that faces most alike. Long facets, and patches that face too
+/// differently, are excluded. -1 if no neighbour is left.
 int FacePatches::mostAlike(int patch, const std::vector<int>& into) const
 {
   int best = -1;

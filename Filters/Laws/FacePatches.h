@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// A patch that shares sides of facets with another one.
+/// A neighbour of a patch: the two share sides of facets.
 struct NextPatch
 {
   int patch;
@@ -25,26 +25,26 @@ struct FacePatch
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double area = 0.0; ///< mm²
   bool isLong = false;
-  bool isKnown = false;        ///< large enough for its normal to count
-  std::vector<NextPatch> next; ///< each once
+  bool isKnown = false;        ///< large enough that its normal can be used
+  std::vector<NextPatch> next; ///< without duplicates
 };
 
 /**
- * A surface in patches of about the size of a cell. Faces at a right angle are never averaged. What
- * a cell cuts off a face joins the next patch that faces most alike: where the cells lie matters
- * little.
+ * A surface, divided into patches of about the size of a cell. Faces at a right angle are never
+ * averaged. A small part of a face at the border of a cell joins the neighbour that faces most
+ * alike. So the position of the cells has little influence.
  */
 class FacePatches
 {
 public:
-  /// Facets of more than `longArea` (mm²) are patches of their own; `cell`: mm. `surface` must
-  /// outlive this.
+  /// A facet larger than `longArea` (mm²) is a patch of its own. `cell`: size of a cell, mm.
+  /// `surface` must outlive this.
   FacePatches(const LinkedSurface& surface, double cell, double longArea);
 
-  /// How many; some have been joined to others, and hold no facet.
+  /// Number of patches. Some of them have been joined to others and hold no facet.
   std::size_t size() const { return this->Patches.size(); }
   const FacePatch& at(int patch) const { return this->Patches[static_cast<std::size_t>(patch)]; }
-  /// The patch of a facet; -1 for one without an area.
+  /// The patch of a facet; -1 for a facet without an area.
   int of(std::size_t facet) const { return this->PatchOf[facet]; }
 
 private:
@@ -62,7 +62,7 @@ private:
 };
 
 Eigen::Vector3d facetCentre(const LinkedSurface& surface, std::size_t facet);
-/// By how much facets turn away along side `i` of one, rad; 0 at a border and in a hollow.
+/// The angle between two facets across side `i` of `facet`, rad; 0 at a border and in a hollow.
 double facetTurn(const LinkedSurface& surface, std::size_t facet, std::size_t i);
 double angleBetween(const Eigen::Vector3d& one, const Eigen::Vector3d& other);
 } // namespace palpate

@@ -29,7 +29,7 @@ FaceSurface::FaceSurface(const TriangleSpans& surface, const float* normals)
 
 void FaceSurface::cut(const LinkedSurface& surface)
 {
-  std::vector<TriangleCorners> corners; // of the triangles with an area
+  std::vector<TriangleCorners> corners; // of the triangles that have an area
   std::vector<std::size_t> triangleOf;
   for (std::size_t t = 0; t < surface.corners.size(); ++t)
   {

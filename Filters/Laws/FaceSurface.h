@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// A surface cut along its sharp edges (CreaseCut): a point on an edge occurs once for each face
-/// that meets there, with the normal of that face. Copies come after the given points.
+/// A surface that is cut along its sharp edges (CreaseCut). A point on an edge occurs once for each
+/// face that meets there, with the normal of that face. The copies come after the given points.
 class FaceSurface
 {
 public:
@@ -26,7 +26,7 @@ public:
       this->Triangles.size() / 3 };
   }
   const std::vector<float>& normals() const noexcept { return this->Normals; }
-  /// The given point of which a point is a copy; of a given one itself.
+  /// The given point of which `point` is a copy. A given point is returned unchanged.
   std::int32_t pointOf(std::size_t point) const noexcept { return this->PointOf[point]; }
 
 private:
@@ -37,7 +37,7 @@ private:
   std::vector<std::int32_t> Triangles;
   std::vector<float> Normals;
   std::vector<std::int32_t> PointOf;
-  std::vector<bool> IsCut; ///< by point: it is on an edge
+  std::vector<bool> IsCut; ///< per point: the point is on an edge
 };
 } // namespace palpate
 

@@ -17,9 +17,9 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double SmallestBorder = 4.0; // contact radii
+constexpr double SmallestBorder = 4.0; // radius of the largest hole, in contact radii
 
-/// Loops shorter than `least` (mm) are holes of a scan.
+/// Removes loops shorter than `least` (mm), which are holes of a scan.
 void dropHoles(const LinkedSurface& surface, double least, std::vector<SurfaceSide>& border)
 {
   std::map<std::int32_t, std::int32_t> above;
@@ -88,7 +88,7 @@ std::size_t LinkedSurface::usedPoints() const
 
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius)
 {
-  // Sides of a single facet, by position: those of duplicate points occur twice.
+  // Counts the sides of a single facet by position. Sides of duplicate points occur twice.
   using Place = std::array<double, 3>;
   std::map<std::pair<Place, Place>, int> at;
   std::vector<SurfaceSide> border;

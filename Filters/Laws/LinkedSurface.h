@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A body's triangles as they lie in memory; those without an area take no part.
+/// A view of a body's triangles in memory. Triangles without an area are ignored.
 struct TriangleSpans
 {
   const double* points = nullptr; ///< x, y, z of each, mm
@@ -26,14 +26,16 @@ struct SurfaceSide
 {
   std::int32_t from;
   std::int32_t to;
-  float turn;           ///< by which the surface turns away there, rad; 0: a border
-  bool isSharp = false; ///< a side of two facets that turns by PackedMesh::BluntTurn or more
+  float turn; ///< angle by which the surface turns away there, rad; 0: a border
+  /// The side belongs to two facets, and turns by PackedMesh::BluntTurn or more.
+  bool isSharp = false;
 };
 
-/// A surface with its neighbours. Facets without an area are ignored: corners -1, area 0.
+/// A surface with its neighbours. Facets without an area are ignored; their corners are -1 and
+/// their area is 0.
 struct LinkedSurface
 {
-  /// What `surface` points to must outlive this.
+  /// The arrays that `surface` points to must outlive this.
   explicit LinkedSurface(const TriangleSpans& surface);
 
   Eigen::Vector3d place(std::int32_t point) const
@@ -42,7 +44,7 @@ struct LinkedSurface
       this->spans.points + 3 * static_cast<std::size_t>(point));
   }
 
-  /// How many points have a facet.
+  /// Number of points that have a facet.
   std::size_t usedPoints() const;
 
   TriangleSpans spans;
@@ -51,34 +53,36 @@ struct LinkedSurface
   TriangleLinks links;
 
 private:
-  /// And areas.
+  /// Sets the areas, too.
   const std::vector<TriangleCorners>& findCorners();
 };
 
-/// The border of a surface: sides of a single facet, in loops longer than a hole of four contact
-/// radii (mm); two sides at the same place are not a border.
+/// The border of a surface: sides of a single facet, in loops that are longer than the
+/// circumference of a hole of four contact radii (mm). Two sides at the same place are not a
+/// border.
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius);
 
-/// Where a surface turns away.
+/// The edges of a surface.
 struct SurfaceEdges
 {
   static constexpr double LeastTurn = 0.35; ///< rad, 20°
 
   std::vector<SurfaceSide> sides;
-  double cell; ///< mm, over which facets were averaged
+  double cell; ///< size of the cells over which facets were averaged, mm
 };
 
 /**
- * What a contact of radius a (mm) takes for an edge of a surface, where it turns away (convex).
+ * Finds the convex edges of a surface for a contact of radius a (mm).
  *
- * Facets are averaged in cells of a, of a coarse mesh of a few facets (FacePatches), so that
- * neither a scan's noise nor fine facets are edges, and a narrow fillet is one. From patch to
- * patch, and over two, the surface turns by an angle. On a ball the turn goes on at the same rate;
- * beyond an edge it does not. The excess is the turn of an edge, if it is LeastTurn or more. The
- * edge lies along the sides of facets that turn most there.
+ * Facets are averaged in cells of size a, or of a few facets if the mesh is coarse (FacePatches).
+ * So noise of a scan and fine facets are not edges, but a narrow fillet is one. The turn of the
+ * surface is measured from patch to patch, and over two patches. On a ball the turn continues
+ * beyond the patch at the same rate; beyond an edge it does not. The excess of the turn over that
+ * rate is the turn of an edge if it is LeastTurn or more. The edge consists of the facet sides that
+ * turn most there.
  *
- * Cost: O(n log n), 0.5 s for a million triangles on one thread; 100 bytes a triangle while they
- * are found.
+ * Cost: O(n log n), 0.5 s for a million triangles on one thread; temporary memory 100 bytes per
+ * triangle.
  */
 SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius);
 

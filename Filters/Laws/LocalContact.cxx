@@ -13,9 +13,9 @@ namespace palpate
 namespace
 {
 constexpr int NodeCount = 64;
-constexpr int LayerNodeCount = 32; // solved one by one at every point: 16 times the error, 2e-5
-// In a hollow the contact is wider at equal depth: the tool's nodes reach twice as deep, for a sum
-// of half its curvature.
+constexpr int LayerNodeCount = 32; // one solution per node at every point; 16 times the error, 2e-5
+// In a hollow the contact is wider at equal depth. So the tool's nodes are twice as deep, for a sum
+// of half the tool's curvature.
 constexpr double ForHollows = 2.1;
 constexpr double ForNegativeCompliance = 3.0;
 // The sag's contact radius must exceed the tool's on any layer.

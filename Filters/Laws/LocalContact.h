@@ -17,34 +17,35 @@ class AxisymmetricTool;
 class StrainCorrection;
 
 /**
- * The local contact of one tool beyond the textbook's law: with the curvature of the body
- * (CurvedContact.h) and finite strain (StrainCorrection.h), whose factor is that at the tool's
- * depth with the same contact radius on the flat body.
+ * The local contact of one tool, with corrections of the textbook's law: the curvature of the body
+ * (CurvedContact.h) and finite strain (StrainCorrection.h). The strain factor is evaluated at the
+ * depth at which the tool has the same contact radius on the flat body.
  *
- * Solved depth by depth on a half-space (CurvedHalfSpace.h), otherwise interpolated between nodes;
- * see NodeLaw for their error. Cost: 40 ns a depth on a half-space, with finite strain 0.3 µs; 3 µs
- * a law on a layer. Safe to use from any number of threads once it is prepared.
+ * On a half-space each depth is solved (CurvedHalfSpace.h). Elsewhere the contact is interpolated
+ * between nodes; see NodeLaw for the error. Cost: 40 ns per depth on a half-space, 0.3 µs with
+ * finite strain; 3 µs per law on a layer. Safe to use from any number of threads once it is
+ * prepared.
  */
 class PALPATE_EXPORT LocalContact
 {
 public:
-  /// Valid at least to `range` (mm); with `deeper` to three times that, as needed for a negative
-  /// compliance. `tool` and `strain` (null: small strain) must outlive this.
+  /// Valid at least to `range` (mm). With `deeper` valid to three times the range, as needed for a
+  /// negative compliance. `tool` and `strain` (null: small strain) must outlive this.
   LocalContact(
     const AxisymmetricTool& tool, double range, bool deeper, const StrainCorrection* strain);
   ~LocalContact();
 
   void prepareLayers(const LayerTable::Layers& layers);
 
-  /// Whether there is anything to correct at a spot.
+  /// Whether a correction applies at a spot.
   bool corrects(const ContactSpot& spot) const
   {
     return this->Strain != nullptr || !spot.curvature.isFlat();
   }
-  /// Whether the spot's layer is thick enough for a law.
+  /// Whether the law covers the spot: its layer must be thick enough.
   bool answers(const ContactSpot& spot) const;
-  /// For a spot that answers() accepts: the contact for E* = 1. `fits` tells whether the tool fits
-  /// into the body down to the range; where it does not, the law is that of the flat body.
+  /// The contact for E* = 1 at a spot for which answers() is true. `fits`: whether the tool fits
+  /// into the body down to the range. If it does not, the law is that of the flat body.
   NodeLaw law(const ContactSpot& spot, bool& fits) const;
   NodeLaw law(const ContactSpot& spot) const
   {
@@ -52,14 +53,15 @@ public:
     return this->law(spot, fits);
   }
 
-  /// Whether states() can be used: on a half-space whose compliance is not negative.
+  /// Whether states() can be used: on a half-space whose compliance is not negative, and is 0 with
+  /// finite strain.
   bool isDirect(const ContactSpot& spot) const
   {
     return !(spot.thickness > 0.0) &&
       (spot.compliance == 0.0 || (spot.compliance > 0.0 && !this->Strain));
   }
-  /// The contact for E* = 1 at ascending deflections (mm) of the whole series, up to the range;
-  /// returns `fits` as law().
+  /// Computes the contact for E* = 1 at ascending deflections (mm) of the whole series, up to the
+  /// range. Returns `fits`, as in law().
   bool states(
     const ContactSpot& spot, const std::vector<double>& deflections, LocalState* states) const;
 

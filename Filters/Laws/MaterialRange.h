@@ -11,12 +11,12 @@
 
 namespace palpate
 {
-/// The range of the materials of a body's points, for which a law must be prepared.
+/// The range of the materials of a body's points. A law is prepared for this range.
 class PALPATE_EXPORT MaterialRange
 {
 public:
-  /// `stack`: the layers below every point, the first two of which may vary in thickness; default
-  /// none.
+  /// `stack`: the layers below every point; the thickness of the first two may vary. Default: no
+  /// stack.
   explicit MaterialRange(LayerBase base, LayerStack stack = {});
 
   void add(const ContactSpot& spot);
@@ -25,19 +25,20 @@ public:
 
   bool hasLayers() const noexcept { return this->layers.thickest > 0.0; }
   bool hasStack() const noexcept { return !this->stack.layers.empty(); }
-  /// The layers; of a stack with its kernels, which are made here (StackKernels.h).
+  /// The layers. For a stack, includes its kernels, which are made here (StackKernels.h).
   LayerTable::Layers prepared() const;
-  /// The bodies for a correction by finite strain.
+  /// The range of bodies for a correction by finite strain.
   StrainBodies strainBodies() const;
 
-  LayerTable::Layers layers; ///< thinnest infinite and thickest 0 if there are none
-  LayerStack stack;          ///< without layers: none
-  ThicknessSpan second;      ///< of its second layer, mm; like `layers` if there is none
+  LayerTable::Layers layers; ///< without layers: thinnest is infinite, thickest 0
+  LayerStack stack;          ///< no layers: no stack
+  /// Thickness of the second layer of the stack, mm; without one as in `layers`.
+  ThicknessSpan second;
   bool stiffens = false;     ///< a compliance is negative somewhere
-  bool hasHalfSpace = false; ///< a point has no layer
-  double leastRatio = 0.5;   ///< Poisson's
+  bool hasHalfSpace = false; ///< at least one point has no layer
+  double leastRatio = 0.5;   ///< smallest Poisson's ratio
   double mostRatio = 0.0;
-  /// The spots that are softest, stiffest, thinnest and thickest; none without a point.
+  /// The softest, stiffest, thinnest and thickest spot; empty if there are no points.
   std::vector<ContactSpot> extremes;
 
 private:

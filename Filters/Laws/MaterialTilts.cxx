@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// One parameter that differs between points, with evenly spaced nodes.
+/// A parameter that varies from point to point, with evenly spaced nodes.
 struct Axis
 {
   double first = 0.0;
@@ -26,7 +26,7 @@ struct Axis
   int nodes = 1;
 
   Axis() = default;
-  /// With nodes no farther from each other than `spacing`.
+  /// The distance between nodes is at most `spacing`.
   Axis(double from, double to, double spacing)
     : first(from)
     , last(to)
@@ -39,7 +39,7 @@ struct Axis
     return this->nodes < 2 ? this->first
                            : this->first + (this->last - this->first) * node / (this->nodes - 1);
   }
-  /// The weight of a node at a place; beyond the ends, that of the end.
+  /// The weight of a node at a place. Beyond the ends, the weight at the end.
   double weightOf(int node, double place) const
   {
     if (this->nodes < 2)
@@ -52,7 +52,7 @@ struct Axis
   }
 };
 
-/// The grid of parameters over which the laws of one tool are spread.
+/// The grid of parameters on which the laws of one tool are placed.
 class TiltGrid
 {
 public:
@@ -61,7 +61,7 @@ public:
     , Radius(tool.tool().contactRadius(range))
   {
     // The error of linear interpolation is an eighth of the squared spacing times the second
-    // derivative; these spacings keep it to 1 % of the force on layers and in series.
+    // derivative. These spacings keep it to 1 % of the force on layers and in series.
     constexpr double Thickness = 0.1;
     constexpr double Ratio = 0.05;
     constexpr double Yielding = 0.15;
@@ -122,8 +122,8 @@ public:
       {
         const std::array<int, 4> node = this->nodeOf(law);
         const double place = this->Axes[0].at(node[0]);
-        // A kernel belongs to a Poisson's ratio, or to a stack; all laws in series with it share
-        // it.
+        // A kernel belongs to one Poisson's ratio or one stack. All laws in series with it share
+        // the kernel.
         made[law].thickness = place > 0.0 ? this->thicknessAt(place) : 0.0;
         const double yielding = this->Axes[3].at(node[3]);
         made[law].yielding = yielding / ((1.0 - yielding) * 2.0 * this->Radius);
@@ -172,13 +172,14 @@ private:
   double thicknessAt(double place) const { return this->Radius * (1.0 / place - 1.0); }
   double yieldingPlace(const ContactSpot& spot) const
   {
-    // A compliance so negative that the curve folds has no response, and so needs no factor.
+    // If the compliance is so negative that the curve folds, the point has no response and needs no
+    // factor.
     constexpr double Stiffest = -0.4;
     const double yielding =
       std::max(Stiffest, spot.compliance * spot.reducedModulus * 2.0 * this->Radius);
     return yielding / (1.0 + yielding);
   }
-  /// The first node that is a layer.
+  /// Index of the first node that is a layer, not a half-space.
   int firstLayer() const { return this->Axes[0].at(0) > 0.0 ? 0 : 1; }
 
   std::array<int, 4> nodeOf(std::size_t law) const
@@ -219,7 +220,7 @@ private:
     return std::make_shared<const LayerKernel>(stack);
   }
 
-  /// Removes nodes where they are closest, until a table can hold all laws.
+  /// Removes nodes from the densest axis until the table can hold all laws.
   void limitLaws()
   {
     const std::array<Axis, 4> wanted = this->Axes;
@@ -235,7 +236,7 @@ private:
         densest = density > most ? axis : densest;
         most = std::max(most, density);
       }
-      --this->Axes[densest].nodes; // four axes of two nodes each are sixteen laws
+      --this->Axes[densest].nodes; // ends: four axes of two nodes each are sixteen laws
     }
   }
 
@@ -255,7 +256,7 @@ private:
         return LayerContact(*tilted, own, thickness).deepest() >= range;
       };
       constexpr double Thicker = 1.1;
-      constexpr int MostSteps = 300; // by 1e12
+      constexpr int MostSteps = 300; // a factor of 1e12
       for (int step = 0; step < MostSteps && !answers(answered); ++step)
       {
         answered *= Thicker;

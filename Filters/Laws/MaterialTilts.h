@@ -19,30 +19,36 @@ class AxisymmetricTool;
 struct MaterialTilts
 {
   TiltTable table;
-  std::vector<float> weights; ///< of each point, one per law, sum 1; none where there is one law
-  std::string fault;          ///< why there is no table, or ""
-  double error = 0.0;         ///< relative error of the force, the largest by tiltError
-  /// The thinnest layer that has a law, mm, 0 without layers; points with thinner layers use this
+  /// Per point one weight for each law, sum 1; empty if there is one law.
+  std::vector<float> weights;
+  std::string fault;  ///< the reason why the table is missing, or ""
+  double error = 0.0; ///< largest relative error of the force, by tiltError
+  /// The thinnest layer that has a law, mm; 0 without layers. Points with thinner layers use this
   /// law.
   double thinnest = 0.0;
 };
 
 /**
- * The table of a tool tilted by up to `largest` (rad), pressed up to `range` (mm) into a body, and
- * the weights of its `points` points.
+ * Makes the tilt table of a tool that is tilted by up to `largest` (rad) and pressed up to `range`
+ * (mm) into a body, and the weights of the body's `points` points.
  *
- * A modulus scales the force and changes no factor, so it needs one law. Other parameters are
- * spanned by nodes, a law each, with linear weights between: the thickness of layers, even in
- * a/(a + h), a the contact radius at the range, so that a half-space is the end; Poisson's ratio of
- * layers; the thickness of a stack's second layer; compliance times modulus Y, even in YK/(1 + YK),
- * K the stiffness over E* at the range. Several of them form a grid of at most TiltTerms::MostLaws,
- * coarser if necessary. With enough nodes for one of them the error of the force between is 1 %
- * (MaterialTiltsTest.cxx).
+ * The modulus scales the force and changes no factor, so one law covers all moduli. Each other
+ * parameter has nodes, one law per node, with linear weights between them:
+ * - the thickness of layers, even in a/(a + h), where a is the contact radius at the range. A
+ *   half-space is the end of this axis;
+ * - Poisson's ratio of layers;
+ * - the thickness of a stack's second layer;
+ * - compliance times modulus Y, even in YK/(1 + YK), where K is the stiffness divided by E* at the
+ *   range.
  *
- * On a curved body or at finite strain, the factor is that of the flat body at small strain,
- * applied to the upright force. `bounds` may include more pieces than `spots`: the table is the
- * same for all. `spots` are those of a BodyMaterial. Cost: TiltedHalfSpace and 0.2 to 0.5 s a
- * layer.
+ * Several parameters form a grid of at most TiltTerms::MostLaws laws, which is coarser if
+ * necessary. If one parameter varies and has enough nodes, the error of the force between nodes is
+ * 1 % (MaterialTiltsTest.cxx).
+ *
+ * On a curved body or at finite strain, the factor is that of the flat body at small strain. It
+ * multiplies the upright force. `bounds` may include more pieces than `spots`; the table is the
+ * same for all pieces. `spots` are those of a BodyMaterial. Cost: TiltedHalfSpace, and 0.2 to 0.5 s
+ * per layer.
  */
 PALPATE_EXPORT MaterialTilts tiltsOf(const AxisymmetricTool& tool, double range, double largest,
   const MaterialRange& bounds, const ContactSpots& spots, std::size_t points);

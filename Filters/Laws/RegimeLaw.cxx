@@ -15,9 +15,9 @@ namespace palpate
 {
 namespace
 {
-// Step of the logarithm of the size: the error of the central difference is step²/6, about 2e-5.
+// Step of the logarithm of the size. The error of the central difference is step²/6, about 2e-5.
 constexpr double SizeStep = 0.01;
-constexpr int Samples = 8; // of laws that are never stored
+constexpr int Samples = 8; // of laws that are not stored
 constexpr double ResponseAgreement = 0.02;
 
 /// The forces of a response whose law includes the body's curvature.
@@ -44,7 +44,7 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
         spot.curvature = stored.curvature(i);
         if (contact.isDirect(spot))
         {
-          // Down to the range, as that decides whether the tool fits.
+          // Solves down to the range, since the range decides whether the tool fits.
           const std::vector<double> both = { depths[i],
             std::max(depths[i], static_cast<double>(ranges[i])) };
           std::array<LocalState, 2> states;
@@ -62,7 +62,8 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
   return forces;
 }
 
-/// Where the stored response is not of the material that gives `forces` at `depths`, or "".
+/// Finds a point at which the stored response does not match `forces` at `depths`. Returns a
+/// message, or "" if all match.
 std::string compare(const ComparedResponse& given, const std::vector<double>& depths,
   const std::vector<double>& forces)
 {

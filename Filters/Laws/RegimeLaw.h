@@ -20,8 +20,8 @@ namespace palpate
 {
 class BodyMaterial;
 
-/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). Without stable
-/// contact NaN, with the verdict ShapeMatters.
+/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). Without a stable
+/// contact the numbers are NaN and the verdict is ShapeMatters.
 struct SpotRegime
 {
   double index = 0.0;       ///< λ
@@ -30,21 +30,21 @@ struct SpotRegime
 };
 
 /**
- * The regime of one tool, from its law and those of slightly smaller and larger ones. Safe to use
- * from any number of threads.
+ * The regime of one tool, from its own law and the laws of a slightly smaller and a slightly larger
+ * tool. Safe to use from any number of threads.
  */
 class PALPATE_EXPORT RegimeLaw
 {
 public:
-  /// `tool` must outlive this; valid for depths up to `deepest` (mm) at spots within `range`.
+  /// `tool` must outlive this. Valid for depths up to `deepest` (mm) at spots within `range`.
   RegimeLaw(const AxisymmetricTool& tool, const MaterialRange& range, double deepest);
 
-  /// Whether the tool can be made smaller and larger; if not, nothing below may be called.
+  /// Whether the tool can be scaled. If not, the functions below must not be called.
   bool complete() const noexcept { return !this->Laws.empty(); }
 
-  /// F, N.
+  /// Force, N.
   double force(const ContactSpot& spot, double depth) const;
-  /// `force` is that at `depth`.
+  /// `force` is the force at `depth`.
   SpotRegime regime(const ContactSpot& spot, double depth, double force) const;
 
 private:
@@ -64,8 +64,8 @@ struct RegimeSpans
   std::uint8_t* verdict;
 };
 
-/// A body's response, and its name; the curvatures in its law, none if it is that of a flat
-/// surface.
+/// A response of a body, its name, and the curvatures in its law. `curvature` is empty if the law
+/// is that of a flat surface.
 struct ComparedResponse
 {
   ResponseArrays arrays;
@@ -74,11 +74,11 @@ struct ComparedResponse
 };
 
 /**
- * The regime of a tool pressed `depths[i]` (mm, > 0) deep at each point of a body. `stored`, unless
- * null, is the response of the same tool on it: its force there must agree to 2 % (its storage
- * error in series; depths below a hundredth of its range are not compared), since the regime must
- * be that of the body that is felt. Returns what is wrong, naming the point, or "". The same bits
- * for any number of threads.
+ * The regime of a tool that is pressed `depths[i]` (mm, > 0) deep at each point of a body.
+ * `stored`, unless null, is the response of the same tool on the body. Its force must agree to 2 %
+ * (its storage error in series), since the regime must belong to the same body. Depths below a
+ * hundredth of its range are not compared. Returns "" if all is valid, else a message that names
+ * the point. The bits do not depend on the number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
   const std::vector<double>& depths, double deepest, const ComparedResponse* stored,

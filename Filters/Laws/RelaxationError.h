@@ -11,35 +11,36 @@
 namespace palpate
 {
 /**
- * Error of the force of a relaxing body, relative to the largest force of the motion, with a number
- * of elements (0: the quasi-linear law) and a tool of F ∝ δ^m: the worst of ramps, holds,
- * triangles, sines, stop-and-go and presses at random down to the curve's last sample, of materials
- * with Σ p from 1 to 4, at 1 kHz (Data/Reference/rate/tick_variants.csv). Smaller Σ p, which the
- * table does not include, get the same. Interpolated linearly between its m (1, 1.5, 2),
- * extrapolated above; by a power between its numbers of elements (4, 8, 16), extrapolated above as
- * from 8 to 16. Presses a tenth as deep reach few of the elements: with 16, up to four times the
- * error, relative to their own largest force.
+ * Error of the force of a relaxing body with a number of elements (0: the quasi-linear law),
+ * relative to the largest force of the motion, for a tool with F ∝ δ^m. It is the worst of ramps,
+ * holds, triangles, sines, stop-and-go and random presses down to the curve's last sample, for
+ * materials with Σ p from 1 to 4, at 1 kHz (Data/Reference/rate/tick_variants.csv). The table does
+ * not include smaller Σ p; they get the same error. Interpolated linearly between the table's m (1,
+ * 1.5, 2) and extrapolated above. Interpolated by a power between the table's numbers of elements
+ * (4, 8, 16); above 16 extrapolated with the power from 8 to 16. Presses a tenth as deep reach few
+ * of the elements: with 16 elements their error is up to four times as large, relative to their own
+ * largest force.
  *
- * The array Error of a response is that of its slow curve; this error adds to it.
+ * The array Error of a response is the error of its slow curve. This error adds to it.
  */
 PALPATE_EXPORT double relaxationError(int elements, double exponent);
 
-/// The elements that a tolerance needs on a body that relaxes.
+/// The number of elements that a relaxing body needs for a tolerance.
 struct RelaxationNeed
 {
   double strength =
-    0.0;               ///< the largest Σ p of a point: by how much a fast force exceeds a slow one
-  bool isFelt = false; ///< by more than the tolerance
-  int elements = 0;    ///< the fewest of 0, 4, 8, 16, 32 that keep the tolerance; 32 if none does
-  double error = 0.0;  ///< with them
-  double simplest = 0.0; ///< with 0
+    0.0;               ///< largest Σ p of a point: relative excess of a fast force over a slow one
+  bool isFelt = false; ///< the excess is larger than the tolerance
+  int elements = 0; ///< fewest of 0, 4, 8, 16, 32 that keep the tolerance; 32 if none of them does
+  double error = 0.0;    ///< with `elements`
+  double simplest = 0.0; ///< with 0 elements
 };
 
-/// `points` are those of terms.strength; `tolerance` > 0 is of the force.
+/// `points` is the number of points of terms.strength. `tolerance` (> 0) is relative to the force.
 PALPATE_EXPORT RelaxationNeed relaxationNeed(
   const RelaxationTerms& terms, std::size_t points, double tolerance);
 
-/// The need in a sentence without its full stop; "" for a body without relaxation.
+/// The need as a sentence without its full stop; "" for a body without relaxation.
 PALPATE_EXPORT std::string relaxationReason(
   const RelaxationNeed& need, const PronySeries& series, double tolerance);
 } // namespace palpate

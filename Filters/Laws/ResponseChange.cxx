@@ -14,7 +14,8 @@ namespace
 {
 constexpr double StorageExponent = 1.0;
 constexpr int BetweenSamples = 8;
-constexpr double NoticeablyMore = 1e-4; // forces are floats
+// Relative difference that counts as larger: forces are floats.
+constexpr double NoticeablyMore = 1e-4;
 
 FloatCurve curveOf(const ResponseSpans& spans, std::size_t i)
 {

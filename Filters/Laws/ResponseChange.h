@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The difference of two responses of one tool at one place, relative to the second; NaN: unknown.
+/// The relative difference of two responses of one tool at one point; NaN: unknown.
 struct ResponseChange
 {
   double force = 0.0;     ///< (F - F₀)/F₀
@@ -16,11 +16,12 @@ struct ResponseChange
 };
 
 /**
- * The largest difference in force, by magnitude, of `changed` from `usual` at point `i` of both,
- * stored with exponent 1. Checked at eight depths between each two samples, from the first sample
- * to `deepest` (mm) or the end of the shorter range, and of the shorter validity if
- * `withinValidity`. Of depths with equal change, to 1e-4 of it, the least. All NaN if one of the
- * two has no response, or no depth is left.
+ * The largest difference in force, by magnitude, of `changed` from `usual` at point `i`. Both are
+ * stored with exponent 1. Checks depths that are even in √depth, eight per sample, from 1/samples²
+ * of the end to the end. The end is the smallest of `deepest` (mm), both ranges and, with
+ * `withinValidity`, both validities. If the changes at several depths are equal to 1e-4, the
+ * smallest depth counts. All values are NaN if one of the two has no response, or if no depth is
+ * left.
  */
 PALPATE_EXPORT ResponseChange largestChange(const ResponseSpans& changed,
   const ResponseSpans& usual, std::size_t i, double deepest, bool withinValidity);

@@ -16,11 +16,12 @@ namespace palpate
 namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
-constexpr std::size_t MostBlocks = 20;         // after each of which the caller may stop
-constexpr std::size_t PointsPerThread = 65536; // in a block, so that starting threads costs little
-constexpr double AtTouch = 1e-3;               // fraction of the first sample's depth
+constexpr std::size_t MostBlocks = 20; // the caller may stop after each block
+// In a block, so that the cost of starting threads is small.
+constexpr std::size_t PointsPerThread = 65536;
+constexpr double AtTouch = 1e-3; // fraction of the first sample's depth
 
-/// Whether the contact of a spot is that of every half-space.
+/// Whether the contact at a spot is the same as on any flat half-space, up to the modulus.
 bool isBare(const ContactSpot& spot)
 {
   return spot.thickness == 0.0 && spot.compliance == 0.0 && spot.curvature.isFlat();
@@ -101,7 +102,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
   }
   else if (this->Contact->isDirect(spot))
   {
-    static thread_local std::vector<LocalState> states; // one for all points of a thread
+    static thread_local std::vector<LocalState> states; // reused for all points of a thread
     states.resize(n + 1);
     const bool fits = this->Contact->states(spot, this->ErrorDepths, states.data());
     status = static_cast<unsigned char>(this->Contact->corrects(spot)

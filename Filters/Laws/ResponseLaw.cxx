@@ -15,12 +15,12 @@ namespace palpate
 namespace
 {
 constexpr int ErrorProbes = 200;
-// The local part of a series is kept in more samples than are stored: its own storage error is
-// (8/64)⁴ of theirs. With a negative compliance the local part exceeds the range.
+// The local part of a series has more samples than the stored curve: its storage error is (8/64)⁴
+// of that of the stored curve. With a negative compliance the local part exceeds the range.
 constexpr int LocalSamples = 64;
 constexpr double LocalDepths = 3.0;
 
-/// Whether a float holds a number to its full precision.
+/// Whether a float represents the number with full precision.
 bool fitsFloat(double value)
 {
   using Float = std::numeric_limits<float>;
@@ -41,7 +41,7 @@ std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
 }
 } // namespace
 
-/// A curve for E* = 1 as a law to be put in series; its contact radius is not known.
+/// A curve for E* = 1 as a law that can be put in series. Its contact radius is unknown.
 class ResponseLaw::SampledLaw final : public IndentationLaw
 {
 public:
@@ -170,7 +170,7 @@ ResponseStatus ResponseLaw::sample(
   return this->orNothing(status, force, stiffness);
 }
 
-/// Zeros where there is no curve.
+/// Writes zeros unless the status is Valid.
 ResponseStatus ResponseLaw::orNothing(ResponseStatus status, float* force, float* stiffness) const
 {
   if (status != ResponseStatus::Valid)
@@ -247,12 +247,12 @@ double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a)
   {
     return this->totalDeflection(spot, this->Tool.depthAtContactRadius(a));
   }
-  // On a layer a is nearly linear in √δ, and interpolated so between the samples.
+  // On a layer a is nearly linear in √δ. It is interpolated linearly in √δ between the samples.
   const LayerCurves::Curve curve = this->Stored->sample(spot.place());
   double radius = this->Tool.smallestContactRadius();
   if (a <= radius)
   {
-    return 0.0; // a flat end, from the start
+    return 0.0; // a flat end has this radius from the start
   }
   double root = 0.0;
   for (int i = 0; i < this->Samples; ++i)

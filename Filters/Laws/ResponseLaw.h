@@ -21,8 +21,8 @@ class StrainCorrection;
 /**
  * The law of one tool, sampled for storage.
  *
- * Half-space: evaluated once for E* = 1 and scaled. Layer: interpolated over the thickness
- * (LayerTable.h) and scaled. Points of finite global compliance are solved one by one
+ * Half-space: evaluated once for E* = 1, and scaled. Layer: interpolated over the thickness
+ * (LayerTable.h), and scaled. Points with a global compliance are solved one by one
  * (SeriesCompliance.h). On request (LocalContact.h) the law includes the spot's curvature
  * (CurvedContact.h), and finite strain multiplies the local force. Safe to use from any number of
  * threads.
@@ -30,45 +30,45 @@ class StrainCorrection;
 class PALPATE_EXPORT ResponseLaw
 {
 public:
-  /// `tool` must outlive the law. Range (mm) is the depth of the last sample.
+  /// `tool` must outlive the law. `range` (mm) is the depth of the last sample.
   ResponseLaw(const AxisymmetricTool& tool, double range, int samples);
 
-  /// Prepares for spots with a layer. `stiffening`: some also have a negative compliance, with
-  /// which the layer's deflection exceeds the range.
+  /// Prepares the law for spots with a layer. `stiffening`: some spots also have a negative
+  /// compliance. The deflection of their layer exceeds the range.
   void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
-  /// Includes curvature and finite strain from now on, as `contact` has them; it must be made for
+  /// Includes curvature and finite strain from now on, as in `contact`. `contact` must be made for
   /// this tool and prepared for the layers.
   void correct(std::shared_ptr<const LocalContact> contact) { this->Contact = std::move(contact); }
 
-  /// Writes n forces (N) and n stiffnesses (N/mm). Zeros, and why, where there is no curve: Folded
-  /// by the compliance, OutOfReach for a layer too thin for the range, NotFinite where a number is
-  /// outside the normal range of a float (1.2e-38 to 3.4e38).
+  /// Writes n forces (N) and n stiffnesses (N/mm). Writes zeros if the spot has no curve, and
+  /// returns the reason: Folded by the compliance, OutOfReach for a layer too thin for the range,
+  /// NotFinite if a number is outside the normal range of a float (1.2e-38 to 3.4e38).
   ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// The same with a local contact that has been made already.
+  /// The same, with a local contact that already exists.
   ResponseStatus sample(
     const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// The same with the local contact at each of depths().
+  /// The same, with the local contact at each of depths().
   ResponseStatus sample(
     const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const;
 
   /// Depths of the samples, mm.
   const std::vector<double>& depths() const { return this->Depths; }
 
-  /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm), to 1e-6 on a layer; NaN
-  /// where there is no stable contact.
+  /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm). Error 1e-6 on a layer. NaN
+  /// if the contact is not stable.
   IndentationPoint evaluate(const ContactSpot& spot, double deflection) const;
 
-  /// The deflection (mm) at which the contact radius reaches a; +inf if it never does, or, on a
-  /// layer, not within the range.
+  /// The deflection (mm) at which the contact radius reaches a. +inf if it never does; on a layer,
+  /// +inf if it does not within the range.
   double deflectionAtContactRadius(const ContactSpot& spot, double a) const;
-  /// The deflection of the whole series at a depth of its local part, mm.
+  /// The deflection of the whole series, mm, at the depth `localDepth` of its local part.
   double totalDeflection(const ContactSpot& spot, double localDepth) const;
 
-  /// Largest relative error of force between 1 and 100 % of the range, of float samples evaluated
-  /// as the kernel does, against the law itself; +inf if it cannot be sampled.
+  /// Largest relative error of the force between 1 and 100 % of the range: float samples, evaluated
+  /// as the kernel does, compared with the law itself. +inf if the spot cannot be sampled.
   double storageError(double exponent, const ContactSpot& spot) const;
 
 private:
@@ -77,7 +77,7 @@ private:
   {
     std::vector<double> forces;
     std::vector<double> stiffnesses;
-    double least = 0.0; ///< of all nonzero values, by magnitude
+    double least = 0.0; ///< smallest magnitude of all nonzero values
     double most = 0.0;
     void findExtremes();
     double force(int i) const { return this->forces[static_cast<std::size_t>(i)]; }
@@ -85,7 +85,8 @@ private:
   };
   class SampledLaw;
 
-  /// The body's curvature is left out where the layer is too thin for it, finite strain never.
+  /// The body's curvature is left out where the layer is too thin for it. Finite strain is never
+  /// left out.
   bool isCorrected(const ContactSpot& spot) const
   {
     return this->Contact && this->Contact->corrects(spot) &&
@@ -104,24 +105,24 @@ private:
   int Samples;
   std::vector<double> Depths;
   UnitCurve HalfSpace;
-  std::shared_ptr<const LayerCurves> Stored; ///< layers at the depths of the samples
-  std::shared_ptr<const LayerCurves> Local;  ///< layers in more samples, for solving in series
+  std::shared_ptr<const LayerCurves> Stored; ///< layers, at the depths of the samples
+  std::shared_ptr<const LayerCurves> Local;  ///< layers, with more samples, for solving in series
   ResponseSampling LocalSampling;
   double LocalRange;
   std::shared_ptr<const LocalContact> Contact; ///< with corrections; null: none
 };
 
-/// A tool's law, and its local contact with what is to be counted beyond the textbook; null: the
-/// law is the textbook's.
+/// A tool's law, and its local contact with the corrections. Without a contact (null) the law is
+/// the textbook's.
 struct PreparedLaw
 {
   ResponseLaw law;
   std::shared_ptr<const LocalContact> contact;
 };
 
-/// The law of `tool` to a depth of `range` (mm) in `samples` samples, ready for all bodies within
-/// `bounds`, with a local contact or without. `tool` and `strain` (null: small strain) must outlive
-/// it. Cost: tables of layers, if there are any, 10 ms to a second.
+/// Makes the law of `tool` to a depth of `range` (mm) in `samples` samples, ready for all bodies
+/// within `bounds`. `hasContact`: with a local contact. `tool` and `strain` (null: small strain)
+/// must outlive the result. Cost: 10 ms to 1 s for the tables of layers, if the body has layers.
 PALPATE_EXPORT PreparedLaw prepareLaw(const AxisymmetricTool& tool, double range, int samples,
   const MaterialRange& bounds, bool hasContact, const StrainCorrection* strain);
 } // namespace palpate

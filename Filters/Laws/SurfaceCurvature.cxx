@@ -16,16 +16,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Row = std::array<double, 12>;
 
-// Factors that bound 95 of 100 errors, estimated from a few neighbours; see
+// Factors that bound 95 of 100 errors that are estimated from a few neighbours; see
 // SurfaceCurvatureTest.cxx.
-constexpr double RoughOfOne = 2.5;     // of one point's form
-constexpr double RoughOfAverage = 1.3; // times 1/(1 + steps): errors of neighbours are opposite
-constexpr double OfSpread = 0.1;       // the centre of an average is not quite the point
-constexpr double OfCurvature = 0.02;   // for facets and the turning of forms
-// Contact radii², along each axis; a contact averages over it.
+constexpr double RoughOfOne = 2.5; // for the form of one point
+// For an average, times 1/(1 + steps): errors of neighbours are opposite.
+constexpr double RoughOfAverage = 1.3;
+// For the spread: the centre of an average is not exactly the point.
+constexpr double OfSpread = 0.1;
+constexpr double OfCurvature = 0.02; // for facets and for the turning of forms
+// Variance of the area over which a contact averages, along each axis, in contact radii².
 constexpr double FeltVariance = 0.1;
 
-/// Triangles around each point, in rising order.
+/// Triangles around each point, in ascending order.
 class TrianglesOfPoints
 {
 public:
@@ -59,7 +61,7 @@ public:
 
 private:
   std::vector<std::size_t> Begin;
-  std::vector<std::size_t> Corner; ///< place in the list of corners
+  std::vector<std::size_t> Corner; ///< index in the list of corners
 };
 
 struct TangentFrame
@@ -74,8 +76,9 @@ struct TangentFrame
   }
 };
 
-/// Sums of the least squares of one point: a, the products of (t², 2tu, u²) of the direction with
-/// themselves (6) and with the curvature (3), its square and 1, each times the edge's length².
+/// Adds an edge to the sums of the least squares of one point: the products of (t², 2tu, u²) of the
+/// direction with themselves (6) and with the curvature (3), the squared curvature, and 1. Each is
+/// multiplied by the edge's length².
 void addEdge(const TangentFrame& frame, const Vector3d& edge, const Vector3d& turn, Row& sums)
 {
   const double t = edge.dot(frame.first);
@@ -86,7 +89,7 @@ void addEdge(const TangentFrame& frame, const Vector3d& edge, const Vector3d& tu
   {
     return;
   }
-  const double weight = edge.squaredNorm(); // an error of a normal matters more over a short edge
+  const double weight = edge.squaredNorm(); // the error of a normal matters more on a short edge
   const std::array<double, 3> row = { t * t / flat, 2.0 * t * u / flat, u * u / flat };
   std::size_t place = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -101,7 +104,7 @@ void addEdge(const TangentFrame& frame, const Vector3d& edge, const Vector3d& tu
   sums[10] += weight;
 }
 
-/// The second fundamental form in a tangent frame: (t², tu, u²), and the error of one fit.
+/// The second fundamental form in a tangent frame, (t², tu, u²), and the error of one fit.
 struct Fit
 {
   Vector3d form = Vector3d::Zero();
@@ -118,10 +121,10 @@ Fit solve(const Row& sums)
   products << sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5];
   const Vector3d right(sums[6], sums[7], sums[8]);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> spread(products, Eigen::EigenvaluesOnly);
-  constexpr double LeastSpread = 1e-3; // relative to all weights: three distinct directions
+  constexpr double LeastSpread = 1e-3; // relative to the sum of weights: three distinct directions
   if (!(spread.eigenvalues()[0] > LeastSpread * sums[10]))
   {
-    // t² + u² = 1: the curvatures sum up to the first and last product.
+    // t² + u² = 1, so the sum of the first and last product is the sum of the curvatures.
     const double mean = (sums[6] + sums[8]) / sums[10];
     return { { mean, 0.0, mean }, 2.0 * std::sqrt(sums[9] / sums[10]) };
   }
@@ -138,7 +141,7 @@ std::array<float, 3> principal(const Vector3d& form, double error)
     static_cast<float>(error) };
 }
 
-/// A form in space (xx, xy, xz, yy, yz, zz), the square of its mean curvature, that of its
+/// A form in space (xx, xy, xz, yy, yz, zz), the square of its mean curvature, the square of its
 /// roughness (findRoughness), and a count.
 using Form = std::array<double, 9>;
 constexpr std::size_t Square = 6;
@@ -163,7 +166,7 @@ void setMatrix(const Matrix3d& matrix, Form& form)
     form[Square], form[Rough], form[Count] };
 }
 
-/// Turns a form the shortest way from one normal to another.
+/// Turns a form by the smallest rotation from one normal to another.
 void turn(const Vector3d& from, const Vector3d& to, Form& form)
 {
   const Vector3d axis = from.cross(to);
@@ -212,7 +215,7 @@ public:
     return found;
   }
 
-  /// Each form becomes the mean of itself and its neighbours'.
+  /// Replaces each form by the mean of itself and its neighbours.
   void step(std::vector<Form>& forms) const
   {
     std::vector<Form> next(forms.size());
@@ -234,8 +237,8 @@ public:
   }
 
 private:
-  /// The difference of each mean curvature from the mean of its neighbours: noise and detail too
-  /// fine for the mesh, but no gradient of the curvature.
+  /// The difference of each mean curvature from the mean of its neighbours. It contains noise and
+  /// detail too fine for the mesh, but no gradient of the curvature.
   void findRoughness(std::vector<Form>& forms) const
   {
     std::vector<double> rough(forms.size(), 0.0);
@@ -253,7 +256,7 @@ private:
     }
   }
 
-  /// `take(point, gather(point))` of each.
+  /// Calls `take(point, gather(point))` for each point.
   template <class Gather, class Take>
   void forPoints(const Gather& gather, const Take& take) const
   {
@@ -311,7 +314,7 @@ private:
       {
         Form form = forms[other];
         const Vector3d from = this->normalOf(other);
-        constexpr double LeastCosine = -0.5; // across a sharp edge
+        constexpr double LeastCosine = -0.5; // beyond a sharp edge
         if (form[Count] == 0.0 || !(from.dot(normal) > LeastCosine))
         {
           return;
@@ -333,7 +336,7 @@ private:
 
 int SurfaceCurvature::stepsFor(double contactRadius, double spacing)
 {
-  // A step is a variance of 0.5 spacings² along each axis.
+  // A step adds a variance of 0.5 spacings² along each axis.
   const double ratio = contactRadius / spacing;
   return std::isfinite(ratio)
     ? static_cast<int>(std::lround(std::min(FeltVariance / 0.5 * ratio * ratio, 1.0 * MostSteps)))
@@ -350,7 +353,7 @@ SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* no
   std::vector<float> halfway(forms.size());
   if (steps == 0)
   {
-    average.step(forms); // for the roughness alone
+    average.step(forms); // needed for the roughness only
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
       this->Found[i] = principal(fits[i].form, std::max(fits[i].error, RoughOfOne * roughness(i)));

@@ -18,12 +18,14 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double Opposite = -0.3; // cosine between two directions of which one continues the other
-constexpr double SpacingsPerCell = 2.0; // at least, in square roots of the area per point
+// Largest cosine between two directions if one continues the other.
+constexpr double Opposite = -0.3;
+constexpr double SpacingsPerCell = 2.0; // smallest cell, in square roots of the area per point
 constexpr double LongFacet = 4.0;       // area in squared contact radii
-constexpr double MostOfTheTurn = 0.8;   // otherwise it is a fillet or a bevel
-constexpr double StillTurned = 0.5;     // of the turn so far: less leads back behind the edge
-constexpr double AnotherEdge = 2.0;     // times the least turn beyond: sharper is another edge
+constexpr double MostOfTheTurn = 0.8;   // below this fraction of the turn it is a fillet or a bevel
+// Fraction of the turn so far: a smaller turn leads back behind the edge.
+constexpr double StillTurned = 0.5;
+constexpr double AnotherEdge = 2.0; // times the smallest turn beyond: a larger turn is another edge
 
 class EdgeFinder
 {
@@ -41,7 +43,7 @@ public:
   SurfaceEdges take() { return { std::move(this->Sides), this->Cell }; }
 
 private:
-  /// By how much the surface turns away from one patch to another; negative where it is hollow.
+  /// The angle by which the surface turns away from one patch to another; negative in a hollow.
   double turn(int one, int other) const
   {
     const FacePatch& a = this->Patches.at(one);
@@ -55,7 +57,8 @@ private:
       0.5 * this->Radius, (this->Patches.at(one).centre - this->Patches.at(other).centre).norm());
   }
 
-  /// Whether one direction continues the other, seen along the mean normal, also over a sharp edge.
+  /// Whether one direction continues the other, in the projection along the normal. This also works
+  /// over a sharp edge.
   static bool areOpposite(const Vector3d& normal, const Vector3d& one, const Vector3d& other)
   {
     const Vector3d flat = one - one.dot(normal) * normal;
@@ -63,17 +66,18 @@ private:
     return flat.dot(beyond) < Opposite * flat.norm() * beyond.norm();
   }
 
-  /// The rate, rad/mm, at which the surface turns beyond `patch`, seen from `from`: the mean of the
-  /// directions that continue; beyond a long facet the least, since another edge may end it.
-  /// Neither the face behind `from` counts nor, at a corner, one beyond another sharp edge. Where
-  /// none of the next patches is large enough, the rate is not known, and no turn exceeds it.
+  /// The rate, rad/mm, at which the surface turns beyond `patch`, as seen from `from`. It is the
+  /// mean of the directions that continue. Beyond a long facet it is the smallest rate, since
+  /// another edge may end that facet. The face behind `from` does not count; at a corner, a face
+  /// beyond another sharp edge does not count either. If none of the next patches is large enough,
+  /// the rate is infinite (unknown), and no turn exceeds it.
   double rateBeyond(int from, int patch) const
   {
     const FacePatch& here = this->Patches.at(patch);
     const FacePatch& behind = this->Patches.at(from);
     const Vector3d back = behind.centre - here.centre;
     const double turned = angleBetween(behind.normal, here.normal);
-    std::vector<NextPatch> known; // of the directions that continue
+    std::vector<NextPatch> known; // the directions that continue
     double leastTurn = Infinity;
     bool goesOn = false;
     for (const NextPatch& next : here.next)
@@ -113,7 +117,7 @@ private:
     return goesOn ? Infinity : 0.0;
   }
 
-  /// The turn of the surface between two patches in excess of the rate beside them.
+  /// The turn of the surface between two patches, minus the turn at the rate on either side.
   double excess(int before, int after, int beforeFrom, int afterFrom) const
   {
     const double angle = this->turn(before, after);
@@ -153,7 +157,8 @@ private:
     }
   }
 
-  /// In patches with an edge, the sides that turn at least half as much as the sharpest one.
+  /// Collects the sides of patches with an edge that turn at least half as much as the sharpest
+  /// side of the patch.
   void collectSides()
   {
     std::vector<double> sharpest(this->Patches.size(), 0.0);
@@ -191,7 +196,7 @@ private:
   double Radius;
   double Cell; ///< mm
   FacePatches Patches;
-  std::vector<float> Turns; ///< of the patches
+  std::vector<float> Turns; ///< per patch
   std::vector<SurfaceSide> Sides;
 };
 } // namespace

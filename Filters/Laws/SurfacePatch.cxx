@@ -71,7 +71,7 @@ void SurfacePatch::visit(const PatchVisitor& visitor)
     visitor(point, distance, tangentAway(chord, pointNormal), pointNormal);
     if (this->Reach > 0.0 && distance > this->Reach)
     {
-      continue; // the field ends with this point
+      continue; // the field ends at this point
     }
     const auto around = this->Mesh.trianglesAround(point);
     for (const std::int32_t* next = around[0]; next != around[1]; ++next)

@@ -12,22 +12,22 @@
 
 namespace palpate
 {
-/// Point index; distance from the contact along the surface, mm; unit tangent there, away from the
-/// contact (zero at the contact itself); unit outward normal.
+/// Arguments: point index; distance from the contact along the surface, mm; unit tangent at the
+/// point that points away from the contact (zero at the contact itself); unit outward normal.
 using PatchVisitor =
   std::function<void(std::int32_t, double, const Vector3& away, const Vector3& normal)>;
 
 /**
- * The patch of a surface around a contact: all that is connected to the points entered first, as
- * far as the point normal lies within 60° of the contact normal and, if `reach` > 0, the point
- * within that distance (mm) or next to a point that is. Entered points always belong to it.
+ * The patch of a surface around a contact. It contains the entered points and all points connected
+ * to them whose normal is within 60° of the contact normal. If `reach` > 0, a point must also be
+ * within that distance (mm), or next to a point that is. Entered points always belong to the patch.
  *
- * The distance is that of the circular arc that leaves the contact and arrives at the point along
- * the surface: chord (θ/2)/sin(θ/2), θ the angle between the contact normal and the point normal
- * seen in the plane of chord and contact normal.
+ * The distance is the length of the circular arc that is tangent to the surface at the contact and
+ * at the point: chord (θ/2)/sin(θ/2). θ is the angle between the contact normal and the point
+ * normal, in the plane of chord and contact normal.
  *
- * The mesh may be a piece: its points at a seam then get the normals of the whole, and are entered
- * when they were entered on another piece.
+ * The mesh may be a piece. Points at a seam then get the normals of the whole body, and are entered
+ * if they were entered on another piece.
  */
 class PALPATE_EXPORT SurfacePatch
 {
@@ -37,9 +37,9 @@ public:
   void setNormal(std::int32_t point, const Vector3& normal) { this->Given[point] = normal; }
   void enter(std::int32_t point);
   bool has(std::int32_t point) const { return this->Seen[static_cast<std::size_t>(point)]; }
-  /// Whether points wait to be visited.
+  /// Whether entered points have not been visited yet.
   bool isPending() const noexcept { return !this->Front.empty(); }
-  /// Visits the points entered and all connected to them, each once.
+  /// Visits the entered points and all points connected to them, each once.
   void visit(const PatchVisitor& visitor);
 
 private:
@@ -54,7 +54,8 @@ private:
   std::vector<std::int32_t> Front;
 };
 
-/// Visits the patch around a contact on a triangle of the whole body: always its corners.
+/// Visits the patch around a contact on a triangle of the whole body. The corners of the triangle
+/// always belong to it.
 PALPATE_EXPORT void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle,
   const Vector3& contact, const Vector3& normal, double reach, const PatchVisitor& visitor);
 } // namespace palpate

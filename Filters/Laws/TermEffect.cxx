@@ -17,11 +17,11 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostPoints = 400;
-// Square roots of the fractions of the range.
+// Square roots of the compared depths, as fractions of the range.
 constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 };
-constexpr int UnstoredSamples = 8; // of laws that are evaluated, not stored
+constexpr int UnstoredSamples = 8; // of laws that are evaluated but not stored
 
-/// A model of the body, ready to compute forces.
+/// A model of the body that can compute forces.
 class ModelledForce
 {
 public:
@@ -40,7 +40,7 @@ public:
     spot.curvature = this->HasCurvature ? this->Body.shape.curvature(i) : SpotCurvature{};
     return spot;
   }
-  /// N; NaN where there is none.
+  /// Force, N; NaN if the spot has no force at this depth.
   double at(const ContactSpot& spot, double depth) const
   {
     return this->Prepared.law.evaluate(spot, depth).force;
@@ -54,8 +54,8 @@ private:
   PreparedLaw Prepared;
 };
 
-/// The value of `change(i)` not exceeded at a fraction `share` of the points; negative changes are
-/// ignored.
+/// The value of `change(i)` that is not exceeded at a fraction `share` of the points. Negative
+/// changes are ignored.
 template <class Change>
 double largestOfMost(const PressedBody& body, const Change& change)
 {

@@ -13,17 +13,17 @@ class AxisymmetricTool;
 class BodyMaterial;
 class StrainCorrection;
 
-/// A tool on a body, at whose points laws are compared.
+/// A tool on a body. Laws are compared at the body's points.
 struct PressedBody
 {
   const AxisymmetricTool& tool;
-  double range = 0.0;     ///< mm, largest depth compared; within the tool's limit
+  double range = 0.0;     ///< mm, largest compared depth; within the tool's limit
   std::size_t points = 0; ///< of the body
   const SurfaceShape& shape;
-  double share = 0.95; ///< fraction of the points that a result must cover, above 0 to 1
+  double share = 0.95; ///< fraction of the points that a result must cover, > 0 to 1
 };
 
-/// One model of a body: with more or fewer terms in its law.
+/// One model of a body, with more or fewer terms in its law.
 struct LawModel
 {
   const BodyMaterial& material;
@@ -32,15 +32,17 @@ struct LawModel
 };
 
 /**
- * The change of the force from `whole` to `less`: |F_less/F_whole - 1|, the largest of four depths
- * (1/16, 1/4, 9/16 and all of the range), not exceeded at a fraction `share` of the points.
- * Infinite where only `whole` has a force. Uses some 400 points, evenly spaced by their number; 0
- * without any. Cost: making the laws, and 10 to 50 µs a point.
+ * The change of the force from the model `whole` to the model `less`: |F_less/F_whole - 1|, the
+ * largest at four depths (1/16, 1/4, 9/16 and all of the range). The result is not exceeded at a
+ * fraction `share` of the points. Infinite if only `whole` has a force. Uses some 400 points,
+ * evenly spaced by their index; 0 if the body has no points. Cost: making the laws, and 10 to 50 µs
+ * per point.
  */
 PALPATE_EXPORT double changeOfForce(
   const PressedBody& body, const LawModel& whole, const LawModel& less);
 
-/// An upper bound of the same for finite strain in a Neo-Hooke body: by ErrorRule, without solving.
+/// An upper bound of the same change for finite strain in a Neo-Hooke body: by ErrorRule, without
+/// solving.
 PALPATE_EXPORT double boundOfStrain(const PressedBody& body, const LawModel& model);
 } // namespace palpate
 

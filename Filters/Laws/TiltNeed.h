@@ -9,25 +9,26 @@
 
 namespace palpate
 {
-/// Whether a tolerance needs the tilts of a response.
+/// Whether a tolerance requires the tilts of a response.
 struct TiltNeed
 {
-  double change = 0.0; ///< of the force, relative: the largest by any tilt
-  double angle = 0.0;  ///< rad, at which it is largest
-  /// Fraction of the points where no tilt changes it by more than the tolerance.
+  double change = 0.0; ///< largest relative change of the force by any tilt
+  double angle = 0.0;  ///< tilt of the largest change, rad
+  /// Fraction of the points at which no tilt changes the force by more than the tolerance.
   double without = 0.0;
-  double torque = 0.0; ///< the largest, N mm
-  bool isFelt = false; ///< the change exceeds the tolerance somewhere
+  double torque = 0.0; ///< largest torque, N mm
+  bool isFelt = false; ///< the change exceeds the tolerance at some point
 };
 
 /**
- * The change of the force by a tilt at equal depth of the tip: at half of each point's range, over
- * eight tilts up to the largest. It includes that a tool with a flat or round end, tilted about its
- * tip, is deeper beside it. Uses up to 4096 points, evenly spaced.
+ * The change of the force by a tilt at equal depth of the tip: at half of each point's range, for
+ * eight tilts up to the largest. A tool with a flat or round end that is tilted about its tip is
+ * deeper on one side of the tip; the change includes this effect. Uses up to 4096 points, evenly
+ * spaced.
  */
 PALPATE_EXPORT TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance);
 
-/// The need in a sentence without its full stop; "" for a response without tilts.
+/// The need as a sentence without its full stop; "" for a response without tilts.
 PALPATE_EXPORT std::string tiltReason(
   const TiltNeed& need, const TiltViews& tilts, double tolerance);
 } // namespace palpate

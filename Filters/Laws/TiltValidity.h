@@ -10,7 +10,7 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// The validity arrays of a response: one value per point, of the error one per sample.
+/// The validity arrays of a response: one value per point, for the error one value per sample.
 struct TrustSpans
 {
   float* validity = nullptr;      ///< mm
@@ -19,13 +19,14 @@ struct TrustSpans
 };
 
 /**
- * Includes the error of tilts up to the largest of the table: that of the equivalent profile on a
- * layer, and that of the table on a half-space (tiltError), at each sample's contact radius on a
- * half-space. The error is the larger of it and that of the upright law; validity ends where it
- * exceeds `tolerance` (> 0), and is then limited by Tilt.
+ * Includes the error of tilts up to the largest of the table (tiltError): the error of the
+ * equivalent profile on a layer, and the error of the table on a half-space, at the contact radius
+ * that each sample has on a half-space. The result at each sample is the larger of this error and
+ * that of the upright law. Validity ends where the error exceeds `tolerance` (> 0); its limit is
+ * then Tilt.
  *
- * `arrays` is the response with its tilts, `spots` its material. The same bits for any number of
- * threads.
+ * `arrays` is the response with its tilts, `spots` its material. The bits do not depend on the
+ * number of threads.
  */
 PALPATE_EXPORT void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
   const ResponseArrays& arrays, double tolerance, const TrustSpans& trust);

@@ -12,9 +12,10 @@ namespace palpate
 namespace
 {
 constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
-constexpr double NormalTurn = 0.2;  // rad the body's normal may turn under the contact radius
-// Relative to a layer's thickness: finite elements with finite strain (Data/Studies/calculix,
-// nu = 0.45) lie 4 % above the linear layer there, 10 % at 0.4.
+// Angle by which the body's normal may turn under the contact radius, rad.
+constexpr double NormalTurn = 0.2;
+// Relative to a layer's thickness: there, finite elements with finite strain
+// (Data/Studies/calculix, nu = 0.45) are 4 % above the linear layer; at 0.4 they are 10 % above it.
 constexpr double Compression = 0.2;
 } // namespace
 
@@ -41,7 +42,8 @@ ValidityRule::Answer ValidityRule::at(const ContactSpot& spot, double curvature)
     }
   };
   const bool layer = spot.thickness > 0.0;
-  // A flat end has its full contact radius from the start: its strain depends on the depth alone.
+  // A flat end has its full contact radius from the start, so its strain depends on the depth
+  // alone.
   const bool widens = this->StrainRadius > this->Tool.smallestContactRadius();
   consider(layer && widens ? this->Law.deflectionAtContactRadius(spot, this->StrainRadius)
                            : this->Law.totalDeflection(spot, this->StrainDepth),

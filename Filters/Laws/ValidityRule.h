@@ -12,25 +12,25 @@ class AxisymmetricTool;
 class ResponseLaw;
 
 /**
- * The validity of a law at a point: the depth at which its first assumption breaks
+ * The validity of a law at a point: the depth at which its first assumption fails
  * (vtkToolContactResponse.h, Validity). Safe to use from any number of threads.
  */
 class PALPATE_EXPORT ValidityRule
 {
 public:
-  /// The depth at which a law ceases to hold, and why.
+  /// The depth at which a law ends, and the reason.
   struct Answer
   {
     double depth;        ///< mm, at most the range
-    ResponseLimit limit; ///< the assumption that breaks there; None at the range
+    ResponseLimit limit; ///< the assumption that fails there; None at the range
   };
 
-  /// Tool and law must outlive this. `range` (mm) is the law's, `bodyWidth` (mm) that of the whole
-  /// body.
+  /// Tool and law must outlive this. `range` (mm) is the range of the law, `bodyWidth` (mm) the
+  /// width of the whole body.
   ValidityRule(
     const AxisymmetricTool& tool, const ResponseLaw& law, double range, double bodyWidth);
 
-  /// `curvature` (1/mm): the turn of the body's normal per length at the point.
+  /// `curvature` (1/mm): the angle by which the body's normal turns per length at the point.
   Answer at(const ContactSpot& spot, double curvature) const;
 
 private:

@@ -14,15 +14,15 @@
 
 namespace palpate
 {
-/// "float with 3 components and 20 tuples".
+/// Type and shape of an array, as "float with 3 components and 20 tuples".
 inline std::string shapeOf(vtkAbstractArray* array)
 {
   return joined(array->GetDataTypeAsString(), " with ", array->GetNumberOfComponents(),
     " components and ", array->GetNumberOfTuples(), " tuples");
 }
 
-/// The memory of an array of the response, or null with an error unless it has exactly the type and
-/// shape of the contract.
+/// The memory of a response array. Returns null and an error unless the array has exactly the type
+/// and shape of the contract.
 template <class Array>
 const typename Array::ValueType* fetchArray(vtkPolyData* body, const std::string& name,
   ResponseArray which, const ResponseArrays& arrays, std::string& error)

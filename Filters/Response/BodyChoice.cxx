@@ -25,7 +25,7 @@ namespace palpate
 {
 namespace
 {
-/// Replaces the curves by the laws.
+/// Replaces the curves by the chosen laws.
 void replaceCurves(vtkPolyData* body, const std::string& name, const ResponseChoice& choice)
 {
   removeCurves(body, name);
@@ -49,7 +49,8 @@ std::string capitalised(std::string words)
   return words;
 }
 
-/// Stores how many elements the relaxation needs, or removes it where it is not felt.
+/// Stores the number of elements that the relaxation needs. Removes it if the relaxation does not
+/// matter.
 void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
   const RelaxationNeed& need)
 {
@@ -69,8 +70,8 @@ void keepRelaxation(vtkPolyData* body, const std::string& name, const Relaxation
   }
 }
 
-/// Reads the verdicts of the regime and the validities, if the body has them; returns what is wrong
-/// with them, or "".
+/// Reads the verdicts of the regime and the validities, if the body has them. Returns "" or an
+/// error message.
 std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvidence& evidence)
 {
   vtkPointData* points = body->GetPointData();
@@ -92,8 +93,8 @@ std::string readEvidence(vtkPolyData* body, const std::string& name, ChoiceEvide
   return error;
 }
 
-/// The depth (mm) at which regime and validity are checked; 0 for half of Range. Returns what is
-/// wrong, or "".
+/// Chooses the depth (mm) at which regime and validity are checked; 0 means half of Range. Returns
+/// "" or an error message.
 std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double& depth)
 {
   vtkDataArray* at = body->GetFieldData()->GetArray("RegimeDeflection");
@@ -104,7 +105,8 @@ std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double&
   const double found = at->GetTuple1(0);
   if (depth == 0.0)
   {
-    // The largest, where the regime followed Range, as it does here by default.
+    // If the depth of the regime followed Range, RegimeDeflection is the largest depth. The default
+    // here also follows Range.
     const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
     depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
     return {};

@@ -14,17 +14,17 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A choice, in numbers and words.
+/// A choice, as numbers and text.
 struct AttachedChoice
 {
   ResponseChoice choice;
   std::string reason;
   int numbersPerPointBefore = 0;
-  RelaxationNeed relaxation; ///< of a body that relaxes
-  TiltNeed tilt;             ///< of a tool that may be tilted
+  RelaxationNeed relaxation; ///< for a body that relaxes
+  TiltNeed tilt;             ///< for a tool that may be tilted
 };
 
-/// Puts the simplest form of a body's response in place of it, see vtkResponseChoice.
+/// Replaces a body's response by its simplest form, see vtkResponseChoice.
 PALPATERESPONSE_EXPORT std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached);
 } // namespace palpate

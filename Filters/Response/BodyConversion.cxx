@@ -52,7 +52,7 @@ bool fetchNumber(vtkPolyData* body, const std::string& response, ResponseArray w
   return true;
 }
 
-/// Per-point Force and Stiffness, or Basis and Coefficient.
+/// Fetches Force and Stiffness per point, or Basis and Coefficient.
 bool fetchCurves(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
@@ -77,7 +77,7 @@ bool fetchCurves(
   return arrays.coefficient != nullptr;
 }
 
-/// Leaves `edges` unchanged where there are none.
+/// Leaves `edges` unchanged if the body has no array for them.
 bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
 {
   const std::string full = arrayName(name, ResponseArray::Edges);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * From vtkPolyData to the spans the contact kernel takes.
+ * Conversion from vtkPolyData to the spans of the contact kernel.
  *
- * The only place that fetches the response arrays of the data contract
- * (Contact/ResponseContract.h). Errors come back as text that names the array, what was expected
- * and what was found.
+ * This is the only place that fetches the response arrays of the data contract
+ * (Contact/ResponseContract.h). An error text names the array, the expected form and the form
+ * found.
  */
 #ifndef BodyConversion_h
 #define BodyConversion_h
@@ -26,50 +26,51 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// What is wrong with the cells of a body, or "": it must have triangles, and no other polygons,
-/// strips, corners without a point, or more than 2^31 points.
+/// Checks the cells of a body. It must have triangles; other polygons, strips, corners without a
+/// point and more than 2^31 points are errors. Returns "" if the cells are valid, else an error
+/// message.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 
-/// Three point indices per triangle, and x, y, z per point, of a body that has passed
-/// checkTriangles.
+/// Three point indices per triangle (copyTriangles), and x, y, z per point (copyPoints), of a body
+/// that has passed checkTriangles.
 PALPATERESPONSE_EXPORT std::vector<std::int32_t> copyTriangles(vtkPolyData* body);
 PALPATERESPONSE_EXPORT std::vector<double> copyPoints(vtkPolyData* body);
 
 /// The surface of a body that has passed checkTriangles.
 PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 
-/// The point or field data of a body, as the contract has it for an array.
+/// The point or field data of a body, wherever the contract places the array.
 PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body);
 
-/// Removes the arrays of a response that have this use.
+/// Removes all arrays of a response with this use.
 PALPATERESPONSE_EXPORT void removeArrays(
   vtkPolyData* body, const std::string& name, ContractArray::Use use);
 
-/// Views of the response arrays with prefix `name`, in either form; false and an error if they
-/// break the contract.
+/// Views of the response arrays with prefix `name`, in either form. Returns false and an error if
+/// they break the contract.
 PALPATERESPONSE_EXPORT bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 
-/// Views of Validity and Limit of the response with prefix `name`, one value per point; false and
-/// an error if one is missing or of another type. Not needed to evaluate a response.
+/// Views of Validity and Limit of the response with prefix `name`, one value per point. Returns
+/// false and an error if one is missing or has another type. Not needed to evaluate a response.
 PALPATERESPONSE_EXPORT bool viewValidity(vtkPolyData* body, const std::string& name,
   const float*& validity, const unsigned char*& limit, std::string& error);
 
-/// The same as the kernel keeps it, in the order of the points; null and an error if they break the
-/// contract.
+/// The response as the kernel stores it, in the order of the points. Returns null and an error if
+/// the arrays break the contract.
 PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
   vtkPolyData* body, const std::string& name, std::string& error);
 
-/// Everything a tick needs of a body; null and an error if a part is missing or wrong.
+/// All data of a body that a tick needs. Returns null and an error if a part is missing or invalid.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const BuildProgress& progress = {});
 
-/// The same for a body with the points and triangles of `same` and other responses: the surface is
-/// copied, a tenth of the work.
+/// The same for a body that has the points and triangles of `same` and other responses. The surface
+/// is copied, which is a tenth of the work.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
   vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same);
 
-/// The description of a response in its field arrays.
+/// The field arrays that describe a response.
 struct ResponseDescription
 {
   double exponent;
@@ -83,7 +84,7 @@ struct ResponseDescription
 PALPATERESPONSE_EXPORT void describeResponse(
   vtkPolyData* body, const std::string& name, const ResponseDescription& description);
 
-/// The model of a response, in words and as a sum of ModelPart.
+/// The model of a response, as text and as a sum of ModelPart.
 struct ResponseModel
 {
   std::string text;
@@ -101,10 +102,10 @@ PALPATERESPONSE_EXPORT void describeModel(
 PALPATERESPONSE_EXPORT void describeEdges(
   vtkPolyData* body, const std::string& name, const EdgeTerms& edges);
 
-/// The model of a response; its parts from the text in older files, which have nothing else.
+/// The model of a response. Older files have only the text; the parts are then read from it.
 PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);
 
-/// The string in a field array (Tool, Model, Units); "" if there is none.
+/// The string in a field array (Tool, Model, Units); "" if the body has no such array.
 PALPATERESPONSE_EXPORT std::string responseText(
   vtkPolyData* body, const std::string& name, ResponseArray which);
 } // namespace palpate

@@ -38,7 +38,7 @@ vtkIdType firstTriangle(vtkPolyData* body)
   return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 
-/// Copies a triangle from the rank that has it to all.
+/// Copies a triangle from the rank that has it to all ranks.
 FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
 {
   if (ranks.areAlone())
@@ -53,7 +53,7 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   return numbers.empty() ? own : triangleOf(numbers);
 }
 
-/// Views of the modes; those of other types are copied into `kept`.
+/// Views of the modes. Modes of other types are copied into `kept`.
 std::vector<ModeSpan> viewModes(
   const std::vector<vtkDataArray*>& modes, std::vector<vtkSmartPointer<vtkDataArray>>& kept)
 {
@@ -149,7 +149,8 @@ bool isTriangle(vtkPolyData* body, vtkIdType cell)
 
 namespace
 {
-/// The stack in the body's arrays, none if they are missing or wrong.
+/// Reads the stack from the body's arrays. The stack has no layers if the arrays are missing or
+/// invalid.
 void readStack(
   vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
 {
@@ -226,7 +227,8 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   return triangle;
 }
 
-/// The linked mesh of this rank's piece, its seam, and the state of the body it was made from.
+/// The linked mesh of this rank's piece, its seam, and the state of the body from which it was
+/// made.
 class BodyField::LinkedPiece
 {
 public:
@@ -239,14 +241,15 @@ public:
     , PolysTime(body->GetPolys()->GetMTime())
   {
   }
-  // Modification times are unique, so the two identify this pair.
+  // Modification times are unique, so the two times identify points and triangles.
   bool isOf(vtkPolyData* body) const
   {
     return this->PointsTime == body->GetPoints()->GetMTime() &&
       this->PolysTime == body->GetPolys()->GetMTime();
   }
 
-  const SoundBody Sound; ///< without a body if it has a fault: the field ends at its defects then
+  /// Has no body if the input has a fault; the field then ends at the defects.
+  const SoundBody Sound;
   const BodyMesh Mesh;
   const BodySeam Seam;
   const std::vector<Vector3> SeamNormals;
@@ -278,7 +281,7 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
   }
   const bool isHere = rank == ranks.own();
   const std::string& name = request.responseName;
-  // Only one rank has the triangle; all need the field.
+  // Only one rank has the triangle, but all ranks need the field.
   const FieldTriangle triangle =
     spread(ranks, isHere, isHere ? fieldTriangle(body, contact.cell, name) : FieldTriangle());
   ContactField field;
@@ -295,7 +298,7 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
       this->Warnings.emplace_back("The response has a global compliance, but the body no "
                                   "GlobalMode0...; the field shows the local part alone, at the "
                                   "whole deflection");
-      this->WarnedOfModel = model.text; // a live display computes the field many times a second
+      this->WarnedOfModel = model.text; // a live display computes the field many times per second
     }
   }
   if (ranks.any(!this->Piece || !this->Piece->isOf(body)))

@@ -21,12 +21,12 @@ class AxisymmetricTool;
 class Ranks;
 
 /**
- * The displacement of a body around successive contacts, from the arrays that ContactField needs:
- * the response's `LayerThickness` and `LayerBase`, the modes where its model has a global
- * compliance or is of true shape (point arrays `GlobalMode0`..., field array `GlobalModeSign`), and
- * of true shape `NearField`.
+ * The displacement of a body around successive contacts. Uses the arrays that ContactField needs:
+ * the response's `LayerThickness` and `LayerBase`; the modes if the model has a global compliance
+ * or is of true shape (point arrays `GlobalMode0`..., field array `GlobalModeSign`); and
+ * `NearField` if it is of true shape.
  *
- * Keeps the neighbours of the mesh, O(n log n), as long as points and triangles are the same, and
+ * Keeps the neighbours of the mesh (O(n log n)) as long as points and triangles do not change, and
  * the solution of the last layer.
  */
 class PALPATERESPONSE_EXPORT BodyField
@@ -39,16 +39,16 @@ public:
 
   struct Request
   {
-    const AxisymmetricTool* tool = nullptr; ///< not needed without a piece of the body
+    const AxisymmetricTool* tool = nullptr; ///< not needed if this process has no piece of the body
     std::string responseName;
     FieldSettings settings;
   };
-  /// Makes `ContactDisplacement` (float 3, mm) of a body that has passed checkBody: zero without
-  /// contact. The cell of the contact is a triangle of the body on `rank`. Collective. What is
-  /// wrong, the same on all ranks, or "".
+  /// Makes `ContactDisplacement` (float 3, mm) of a body that has passed checkBody; zero without
+  /// contact. The cell of the contact is a triangle of the body on `rank`. Collective. Returns ""
+  /// or an error message, the same on all ranks.
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// What displace() left out, in sentences; missing modes are reported once.
+  /// The parts that displace() left out, as sentences. Missing modes are reported once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 
 private:
@@ -60,26 +60,27 @@ private:
   std::string WarnedOfModel;
 };
 
-/// The triangle `cell` of a body, with what a field of the response `name` reads there.
+/// The triangle `cell` of a body, with the data that a field of the response `name` uses there.
 PALPATERESPONSE_EXPORT FieldTriangle fieldTriangle(
   vtkPolyData* body, vtkIdType cell, const std::string& name);
 
-/// The point array of a body of true shape that holds its NearField: NearField::Numbers numbers.
+/// The point array with the NearField of a body of true shape: NearField::Numbers numbers per
+/// point.
 constexpr const char* NearFieldArray = "NearField";
 
-/// The modes that belong to the response `name` of a body: none unless it has a global compliance
-/// or is of true shape.
+/// The modes that belong to the response `name` of a body. Empty unless the response has a global
+/// compliance or is of true shape.
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
   vtkPolyData* body, const std::string& name);
 
-/// Adds the displacements of another contact to `sum`, of the same points.
+/// Adds the displacements of another contact to `sum`, for the same points.
 PALPATERESPONSE_EXPORT void addDisplacements(vtkFloatArray* other, vtkFloatArray* sum);
 
 /// Whether a cell is one of the triangles of a body.
 PALPATERESPONSE_EXPORT bool isTriangle(vtkPolyData* body, vtkIdType cell);
 
-/// What is wrong with triangles, or with point arrays of its modes or its layer; "" if nothing.
-/// Without this check an array without a value per point is ignored.
+/// Checks the triangles, and the point arrays of modes and layer. Returns "" if they are valid,
+/// else an error message. Without this check an array without a value per point is ignored.
 PALPATERESPONSE_EXPORT std::string checkBody(vtkPolyData* body, const std::string& name);
 } // namespace palpate
 

@@ -37,9 +37,10 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ComplianceArray = 2; // of MaterialArrays
+constexpr std::size_t ComplianceArray = 2; // index in MaterialArrays
 
-/// The correction by finite strain, null for none; or what is wrong.
+/// Makes the correction by finite strain; null for the linear model. Returns "" or an error
+/// message.
 std::string findStrain(const LawRequest& request, const StrainLaw& law,
   const BodyMaterial& material, const std::function<bool(double)>& goOn,
   std::unique_ptr<StrainCorrection>& strain)
@@ -52,7 +53,7 @@ std::string findStrain(const LawRequest& request, const StrainLaw& law,
     request.deflection, goOn, strain);
 }
 
-/// The terms beyond small strain on a flat surface, in words and as a sum of ModelPart.
+/// The terms in addition to small strain on a flat surface, as text and as a sum of ModelPart.
 ResponseModel termsOf(const LawTerms& terms)
 {
   ResponseModel model{ "", 0 };
@@ -69,7 +70,7 @@ ResponseModel termsOf(const LawTerms& terms)
   return model;
 }
 
-/// The terms of a contact at sharp edges, on a body of a depth (mm) or on a layer.
+/// The terms of a contact at sharp edges, on a body of the given depth (mm) or on a layer.
 EdgeTerms edgesOf(
   const AxisymmetricTool& tool, double deflection, const BodyMaterial& material, double depth)
 {
@@ -233,7 +234,8 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
     output->Initialize();
     return {};
   }
-  // A joined point has no triangle of its own, and gets the response of the first one at its place.
+  // A joined point has no triangle of its own. It gets the response of the first point at its
+  // place.
   const vtkIdType without = static_cast<vtkIdType>(made.without) - sound.joinedPoints();
   if (without > 0)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The functions of Filters/Laws, called on a body: each fetches and checks the arrays, calls,
- * and attaches the result. Filters make these calls in a pipeline, other code directly. They return
- * what is wrong, or "".
+ * The functions of Filters/Laws for a body. Each function fetches and checks the arrays, calls the
+ * law and attaches the result. Filters call them in a pipeline, other code calls them directly.
+ * They return "" or an error message.
  */
 #ifndef BodyLaws_h
 #define BodyLaws_h
@@ -30,24 +30,24 @@ struct LawRequest
 {
   vtkContactTool* tool = nullptr;
   std::string responseName = "Response";
-  /// Depth of a response's last sample, or depth at which a regime is judged (0: half of each
-  /// point's range), mm.
+  /// For a response: depth of the last sample, mm. For a regime: depth at which it is judged, mm
+  /// (0: half of each point's range).
   double deflection = 0.0;
   BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
   MaterialArrays arrays;
-  int samples = 8;                             ///< of a response
-  LawTerms terms = {};                         ///< of a response
-  const MeasuredBodyError* measured = nullptr; ///< of a response whose material was measured
-  RelaxationRequest relaxation = {};           ///< of a response
-  bool couples = false; ///< of a response: contacts on it may feel one another
+  int samples = 8;                             ///< for a response
+  LawTerms terms = {};                         ///< for a response
+  const MeasuredBodyError* measured = nullptr; ///< for a response whose material was measured
+  RelaxationRequest relaxation = {};           ///< for a response
+  bool couples = false;                        ///< for a response: contacts on it can interact
 };
 
-/// What is wrong with the settings of a response, or "".
+/// Checks the settings of a response. Returns "" if they are valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 
-/// The body with its response, see vtkToolContactResponse; nothing if `goOn(fraction)` ends it.
-/// Also a warning, or "". Collective; `input` is the own piece. The laws use the repaired body
-/// (SoundBody).
+/// Attaches the response to the body, see vtkToolContactResponse. `output` stays empty if
+/// `goOn(fraction)` returns false. Returns "" or an error message; `warning` is a warning or "".
+/// Collective; `input` is the piece of this process. The laws use the repaired body (SoundBody).
 PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* input,
   const LawRequest& request, const std::function<bool(double)>& goOn, vtkPolyData* output,
   std::string& warning);

@@ -48,7 +48,8 @@ struct RegimeStorage
   }
 };
 
-/// What is wrong with the deflection, or with the Range of the body, or "".
+/// Finds the depths from the deflection or from the Range of the body. Returns "" or an error
+/// message.
 std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector<double>& depths)
 {
   if (!(std::isfinite(request.deflection) && request.deflection >= 0.0))
@@ -103,7 +104,7 @@ std::string attachRegime(
     return "Wrong input: " + fault;
   }
   vtkPolyData* body = sound.body();
-  // Once no rank has a fault, a rank without a piece only takes part in the collective calls.
+  // From here no rank has a fault. A rank without a piece only takes part in the collective calls.
   const std::string& name = request.responseName;
   vtkSmartPointer<vtkContactTool> tool;
   std::vector<double> depths;
@@ -132,7 +133,7 @@ std::string attachRegime(
   std::shared_ptr<const BodyShape> shape;
   if (ranks.any((parts & CurvaturePart) != 0))
   {
-    // As for the response, on the scale of its deepest contact.
+    // The curvatures are those of the response, averaged over its widest contact.
     double radius = 0.0;
     auto* normals = vtkFloatArray::SafeDownCast(
       body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));
@@ -157,7 +158,7 @@ std::string attachRegime(
       stored.curvature = [&shape](std::size_t i) { return shape->curvatureAt(i); };
     }
     std::string noResponse;
-    // The regime is that of small strain.
+    // The regime assumes small strain, so a response at finite strain is not compared.
     const bool isStored = (parts & FiniteStrainPart) == 0 &&
       responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
       viewResponse(body, name, stored.arrays, noResponse);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The contact of each of a row of tips as point arrays: Force, NormalForce, FrictionForce,
- * Deflection, Normal, ContactPoint, ContactCell, ContactState, and of a body that relaxes
- * MemoryForce, of tools whose axis is known Torque and Tilt. Their meaning: see
- * vtkToolContactProbe.h.
+ * The contacts of a series of tips as point arrays: Force, NormalForce, FrictionForce, Deflection,
+ * Normal, ContactPoint, ContactCell, ContactState; for a body that relaxes also MemoryForce; for
+ * tools with a known axis also Torque and Tilt. vtkToolContactProbe.h defines them.
  */
 #ifndef ContactArrays_h
 #define ContactArrays_h
@@ -26,10 +25,11 @@ namespace palpate
 class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
-  /// Every tip must be stored before they are attached: the values are not set.
+  /// Does not set the values: every tip must be stored before the arrays are attached.
   explicit ContactArrays(vtkIdType tips, bool relaxes = false, bool hasAxes = false);
 
-  /// `firstPoly` is the cell id of the body's first triangle. May run for different tips at once.
+  /// `firstPoly` is the cell id of the body's first triangle. Different tips may be stored at the
+  /// same time.
   void store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly);
 
   void attach(vtkPolyData* tips);
@@ -43,8 +43,8 @@ private:
   vtkNew<vtkDoubleArray> ContactPoint;
   vtkNew<vtkIdTypeArray> ContactCell;
   vtkNew<vtkUnsignedCharArray> ContactState;
-  vtkSmartPointer<vtkDoubleArray> MemoryForce; ///< null: nothing relaxes
-  vtkSmartPointer<vtkDoubleArray> Torque;      ///< null: no axis is known
+  vtkSmartPointer<vtkDoubleArray> MemoryForce; ///< null: the body does not relax
+  vtkSmartPointer<vtkDoubleArray> Torque;      ///< null: no tool axis is known
   vtkSmartPointer<vtkDoubleArray> Tilt;
 };
 } // namespace palpate

@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// While this lives, kernels called by this thread use as many threads as VTK's own loops. Where
-/// these have none (the back end Sequential, ParaView's default), it has no effect.
+/// During its lifetime, kernels called by this thread use as many threads as VTK's own loops. It
+/// has no effect if VTK's loops are not threaded (back end Sequential, ParaView's default).
 class FilterThreads
 {
   ThreadLimit Limit{ wish() };

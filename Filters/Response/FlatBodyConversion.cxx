@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-/// A VTK array filled from flat memory.
+/// A VTK array with a copy of flat memory.
 template <class Array, class Value>
 vtkSmartPointer<Array> copied(
   const std::string& name, const Value* values, int components, vtkIdType tuples)
@@ -36,7 +36,7 @@ vtkSmartPointer<Array> copied(
   return array;
 }
 
-/// Points as floats if they were floats, so that everything downstream gets the same bits.
+/// Points as floats if all coordinates are floats, so that later code gets the same bits.
 vtkSmartPointer<vtkDataArray> copiedPoints(const double* coordinates, vtkIdType count)
 {
   const bool fits = std::all_of(coordinates, coordinates + 3 * count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Between vtkPolyData with responses and the flat body file that loops without VTK read.
+ * Conversion between vtkPolyData with responses and the flat body file, which loops without VTK
+ * read.
  */
 #ifndef FlatBodyConversion_h
 #define FlatBodyConversion_h
@@ -15,13 +16,13 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Writes triangles and the response with prefix `name` as a FlatBodyFile. Returns an error naming
-/// the array or the file, or "".
+/// Writes the triangles and the response with prefix `name` as a FlatBodyFile. Returns "" or an
+/// error that names the array or the file.
 PALPATERESPONSE_EXPORT std::string writeFlatBody(
   vtkPolyData* body, const std::string& name, const std::string& path);
 
-/// Reads such a file as a body with the response under prefix `name`: the same bits as were
-/// written. Null and an error naming the file if it cannot be used.
+/// Reads such a file as a body that has the response under the prefix `name`. The bits are those
+/// that were written. Returns null and an error that names the file if it cannot be used.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> readFlatBody(
   const std::string& path, const std::string& name, std::string& error);
 } // namespace palpate

@@ -17,7 +17,7 @@ namespace palpate
 void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to)
 {
   to->ShallowCopy(from);
-  vtkNew<vtkFieldData> fields; // ShallowCopy shares the other's
+  vtkNew<vtkFieldData> fields; // ShallowCopy shares the field data of the original
   fields->ShallowCopy(from->GetFieldData());
   to->SetFieldData(fields);
 }

@@ -9,17 +9,17 @@
 
 class vtkPolyData;
 
-/// Functions of the filters that replace a response by another form of it.
+/// Functions for filters that replace a response by another form.
 namespace palpate
 {
-/// Shallow copy with a separate list of field arrays.
+/// Makes a shallow copy with its own list of field arrays.
 PALPATERESPONSE_EXPORT void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to);
-/// Removes the curves of a response, in either form; the rest of it stays.
+/// Removes the curves of a response, in either form. The other arrays remain.
 PALPATERESPONSE_EXPORT void removeCurves(vtkPolyData* body, const std::string& name);
-/// Attaches values where the contract places the array, in place of one of the same name.
+/// Attaches values at the place that the contract defines. Replaces an array of the same name.
 PALPATERESPONSE_EXPORT void addFloats(vtkPolyData* body, const std::string& name,
   ResponseArray which, int components, const std::vector<float>& values);
-/// Attaches a text as a field array, in place of one of the same name.
+/// Attaches a text as a field array. Replaces an array of the same name.
 PALPATERESPONSE_EXPORT void addText(
   vtkPolyData* body, const std::string& name, const std::string& text);
 } // namespace palpate

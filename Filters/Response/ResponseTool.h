@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// `set`, or if that is null the tool named by the response `name` of the body. Null, and what is
-/// missing, if there is none.
+/// Returns `set`; if it is null, the tool that the response `name` of the body names. Returns null
+/// and an error that names the missing part if the body names no tool.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkContactTool> findTool(
   vtkContactTool* set, vtkPolyData* body, const std::string& name, std::string& error);
 } // namespace palpate

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// The largest of 1, 2, 5 times a power of ten that is not above `value` > 0.
+/// The largest number of the form 1, 2 or 5 times a power of ten that is not above `value` > 0.
 inline double roundDown(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -14,8 +14,8 @@ inline double roundDown(double value)
   return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
 }
 
-/// The smallest of 1, 2, 3, 4, 6, 8 times a power of ten that is not below `value` > 0: quarters of
-/// it are short numbers too.
+/// The smallest number of the form 1, 2, 3, 4, 6 or 8 times a power of ten that is not below
+/// `value` > 0. Quarters of these are short numbers, too.
 inline double roundUp(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBodyFileReader
- * @brief   reads a file of a body or a scan, of any kind that Palpate knows, and never crashes on
- * it
+ * @brief   reads a body or a scan from any kind of file that Palpate knows, and never crashes on a
+ *   file
  *
- * Output: the content of the file. The kind is told by the end of the name, in upper or lower case:
- * - `.stl` (ASCII or binary), `.obj`, `.ply`, `.vtp`: a vtkPolyData. Corners of a `.stl` at the
- * same place become one point. Of an `.obj` each vertex is one point, whatever its texture
- * coordinates; its normals are kept if each point has a single one;
+ * Output: the content of the file. The end of the name determines the kind, in upper or lower case:
+ * - `.stl` (ASCII or binary), `.obj`, `.ply`, `.vtp`: a vtkPolyData. Corners of an `.stl` at the
+ *   same place become one point. Each vertex of an `.obj` is one point, whatever its texture
+ *   coordinates; its normals are kept if each point has a single normal;
  * - `.vtu`: a vtkUnstructuredGrid; `.vtk`: any of VTK's data sets; `.vti`: a vtkImageData;
- * - `.nii`, `.nii.gz`: a vtkImageData in millimetres, with the header applied: values are scl_slope
- *   times what is stored, plus scl_inter; points are placed by the sform, or else the qform (+x
- *   right, +y anterior, +z superior), from m, mm or um. Without either the origin is the first
- *   voxel. The grid is turned by the direction matrix of the image, which vtkSkinSurface,
- *   vtkLayerThickness and vtkScannedMaterial follow.
+ * - `.nii`, `.nii.gz`: a vtkImageData in millimetres, with the header applied. A value is scl_slope
+ *   times the stored value, plus scl_inter. Points are placed by the sform, otherwise by the qform
+ *   (+x right, +y anterior, +z superior), from m, mm or um. Without either the origin is the first
+ *   voxel. The image's direction matrix turns the grid; vtkSkinSurface, vtkLayerThickness and
+ *   vtkScannedMaterial use that matrix.
  *
- * What comes out goes to vtkBodySurface, or, if it is a scan, to vtkSkinSurface, vtkLayerThickness
- * and vtkScannedMaterial.
+ * Pass the output to vtkBodySurface. Pass a scan to vtkSkinSurface, vtkLayerThickness and
+ * vtkScannedMaterial.
  *
- * Errors, each naming the file, and the line, facet, row or entry of the header where it can be
- * told: a file that is missing, empty, truncated or damaged, of an unknown kind, or of a NIfTI scan
- * with several images. Files that VTK reads are read twice, first in a copy of the process: where a
- * reader of VTK's crashes, that is an error. Read while no other thread uses VTK.
+ * Errors name the file and, if known, the line, facet, row or header entry. These are errors: a
+ * file that is missing, empty, truncated, damaged or of an unknown kind, and a NIfTI scan with
+ * several images. Files that VTK reads are read twice, first in a copy of the process: if a reader
+ * of VTK crashes there, that is an error. Read files while no other thread uses VTK.
  *
  * A file that has changed is read again after Modified().
  *
@@ -54,14 +54,14 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** The ends of the names of files that are read, ".vtp .stl ...". */
+  /** The file name extensions that can be read, ".vtp .stl ...". */
   static std::string GetFileExtensions();
 
-  /** What is wrong with the last file, without its name; "" if nothing is. */
+  /** The error of the last file, without its name; "" if it was read. */
   std::string GetFault() { return this->Fault; }
 
   ///@{
-  /** What was done to the content of the last file; each note is part of a sentence. */
+  /** Changes to the content of the last file. Each note is part of a sentence. */
   int GetNumberOfNotes() { return static_cast<int>(this->Notes.size()); }
   std::string GetNote(int index);
   ///@}
@@ -70,7 +70,7 @@ protected:
   vtkBodyFileReader();
   ~vtkBodyFileReader() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  /** Reads the file: its content decides on the kind of data. */
+  /** Reads the file, since its content determines the type of the output. */
   int RequestDataObject(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestInformation(

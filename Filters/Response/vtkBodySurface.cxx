@@ -30,8 +30,8 @@
 
 namespace
 {
-constexpr double SmallestBody = 5.0;   // mm, longest side of a plausible body
-constexpr double LargestBody = 5000.0; // mm
+constexpr double SmallestBody = 5.0;   // mm, shortest plausible longest side
+constexpr double LargestBody = 5000.0; // mm, longest plausible longest side
 constexpr std::array<double, 3> Millimetres = { 1.0, 10.0, 1000.0 }; // of each LengthUnitType
 
 vtkSmartPointer<vtkPolyData> turned(vtkPolyData* surface)
@@ -111,8 +111,8 @@ std::string vtkBodySurface::GetNote(int index)
 //------------------------------------------------------------------------------
 int vtkBodySurface::FillInputPortInformation(int, vtkInformation* info)
 {
-  // The composite type comes first: a composite is then taken whole, not block by block. The last
-  // one admits all other data, for an error that says what to do.
+  // The composite type comes first, so that a composite is processed as a whole, not block by
+  // block. The last type admits all other data, for which RequestData reports a helpful error.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -295,7 +295,7 @@ void vtkBodySurface::Measure(vtkPolyData* body, const palpate::Ranks& ranks)
   for (int i = 0; i < 6; i += 2)
   {
     const double side = ranks.largest(box[i + 1]) - ranks.smallest(box[i]);
-    this->LongestSide = std::max(this->LongestSide, side); // negative without a point
+    this->LongestSide = std::max(this->LongestSide, side); // negative if the box is empty
   }
   if (this->AskAboutSize && ranks.own() == 0 && vtkBodySurface::IsSizeDoubtful(this->LongestSide))
   {

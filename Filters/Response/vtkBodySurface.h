@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBodySurface
- * @brief   any surface or volume as triangles in millimetres, a body to be touched
+ * @brief   converts any surface or volume to triangles in millimetres, a body that can be touched
  *
  * Input: any vtkDataSet, or a composite of them (multi-block, partitioned, collections). Other data
- * - tables, graphs, adaptive grids - are an error that names the filter to use before. Empty
- * input gives empty output.
+ * (tables, graphs, adaptive grids) are an error that names the filter to apply first. Empty input
+ * gives empty output.
  *
  * Output: one vtkPolyData of triangles that wind counter-clockwise seen from outside, in mm:
- * - a surface of triangles alone comes out as it is, with all its arrays, if it is sound;
+ * - a surface of triangles alone is passed unchanged, with all its arrays, if it is sound;
  * - triangles that wind inward or against their neighbours are turned, part by part
- *   (palpate/SoundMesh.h); stored normals do not count. An inner part that winds inward is a
- * cavity;
- * - triangles that occur twice, enclose nothing, as at the seams of merged scans, or have a
- * coordinate that is not finite are left out; points stay;
- * - polygons and triangle strips are cut into triangles, vertices and lines left out;
- * - of a volume (unstructured, structured, rectilinear, image) the outer faces of its
- *   three-dimensional cells are taken; cells of fewer dimensions are left out. Of an image that is
- * its box; the skin of a scan is vtkSkinSurface's;
+ *   (palpate/SoundMesh.h). Stored normals are ignored. An inner part that winds inward is a cavity;
+ * - triangles are left out if they occur twice, enclose no volume, as at the seams of merged scans,
+ *   or have a coordinate that is not finite. Their points remain;
+ * - polygons and triangle strips are cut into triangles; vertices and lines are left out;
+ * - the outer faces of the three-dimensional cells of a volume (unstructured, structured,
+ *   rectilinear, image) are used; cells of fewer dimensions are left out. For an image, that is its
+ *   box. vtkSkinSurface makes the skin of a scan;
  * - partitions of one data set (vtkPartitionedDataSet, vtkMultiPieceDataSet) are joined where their
- *   points coincide exactly, their ghost cells left out, and so are all blocks that are volumes;
- * - other blocks are appended in their order, and are not joined: they must not overlap. A block
- *   without triangles is left out if another has some.
+ *   points coincide exactly, and their ghost cells are left out. The same holds for all blocks that
+ *   are volumes;
+ * - other blocks are appended in their order and are not joined. They must not overlap. A block
+ *   without triangles is left out if another block has some.
  *
- * Point arrays are kept as they are, whatever their unit; several blocks or partitions keep those
- * that all of them have, and a warning names the others. Notes say what was done.
+ * Point arrays are kept unchanged, whatever their unit. From several blocks or partitions, only
+ * arrays that all of them have are kept; a warning names the others. Notes list the changes.
  *
  * **Unit of length.** Coordinates are converted to millimetres by the LengthUnit of the input (or
- * any other LengthScale). A body whose longest side is then below 5 mm or above 5000 mm raises one
- * warning, which asks whether the Length Unit is right (AskAboutSize).
+ * any other LengthScale). If the longest side of the result is below 5 mm or above 5000 mm, one
+ * warning asks whether the Length Unit is right (AskAboutSize).
  *
- * Errors, each naming the block if there are several: a cell that names a point which is not there;
- * cells of a volume that are inverted, a polygon that cannot be cut, a part that is a second body
- * in another one or a sheet with two sides (each by its number); no triangles at all, naming the
- * filter that makes some from points or lines; a LengthScale that is not positive.
+ * Errors (they name the block if the input has several): a cell refers to a point that does not
+ * exist; a cell of a volume is inverted; a polygon cannot be cut; a part is a second body inside
+ * another one, or a sheet with two sides (each with its number); the input has no triangles (the
+ * error names the filter that makes them from points or lines); LengthScale is not positive.
  *
- * **Several processes**: each may have a piece of the body, or none (Controller); errors, the
- * turning of a closed surface and the size are those of the whole, and one process warns. Walls at
- * the seams of a volume are removed: they are recognised by ghost cells (one level is requested),
+ * **Several processes**: each may have a piece of the body, or none (Controller). Errors, the
+ * turning of a closed surface and the size are those of the whole body; one process warns. Walls at
+ * the seams of a volume are removed. They are recognised by ghost cells (one level is requested),
  * by the extent of a structured grid, or as faces that occur twice.
  *
- * Cost: 0.3 s per million triangles; cells and coordinates of a sound surface in mm are shared with
+ * Cost: 0.3 s per million triangles. Cells and coordinates of a sound surface in mm are shared with
  * the input.
  *
  * Single-threaded; the output is the same on every run. Abort is ignored.
@@ -84,7 +84,7 @@ public:
   ///@{
   /**
    * The unit of the input's coordinates: Millimetre (default), Centimetre or Metre. Get returns -1
-   * for a LengthScale that is none of these.
+   * if LengthScale is none of these.
    */
   void SetLengthUnit(int unit);
   int GetLengthUnit();
@@ -94,34 +94,37 @@ public:
   ///@}
 
   ///@{
-  /** Millimetres per unit of the input's coordinates, positive; the same as LengthUnit. Default 1.
+  /**
+   * Millimetres per unit of the input's coordinates, positive. Another way to set LengthUnit.
+   * Default 1.
    */
   vtkSetMacro(LengthScale, double);
   vtkGetMacro(LengthScale, double);
   ///@}
 
   ///@{
-  /** Whether a doubtful size raises a warning. Default on. */
+  /** Whether an implausible size raises a warning. Default on. */
   vtkSetMacro(AskAboutSize, bool);
   vtkGetMacro(AskAboutSize, bool);
   vtkBooleanMacro(AskAboutSize, bool);
   ///@}
 
   ///@{
-  /** The processes that have pieces of the body. Default: the global controller, if there is one.
+  /**
+   * The processes that have pieces of the body. Default: the global controller, if one exists.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
-  /** The longest side of a box along the axes around the last body, mm; 0 if it is empty. */
+  /** The longest side of the axis-aligned box around the last body, mm; 0 if the body is empty. */
   vtkGetMacro(LongestSide, double);
 
-  /** Whether a body with this longest side, mm, probably has another unit: < 5 or > 5000. */
+  /** Whether a body with this longest side (mm) probably has another unit: < 5 or > 5000. */
   static bool IsSizeDoubtful(double longestSide);
 
   ///@{
-  /** What was done to the last input; each note is part of a sentence. */
+  /** Changes to the last input. Each note is part of a sentence. */
   int GetNumberOfNotes() { return static_cast<int>(this->Notes.size()); }
   std::string GetNote(int index);
   ///@}
@@ -141,11 +144,12 @@ private:
   void operator=(const vtkBodySurface&) = delete;
 
   /**
-   * Joins the blocks; returns what is wrong with them, or "". `missing`: why one has no triangles.
+   * Joins the blocks. Returns "" or an error message. `missing`: the reason why a block has no
+   * triangles.
    */
   std::string Gather(
     vtkInformation* input, vtkPolyData* output, const palpate::Ranks& ranks, std::string& missing);
-  /** Turns a closed surface in pieces on several ranks, if it is inside out. */
+  /** Turns a closed surface in pieces on several ranks if it is inside out. */
   void TurnPieces(vtkPolyData* body, const palpate::Ranks& ranks);
   void Scale(vtkPolyData* body);
   void Measure(vtkPolyData* body, const palpate::Ranks& ranks);

@@ -52,7 +52,7 @@ void vtkContactDeflection::SetController(vtkMultiProcessController* controller)
   if (this->Controller != controller)
   {
     this->Controller = controller;
-    this->Field = std::make_unique<palpate::BodyField>(); // of other pieces
+    this->Field = std::make_unique<palpate::BodyField>(); // the old one belongs to other pieces
     this->Modified();
   }
 }
@@ -70,7 +70,7 @@ vtkMTimeType vtkContactDeflection::GetMTime()
 
 int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Anything: RequestData reports a wrong type and what to do about it.
+  // Accepts any data: RequestData reports a wrong type and the remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }

@@ -4,44 +4,47 @@
  * @brief the displacement field of the body under one tip of a probe
  *
  * Port 0: the body. Port 1: the output of vtkToolContactProbe; TipIndex chooses the tip. Output:
- * the body with point vectors `ContactDisplacement` (float 3, mm), the surface displacement of the
- * tool on an elastic half-space (u_r, u_z of vtkContactTool) at the tip's deflection, with u_z
- * against the contact normal and u_r along the surface away from the contact, at distances r
- * measured along the surface. Zero without contact. To see it, warp by the vector.
+ * the body with point vectors `ContactDisplacement` (float 3, mm). They are the surface
+ * displacement of the tool on an elastic half-space (u_r, u_z of vtkContactTool) at the tip's
+ * deflection. u_z points against the contact normal, u_r points along the surface away from the
+ * contact, and distances r are measured along the surface. Zero without contact. To see the field,
+ * warp by the vector.
  *
  * The field covers the part of the surface that is connected to the contact and whose normal is
- * within 60° of the contact normal, and ends there: beyond it, and on the far side, the body is not
- * a half-space. With MaximumDistance it fades smoothly to zero, and is exact within 3/4 of that
- * distance and 50°. There r is the length of the circular arc that leaves and arrives along the
- * surface, r = chord (θ/2)/sin(θ/2) with θ the angle between the normals; exact on planes, spheres
- * and around cylinders.
+ * within 60° of the contact normal. It ends there, because beyond that angle, and on the far side,
+ * the body is not like a half-space. With MaximumDistance the field fades smoothly to zero; it is
+ * exact within 3/4 of that distance and within 50°. r is the length of the circular arc that is
+ * tangent to the surface at both ends, r = chord (θ/2)/sin(θ/2), where θ is the angle between the
+ * normals. It is exact on planes, on spheres and around cylinders.
  *
- * Tool: if none is set, the one named in the body's response (ResponseName, field array `Tool`).
- * On a half-space PoissonRatio scales u_r alone. Where the response has layers (its point array
- * `LayerThickness` and field array `LayerBase`), the field is that of a layer as thick as at the
- * contact (palpate::ContactField), in which PoissonRatio decides how the surface bulges beside the
- * tool; it must be that of the response.
+ * Tool: if none is set, the tool that the body's response names (ResponseName, field array `Tool`).
+ * On a half-space PoissonRatio scales u_r only. If the response has layers (its point array
+ * `LayerThickness` and field array `LayerBase`), the field is that of a layer with the thickness at
+ * the contact (palpate::ContactField). PoissonRatio then determines how the surface bulges around
+ * the tool; it must be that of the response.
  *
- * Where the response has a global compliance or is of true shape and the body carries its modes
+ * If the response has a global compliance or is of true shape, and the body has its modes
  * (NumberOfModes of vtkElasticCompliance, StoreMotion of vtkElasticContactResponse), the whole
- * surface moves by them under the tip's `NormalForce`, and the local part is that of the deflection
- * they leave (palpate::ContactField). Without modes the field shows the local part at the whole
- * deflection; a warning says so, once. A response of true shape also shows what lies near the
- * contact (`NearField`): beside an edge the surface gives more, over a nodule or a base less.
- * Against finite elements under the same force, beyond two contact radii and on the side that is
- * pressed, within 3 % of the deflection (TestDeflectionShape); the side behind an edge follows the
- * modes alone. A `NearField` of another shape is an error; one that is not finite is not drawn.
+ * surface moves by the modes under the tip's `NormalForce`. The local part is then that of the
+ * deflection minus the modes' part (palpate::ContactField). Without modes the field shows the local
+ * part at the whole deflection, with one warning. A response of true shape also shows the effect of
+ * its surroundings (`NearField`): the surface gives way more near an edge, and less over a nodule
+ * or a base. Compared with finite elements under the same force, the error is within 3 % of the
+ * deflection beyond two contact radii, on the side that is pressed (TestDeflectionShape). The side
+ * behind an edge follows the modes only. A `NearField` of another shape is an error; if it is not
+ * finite, it is not drawn.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *
  * **Several processes** (Controller), each with a piece of the body: tips are counted through all
- * processes, rank by rank; the chosen one presses all pieces, and the dent continues across their
- * seams. Each process holds its own piece and the points of all seams. `ContactRank` of
- * vtkToolContactProbe must be among the tips' arrays. Ghost cells are left out. An error on one is
+ * processes, rank by rank. The chosen tip presses all pieces, and the dent continues across their
+ * seams. Each process stores its own piece and the points of all seams. The tips must have the
+ * array `ContactRank` of vtkToolContactProbe. Ghost cells are left out. An error on one process is
  * an error on all. All processes must update the filter.
  *
- * Cost: the mesh's neighbours are found once per change of its points or triangles, O(n); then one
- * evaluation of the law per point within the field, and, with modes, a sum per point of the body.
+ * Cost: the mesh's neighbours are found once per change of its points or triangles, O(n). Then each
+ * update evaluates the law once per point within the field and, with modes, a sum per point of the
+ * body.
  */
 #ifndef vtkContactDeflection_h
 #define vtkContactDeflection_h
@@ -69,13 +72,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool; default: the one the response names. */
+  /** The tool; default: the tool that the response names. */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
 
   ///@{
-  /** Which tip of port 1; -1 (default) is the last. */
+  /** Index of the tip in port 1; -1 (default): the last tip. */
   vtkSetMacro(TipIndex, vtkIdType);
   vtkGetMacro(TipIndex, vtkIdType);
   ///@}
@@ -88,9 +91,9 @@ public:
 
   ///@{
   /**
-   * The field ends at this distance from the contact, mm, even where it would be valid beyond, and
-   * fades from 3/4 of it on; 0 (default) for no such end. It has fallen to about (2a/πr) of the
-   * deflection at r.
+   * The field ends at this distance from the contact, mm, even if it would be valid farther out. It
+   * fades from 3/4 of the distance on. 0 (default): no such end. At the distance r the field is
+   * about (2a/πr) of the deflection.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
@@ -104,8 +107,8 @@ public:
 
   ///@{
   /**
-   * The processes that have a piece of the body each. Default: the global controller when the
-   * filter is made. None, or one process: the input is the whole body.
+   * The processes that each have a piece of the body. Default: the global controller at the time
+   * when the filter is made. With none, or with one process, the input is the whole body.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -130,7 +133,7 @@ private:
   vtkContactDeflection(const vtkContactDeflection&) = delete;
   void operator=(const vtkContactDeflection&) = delete;
 
-  /// What is wrong with body, tool or Poisson's ratio, or "".
+  /// Checks body, tool and Poisson's ratio, and finds the tool. Returns "" or an error message.
   std::string FindTool(vtkPolyData* body, vtkSmartPointer<vtkContactTool>& tool);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;

@@ -22,7 +22,7 @@ namespace
 {
 constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 
-/// The tips in the order of the rows, and which of the histories each belongs to.
+/// The tips in the order of the rows, and the number of the polyline of each tip.
 struct Rows
 {
   std::vector<vtkIdType> point;
@@ -76,7 +76,7 @@ void addNumbers(vtkTable* table, const Rows& rows, const char* name, vtkDataArra
   table->AddColumn(column);
 }
 
-/// A column per line.
+/// Adds one column per polyline.
 template <class Value>
 void addForces(vtkTable* table, const Rows& rows, const std::string& name, const Value& value)
 {
@@ -93,7 +93,7 @@ void addForces(vtkTable* table, const Rows& rows, const std::string& name, const
   }
 }
 
-/// A point array with this number of components, or null.
+/// Returns a point array with this number of components, or null.
 vtkDataArray* find(vtkPolyData* tips, const char* name, int components)
 {
   vtkDataArray* array = tips->GetPointData()->GetArray(name);

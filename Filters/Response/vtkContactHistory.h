@@ -3,22 +3,23 @@
  * @class vtkContactHistory
  * @brief the forces on a tool along its path, over time or deflection, as a table to plot
  *
- * Input: tips with their forces: the output of vtkToolContactProbe, or of vtkTrajectoryReader for a
+ * Input: tips with their forces, from vtkToolContactProbe, or from vtkTrajectoryReader for a
  * trajectory that was recorded with its forces. The point arrays `Deflection` (mm) and
- * `NormalForce` (N) are required; used if present are `Time` (s), `MemoryForce` (N),
- * `FrictionForce` (3, N), the total `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N), the
- * force sent to the device.
+ * `NormalForce` (N) are required. Used if present: `Time` (s), `MemoryForce` (N), `FrictionForce`
+ * (3, N), the total `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N), the force sent to
+ * the device.
  *
- * Output: a vtkTable, a row per tip in the order of the polyline, or of the points if there is
- * none. The first column is the Abscissa, `Time (s)` or `Deflection (mm)`; then come the other of
- * the two, if known, and `Normal Force (N)`; of a body that relaxes, `Slow Force (N)` and `Memory
- * Force (N)`, whose sum is the normal force (over deflection it makes a loop around the slow
- * force); and, if present, the magnitudes `Friction Force (N)`, `Force (N)` and `Sent Force (N)`.
- * With several polylines, each has its own rows and its own columns of forces, named `Normal Force
- * of line 2 (N)`, NaN in the rows of the others; points outside all lines are then left out.
+ * Output: a vtkTable with a row per tip, in the order of the polyline, or of the points if the
+ * input has no polyline. The first column is the Abscissa, `Time (s)` or `Deflection (mm)`. The
+ * next columns are the other one of the two, if known, and `Normal Force (N)`. For a body that
+ * relaxes, `Slow Force (N)` and `Memory Force (N)` follow; their sum is the normal force (plotted
+ * over deflection it is a loop around the slow force). If present, the magnitudes `Friction Force
+ * (N)`, `Force (N)` and `Sent Force (N)` follow. With several polylines, each has its own rows and
+ * its own force columns, named `Normal Force of line 2 (N)`, with NaN in the rows of the others.
+ * Points outside all lines are then left out.
  *
- * Errors: a required array is missing or has not one number per point (named, with the filter to
- * apply first); Abscissa is Time, but there is no `Time`.
+ * Errors: a required array is missing or does not have one number per point (the error names it,
+ * and the filter to apply first); Abscissa is Time, but the input has no `Time`.
  */
 #ifndef vtkContactHistory_h
 #define vtkContactHistory_h
@@ -43,8 +44,8 @@ public:
 
   ///@{
   /**
-   * What the forces are plotted over: the time if it is known, else the deflection (Automatic, the
-   * default), Time, or Deflection.
+   * Abscissa of the plot: Automatic (default; the time if it is known, else the deflection), Time,
+   * or Deflection.
    */
   vtkSetClampMacro(Abscissa, int, Automatic, Deflection);
   vtkGetMacro(Abscissa, int);

@@ -2,40 +2,41 @@
 /**
  * @class vtkContactRegime
  * @brief whether a body deforms locally or globally under a tool, and so whether the tool's shape
- * matters
+ *   matters
  *
- * Input: the body, with the material of its response: the same properties and arrays to process as
- * vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance, 3 Poisson's
- * ratio). Output: the body with, per point and for the tool pressed `Deflection` deep,
- * - `RegimeIndex` (float): λ = 1 - δ_hs(F)/δ, δ_hs the depth of the same tool under the same force
- *   on a half-space of the same modulus. At most 1: near 0 where deformation is local, near 1 where
- *   it is global, negative where a near base stiffens the body;
- * - `ToolSensitivity` (float): S = dlnF/dln(size) at fixed δ, size the common scale of the tool's
- *   lengths (sphere: R; flat: its radius; a cone, which has none: tan α);
+ * Input: the body with the material of its response. The properties and arrays to process are those
+ * of vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance, 3 Poisson's
+ * ratio). Output: the body with these arrays, per point, for the tool pressed `Deflection` deep:
+ * - `RegimeIndex` (float): λ = 1 - δ_hs(F)/δ, where δ_hs is the depth of the same tool under the
+ *   same force on a half-space of the same modulus. At most 1: near 0 for local deformation, near 1
+ *   for global deformation, negative where a near base stiffens the body;
+ * - `ToolSensitivity` (float): S = dlnF/dln(size) at fixed δ, where size is the common scale of the
+ *   tool's lengths (sphere: R; flat: its radius; cone, which has no length: tan α);
  * - `RegimeVerdict` (uint8): 0 shape matters (a tool twice as large changes the force by more than
  *   10 %, the just noticeable difference), 1 mixed, 2 a point force suffices (a tool four times as
- *   large changes it by less than 5 %). It rests on S, not on λ: on a layer λ < 0, and size matters
- *   more than on a half-space. It judges a change of size; a flat beside a sphere may differ a
- *   little more: 7 % between the paper's tools where all three had verdict 2
+ *   large changes it by less than 5 %). The verdict follows from S, not from λ: on a layer λ < 0,
+ *   and size matters more than on a half-space. It judges a change of size. A flat compared with a
+ *   sphere may differ a little more: by 7 % between the paper's tools where all three had verdict 2
  *   (Testing/Studies/paper, Figure 5).
- * - field array `RegimeDeflection` (double, mm; the largest, where it follows Range): the depth, on
- *   which λ and S depend.
+ * - field array `RegimeDeflection` (double, mm; the largest depth, if the depth follows Range): the
+ *   depth for which λ and S are given.
  *
- * NaN, and verdict 0, where there is no stable contact (compliance folds the curve, layer too
- * thin).
+ * Without a stable contact (compliance folds the curve, layer too thin) the numbers are NaN and the
+ * verdict is 0.
  *
- * Deflection 0 (default): half of the array `<ResponseName>Range` at each point; without that array
- * an error. Where the body carries the response `ResponseName` of the same tool, its force at that
- * depth must agree with the material given here to 2 %, otherwise an error names the point, since
- * the regime would be that of another body than the one that is felt. (2 %: the storage error of a
- * response in series; depths below a hundredth of Range are not compared.)
+ * Deflection 0 (default): half of the array `<ResponseName>Range` at each point; an error without
+ * that array. If the body has the response `ResponseName` of the same tool, its force at that depth
+ * must agree with the given material to 2 %. Otherwise an error names the point, since the regime
+ * would be that of a different body than the response. (2 %: the storage error of a response in
+ * series. Depths below a hundredth of Range are not compared.)
  *
- * Several processes, each with a piece of the body (Controller): the arrays are those of the whole
- * body, and so is RegimeDeflection; an error on one is an error on all. Ghost cells are left out.
+ * Several processes, each with a piece of the body (Controller): the arrays and RegimeDeflection
+ * are those of the whole body. An error on one process is an error on all. Ghost cells are left
+ * out.
  *
  * Sources: St. Venant, Castigliano; Mahvash and Hayward 2002, section 2. Cost: three times that of
- * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools, same bits for any number of
- * threads.
+ * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools; the bits do not depend on the
+ * number of threads.
  *
  * @sa vtkToolContactResponse vtkElasticCompliance
  */
@@ -61,13 +62,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool; default: the one the response names. */
+  /** The tool; default: the tool that the response names. */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
 
   ///@{
-  /** Depth of the verdict, mm; 0 (default) for half of the response's Range at each point. */
+  /** Depth of the verdict, mm. 0 (default): half of the response's Range at each point. */
   vtkSetMacro(Deflection, double);
   vtkGetMacro(Deflection, double);
   ///@}
@@ -130,7 +131,7 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = 0;
   bool ComplianceExcludesLayer = false;
-  std::vector<std::array<double, 4>> AddedLayers; ///< as AddLayer takes them
+  std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
   std::string ResponseName = "Response";

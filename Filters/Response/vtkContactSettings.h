@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactSettings
- * @brief how a contact feels: form of the force, surface, friction
+ * @brief settings of a contact: form of the force, surface, friction
  *
  * vtkToolContactProbe, vtkToolTouch and vtkHapticSession give the same force at the same tip if
- * these settings are equal. Each starts with its own; give one object to several (SetSettings), and
- * later changes reach them all. Their properties of these names, as SetFrictionCoefficient, are
- * those of the object they hold:
+ * these settings are equal. Each starts with its own object. If several share one object
+ * (SetSettings), later changes apply to all of them. Their properties of these names, such as
+ * SetFrictionCoefficient, are those of the object they hold:
  *
  *     session.SetSettings(probe.GetSettings())
- *     session.SetFrictionCoefficient(0.3)        # the probe's too
+ *     session.SetFrictionCoefficient(0.3)        # also changes the probe
  *
- * | Property | what | range | default |
+ * | Property | meaning | range | default |
  * | --- | --- | --- | --- |
- * | ForceForm | how three curves become one force | 0 to 2 | NormalizedDirection |
- * | ContactSurface | the surface that tips are projected on | 0 to 1 | Facets |
- * | FrictionModel | what a contact does before it slides | 0 to 2 | ElastoPlastic |
+ * | ForceForm | how three curves are combined into one force | 0 to 2 | NormalizedDirection |
+ * | ContactSurface | the surface on which tips are projected | 0 to 1 | Facets |
+ * | FrictionModel | behaviour of a contact before it slides | 0 to 2 | ElastoPlastic |
  * | FrictionCoefficient | Coulomb's μ; 0: no friction | finite, >= 0 | 0 |
- * | TangentialStiffness | of the stuck contact, N/mm | finite, > 0 | 1 |
+ * | TangentialStiffness | of the sticking contact, N/mm | finite, > 0 | 1 |
  * | FrictionBreakaway | fraction of the limit below which it sticks | 0 to 1 | 0.8 |
  * | FrictionStickRadius | fraction at which half of a step is creep | > 0, >= breakaway | 0.9 |
  * | PoissonRatio | of the body, for ShapeDerived friction | 0 to 0.5 | 0.5 |
- * | RelaxationElements | how finely a body that relaxes is felt | 0 to 32 | 16 |
+ * | RelaxationElements | resolution of a body that relaxes | 0 to 32 | 16 |
  *
- * Set... accepts any value, as one may make sense only with the next: GetFault tells, in words,
- * what is out of its range, even if the chosen model does not use it. A filter or session with such
- * settings reports those words as its error and does nothing. A filter reads them when it updates,
- * a session at Start and ApplyChanges.
+ * Set... accepts any value, since a value may be valid only together with the next one. GetFault
+ * describes a value that is out of its range, even if the chosen model does not use it. A filter or
+ * session with such settings reports that text as its error and does nothing. A filter reads the
+ * settings when it updates, a session at Start and ApplyChanges.
  *
- * GetTable gives all of this as numbers and words, for a user interface.
+ * GetTable gives all of this as numbers and text, for a user interface.
  */
 #ifndef vtkContactSettings_h
 #define vtkContactSettings_h
@@ -49,17 +49,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Values of ForceForm: how the curves f_i of a triangle's vertices, with normals U_i and area
-   * coordinates n_i, become one force.
+   * Values of ForceForm. The curves f_i of a triangle's vertices, with normals U_i and area
+   * coordinates n_i, are combined into one force.
    */
   enum ForceFormType
   {
-    /// Σ n_i f_i U_i as printed (Mahvash and Hayward 2002, eq. 3); since the blended normal is
-    /// shorter than 1, the force loses up to h²/(6R²) inside a facet of size h.
+    /// Σ n_i f_i U_i as printed (Mahvash and Hayward 2002, eq. 3). The blended normal is shorter
+    /// than 1, so the force loses up to h²/(6R²) inside a facet of size h.
     Paper = 0,
     /// Σ n_i f_i along the normalised Σ n_i U_i.
     NormalizedDirection = 1,
-    /// The gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the surface: a
+    /// The gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the surface. A
     /// closed path within one contact neither gains nor loses energy.
     EnergyConsistent = 2
   };
@@ -68,26 +68,27 @@ public:
   enum ContactSurfaceType
   {
     Facets = 0, ///< the triangles
-    /// One patch per triangle through its vertices and the response's normals there, with
-    /// continuous normals across edges; for bodies that are round where the mesh has facets.
+    /// One patch per triangle through its vertices and the response's normals there. Its normals
+    /// are continuous across edges. For bodies that are round but have a faceted mesh.
     Smooth = 1
   };
 
-  /// Values of FrictionModel: what a contact does before it slides at μ times the normal force.
+  /// Values of FrictionModel: behaviour of a contact before it slides at μ times the normal force.
   enum FrictionModelType
   {
-    /// It sticks elastically with TangentialStiffness, creeps as it nears the limit, and does not
-    /// creep below FrictionBreakaway of it (Hayward and Armstrong 2000).
+    /// Sticks elastically with TangentialStiffness, and creeps near the limit. Does not creep below
+    /// the fraction FrictionBreakaway of the limit (Hayward and Armstrong 2000).
     ElastoPlastic = 0,
-    Dahl = 1, ///< creeps from the first displacement on, and so drifts under any changing load
-              /// From the stored response f(δ) itself, Q(u) = μ [f(δ) - f(δ - u/(μc))], c =
-              /// (2-ν)/(2(1-ν)), slides at u = μcδ (Jaeger 1998; Ciavarella 1998); only μ and
-              /// PoissonRatio.
+    /// Creeps from the first displacement on, and so drifts under any changing load.
+    Dahl = 1,
+    /// Derived from the stored response f(δ) itself: Q(u) = μ [f(δ) - f(δ - u/(μc))], c =
+    /// (2-ν)/(2(1-ν)). Slides at u = μcδ (Jaeger 1998; Ciavarella 1998). Uses only μ and
+    /// PoissonRatio.
     ShapeDerived = 2
   };
 
   ///@{
-  /** How three curves become one force. Default NormalizedDirection. */
+  /** How three curves are combined into one force. Default NormalizedDirection. */
   void SetForceForm(int form)
   {
     this->Assign(this->Values.form, static_cast<palpate::ForceForm>(form));
@@ -96,7 +97,7 @@ public:
   ///@}
 
   ///@{
-  /** The surface that tips are projected on. Default Facets. */
+  /** The surface on which tips are projected. Default Facets. */
   void SetContactSurface(int surface)
   {
     this->Assign(this->Values.surface, static_cast<palpate::ContactSurface>(surface));
@@ -105,7 +106,7 @@ public:
   ///@}
 
   ///@{
-  /** What a contact does before it slides. Default ElastoPlastic. */
+  /** Behaviour of a contact before it slides. Default ElastoPlastic. */
   void SetFrictionModel(int model)
   {
     this->Assign(this->Values.friction.model, static_cast<palpate::FrictionModel>(model));
@@ -124,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Stiffness of the stuck contact, N/mm, finite and > 0. Default 1. In a servo loop of period T at
-   * a device of damping b it should not exceed 2b/T. Not used by ShapeDerived.
+   * Stiffness of the sticking contact, N/mm, finite and > 0. Default 1. In a servo loop of period T
+   * with a device of damping b it should not exceed 2b/T. Not used by ShapeDerived.
    */
   void SetTangentialStiffness(double stiffness)
   {
@@ -136,9 +137,9 @@ public:
 
   ///@{
   /**
-   * ElastoPlastic only. Breakaway: fraction of the sliding limit up to which the contact is
+   * Used by ElastoPlastic only. Breakaway: fraction of the sliding limit up to which the contact is
    * elastic, 0 to 1, default 0.8; at 0 it creeps under any load. StickRadius: fraction at which
-   * half of a further displacement is creep, positive and no less than the breakaway, default 0.9.
+   * half of a further displacement is creep, positive and not below the breakaway, default 0.9.
    */
   void SetFrictionBreakaway(double share) { this->Assign(this->Values.friction.breakaway, share); }
   double GetFrictionBreakaway() { return this->Values.friction.breakaway; }
@@ -150,17 +151,17 @@ public:
   ///@}
 
   ///@{
-  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Only used by ShapeDerived friction. */
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Used by ShapeDerived friction only. */
   void SetPoissonRatio(double ratio) { this->Assign(this->Values.friction.poissonRatio, ratio); }
   double GetPoissonRatio() { return this->Values.friction.poissonRatio; }
   ///@}
 
   ///@{
   /**
-   * Number of parallel elements of a relaxing contact, each of which touches and separates by
-   * itself, 0 to 32. Default 16: within 0.9 % of the largest force, whatever the tool and its path;
-   * 8: 3 %; 0: 12 %, a single element, the quasi-linear law. vtkResponseChoice says how many a
-   * tolerance needs. No effect where nothing relaxes.
+   * Number of parallel elements of a relaxing contact, 0 to 32. Each element touches and separates
+   * independently. Default 16: error within 0.9 % of the largest force, for any tool and path; 8:
+   * 3 %; 0: 12 %, a single element, the quasi-linear law. vtkResponseChoice gives the number that a
+   * tolerance needs. Has no effect if the body does not relax.
    */
   void SetRelaxationElements(int elements)
   {
@@ -169,20 +170,22 @@ public:
   int GetRelaxationElements() { return this->Values.relaxationElements; }
   ///@}
 
-  /** What is out of its range, "FrictionCoefficient must be finite and not negative, but is -1"; ""
-   * if nothing is. */
+  /**
+   * Describes a setting that is out of its range, "FrictionCoefficient must be finite and not
+   * negative, but is -1"; "" if all are valid.
+   */
   std::string GetFault();
 
   /**
-   * A row per setting: Name, Unit, Minimum (excluded where IncludesMinimum is 0), IncludesMinimum,
-   * Maximum (infinite where there is none), Default, Values (the names of an enumeration, with
-   * spaces between them, from 0 on) and Help.
+   * A row per setting: Name, Unit, Minimum (excluded if IncludesMinimum is 0), IncludesMinimum,
+   * Maximum (infinite if unlimited), Default, Values (the names of an enumeration, separated by
+   * spaces, starting at 0) and Help.
    */
   static void GetTable(vtkTable* table);
 
 #ifndef __VTK_WRAP__
   ///@{
-  /** All at once, for C++. */
+  /** All settings at once, for C++. */
   void SetKernel(const palpate::ContactSettings& settings);
   const palpate::ContactSettings& GetKernel() const
   {

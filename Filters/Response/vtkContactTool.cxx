@@ -137,7 +137,7 @@ const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
   return this->Kernel.get();
 }
 
-/// The kernel, if its law holds at a deflection; otherwise null, after an error.
+/// Returns the kernel if its law holds at the deflection; otherwise null, after an error.
 const palpate::AxisymmetricTool* vtkContactTool::GetKernelFor(double deflection)
 {
   const palpate::AxisymmetricTool* tool = this->GetKernel();
@@ -159,7 +159,7 @@ bool vtkContactTool::SetSpecification(const std::string& specification)
     vtkErrorMacro(<< error << ".");
     return false;
   }
-  // Parameters the shape does not have keep their values.
+  // Parameters that the shape does not have keep their values.
   this->SetShape(static_cast<int>(read.Shape));
   switch (this->Shape)
   {

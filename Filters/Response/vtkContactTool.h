@@ -4,8 +4,8 @@
  * @class vtkContactTool
  * @brief a rigid tool of revolution, and its law of contact with an elastic half-space
  *
- * The tool is pressed `deflection` mm deep, along its axis, without friction, into a half-space of
- * reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
+ * The tool is pressed `deflection` mm deep, along its axis and without friction, into a half-space
+ * of reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
  *
  * | Shape         | parameters    | profile f(r)            | radius a or depth δ       | force F                                              |
  * |---------------|---------------|-------------------------|---------------------------|------------------------------------------------------|
@@ -19,33 +19,33 @@
  * | PowerLaw      | Exponent n, B | B r^n                   | δ = κ B a^n               | 2n/(n+1) E* a δ                                      |
  * | Profile       | points (r, f) | straight, then a wall   | δ = Σ m_i a A_i           | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i])                 |
  *
- * Radius is that of the flat end (a, b), of the tip or of the sphere (R); R_e is EdgeRadius, B the
- * Coefficient, α the HalfAngle. Beyond b, BluntedCone continues along the sphere's tangent.
- * A = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
+ * Radius is the radius of the flat end (a, b), of the tip, or of the sphere (R). R_e is EdgeRadius,
+ * B the Coefficient, α the HalfAngle. Beyond b, BluntedCone continues along the sphere's tangent. A
+ * = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
  * the change of slope at r_i. (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape
- * dF/dδ = 2 E* a. The strain is measured by a/R where the tip has a radius R (Paraboloid, Sphere,
+ * dF/dδ = 2 E* a. The strain is measured by a/R if the tip has a radius R (Paraboloid, Sphere,
  * BluntedCone), otherwise by δ/a.
  *
- * **Profiles.** Points taken from a smooth tool give its law with an error that falls with the
- * square of their spacing. The formulas hold for one full circle of contact. A tool that is not
- * convex (a shoulder, a groove, a second ring) would touch outside it from some depth on; pressed
- * deeper, every Get... reports an error that names the deflection and the radius, and gives NaN:
- * see GetDepthLimit. A ring that lies lower than the tip is refused at once.
+ * **Profiles.** For points taken from a smooth tool, the error of the law falls with the square of
+ * their spacing. The formulas hold for one full circle of contact. A tool that is not convex (a
+ * shoulder, a groove, a second ring) would touch outside this circle from some depth on. If it is
+ * pressed deeper, every Get... reports an error that names the deflection and the radius, and
+ * returns NaN: see GetDepthLimit. A ring below the tip is an error at once.
  *
- * **On the sphere of Mahvash and Hayward (2002), Table 1.** It is printed there as 4/3 √(R E*)
- * δ^1.5, with E* under the root. The right form, that of Paraboloid, is 4/3 E* √R δ^1.5: the force
- * on a linear elastic body is linear in its modulus, and only then are the units N
- * (MPa · mm^½ · mm^1.5). Paraboloid is Hertz's approximation of a sphere, good while a << R: at
- * a/R = 0.4 it is 1.7 % too stiff at equal depth, and the paper's own 3.2 mm sphere at 12 N has
- * a/R = 1 by it. Sphere is exact at every depth of linear elasticity.
+ * **On the sphere of Mahvash and Hayward (2002), Table 1.** There it is printed as 4/3 √(R E*)
+ * δ^1.5, with E* under the root. The correct form, that of Paraboloid, is 4/3 E* √R δ^1.5: the
+ * force on a linear elastic body is linear in its modulus, and only then are the units N (MPa ·
+ * mm^½ · mm^1.5). Paraboloid is Hertz's approximation of a sphere, good while a << R. At a/R = 0.4
+ * it is 1.7 % too stiff at equal depth; for the paper's own 3.2 mm sphere at 12 N it gives a/R = 1.
+ * Sphere is exact at every depth of linear elasticity.
  *
  * A deflection <= 0 gives 0, NaN gives NaN. An invalid tool or argument (a radius that is not
  * positive, a half angle outside 0..90, an exponent outside 1..100, E* <= 0, ν outside 0..0.5)
  * reports an error and gives NaN. Small strain is assumed: see vtkToolContactResponse, Validity.
  *
- * Cost: force, stiffness and contact radius below a microsecond (Profile: for each ten points);
- * pressure and outer displacement of the shapes without closed form for them (all but Flat,
- * Paraboloid and Cone) integrate with about 100 points (3 µs; Profile: for each point). Get...
+ * Cost: force, stiffness and contact radius take less than a microsecond (Profile: for each ten
+ * points). For shapes without a closed form (all except Flat, Paraboloid and Cone) pressure and
+ * outer displacement integrate with about 100 points (3 µs; Profile: for each point). Get...
  * functions of one object must not run concurrently with Set...
  */
 // clang-format on
@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * Radius of Flat, of the tip of Sphere, Paraboloid and BluntedCone, or of the flat part of
+   * Radius of Flat; of the tip of Sphere, Paraboloid and BluntedCone; or of the flat part of
    * TruncatedCone and RoundedFlat, mm, > 0. Default 5.
    */
   vtkSetMacro(Radius, double);
@@ -119,7 +119,7 @@ public:
   ///@}
 
   ///@{
-  /** Radius to which the edge of RoundedFlat is rounded, mm, > 0. Default 1. */
+  /** Radius of the rounded edge of RoundedFlat, mm, > 0. Default 1. */
   vtkSetMacro(EdgeRadius, double);
   vtkGetMacro(EdgeRadius, double);
   ///@}
@@ -127,7 +127,7 @@ public:
   ///@{
   /**
    * Exponent n of PowerLaw, 1..100. Default 2. Below 1 the tip would be a cusp of infinite slope;
-   * above 100 it is a flat punch.
+   * above 100 the tool is a flat punch.
    */
   vtkSetMacro(Exponent, double);
   vtkGetMacro(Exponent, double);
@@ -140,8 +140,10 @@ public:
   ///@}
 
   ///@{
-  /** What most changes the tool: the half angle of a Cone (degrees), else the radius (mm). Nothing
-   * is set, and 0 got, where HasSize says no: PowerLaw, Profile. */
+  /**
+   * The most important dimension of the tool: the half angle of a Cone (degrees), otherwise the
+   * radius (mm). If HasSize is false (PowerLaw, Profile), Set has no effect and Get returns 0.
+   */
   void SetSize(double size);
   double GetSize();
   bool HasSize();
@@ -150,32 +152,34 @@ public:
 
   ///@{
   /**
-   * Points of Profile, mm: x = r, the distance from the axis, increasing; y = f(r) >= 0, the height
-   * above the tip; the first (0, 0); z is ignored. The points are not copied: call their Modified()
-   * after changing them.
+   * Points of Profile, mm. x = r is the distance from the axis, increasing. y = f(r) >= 0 is the
+   * height above the tip. The first point is (0, 0); z is ignored. The points are not copied: call
+   * their Modified() after changing them.
    */
   virtual void SetProfile(vtkPoints* points);
   vtkPoints* GetProfilePoints();
   ///@}
 
   ///@{
-  /** The same point by point. They do not change the points given to SetProfile. */
+  /** Sets the profile point by point. Does not change the points given to SetProfile. */
   void AddProfilePoint(double r, double f);
   void RemoveAllProfilePoints();
   ///@}
 
   /**
-   * The tool in writing: "flat:R", "paraboloid:R", "sphere:R", "cone:DEGREES",
-   * "truncated:R,DEGREES", "blunted:R,DEGREES", "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT",
-   * "profile:FILE.csv" or "profile:r1,f1;r2,f2;…" (mm). A profile is written in the last form, so
-   * that a stored response needs no file; a file has a line r_mm,f_mm per point. Setting reports an
-   * error, returns false and changes nothing when the text or the file is wrong. Getting an invalid
-   * tool's specification reports an error and returns "".
+   * The tool as text: "flat:R", "paraboloid:R", "sphere:R", "cone:DEGREES", "truncated:R,DEGREES",
+   * "blunted:R,DEGREES", "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT", "profile:FILE.csv" or
+   * "profile:r1,f1;r2,f2;…" (mm). A file has a line r_mm,f_mm per point. Get writes a profile in
+   * the last form, so that a stored response needs no file. If the text or the file is invalid, Set
+   * reports an error, returns false and changes nothing. If the tool is invalid, Get reports an
+   * error and returns "".
    */
   bool SetSpecification(const std::string& specification);
   std::string GetSpecification();
 
-  /** The tool in words, for captions: "sphere, radius 6.35 mm". Of an invalid tool "". */
+  /**
+   * A description of the tool for captions: "sphere, radius 6.35 mm"; "" if the tool is invalid.
+   */
   std::string GetDescription();
 
   /** Force, N, at a deflection (mm) into a half-space of reduced modulus E* (MPa). */
@@ -185,9 +189,9 @@ public:
   /** Contact radius a, mm. */
   double GetContactRadius(double deflection);
   /**
-   * Contact pressure at distance r (mm) from the axis, MPa: 0 outside the contact, +inf at the rim
-   * of Flat, the apex of Cone and the edge of TruncatedCone; of Profile +inf at each convex and
-   * -inf at each concave corner under contact, and +inf at its wall.
+   * Contact pressure at distance r (mm) from the axis, MPa. 0 outside the contact; +inf at the rim
+   * of Flat, the apex of Cone and the edge of TruncatedCone. For Profile, +inf at each convex and
+   * -inf at each concave corner in contact, and +inf at its wall.
    */
   double GetPressure(double r, double deflection, double reducedModulus);
   /**
@@ -199,23 +203,25 @@ public:
 
   /**
    * Depth (mm) beyond which the tool would touch the body outside the circle of contact, so that no
-   * force can be given: +inf for all shapes but a Profile that is not convex.
+   * force is defined. +inf for all shapes except a Profile that is not convex.
    */
   double GetDepthLimit();
 
-  /** Height of the tool's surface above its tip at distance r from the axis, mm; +inf beyond its
-   * wall. */
+  /**
+   * Height of the tool's surface above its tip at distance r from the axis, mm; +inf beyond its
+   * wall.
+   */
   double GetProfile(double r);
 
   /**
-   * The tool for the kernels; null, after an error, if a parameter is invalid. Owned by this
-   * object, valid until it is changed.
+   * The tool for the kernels. Null, after an error, if a parameter is invalid. Owned by this
+   * object, valid until this object changes.
    */
   const palpate::AxisymmetricTool* GetKernel();
-  /** Why there is no kernel, or ""; reports no error. */
+  /** The reason why the kernel is missing, or "". Reports no error. */
   std::string FindFault();
 
-  /** Includes the time of the profile's points. */
+  /** Includes the modification time of the profile's points. */
   vtkMTimeType GetMTime() override;
 
 protected:

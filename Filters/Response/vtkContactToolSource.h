@@ -5,9 +5,9 @@
  *
  * The tip is at the origin and the tool rises along +z: its profile, then a straight shaft up to
  * Length. Triangles with outward normals, mm. A tool with a wall (Flat, Sphere, Profile) is drawn
- * up to it; a profile that keeps widening (the others) ends at MaximumRadius, or where it reaches
- * 9/10 of Length, and continues as a shaft. Edges and corners of the profile are points of the
- * geometry.
+ * up to its wall. A profile that keeps widening (all other shapes) ends at MaximumRadius, or where
+ * it reaches 9/10 of Length, and continues as a shaft. Edges and corners of the profile are points
+ * of the geometry.
  */
 #ifndef vtkContactToolSource_h
 #define vtkContactToolSource_h
@@ -38,7 +38,7 @@ public:
   ///@}
 
   ///@{
-  /** Largest radius a widening profile is drawn to, mm, > 0. Default 8. */
+  /** Largest radius to which a widening profile is drawn, mm, > 0. Default 8. */
   vtkSetMacro(MaximumRadius, double);
   vtkGetMacro(MaximumRadius, double);
   ///@}

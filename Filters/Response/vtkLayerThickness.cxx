@@ -38,8 +38,8 @@ vtkStandardNewMacro(vtkLayerThickness);
 namespace
 {
 constexpr double SamplesPerVoxel = 4.0;
-constexpr double LargestTurn = 0.5; // cosine of 60°: beyond, the surface faces elsewhere
-constexpr double MostSamples = 1e6; // of a ray
+constexpr double LargestTurn = 0.5; // cosine of 60°; beyond, the surface faces another way
+constexpr double MostSamples = 1e6; // per ray
 constexpr int ThicknessBlocks = 10;
 constexpr float NotFound = std::numeric_limits<float>::infinity();
 using Stage = palpate::FilterStage;
@@ -85,13 +85,15 @@ public:
     this->Grey->CopyStructure(scan);
     this->Grey->GetPointData()->SetScalars(grey);
     this->Interpolator->SetInterpolationModeToLinear();
-    this->Interpolator->SetTolerance(0.5); // voxels: the skin may end where the scan does
+    this->Interpolator->SetTolerance(0.5); // voxels: the skin may end at the border of the scan
     this->Interpolator->Initialize(this->Grey);
   }
 
   std::size_t samples() const { return this->Samples; }
 
-  /** Depth of the base under a point, mm; +inf if there is none. `grey`: room for the samples. */
+  /**
+   * Depth of the base under a point, mm; +inf if no base is found. `grey`: memory for the samples.
+   */
   double operator()(const double point[3], const float* normal, double* grey) const
   {
     double from[3];
@@ -131,7 +133,7 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/** Whether surface that faces away from the normal of point `i` lies near a place. */
+/** Whether a surface that faces away from the normal of point `i` is within `reach` of a place. */
 bool LeavesBody(
   const Surface& surface, vtkIdType i, const double place[3], double reach, vtkIdList* near)
 {
@@ -140,7 +142,7 @@ bool LeavesBody(
     near->begin(), near->end(), [&](vtkIdType j) { return surface.cosine(i, j) < 0.0; });
 }
 
-/** The median around point `i`, itself included. */
+/** The median around point `i`, including the point itself. */
 float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>& depth,
   double radius, vtkIdList* near, std::vector<float>& found)
 {
@@ -164,7 +166,7 @@ float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>
   return *middle;
 }
 
-/** Runs a loop over `count` points in blocks; false when aborted. */
+/** Runs a loop over `count` points in blocks. Returns false if aborted. */
 template <class Loop>
 bool ForAll(vtkIdType count, Stage stage, const Loop& loop)
 {
@@ -211,7 +213,7 @@ int vtkLayerThickness::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-/** What is wrong with scan or properties; empty when nothing is. */
+/** Checks scan and properties. Returns "" if they are valid, else an error message. */
 std::string vtkLayerThickness::Problem(vtkImageData* scan, vtkDataArray* grey) const
 {
   std::ostringstream text;
@@ -317,7 +319,7 @@ int vtkLayerThickness::RequestData(
   const Surface surface{ body->GetPoints(), normals->GetPointer(0), locator };
   const Rays findBase(scan, grey, this->MaximumDepth, this->EdgeWidth, this->BaseValue);
 
-  // The base under each point.
+  // Find the base under each point.
   std::vector<float> depth(static_cast<std::size_t>(count), NotFound);
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocal<std::vector<double>> samples;
@@ -345,7 +347,7 @@ int vtkLayerThickness::RequestData(
       }
     });
 
-  // The median around each point.
+  // Take the median around each point.
   vtkNew<vtkFloatArray> thickness;
   thickness->SetName("LayerThickness");
   thickness->SetNumberOfTuples(count);

@@ -3,38 +3,41 @@
  * @class vtkLayerThickness
  * @brief thickness of the soft tissue over the bone at each point, from a scan
  *
- * Port 0: the body, a vtkPolyData of triangles in mm, as vtkSkinSurface makes it; its active point
- * normals, or angle-weighted ones, point outward. Port 1: the scan, a three-dimensional
- * vtkImageData in the same coordinates, with one-component scalars that are bright in soft tissue
- * and dark in the base (input array 0 to process; default: the active scalars).
+ * Port 0: the body, a vtkPolyData of triangles in mm, as vtkSkinSurface makes it. Its active point
+ * normals, or angle-weighted normals if it has none, point outward. Port 1: the scan, a
+ * three-dimensional vtkImageData in the same coordinates, with one-component scalars that are
+ * bright in soft tissue and dark in the base (input array 0 to process; default: the active
+ * scalars).
  *
- * Output: the body with the point array `LayerThickness` (float, mm), 0 where no base was found:
- * array to process 1 of vtkToolContactResponse, where 0 is a half-space. All else passes through.
+ * Output: the body with the point array `LayerThickness` (float, mm), 0 where no base was found. It
+ * is array to process 1 of vtkToolContactResponse, for which 0 is a half-space. All other data pass
+ * through.
  *
- * The steps: (1) from each point a ray goes inward along the normal, MaximumDepth deep, and reads
- * the scan every quarter of the smallest spacing (trilinear interpolation). (2) The base is the
- * first run of values below BaseValue that is at least a voxel long and, at its darkest, at most
- * half as bright as the tissue above it; it begins where the grey level falls through the mean of
- * the brightest and the darkest value within EdgeWidth. (3) A base within EdgeWidth of which the
- * surface faces the other way is rejected: the ray left the body, as through an ear. (4) Median
- * over the points within SmoothingRadius whose normals turn by less than 60°; a point without base
- * counts as infinitely deep, so that the majority decides whether there is one. A ray ends where
- * the scan ends or is not finite; points of the body that are not finite are an error.
+ * The steps: (1) From each point a ray goes inward along the normal to MaximumDepth. It reads the
+ * scan every quarter of the smallest spacing (trilinear interpolation). (2) The base is the first
+ * run of values below BaseValue that is at least a voxel long and whose darkest value is at most
+ * half as bright as the tissue above it. The base begins where the grey level falls through the
+ * mean of the brightest and the darkest value within EdgeWidth. (3) A base is rejected if, within
+ * EdgeWidth of it, the surface faces the other way: the ray has left the body, as through an ear.
+ * (4) The median is taken over the points within SmoothingRadius whose normals turn by less than
+ * 60°. A point without base counts as infinitely deep, so the majority decides whether a base
+ * exists. A ray ends where the scan ends or is not finite. Points of the body that are not finite
+ * are an error.
  *
  * Accuracy, on sharp edges blurred by voxels: a tenth of a voxel. On a head it is that of the scan:
- * fat is shifted against water along the read-out axis, typically by up to a voxel.
+ * fat is shifted relative to water along the read-out axis, typically by up to a voxel.
  *
- * @warning The thickness is measured along the normal, and whatever is dark is base: air behind
- * thin tissue (sinuses, nostrils, mouth) looks like bone. On the T1 scan of Colin 27 cortical bone
- * has 10 to 25, the eyes 38, muscle 60 and more.
+ * @warning The thickness is measured along the normal, and every dark region counts as base: air
+ *   behind thin tissue (sinuses, nostrils, mouth) looks like bone. On the T1 scan of Colin 27
+ *   cortical bone has 10 to 25, the eyes 38, muscle 60 and more.
  *
  * @warning
- * Points of the body must be closer together than EdgeWidth for step 3, and than SmoothingRadius
- * for step 4, to do anything.
+ * Step 3 has an effect only if the points of the body are closer together than EdgeWidth; step 4
+ * only if they are closer together than SmoothingRadius.
  *
- * Cost: Colin 27 at 0.6 mm, 426 thousand points: 6.5 s of one core, a third of it the rays, the
- * rest the median, which grows with the points within SmoothingRadius. Threaded by vtkSMPTools; the
- * same bits for any number of threads. Abort leaves no output.
+ * Cost: Colin 27 at 0.6 mm, 426 thousand points: 6.5 s on one core. A third of it is for the rays,
+ * the rest for the median, whose cost grows with the number of points within SmoothingRadius.
+ * Threaded by vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
  * @sa vtkSkinSurface vtkToolContactResponse
  */
@@ -63,23 +66,23 @@ public:
 
   ///@{
   /**
-   * Grey value below which the scan is base, in the unit of the scalars. Default 35, right for
-   * the T1 scan of Colin 27.
+   * Grey value below which the scan counts as base, in the unit of the scalars. Default 35,
+   * suitable for the T1 scan of Colin 27.
    */
   vtkSetMacro(BaseValue, double);
   vtkGetMacro(BaseValue, double);
   ///@}
 
   ///@{
-  /** Depth down to which a base is searched for, mm, > 0. Default 20. */
+  /** Depth to which a base is searched, mm, > 0. Default 20. */
   vtkSetMacro(MaximumDepth, double);
   vtkGetMacro(MaximumDepth, double);
   ///@}
 
   ///@{
   /**
-   * How far the scan blurs an edge, mm, > 0: tissue and base are judged within it. Default 3: three
-   * voxels of Colin 27.
+   * Width over which the scan blurs an edge, mm, > 0. Tissue and base are compared within it.
+   * Default 3: three voxels of Colin 27.
    */
   vtkSetMacro(EdgeWidth, double);
   vtkGetMacro(EdgeWidth, double);

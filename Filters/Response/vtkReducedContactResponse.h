@@ -4,33 +4,34 @@
  * @brief a response in the fewest numbers that keep its forces within a tolerance
  *
  * Input: a body with response arrays (vtkToolContactResponse, vtkMeasuredContactResponse), in
- * either form. Output: the same body, whose response `ResponseName` is the first of these that
- * suffices:
+ * either form. Output: the same body, with its response `ResponseName` in the first of these forms
+ * that suffices:
  * - one law for the body: the same curve at every point;
- * - one law, times a number per point;
+ * - one law, times one number per point;
  * - a basis of up to MaximumNumberOfLaws laws, with as many coefficients per point;
- * - a curve of its own per point, in fewer samples;
+ * - a separate curve per point, with fewer samples;
  * - the response unchanged.
  *
- * Laws are the field array `<name>Basis` and coefficients the point array `<name>Coefficient`, in
- * place of `<name>Force` and `<name>Stiffness`; every reader of a response accepts both, and the
- * servo tick evaluates the laws directly: its record of a point shrinks from 80 bytes to 16, and 4
- * per coefficient (none for one law). All other arrays pass through.
+ * Laws are stored as the field array `<name>Basis` and coefficients as the point array
+ * `<name>Coefficient`. They replace `<name>Force` and `<name>Stiffness`. Every reader of a response
+ * accepts both forms. The servo tick evaluates the laws directly: its record of a point shrinks
+ * from 80 bytes to 16, plus 4 per coefficient (none for one law). All other arrays pass through.
  *
- * The error of a point is the largest difference of the force at any depth up to its Range, over
- * the force at that depth (over that of the first sample before it). It is found at every point,
- * four times per interval between samples, from the numbers as stored; between these depths it may
- * be a tenth larger. Curves of different Range (measured ones, cut where their data end) take more
- * laws.
+ * The error of a point is the largest difference of the force at any depth up to its Range, divided
+ * by the force at that depth (before the first sample: by the force at the first sample). It is
+ * computed at every point, four times per interval between samples, from the stored numbers.
+ * Between these depths it may be a tenth larger. Curves of different Range (measured curves that
+ * end where their data end) need more laws.
  *
- * What was dropped, and the error by that, is told by the Get... functions below and by the field
- * arrays `<name>Reduction` (text) and `<name>ReductionError` (double, relative).
+ * The Get... functions below and the field arrays `<name>Reduction` (text) and
+ * `<name>ReductionError` (double, relative) report the dropped numbers and the resulting error.
  *
- * Source: proper orthogonal decomposition (Sirovich 1987), the columns weighted for the relative
- * error; details in ResponseReduction.h. Cost: some µs per point and core. The same bits for any
- * number of threads.
+ * Source: proper orthogonal decomposition (Sirovich 1987), with columns weighted for the relative
+ * error; details in ResponseReduction.h. Cost: some µs per point and core. The bits do not depend
+ * on the number of threads.
  *
- * Errors: no such response; Tolerance not above 0, MaximumNumberOfLaws not from 1 to 16.
+ * Errors: the body has no such response; Tolerance is not above 0; MaximumNumberOfLaws is not from
+ * 1 to 16.
  */
 #ifndef vtkReducedContactResponse_h
 #define vtkReducedContactResponse_h
@@ -47,7 +48,7 @@ public:
   vtkTypeMacro(vtkReducedContactResponse, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms of a stored response, from the fewest numbers up.
+  /// The forms of a stored response, in ascending number of stored numbers.
   enum FormType
   {
     OneLaw = 0,
@@ -59,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Largest relative error of the force, > 0; below about 1e-6 the rounding of floats prevails.
-   * Default 0.01: a tenth of what a hand can tell.
+   * Largest relative error of the force, > 0. Below about 1e-6 the rounding of floats prevails.
+   * Default 0.01: a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -79,9 +80,12 @@ public:
   ///@}
 
   ///@{
-  /** Of the last execution: form; numbers stored per point (but for normal, range, status), now
-   * and before; largest relative error of the force over all points and depths, the point it is at
-   * (-1: no point has a response), and that of dF/dδ relative to the curve's steepest. */
+  /**
+   * Results of the last execution: form; numbers stored per point (except normal, range, status),
+   * now and before; largest relative error of the force over all points and depths; the point of
+   * that error (-1: no point has a response); and the largest error of dF/dδ relative to the
+   * curve's steepest value.
+   */
   vtkGetMacro(Form, int);
   vtkGetMacro(NumbersPerPoint, int);
   vtkGetMacro(NumbersPerPointBefore, int);
@@ -89,7 +93,7 @@ public:
   vtkGetMacro(WorstPoint, vtkIdType);
   vtkGetMacro(LargestStiffnessError, double);
   ///@}
-  /** All that in a sentence. */
+  /** These results as a sentence. */
   vtkGetMacro(Report, std::string);
 
 protected:

@@ -2,46 +2,49 @@
 /**
  * @class vtkResponseChoice
  * @brief chooses the simplest response a body needs: a point force, a few laws or a curve per
- * vertex
+ *   vertex
  *
  * Input: a body with response arrays (vtkToolContactResponse, vtkMeasuredContactResponse), in
- * either form, and, if a point force is to be considered, with the arrays of vtkContactRegime for
- * the same tool. Output: the body, its response in the first of these that keeps the forces:
+ * either form. A point force is considered only if the body also has the arrays of vtkContactRegime
+ * for the same tool. Output: the body with its response in the first of these forms that keeps the
+ * forces:
  * - PointForce: a spring per point, F = k δ;
  * - OneLaw: the same curve at every point;
- * - ScaledLaw: one law, times a number per point;
+ * - ScaledLaw: one law, times one number per point;
  * - FewLaws: up to MaximumNumberOfLaws laws, combined at each point;
- * - PerVertex: a curve per point, as it was.
+ * - PerVertex: a curve per point, unchanged.
  *
- * **Laws** are taken when at `Share` of the points the force at every depth up to Range is off by
- * no more than `Tolerance`, relative to itself (before the first sample: to the force there). They
- * are stored as the field array `<name>Basis` and the point array `<name>Coefficient`.
+ * **Laws** are chosen if, at the fraction `Share` of the points, the relative error of the force is
+ * at most `Tolerance` at every depth up to Range (before the first sample: relative to the force at
+ * that sample). They are stored as the field array `<name>Basis` and the point array
+ * `<name>Coefficient`.
  *
- * **A point force** is taken when three things hold at `Share` of the points: the shape of the tool
- * is not felt (RegimeVerdict 2), `Deflection` lies within Validity, and the spring is off by no
- * more than `Tolerance` of the force at Range. Its stiffness is the secant of the tool's curve
- * there: the local compliance in series with the global one, nearly 1/GlobalCompliance; another
- * tool would get the same to some per cent. It loses the soft start of a contact: a curve begins
- * without stiffness, a spring with all of it, so that at a tenth of Range, where the force is a
- * tenth, the relative error may be many times the Tolerance. Without the regime's arrays there is
- * no point force, nor for half-spaces and layers, whose λ is never near 1.
+ * **A point force** is chosen if three conditions hold at the fraction `Share` of the points: the
+ * shape of the tool does not matter (RegimeVerdict 2), `Deflection` is within Validity, and the
+ * error of the spring is at most `Tolerance` of the force at Range. The stiffness of the spring is
+ * the secant of the tool's curve there: the local compliance in series with the global one, nearly
+ * 1/GlobalCompliance. It would be the same for another tool to some per cent. A spring does not
+ * have the soft start of a contact: a curve begins without stiffness, a spring with its full
+ * stiffness. So at a tenth of Range, where the force is a tenth, the relative error may be many
+ * times the Tolerance. A point force is never chosen without the regime's arrays, nor for
+ * half-spaces and layers, whose λ is never near 1.
  *
- * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, with its arrays, where it
+ * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, with its arrays, if it
  * changes the force of no press by more than `Tolerance`. Otherwise the field array
- * `<name>RelaxationElements` (int) says with how many elements (vtkContactSettings) the error stays
- * within `Tolerance` of the largest force of a press, for the worst of the motions studied
- * (palpate/RelaxationError.h), as the speed of the tool is not known.
+ * `<name>RelaxationElements` (int) gives the number of elements (vtkContactSettings) with which the
+ * error stays within `Tolerance` of the largest force of a press. The number is for the worst of
+ * the studied motions (palpate/RelaxationError.h), since the speed of the tool is unknown.
  *
- * The choice in words, with its numbers: GetReason, and the field array `<name>Choice`. It also
- * tells where Deflection is beyond Validity: there the law's numbers are kept, but the law no
+ * GetReason and the field array `<name>Choice` describe the choice with its numbers. They also
+ * report where Deflection is beyond Validity: the law's numbers are kept there, but the law no
  * longer describes the body.
  *
- * All other arrays pass through; Validity and Limit stay those of the tool's law. Cost: 20 ns per
- * point where all curves are the same, else 2 to 3 us per point and core. The same bits for any
- * number of threads. See ResponseChoice.h.
+ * All other arrays pass through; Validity and Limit remain those of the tool's law. Cost: 20 ns per
+ * point if all curves are the same, else 2 to 3 us per point and core. The bits do not depend on
+ * the number of threads. See ResponseChoice.h.
  *
- * Errors: no such response; a setting out of its range; RegimeVerdict or Validity of another type;
- * a RegimeDeflection that is not Deflection.
+ * Errors: the body has no such response; a setting is out of its range; RegimeVerdict or Validity
+ * has another type; RegimeDeflection differs from Deflection.
  *
  * @sa vtkReducedContactResponse vtkContactRegime
  */
@@ -60,7 +63,7 @@ public:
   vtkTypeMacro(vtkResponseChoice, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms that may suffice, the simplest first.
+  /// The forms that may suffice, simplest first.
   enum VerdictType
   {
     PointForce = 0,
@@ -71,16 +74,18 @@ public:
   };
 
   ///@{
-  /** Largest error of the force, > 0, in the two senses above. Default 0.01: a tenth of what a hand
-   * can tell. */
+  /**
+   * Largest error of the force, > 0, in the two senses above. Default 0.01: a tenth of the
+   * difference that a hand can notice.
+   */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
   /**
-   * Fraction of the points that must keep the tolerance, above 0 to 1. Default 1: all. The error of
-   * the others is not limited: see GetLargestError.
+   * Fraction of the points that must keep the tolerance, > 0 to 1. Default 1: all points. The error
+   * of the other points is not limited: see GetLargestError.
    */
   vtkSetMacro(Share, double);
   vtkGetMacro(Share, double);
@@ -88,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Depth at which regime and validity are checked, mm. Default 0: that of the regime; without one,
-   * half of Range at each point.
+   * Depth at which regime and validity are checked, mm. Default 0: the depth of the regime; without
+   * a regime, half of Range at each point.
    */
   vtkSetMacro(Deflection, double);
   vtkGetMacro(Deflection, double);
@@ -108,16 +113,17 @@ public:
   ///@}
 
   ///@{
-  /** Of the last execution: what was chosen (VerdictType), and why, in a sentence. */
+  /** Results of the last execution: the choice (VerdictType), and its reason as a sentence. */
   vtkGetMacro(Verdict, int);
   vtkGetMacro(Reason, std::string);
   ///@}
   ///@{
   /**
-   * Of the last execution: numbers stored per point (but for normal, range, status), now and
-   * before; largest error over all points; fraction of the points within the tolerance; fraction at
-   * which the shape of the tool is not felt (0 without regime); largest error of springs (0 where
-   * they were not considered); fraction at which Deflection is beyond Validity.
+   * Results of the last execution: numbers stored per point (except normal, range, status), now and
+   * before; largest error over all points; fraction of the points within the tolerance; fraction of
+   * the points at which the shape of the tool does not matter (0 without regime); largest error of
+   * springs (0 if they were not considered); fraction of the points at which Deflection is beyond
+   * Validity.
    */
   vtkGetMacro(NumbersPerPoint, int);
   vtkGetMacro(NumbersPerPointBefore, int);
@@ -127,8 +133,11 @@ public:
   vtkGetMacro(SpringLoss, double);
   vtkGetMacro(BeyondValidityShare, double);
   ///@}
-  /** Of the last execution: the elements that the body's relaxation needs (vtkContactSettings), 0,
-   * 4, 8, 16 or 32; 0 also where nothing relaxes, or not enough to be felt. */
+  /**
+   * Result of the last execution: the number of elements that the body's relaxation needs
+   * (vtkContactSettings), 0, 4, 8, 16 or 32. Also 0 if the body does not relax, or relaxes too
+   * little to matter.
+   */
   vtkGetMacro(RelaxationElements, int);
 
 protected:

@@ -25,7 +25,7 @@
 
 namespace
 {
-/// A response of the body, ready to be evaluated.
+/// A response of the body that can be evaluated.
 struct NamedResponse
 {
   std::string name;
@@ -36,7 +36,7 @@ struct NamedResponse
   bool covers(vtkIdType id) const { return this->field->isValid(static_cast<std::int32_t>(id)); }
 };
 
-/// `count` of the ids, evenly, the first and the last among them.
+/// Selects `count` of the ids, evenly spaced, including the first and the last.
 std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t count)
 {
   std::vector<vtkIdType> kept;
@@ -47,7 +47,8 @@ std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t co
   return kept;
 }
 
-/// Adds the columns of the forces' bounds by their errors; at most from 0 to twice the force.
+/// Adds two columns with the bounds of the force by its error. The bounds are limited to 0 and to
+/// twice the force.
 void addBand(const NamedResponse& response, vtkIdType id, vtkDoubleArray* deflection,
   vtkDoubleArray* force, vtkTable* table)
 {
@@ -137,7 +138,7 @@ std::vector<vtkIdType> vtkResponseCurves::FindSelected(vtkPolyData* body, vtkSel
 {
   if (selection->GetNumberOfNodes() == 0)
   {
-    return {}; // an error to the extractor of VTK 9.1
+    return {}; // the extractor of VTK 9.1 would report an error
   }
   this->SelectionExtractor->SetInputData(0, body);
   this->SelectionExtractor->SetInputData(1, selection);
@@ -235,7 +236,7 @@ int vtkResponseCurves::RequestData(
       {
         longest = std::max(longest, response.ranges->GetTuple1(id));
       }
-      else if (!selection) // selected: a gap, as the point may have another response
+      else if (!selection) // a selected point remains as a gap, since it may have another response
       {
         vtkErrorMacro(<< "Point " << id << " has no response '" << response.name << "'.");
         return 0;

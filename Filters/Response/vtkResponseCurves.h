@@ -4,20 +4,20 @@
  * @brief the stored force-deflection curves of chosen points, as a table to plot
  *
  * Input port 0: a body with response arrays. Input port 1, optional: a vtkSelection of points of
- * it, of any kind that vtkExtractSelection understands: indices, thresholds, locations, a frustum;
- * selected cells stand for their points. With a selection, PointIds does not count.
+ * the body, of any kind that vtkExtractSelection understands: indices, thresholds, locations, a
+ * frustum. Selected cells select their points. With a selection, PointIds is ignored.
  *
- * Output: a vtkTable with column `Deflection (mm)`, from 0 to the largest Range of the chosen
- * points in NumberOfRows steps, and one column of force in N per response and point, named
+ * Output: a vtkTable. The column `Deflection (mm)` goes from 0 to the largest Range of the chosen
+ * points in NumberOfRows steps. For each response and point follows a column of force in N, named
  * `<response> at point <id> (N)` and evaluated as the kernel does. Beyond a point's Range the
- * column is NaN. Where the response keeps its error and ErrorBand is on, two more columns for each
- * follow after all these, the bounds of the force by its estimated error: `<response> at point
- * <id>, least (N)` and `<response> at point <id>, most (N)`.
+ * column is NaN. If the response stores its error and ErrorBand is on, two more columns per
+ * response and point follow after all these, the bounds of the force by its estimated error:
+ * `<response> at point <id>, least (N)` and `<response> at point <id>, most (N)`.
  *
- * A given point without response, or an id out of range, is an error naming it. Selected points
- * without response are left out, with one warning that counts them; if none is left, that is an
- * error. Of more selected points only MaximumNumberOfPoints are taken, evenly among their ids, and
- * a warning says so. An empty selection, like no PointIds, gives an empty table.
+ * A given point without response, or an id out of range, is an error that names it. Selected points
+ * without response are left out, with one warning that counts them; if no point is left, that is an
+ * error. If more than MaximumNumberOfPoints are selected, only that many are used, evenly spaced
+ * among their ids, with a warning. An empty selection, or no PointIds, gives an empty table.
  */
 #ifndef vtkResponseCurves_h
 #define vtkResponseCurves_h
@@ -51,7 +51,7 @@ public:
 
   /**
    * The filter that finds the selected points. Default: a vtkExtractSelection. An application with
-   * its own kinds of selection sets its own; only the inputs of that filter are changed.
+   * its own kinds of selection sets its own filter. Only the inputs of that filter are changed.
    */
   void SetSelectionExtractor(vtkExtractSelection* extractor);
 
@@ -75,15 +75,15 @@ public:
 
   ///@{
   /**
-   * Other responses for the same chart, after ResponseName's; a repeated name is ignored. Default:
-   * none.
+   * Additional responses for the same chart, after ResponseName. A repeated name is ignored.
+   * Default: none.
    */
   void AddMoreResponseName(const std::string& name);
   void RemoveAllMoreResponseNames();
   ///@}
 
   ///@{
-  /** Whether the bounds of each force are columns, too. Default on. */
+  /** Whether the table has columns for the bounds of each force. Default on. */
   vtkSetMacro(ErrorBand, bool);
   vtkGetMacro(ErrorBand, bool);
   vtkBooleanMacro(ErrorBand, bool);

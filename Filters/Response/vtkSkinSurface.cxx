@@ -39,7 +39,7 @@ namespace
 using Stage = palpate::FilterStage;
 
 /// Pass band of the smoothing on a lattice as fine as the scan. It removes the traces of voxels,
-/// waves of up to about ten spacings, and keeps longer ones.
+/// waves of up to about ten spacings, and keeps longer waves.
 constexpr double PassBand = 0.02;
 constexpr double MaximumVoxels = 4e9; // of the resampled scan: 16 GB
 constexpr float Clearance = 0.005f;   // see KeepClearOfVoxels
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageData> AsImage(palpate::SkinScan& scan)
   return image;
 }
 
-/** Size of a lattice of about `resolution` over the same box; 0 = unchanged. */
+/** Size of a lattice with a spacing of about `resolution` over the same box; 0 = unchanged. */
 std::array<int, 3> ResampledSize(const palpate::SkinScan& scan, double resolution)
 {
   std::array<int, 3> size = scan.size;
@@ -92,8 +92,8 @@ std::array<int, 3> ResampledSize(const palpate::SkinScan& scan, double resolutio
 }
 
 /**
- * Voxels at the very contour value give triangles without area: move grey levels away that are
- * closer to it than a small fraction of the step from air to tissue.
+ * Moves grey levels away that are closer to the contour value than a small fraction of the step
+ * from air to tissue. Voxels exactly at the contour value would give triangles without area.
  */
 void KeepClearOfVoxels(vtkImageData* image, float contour, float tissue)
 {
@@ -106,7 +106,7 @@ void KeepClearOfVoxels(vtkImageData* image, float contour, float tissue)
   }
 }
 
-/** The largest region of the contour; null when aborted. */
+/** Returns the largest region of the contour; null if aborted. */
 vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double contour, vtkAlgorithm* self)
 {
   vtkNew<vtkFlyingEdges3D> edges;
@@ -127,9 +127,9 @@ vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double contour, vtkAlg
 }
 
 /**
- * Sets the window that PassBand is meant for: it leaves 3 % of waves of 8 spacings. VTK had no
- * other before March 2024 (9.4, and ParaView 5.13's 9.3); then Nuttall's became the default, which
- * needs more iterations for the same and leaves 54 %.
+ * Sets the window for which PassBand was chosen: it leaves 3 % of waves of 8 spacings. VTK had no
+ * other window before March 2024 (9.4, and ParaView 5.13's 9.3). Then Nuttall's window became the
+ * default, which needs more iterations for the same result and leaves 54 %.
  */
 template <typename TFilter>
 auto UseHamming(TFilter* smooth, int) -> decltype(smooth->SetWindowFunctionToHamming())
@@ -141,7 +141,7 @@ void UseHamming(TFilter*, long)
 {
 }
 
-/** Windowed-sinc smoothing, as the filter does it: see Smooth. */
+/** Windowed-sinc smoothing as the filter does it; Smooth corrects its scale. */
 bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stage)
 {
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
@@ -157,9 +157,9 @@ bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stag
 }
 
 /**
- * Windowed-sinc smoothing that leaves border points where they are. The filter's gain at frequency
- * zero is not quite 1: it scales all about the centre of the box, by some 0.2 %. Undo that; the
- * factor is found from a triangle, which is all border.
+ * Windowed-sinc smoothing that does not move border points. The filter's gain at frequency zero is
+ * not quite 1: it scales all points about the centre of the box by some 0.2 %. This function
+ * reverses the scaling. The factor is found from a triangle, all of whose points are border points.
  */
 bool Smooth(vtkPolyData* surface, int iterations, double passBand, Stage stage)
 {
@@ -195,7 +195,7 @@ bool Smooth(vtkPolyData* surface, int iterations, double passBand, Stage stage)
   return stage(1.0);
 }
 
-/** From index times spacing to the physical coordinates of `image`. */
+/** Transforms points from index times spacing to the physical coordinates of `image`. */
 void PlaceAs(vtkImageData* image, vtkPoints* points)
 {
   const int* extent = image->GetExtent();
@@ -214,7 +214,7 @@ void PlaceAs(vtkImageData* image, vtkPoints* points)
   }
 }
 
-/** Adds outward point normals; false when aborted. */
+/** Adds outward point normals. Returns false if aborted. */
 bool Orient(vtkPolyData* surface, vtkImageData* image, Stage stage)
 {
   const double* spacing = image->GetSpacing();
@@ -223,14 +223,15 @@ bool Orient(vtkPolyData* surface, vtkImageData* image, Stage stage)
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(surface);
   reverse->SetReverseCells(handedness < 0.0);
-  vtkNew<vtkTriangleMeshPointNormals> normals; // vtkPolyDataNormals sums in the threads' order
+  // vtkPolyDataNormals sums in the order of the threads
+  vtkNew<vtkTriangleMeshPointNormals> normals;
   normals->SetInputConnection(reverse->GetOutputPort());
   const bool done = palpate::runWithin(normals, stage);
   surface->ShallowCopy(normals->GetOutput());
   return done;
 }
 
-/** What is wrong with the input or the properties; empty when nothing is. */
+/** Checks the input and the properties. Returns "" if they are valid, else an error message. */
 std::string Problem(vtkImageData* image, vtkDataArray* scalars, double closing, double resolution)
 {
   std::ostringstream text;
@@ -301,7 +302,7 @@ int vtkSkinSurface::RequestData(
     output->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   if (image->GetNumberOfPoints() == 0 || piece > 0)
   {
-    return 1; // one piece holds it all
+    return 1; // the first piece has the whole skin
   }
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, input);
   const std::string problem = Problem(image, scalars, this->ClosingRadius, this->Resolution);
@@ -322,14 +323,15 @@ int vtkSkinSurface::RequestData(
     return 0;
   }
 
-  // Close the openings, fill the cavities behind them.
+  // Close the openings, and fill the cavities behind them.
   palpate::SkinScan scan = TakeScan(image, scalars, range[0]);
   if (this->ClosingRadius > 0.0 &&
     !scan.closeOpenings(this->ClosingRadius, Stage{ this, 0.0, 0.2 }))
   {
     return 1;
   }
-  const float tissue = 2.0f * contour - static_cast<float>(range[0]); // as far above as air below
+  // As far above the contour value as air is below it.
+  const float tissue = 2.0f * contour - static_cast<float>(range[0]);
   if (!scan.fillCavities(contour, tissue))
   {
     vtkErrorMacro("nothing to contour: after closing by "
@@ -338,7 +340,7 @@ int vtkSkinSurface::RequestData(
     return 0;
   }
 
-  // Contour at the wanted resolution.
+  // Contour at the requested resolution.
   vtkSmartPointer<vtkImageData> lattice = AsImage(scan);
   std::array<int, 3> size = ResampledSize(scan, this->Resolution);
   if (size != scan.size)
@@ -360,9 +362,9 @@ int vtkSkinSurface::RequestData(
     return 0;
   }
 
-  // Smooth it, put it where the scan is, orient it.
+  // Smooth the surface, move it to the scan's coordinates, and orient it.
   const double coarser = std::cbrt(1.0 * scan.values.size() / lattice->GetNumberOfPoints());
-  const double passBand = PassBand * std::min(1.0, coarser * coarser); // the same waves
+  const double passBand = PassBand * std::min(1.0, coarser * coarser); // the same waves in mm
   if (!surface ||
     !Smooth(surface, this->NumberOfSmoothingIterations, passBand, { this, 0.7, 0.95 }))
   {

@@ -1,46 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkinSurface
- * @brief   the outer skin of a head scan, as a body to be touched
+ * @brief   the outer skin of a head scan, as a body that can be touched
  *
  * Input (port 0): a three-dimensional vtkImageData in millimetres with one-component point scalars
  * that are low in air and high in tissue (input array 0 to process; default: the active scalars).
  * NaN and infinities count as air.
  *
  * Output: a vtkPolyData of triangles with consistent winding and unit outward point normals (float
- * array "Normals", active); no other arrays. It is one connected surface, the skin alone: no inner
- * cavities, no islands. Where the tissue leaves the field of view (the neck, at times the ears) the
- * surface has an open border; nothing is capped.
+ * array "Normals", active); no other arrays. It is one connected surface, the skin only, without
+ * inner cavities and islands. Where the tissue leaves the field of view (the neck, sometimes the
+ * ears) the surface has an open border; it is not capped.
  *
- * The steps: (1) grey-level closing of the scan with a ball of ClosingRadius, at the scan's own
- * spacing, so that nostrils, ear canals and deep folds are shut but the grey levels, hence the
- * sub-voxel position of the skin, survive; (2) the air is the largest 6-connected region below
- * ContourValue that reaches the border of the scan, and whatever else lies below ContourValue is
- * filled; (3) resampling to Resolution, by a windowed sinc, anti-aliased; (4) contour at
- * ContourValue by flying edges (Schroeder, Maynard, Geveci 2015, Flying Edges: a high-performance
- * scalable isocontouring algorithm, LDAV), largest region; (5) windowed-sinc smoothing (Taubin,
- * Zhang, Golub 1996, Optimal surface smoothing as filter design, ECCV; Hamming's window, whatever
- * VTK's default), border points unmoved: waves of 8 spacings of the scan fall to 3 %, of 10 to a
- * quarter; those of 20 and more stay; (6) point normals.
+ * The steps: (1) Grey-level closing of the scan with a ball of ClosingRadius, at the scan's own
+ * spacing. It shuts nostrils, ear canals and deep folds but keeps the grey levels, and so the
+ * sub-voxel position of the skin. (2) The air is the largest 6-connected region below ContourValue
+ * that reaches the border of the scan. All other regions below ContourValue are filled. (3)
+ * Resampling to Resolution by a windowed sinc, anti-aliased. (4) Contour at ContourValue by flying
+ * edges (Schroeder, Maynard, Geveci 2015, Flying Edges: a high-performance scalable isocontouring
+ * algorithm, LDAV), largest region. (5) Windowed-sinc smoothing (Taubin, Zhang, Golub 1996, Optimal
+ * surface smoothing as filter design, ECCV; always with Hamming's window, whatever VTK's default).
+ * Border points do not move. Waves of 8 spacings of the scan fall to 3 %, waves of 10 spacings to a
+ * quarter; waves of 20 and more spacings remain. (6) Point normals.
  *
  * Axes: points are in the image's physical coordinates: origin + direction * (index * spacing).
- * vtkBodyFileReader gives a NIfTI scan those of its header: +x points to the right of the head, +y
- * to the nose, +z up. vtkNIFTIImageReader ignores sform, qform, unit, scl_slope and scl_inter.
+ * vtkBodyFileReader gives a NIfTI scan the coordinates of its header: +x points to the right of the
+ * head, +y to the nose, +z up. vtkNIFTIImageReader ignores sform, qform, unit, scl_slope and
+ * scl_inter.
  *
- * Cost: Colin 27 (181 x 217 x 181 voxels of 1 mm) at 1 mm: 153 thousand points in 1.6 s; at
- * 0.6 mm: 426 thousand points in 4 s, on two cores. Time and memory (about 30 bytes per voxel of
- * the lattice) grow with Resolution^-3; the closing grows with the square of ClosingRadius in
+ * Cost: Colin 27 (181 x 217 x 181 voxels of 1 mm) at 1 mm: 153 thousand points in 1.6 s; at 0.6 mm:
+ * 426 thousand points in 4 s, on two cores. Time and memory (about 30 bytes per voxel of the
+ * lattice) grow with Resolution^-3. The cost of closing grows with the square of ClosingRadius in
  * voxels.
  *
- * The output does not depend on the number of threads and is the same on every run, and with every
+ * The output does not depend on the number of threads. It is the same on every run, and with every
  * version of VTK from 9.1 on.
  *
  * @warning Openings wider than twice the ClosingRadius stay open, and the cavity behind them then
- * belongs to the surface. Much larger radii close folds that are wanted, as between ear and head.
- * Noise in the air that touches the skin above ContourValue becomes part of the surface.
+ *   belongs to the surface. Much larger radii close folds that should stay open, as between ear and
+ *   head. Noise above ContourValue in the air that touches the skin becomes part of the surface.
  *
- * @warning Of air in two parts, separated by the tissue and the field of view, only the larger part
- * counts.
+ * @warning If tissue and the field of view separate the air into two parts, only the larger part
+ *   counts as air.
  *
  * @sa
  * vtkBodyFileReader vtkFlyingEdges3D vtkWindowedSincPolyDataFilter
@@ -61,8 +62,8 @@ public:
 
   ///@{
   /**
-   * The grey level of the skin, in the unit of the scalars; strictly inside their range.
-   * Default 30, right for the T1 scan of Colin 27.
+   * The grey level of the skin, in the unit of the scalars; strictly inside their range. Default
+   * 30, suitable for the T1 scan of Colin 27.
    */
   vtkSetMacro(ContourValue, double);
   vtkGetMacro(ContourValue, double);
@@ -70,9 +71,9 @@ public:
 
   ///@{
   /**
-   * Radius of the ball that closes nostrils and ears, mm. An opening up to twice as wide is shut.
-   * 0 = no closing. Default 6: the ear canals of Colin 27 stay open, 20 mm deep, up to 5; hardly
-   * anything else changes between 3 and 6.
+   * Radius of the ball that closes nostrils and ears, mm. It shuts openings up to twice as wide. 0
+   * = no closing. Default 6: up to a radius of 5 the ear canals of Colin 27 stay open, 20 mm deep;
+   * between 3 and 6 hardly anything else changes.
    */
   vtkSetMacro(ClosingRadius, double);
   vtkGetMacro(ClosingRadius, double);
@@ -80,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Spacing of the lattice that is contoured, mm: about the edge length of the triangles.
-   * 0 = the scan's own spacing. Default 0. Finer than the scan, it rounds the surface off but adds
+   * Spacing of the lattice that is contoured, mm: about the edge length of the triangles. 0 = the
+   * scan's own spacing. Default 0. A lattice finer than the scan makes the surface rounder but adds
    * no detail.
    */
   vtkSetMacro(Resolution, double);
@@ -90,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Smoothing of the triangles after the contour: iterations of the windowed sinc, whose pass band
-   * removes the steps of the voxels, whatever the Resolution. 0 = none. Default 30.
+   * Iterations of the windowed-sinc smoothing of the triangles after the contour. Its pass band
+   * removes the steps of the voxels, for any Resolution. 0 = none. Default 30.
    */
   vtkSetMacro(NumberOfSmoothingIterations, int);
   vtkGetMacro(NumberOfSmoothingIterations, int);

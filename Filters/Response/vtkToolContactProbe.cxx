@@ -34,9 +34,9 @@ namespace
 /// Fraction of the progress for building the kernel's copy of the body.
 constexpr double BuildShare = 0.9;
 
-/// Why the response of a piece cannot be read, or is of another kind than those of other pieces; ""
-/// if all can be. Collective; then `isSlow` is whether nothing relaxes, `isCoupled` whether
-/// contacts may feel one another.
+/// Checks that the response of each piece can be read and is of the same kind as those of the other
+/// pieces. Returns "" or an error message. Collective. Sets `isSlow` to whether the body does not
+/// relax, and `isCoupled` to whether contacts can interact.
 std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name,
   bool& isSlow, bool& isCoupled)
 {
@@ -91,7 +91,7 @@ std::string uncoupledFault(const std::string& name)
     "' is missing (vtkToolContactResponse::CouplingOn)";
 }
 
-/// Why tips on several ranks cannot press at once, or "". Collective.
+/// Checks that tips on several ranks can press at once. Returns "" or an error message. Collective.
 std::string checkTogether(const palpate::Ranks& ranks, vtkPolyData* tips)
 {
   int count = 0;
@@ -134,7 +134,7 @@ vtkMultiProcessController* vtkToolContactProbe::GetController()
 
 int vtkToolContactProbe::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Anything, whole or block by block: RequestData reports a wrong type and what to do about it.
+  // Accepts any data, whole or block by block: RequestData reports a wrong type and the remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }

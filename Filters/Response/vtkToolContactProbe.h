@@ -5,34 +5,37 @@
  *
  * Port 0: a body with response arrays (vtkToolContactResponse). Port 1: tool tips, the points of a
  * vtkPolyData in the body's frame, mm. A point that belongs to no polyline is an independent query
- * of the whole body, without friction; each polyline is one history, along which the contact is
- * followed from point to point, with friction, as on a moving tool. A point in several polylines
- * has the value of the last.
+ * of the whole body, without friction. Each polyline is one history: the contact is followed from
+ * point to point, with friction, as on a moving tool. A point in several polylines has the value of
+ * the last one.
  *
- * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, any length) says how
- * the tool is held. It matters where the response has tilts (`<name>Tilt...`); others are felt as
- * with the tool along the normal. Three numbers that are not finite, or all zero, are an error.
+ * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, any length) gives the
+ * orientation of the tool. It has an effect if the response has tilts (`<name>Tilt...`). Otherwise
+ * the tool is assumed to be along the normal. Numbers that are not finite, or all zero, are an
+ * error.
  *
- * With **Coupled** tips that press at the same time feel one another (palpate/CoupledContacts.h):
- * of polylines those of exactly the same `Time`, or, without Time, of the same index in their
- * polylines; of single points those of the same Time, or all of them; points and polylines do not
- * feel each other. At most 64 at once. Between its first and its last point a polyline must have
- * exactly one point at each Time of another; before and after these its tool is absent. Each moment
- * is solved to convergence, where a servo loop makes two iterations a tick. The response must have
- * its coupling (vtkToolContactResponse::CouplingOn); without, it is an error. Deflection is then
- * that of the tool's own dent, without what the others lower the surface. With EnergyConsistent the
- * force that draws tools to each other's dents is in Force, not in NormalForce.
+ * With **Coupled**, tips that press at the same time interact (palpate/CoupledContacts.h). For
+ * polylines these are the points with exactly the same `Time` or, without Time, with the same index
+ * in their polylines. For single points these are the points with the same Time, or all of them.
+ * Points and polylines do not interact. At most 64 tips press at once. Between its first and its
+ * last point a polyline must have exactly one point at each Time of another one; before and after,
+ * its tool is absent. Each moment is solved to convergence, while a servo loop makes two iterations
+ * per tick. The response must have its coupling (vtkToolContactResponse::CouplingOn); otherwise it
+ * is an error. Deflection is then that of the tool's own dent, without the part by which the other
+ * tools lower the surface. With EnergyConsistent the force that pulls tools towards each other's
+ * dents is part of Force, not of NormalForce.
  *
- * An optional point array `Time` (s, one number per point) says when the tool is where. A body that
- * relaxes (vtkToolContactResponse::AddRelaxation) is felt in time by it: each polyline starts at
- * its first point without memory, and the tip moves at constant speed from point to point. Without
- * Time, and for single points, the force is the slow one that is left after a long press. Nothing
- * else depends on the rate - friction depends on the displacement, not the speed - and Time passes
- * through; but along each polyline it must be finite and not decrease, otherwise it is an error.
+ * An optional point array `Time` (s, one number per point) gives the time of each position. The
+ * force of a body that relaxes (vtkToolContactResponse::AddRelaxation) depends on it: each polyline
+ * starts at its first point without memory, and the tip moves at constant speed from point to
+ * point. Without Time, and for single points, the force is the slow force after a long press.
+ * Nothing else depends on the rate - friction depends on the displacement, not the speed - and Time
+ * passes through. But along each polyline Time must be finite and not decrease; otherwise it is an
+ * error.
  *
  * Output: the tips, in input order, with their arrays and
  * - `Force` (double 3, N): total force on the tool: NormalForce along Normal, FrictionForce, and
- *   with EnergyConsistent a small tangential part where the response differs from point to point;
+ *   with EnergyConsistent a small tangential part if the response differs from point to point;
  * - `NormalForce` (double, N): the part along Normal, out of the body;
  * - `FrictionForce` (double 3, N): tangential, against the sliding; zero for single points;
  * - `Deflection` (double, mm): distance from the tip to its contact point on the undeformed body;
@@ -40,49 +43,50 @@
  * - `ContactPoint` (double 3, mm), `ContactCell` (vtkIdType: cell of the body, -1 for none);
  * - `ContactState` (uint8): 0 none, 1 stick (friction below Coulomb's limit), 2 slide, 3 beyond
  *   range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not finite, or
- * a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
+ *   a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
  *   friction slides;
- * - `MemoryForce` (double, N), where the body relaxes: by how much NormalForce exceeds the slow
- *   response at this depth, negative while the tool comes out; 0 for single points and without
- *   Time;
+ * - `MemoryForce` (double, N), if the body relaxes: NormalForce minus the slow response at this
+ *   depth; negative while the tool moves out; 0 for single points and without Time;
  * - `Torque` (double 3, N mm), about the tip, and `Tilt` (double, degrees), of the axis from
- * Normal, where the tips have a ToolAxis;
+ *   Normal, if the tips have a ToolAxis;
  * - `CoupledStiffness` (double k, N/mm), with Coupled: the derivative of NormalForce, without
- *   memory, by the depth of each of the up to k tips that press at once, itself included, in the
- *   order of their polylines, or of the points; zeros for those without force. On one process only;
- * - `RelativeError` (double), where the response keeps its error: the estimated error of Force,
- *   relative, blended as the force is; 0 without contact, NaN beyond range. On one process only.
+ *   memory, with respect to the depth of each of the up to k tips that press at once, including the
+ *   tip itself, in the order of their polylines, or of the points; zeros for tips without force. On
+ *   one process only;
+ * - `RelativeError` (double), if the response stores its error: the estimated relative error of
+ *   Force, blended as the force is; 0 without contact, NaN beyond range. On one process only.
  *
  * The force blends the curves of the triangle's three vertices by area coordinates (Mahvash and
- * Hayward 2002, eqs. 3 and 4). How, on which surface and with which friction, vtkContactSettings
- * says; a setting out of its range is an error, even if the chosen model does not use it.
+ * Hayward 2002, eqs. 3 and 4). vtkContactSettings selects the form of the blend, the surface and
+ * the friction. A setting out of its range is an error, even if the chosen model does not use it.
  * vtkHapticSession and the C interface (palpate.h) have the same settings and give the same bits
  * for the same tips.
  *
- * One warning for each state of the body names the defects of the mesh: triangles that wound inward
- * or against their neighbours and were turned, triangles that occur twice, have no area or a
- * coordinate that is not finite (they take no part), edges of more than two triangles (they count
- * as border). Open borders are allowed. Points of open borders that coincide are joined. A surface
- * that is no body, such as a sheet with two sides, is an error.
+ * One warning for each state of the body lists the defects of the mesh: triangles that wound inward
+ * or against their neighbours and were turned; triangles that are ignored because they occur twice,
+ * have no area or have a coordinate that is not finite; edges of more than two triangles, which
+ * count as border. Open borders are allowed. Points of open borders that coincide are joined. A
+ * surface that is not a body, such as a sheet with two sides, is an error.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *
  * **Several processes** (Controller), each with a piece of the body, or none, and with tips, or
- * none: the contact is that with the whole body, also along a polyline across seams; every tip
- * comes out on the process that gave it. ContactCell is then the cell of the piece (without its
+ * none: the contact is that with the whole body, also along a polyline across seams. Every tip is
+ * returned on the process that gave it. ContactCell is then the cell of the piece (without its
  * ghost cells) on process `ContactRank` (int, one more array, -1 for none). Each process gathers
- * the part of the body around its own tips; the result is that of one process except for the last
- * bits where normals of several triangles are summed in another order. The warnings about the mesh,
- * and the turning of triangles, concern those parts. An error on one is an error on all. All
- * processes must update the filter. With Coupled all tips must be on one process, or it is an
- * error.
+ * the part of the body around its own tips. The result is that of one process except for the last
+ * bits, where normals of several triangles are summed in another order. The warnings about the
+ * mesh, and the turning of triangles, refer to those parts. An error on one process is an error on
+ * all. All processes must update the filter. With Coupled all tips must be on one process;
+ * otherwise it is an error.
  *
  * Input other than vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
  *
- * Cost: building the kernel's copy of the body once per change of the body, O(n log n), with
- * progress; then 0.5 to 1 µs per tip, if there are many. Independent tips are sorted so that
- * neighbours follow one another, and threaded by vtkSMPTools; same bits for any order and any
- * number of threads. Each thread needs some 220 bytes for each of up to 262144 tips meanwhile.
+ * Cost: the kernel's copy of the body is built once per change of the body, O(n log n), with
+ * progress. Then 0.5 to 1 µs per tip, if there are many tips. Independent tips are sorted so that
+ * neighbours follow one another, and threaded by vtkSMPTools. The bits do not depend on the order
+ * of the tips or on the number of threads. Each thread temporarily needs some 220 bytes for each of
+ * up to 262144 tips.
  */
 #ifndef vtkToolContactProbe_h
 #define vtkToolContactProbe_h
@@ -134,8 +138,8 @@ public:
 
   ///@{
   /**
-   * The settings of the contact, which others may share, and their properties: see
-   * vtkContactSettings. Default, and for null: an object of its own.
+   * The settings of the contact, and their properties: see vtkContactSettings. Other objects may
+   * share the settings. Default, and for null: an object of its own.
    */
   virtual void SetSettings(vtkContactSettings* settings)
   {
@@ -180,15 +184,15 @@ public:
 
   ///@{
   /**
-   * Each tip is first moved inward by this much along the normal at its closest point, mm: lets
-   * points picked on the surface press. Default 0.
+   * Each tip is first moved inward by this distance along the normal at its closest point, mm. So
+   * points picked on the surface can press. Default 0.
    */
   vtkSetMacro(Indentation, double);
   vtkGetMacro(Indentation, double);
   ///@}
 
   ///@{
-  /** Whether tips that press at the same time feel one another, see above. Default off. */
+  /** Whether tips that press at the same time interact, see above. Default off. */
   vtkSetMacro(Coupled, bool);
   vtkGetMacro(Coupled, bool);
   vtkBooleanMacro(Coupled, bool);
@@ -202,8 +206,8 @@ public:
 
   ///@{
   /**
-   * The processes that have a piece of the body each. Default: the global controller when the
-   * filter is made. None, or one process: the input is the whole body.
+   * The processes that each have a piece of the body. Default: the global controller at the time
+   * when the filter is made. With none, or with one process, the input is the whole body.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -213,7 +217,7 @@ public:
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
 
-  /** Includes the time of the settings. */
+  /** Includes the modification time of the settings. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -239,8 +243,8 @@ private:
   double Indentation = 0.0;
   std::string ResponseName = "Response";
 
-  // The kernel's copy of the body, or of the piece here, and which state of which body it was made
-  // from.
+  // The kernel's copy of the body, or of the piece of this process, and the state of the body from
+  // which it was made.
   std::shared_ptr<const palpate::ContactBody> Body;
   std::shared_ptr<const palpate::BodyPiece> Piece;
   vtkPolyData* BodySource = nullptr;

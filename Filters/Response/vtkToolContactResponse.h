@@ -10,69 +10,68 @@
  * Output: the same body with the response arrays, all with the prefix ResponseName (default
  * `Response`), samples i = 1..n at δ_i = MaximumDeflection (i/n)²:
  * - point data `Force` (float n, N), `Stiffness` (float n, dF/dδ, N/mm), `Normal` (float 3, unit,
- *   outward), `Range` (float, mm, the depth of the last sample), `Status` (uint8: 0 Valid,
- *   1 Degenerate: no triangle with an area meets or the normal is zero, 2 NotFinite: a coordinate,
- *   or a force or stiffness outside of what a float holds, 1.2e-38 to 3.4e38; 3 Folded,
- *   4 OutOfReach: the layer is thinner than a tenth of the contact radius at MaximumDeflection),
- *   `Validity` (float, mm) and `Limit` (uint8);
+ *   outward), `Range` (float, mm, depth of the last sample), `Status` (uint8: 0 Valid, 1
+ *   Degenerate: the point has no triangle with an area, or a zero normal, 2 NotFinite: a coordinate
+ *   is not finite, or a force or stiffness is outside the range of a float, 1.2e-38 to 3.4e38; 3
+ *   Folded, 4 OutOfReach: the layer is thinner than a tenth of the contact radius at
+ *   MaximumDeflection), `Validity` (float, mm) and `Limit` (uint8);
  * - field data `Exponent` (double m), `Samples` (int n), `Tool`, `Model`, `Units` (strings);
- * - where there are layers, point data `LayerThickness` (float, mm, 0 for a half-space) and field
- *   data `LayerBase` (uint8), so that vtkContactDeflection knows the field.
- * See palpate/contract.py for how they are evaluated.
+ * - with layers, point data `LayerThickness` (float, mm, 0 for a half-space) and field data
+ *   `LayerBase` (uint8), which vtkContactDeflection uses.
+ * palpate/contract.py describes how to evaluate them.
  *
  * **Error** (point data, float n) is the estimated relative error of the force at each sample: the
  * sum of the errors by strain, curvature, thickness, edge, storage and the elements of a compliance
- * (palpate/ErrorRule.h). **Validity** is the largest depth at which it is within ErrorTolerance, at
- * most Range, and **Limit** names the largest part just beyond it: 0 none within Range, 1 strain, 2
- * curvature, 3 thickness, 5 edge, 7 elements, 8 tilt.
+ * (palpate/ErrorRule.h). **Validity** is the largest depth, at most Range, at which the error is
+ * within ErrorTolerance. **Limit** names the largest part just beyond it: 0 none within Range, 1
+ * strain, 2 curvature, 3 thickness, 5 edge, 7 elements, 8 tilt.
  *
- * With an ErrorTolerance of 0 there is no `Error`, and validity is the depth at which the first
- * assumption of the law breaks. Strain: a/R exceeds 0.4, the contact radius over the tip radius
- * (for Flat and Cone, which have no tip radius, δ/a, which equals a/R for a paraboloid; a 60° cone
- * exceeds it at any depth). Curvature: the body's normal turns by more than 0.2 rad under the
- * contact radius, by the largest normal curvature along the edges at the point; beyond it the body
- * no longer looks flat to the tool. Thickness: δ exceeds 20 % of a layer's thickness. Edge: the
- * contact circle is wider than the whole body, that is, than the middle one of the three lengths of
- * its box (the distance to an edge of a larger body does not count).
+ * With an ErrorTolerance of 0 `Error` is not stored, and validity ends where the first assumption
+ * of the law fails. Strain: a/R exceeds 0.4, contact radius over tip radius (for Flat and Cone,
+ * which have no tip radius, δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any
+ * depth). Curvature: the body's normal turns by more than 0.2 rad under the contact radius, by the
+ * largest normal curvature along the edges at the point; beyond, the body is not flat for the tool.
+ * Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is wider than the
+ * whole body, measured by the middle one of the three lengths of its box (the distance to an edge
+ * of a larger body does not count).
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
  * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
- * array counts by its index, not by its name), 5 strengths of the relaxations, with a component for
- * each (AddRelaxation), instead of those given there. With a global compliance the array of its
- * name followed by `Error`, if present, is its error in mm/N. An index that was never set, or set
- * to an empty name, means the constant property, whatever arrays the body has; one that was set but
- * does not exist is an error. So is a value out of range, naming array, index and value.
+ * array counts by its index, not by its name), 5 strengths of the relaxations, one component each
+ * (AddRelaxation), which replace the constants. For a global compliance the array of its name
+ * followed by `Error`, if present, is its error in mm/N. An index that was never set, or set to an
+ * empty name, means the constant property, whatever arrays the body has. A named array that does
+ * not exist is an error. So is a value out of range; the error names array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
- * constant thickness on a rigid base (Lebedev and Ufliand 1958), in series with the global
- * compliance where there is one: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 where that
- * stores the curve better. Normals are computed, angle-weighted; those that the input stores are
- * not used.
+ * constant thickness on a rigid base (Lebedev and Ufliand 1958). With a global compliance it is in
+ * series with it: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 if that stores the curve
+ * better. Normals are computed, angle-weighted; normals stored in the input are not used.
  *
  * **Unsound meshes** are repaired first (palpate/SoundMesh.h). A second body inside another one and
  * a sheet with two sides are errors. The output has the points, triangles and arrays of the input.
  *
- * Cost: the law is evaluated once and scaled; without compliance the filter is
- * limited by writing memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs
- * per point and core, 5 µs for the exact Sphere; on layers about 1 µs for any tool;
- * CurvatureCorrection and ErrorTolerance another 0.7 µs on a half-space, a StrainModel 3 µs, and
- * its solver once (palpate/StrainCorrection.h); on layers some 10 µs together. StoreError writes 4
- * n bytes more. Threaded by vtkSMPTools; the same bits for any number of threads. Abort leaves no
- * output.
+ * Cost: the law is evaluated once and scaled. Without compliance the filter is limited by writing
+ * memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per point and core,
+ * 5 µs for the exact Sphere; on layers about 1 µs for any tool. CurvatureCorrection and
+ * ErrorTolerance add 0.7 µs on a half-space, a StrainModel 3 µs, and its solver once
+ * (palpate/StrainCorrection.h); on layers some 10 µs together. StoreError writes 4 n bytes more.
+ * Threaded by vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
- * set the limit. A kilometre away (1e6 mm) points stored as float lie on a grid of 0.0625 mm, and
- * depths are off by up to 0.054 mm: forces by up to 8 % at 1 mm. Points stored as double keep
+ * set the limit. A kilometre away (1e6 mm) points stored as float are on a grid of 0.0625 mm; the
+ * error of depths is up to 0.054 mm, and of forces up to 8 % at 1 mm. Points stored as double keep
  * 1e-10 mm there and give the forces of the same body at the origin, since contact is searched
- * about the body's centre (palpate::PackedMesh). Pictures are drawn in floats about the origin.
+ * relative to the body's centre (palpate::PackedMesh). Pictures are drawn in floats about the
+ * origin.
  *
  * **Several processes**: each may have a piece of the body, or none (Controller). The response is
- * that of the whole body: at a seam, where points of several pieces lie at the same place on the
- * border of each, normal and curvature are those of all pieces around (in a body without normals
- * the last bit of a normal may differ, since triangles are summed in another order); tables of
- * layers and the exponent are those of all. An error on one is an error on all. Ghost cells are
- * left out. All processes must update the filter.
+ * that of the whole body. At a seam, where border points of several pieces coincide, normal and
+ * curvature are those of all pieces around (in a body without normals the last bit of a normal may
+ * differ, since triangles are summed in another order). Tables of layers and the exponent are those
+ * of all pieces. An error on one process is an error on all. Ghost cells are left out. All
+ * processes must update the filter.
  *
  * @sa vtkContactTool vtkToolContactProbe
  */
@@ -131,8 +130,10 @@ public:
   };
 
   ///@{
-  /** How layers rest: Bonded to a rigid base (default), Slip, without friction, or on an elastic
-   * half-space, ElasticBase. */
+  /**
+   * The base of the layers: Bonded to a rigid base (default), Slip (on it without friction), or
+   * ElasticBase (an elastic half-space).
+   */
   vtkSetClampMacro(LayerBase, int, Bonded, ElasticBase);
   vtkGetMacro(LayerBase, int);
   void SetLayerBaseToBonded() { this->SetLayerBase(Bonded); }
@@ -144,7 +145,7 @@ public:
   /**
    * Declares that the global compliance was found without the layers' base, so that both count.
    * Default off: a body with layers and a compliance is an error, since a compliance found on the
-   * body as it stands contains the base already.
+   * whole body already contains the base.
    */
   vtkSetMacro(ComplianceExcludesLayer, bool);
   vtkGetMacro(ComplianceExcludesLayer, bool);
@@ -153,9 +154,9 @@ public:
 
   ///@{
   /**
-   * Layers below that of LayerThickness, from above, up to three: thickness (mm), Young's modulus
-   * (MPa), Poisson's ratio, and whether it slips without friction below the layer above it. The
-   * body is then a stack everywhere (palpate/LayerStack.h). Default none.
+   * Layers below that of LayerThickness, from top to bottom, up to three: thickness (mm), Young's
+   * modulus (MPa), Poisson's ratio, and whether the layer slips without friction below the layer
+   * above it. The whole body is then a stack (palpate/LayerStack.h). Default none.
    */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
@@ -172,10 +173,9 @@ public:
 
   ///@{
   /**
-   * Whether the law takes the body's curvature into account: its principal curvatures, found from
-   * the mesh, are added to the tool's profile (palpate/CurvedContact.h). Default on; off: the
-   * surface counts as flat. Where the tool does not fit into a hollow, the law is that of the flat
-   * surface.
+   * Whether the law takes the body's curvature into account: the principal curvatures of the mesh
+   * are added to the tool's profile (palpate/CurvedContact.h). Default on; off: the surface counts
+   * as flat. If the tool does not fit into a hollow, the law is that of the flat surface.
    */
   vtkSetMacro(CurvatureCorrection, bool);
   vtkGetMacro(CurvatureCorrection, bool);
@@ -184,12 +184,12 @@ public:
 
   ///@{
   /**
-   * Whether sharp convex edges are felt: a contact beside one is softer, is pushed off the body,
-   * and its force falls to zero as it leaves over the edge (palpate/BodyEdges.h; Hetényi 1970). The
-   * curves stay those far from edges; a field array `<name>Edges` (double 5: exponent m, contact
-   * radius at 1 mm in mm, Poisson's ratio, extent in mm, 1 where the curves know the edges) makes
-   * probe, touch and servo loop feel them, and the error includes the rest of their effect. Default
-   * off: the force drops where a contact passes an edge.
+   * Whether sharp convex edges have an effect: a contact near an edge is softer and is pushed off
+   * the body, and its force falls to zero as it leaves over the edge (palpate/BodyEdges.h; Hetényi
+   * 1970). The curves remain those far from edges. A field array `<name>Edges` (double 5: exponent
+   * m, contact radius at 1 mm in mm, Poisson's ratio, extent in mm, 1 if the curves include the
+   * edges) lets probe, touch and servo loop apply them; the error includes the rest of their
+   * effect. Default off: the force drops where a contact passes an edge.
    */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
@@ -198,18 +198,17 @@ public:
 
   ///@{
   /**
-   * Largest tilt of the tool against the body's normal, degrees, >= 0. Default 0: it counts as
-   * upright, wherever its axis points.
+   * Largest tilt of the tool against the body's normal, degrees, >= 0. Default 0: the tool counts
+   * as upright, whatever its axis.
    *
    * Above 0 the output has the field arrays `<name>Tilt`, `<name>TiltDrop`, `<name>TiltNode`
-   * (double) and, where points differ in more than their modulus, the point array
-   * `<name>TiltWeight` (float): how a tilt changes the work of the upright tool
-   * (palpate/TiltTable.h). With them a probe or session that knows the tool's axis feels its tilt,
-   * and a torque. Exact for a sphere and, on a half-space, a flat end; cones to 0.5 %, other tools
-   * to 1 %, flat-ended ones to 3 % from a tenth of their size on. On layers by the axisymmetric
-   * tool of equal contact radius, as far as Validity says. An angle within 4 degrees of that at
-   * which a flank of the tool lies flat, or beyond, is an error. Cost: some seconds for each tool
-   * that has no closed form.
+   * (double) and, if points differ in more than their modulus, the point array `<name>TiltWeight`
+   * (float): how a tilt changes the work of the upright tool (palpate/TiltTable.h). A probe or
+   * session that knows the tool's axis then applies its tilt, and a torque. Exact for a sphere and,
+   * on a half-space, a flat end; cones to 0.5 %, other tools to 1 %, flat-ended ones to 3 % from a
+   * tenth of their size on. On layers by the axisymmetric tool of equal contact radius, as far as
+   * Validity allows. An angle within 4 degrees of that at which a flank of the tool is parallel to
+   * the surface, or beyond, is an error. Cost: some seconds for each tool without closed form.
    */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
@@ -217,14 +216,15 @@ public:
 
   ///@{
   /**
-   * Whether several tools that press at once feel one another (vtkToolContactProbe::Coupled,
-   * palpate/CoupledContacts.h): the law C(r) of how far the surface gives way beside a force, in
-   * field array `<name>Coupling` (double 3), of the half-space or of the layers; where modulus or
-   * thickness vary, point arrays `<name>CouplingModulus` (float, MPa) and `<name>CouplingThickness`
-   * (float, mm); and where the body has a point array `CouplingModes` (vtkElasticCompliance) and
-   * a global compliance, `<name>CouplingModes` (float, √(mm/N)), scaled down where they would give
-   * way more than the response does. Layers must be everywhere or nowhere, a second layer of one
-   * thickness; Poisson's ratio is that between its least and its largest. Default off.
+   * Whether several tools that press at once interact (vtkToolContactProbe::Coupled,
+   * palpate/CoupledContacts.h). The law C(r), by how much the surface gives way at the distance r
+   * from a force, is stored in the field array `<name>Coupling` (double 3), for the half-space or
+   * the layers. If modulus or thickness vary, also point arrays `<name>CouplingModulus` (float,
+   * MPa) and `<name>CouplingThickness` (float, mm). If the body has a point array `CouplingModes`
+   * (vtkElasticCompliance) and a global compliance, also `<name>CouplingModes` (float, √(mm/N)),
+   * scaled down where the modes would exceed the response. Layers must be everywhere or nowhere, a
+   * second layer of one thickness. Poisson's ratio is the mean of its smallest and largest value.
+   * Default off.
    */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);
@@ -233,16 +233,16 @@ public:
 
   ///@{
   /**
-   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ), each branch with its strength p >= 0,
-   * relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four. Default none.
+   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has a strength p >= 0, relative
+   * to the slow modulus E∞, and a time τ > 0 in seconds; up to four. Default none.
    *
-   * Poisson's ratio does not change, and the curves, YoungsModulus and Error are those of the slow
-   * response; what is felt in time is more than it, up to 1 + Σ p times (palpate/ToolContact.h). A
-   * fraction g of the instantaneous modulus, as in the literature, is p = g/(1 - Σ g); a modulus
-   * measured in a press at constant speed is above the slow one (palpate/PronySeries.h,
-   * rampFactor). The output has the field arrays `<name>RelaxationStrength` and
-   * `<name>RelaxationTime` (double, a tuple each, s) and, where array to process 5 gives strengths,
-   * `<name>LocalRelaxation` (point data, float, a component each).
+   * Poisson's ratio does not change. Curves, YoungsModulus and Error are those of the slow
+   * response; the force in time is larger, up to 1 + Σ p times (palpate/ToolContact.h). A fraction
+   * g of the instantaneous modulus, as in the literature, is p = g/(1 - Σ g). A modulus measured in
+   * a press at constant speed is above the slow one (palpate/PronySeries.h, rampFactor). The output
+   * has the field arrays `<name>RelaxationStrength` and `<name>RelaxationTime` (double, a tuple
+   * each, s) and, if array to process 5 gives strengths, `<name>LocalRelaxation` (point data,
+   * float, a component each).
    */
   void AddRelaxation(double strength, double seconds);
   void ClearRelaxations();
@@ -253,10 +253,9 @@ public:
 
   ///@{
   /**
-   * Whether a global compliance is of the same material, and relaxes as it does. Default on; off:
-   * it is elastic, a spring below a body that relaxes. It is then kept as point array
-   * `<name>ElasticCompliance` (float, mm/N) and must not be negative. Without effect where nothing
-   * relaxes.
+   * Whether the global compliance is of the same material and relaxes with it. Default on; off: the
+   * compliance is elastic, a spring below a body that relaxes. It is then stored as point array
+   * `<name>ElasticCompliance` (float, mm/N) and must not be negative. No effect without relaxation.
    */
   vtkSetMacro(ComplianceRelaxes, bool);
   vtkGetMacro(ComplianceRelaxes, bool);
@@ -274,10 +273,10 @@ public:
 
   ///@{
   /**
-   * How the body resists large strain: SmallStrain (default), the exact laws of linear elasticity;
+   * Law of the body at large strain: SmallStrain (default), the exact laws of linear elasticity;
    * NeoHooke; Ogden with one term of the exponent OgdenExponent; Demiray with the exponent
    * DemirayExponent. Modulus and Poisson's ratio are those at small strain. In a stack all layers
-   * are of the one model, bonded to each other; layers that slip on each other are an error.
+   * have this one model and are bonded to each other; layers that slip on each other are an error.
    */
   vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
   vtkGetMacro(StrainModel, int);
@@ -297,10 +296,10 @@ public:
 
   ///@{
   /**
-   * The estimated relative error of the force (palpate/ErrorRule.h) that Validity is to stay
-   * within. Default 0.05, 5 %. 0: Validity is the depth at which the first assumption breaks, as
-   * above. StoreError: whether that error is kept at each sample, in the array `Error`, for
-   * displays. Default on; without effect where ErrorTolerance is 0.
+   * Validity ends where the estimated relative error of the force (palpate/ErrorRule.h) exceeds
+   * this. Default 0.05, 5 %. 0: Validity is the depth at which the first assumption fails, as
+   * above. StoreError: whether the error at each sample is stored in the array `Error`, for
+   * displays. Default on; no effect if ErrorTolerance is 0.
    */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
@@ -311,12 +310,12 @@ public:
 
   ///@{
   /**
-   * Whether to choose the terms of the law by their effect. Edges are left out where there are
-   * none, and layers, CurvatureCorrection and finite strain where together they change the force by
-   * no more than TermTolerance. Finite strain stays where the error stated without it would be
-   * larger than that; Neo-Hooke is added there if its tables have the tool. Judged down to
+   * Whether to choose the terms of the law by their effect. Edges are left out if the body has
+   * none. Layers, CurvatureCorrection and finite strain are left out if together they change the
+   * force by no more than TermTolerance. Finite strain is kept if the error stated without it would
+   * exceed that; Neo-Hooke is then added if its tables have the tool. Judged down to
    * MaximumDeflection, by 95 % of some 400 points (palpate/TermEffect.h). GetTermReason and the
-   * field array `<name>Terms` list what is in the law and what is not, each with its per cent.
+   * field array `<name>Terms` list the terms that are included and left out, with per cents.
    * Default off: all terms as set.
    */
   vtkSetMacro(AutomaticTerms, bool);
@@ -330,7 +329,8 @@ public:
   vtkGetMacro(TermTolerance, double);
   ///@}
 
-  /// Of the last execution: what AutomaticTerms included and left out, in words; "" without it.
+  /// Result of the last execution: the terms that AutomaticTerms included and left out; "" without
+  /// it.
   vtkGetMacro(TermReason, std::string);
 
   ///@{
@@ -342,15 +342,15 @@ public:
   ///@}
 
   ///@{
-  /** Prefix of the arrays; several tools on one body use several. Default "Response". */
+  /** Prefix of the arrays. Use a different prefix for each tool on one body. Default "Response". */
   vtkSetMacro(ResponseName, std::string);
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
   ///@{
   /**
-   * The processes that have a piece of the body each. Default: the global controller when the
-   * filter is made. None, or one process: the input is the whole body.
+   * The processes that each have a piece of the body. Default: the global controller at the time
+   * when the filter is made. With none, or with one process, the input is the whole body.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -375,7 +375,7 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = Bonded;
   bool ComplianceExcludesLayer = false;
-  std::vector<std::array<double, 4>> AddedLayers; ///< as AddLayer takes them
+  std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;

@@ -32,8 +32,9 @@
 
 namespace
 {
-constexpr double ProbeShare = 0.9; // of the progress
-constexpr double ArrowShare = 0.2; // of the body's diagonal: the force at half of Range
+constexpr double ProbeShare = 0.9; // fraction of the progress
+// Fraction of the body's diagonal: length of the force at half of Range.
+constexpr double ArrowShare = 0.2;
 
 using palpate::Vector3;
 
@@ -175,7 +176,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   }
   this->Body = nullptr;
   auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(body); // whose modification time does not change while the tip moves
+  copy->ShallowCopy(body); // the modification time of the copy does not change while the tip moves
   std::string fault;
   if (!this->Touched->take(copy, this->ResponseName, fault))
   {
@@ -222,7 +223,7 @@ palpate::Touch vtkToolTouch::PressAlone(const double position[3])
     touch.tip = touch.nearest.point;
     depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
   }
-  // A single tip has no history and so no friction.
+  // A single tip has no history, so no friction.
   palpate::touchWithTips(*this->Contact, tipsAt({ touch }), this->Settings->GetKernel(), depth,
     [&touch](vtkIdType, const palpate::Contact& contact, const Vector3&)
     { touch.contact = contact; });
@@ -283,7 +284,7 @@ std::vector<palpate::Touch> vtkToolTouch::Probe()
     }
     else
     {
-      stored.normal = Vector3::Zero(); // the displayed normal is not that of the contact
+      stored.normal = Vector3::Zero(); // the displayed normal is not a contact normal
     }
     touch.isAlone = touches.size() > 1 && !isCoupled;
     touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;

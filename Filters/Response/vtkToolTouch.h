@@ -3,42 +3,45 @@
  * @class vtkToolTouch
  * @brief one touch of a body, ready to be shown: dent, tool, force arrow and numbers
  *
- * Input: a body with response arrays (vtkToolContactResponse), mm. The tool is the one the response
- * names. Where it touches:
- * - Snap on (default): at the point of the surface nearest to TipPosition, pressed Indentation deep
- *   along the contact normal. It touches wherever the tip is.
- * - Snap off: the tip is where it is, moved inward by Indentation along the normal at its nearest
- *   surface point; outside the body nothing is felt.
+ * Input: a body with response arrays (vtkToolContactResponse), mm. The tool is the one that the
+ * response names. The place of the touch:
+ * - Snap on (default): the point of the surface nearest to TipPosition, pressed Indentation deep
+ *   along the contact normal. It touches for any TipPosition.
+ * - Snap off: the tip is at TipPosition, moved inward by Indentation along the normal at its
+ *   nearest surface point. Outside the body there is no contact.
  *
  * Output:
  * - 0 the dented body: the input with its points moved by `ContactDisplacement`
- * (vtkContactDeflection within Reach contact radii), and the point array `Dent (mm)`, the inward
- * displacement along the contact normal, as active scalars. All arrays of the body pass; those of
- * the response stay those of the undeformed body. Active point normals follow the dent.
+ *   (vtkContactDeflection within Reach contact radii), and the point array `Dent (mm)`, the inward
+ *   displacement along the contact normal, as active scalars. All arrays of the body pass through;
+ *   those of the response remain those of the undeformed body. Active point normals follow the
+ *   dent.
  * - 1 the tool, triangles with normals, tip in place, axis along the contact normal.
  * - 2 the force as an arrow from the tip, ForceScale mm long per N; empty without contact.
- * - 3 the numbers in words and units: a vtkTable with one string, column `Text`.
+ * - 3 the numbers as text with units: a vtkTable with one string, column `Text`.
  *
- * The arrow carries `Force` (N, 3) at its points, and as field arrays, one tuple each, all that
- * vtkToolContactProbe gives - `Force`, `NormalForce`, `FrictionForce`, `Deflection`, `Normal`,
+ * The arrow has `Force` (N, 3) at its points. Its field arrays, one tuple each, are all arrays of
+ * vtkToolContactProbe - `Force`, `NormalForce`, `FrictionForce`, `Deflection`, `Normal`,
  * `ContactPoint`, `ContactCell`, `ContactState` - and `TipPosition` (3, mm, after snap and
  * indentation), `Stiffness` (N/mm: dF/dδ of the blended curves), `Validity` (mm: the depth at which
- * the law's first assumption breaks, the least of the triangle's corners; infinite if none breaks
+ * the law's first assumption fails, the smallest of the triangle's corners; infinite if none fails
  * or the response has no validity) and `ForceScale` (mm/N).
  *
- * With SecondTip another tool of the same kind presses at SecondTipPosition, placed as the first
- * is: both dents, tools and arrows, and the numbers of both. Where the response has its coupling
- * (vtkToolContactResponse::CouplingOn) they feel one another, and Deflection is that of each one's
- * own dent, as in vtkToolContactProbe with Coupled; otherwise each has the force it has alone, and
- * the numbers say so. The arrow's field arrays then have a tuple for each.
+ * With SecondTip another tool of the same kind presses at SecondTipPosition and is placed in the
+ * same way. The outputs then have both dents, tools and arrows, and the numbers of both. If the
+ * response has its coupling (vtkToolContactResponse::CouplingOn), the tools interact, and
+ * Deflection is that of each tool's own dent, as in vtkToolContactProbe with Coupled. Otherwise
+ * each has the force it has alone, and the text says so. The arrow's field arrays then have a tuple
+ * for each tool.
  *
- * There is no friction: one touch has no history. For the same reason a body that relaxes is felt
- * as after a long touch: by its slow response. A body without the response is an error that names
- * the missing array; an empty body gives empty output. Of several processes (the global
- * controller's) one must have the whole body, or it is an error; all must update the filter.
+ * Friction does not act: one touch has no history. For the same reason a body that relaxes has its
+ * slow response, as after a long touch. A body without the response is an error that names the
+ * missing array; an empty body gives empty output. With several processes (the global
+ * controller's), one process must have the whole body; otherwise it is an error. All processes must
+ * update the filter.
  *
- * Cost: once per state of the body the kernel's copy (vtkToolContactProbe) and the neighbours of
- * its mesh, O(n log n); then per move a copy of the points and some microseconds per point of the
+ * Cost: once per state of the body, the kernel's copy (vtkToolContactProbe) and the neighbours of
+ * its mesh, O(n log n). Then per move a copy of the points and some microseconds per point of the
  * dent.
  */
 #ifndef vtkToolTouch_h
@@ -83,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Where the tip is, in the body's frame, mm. Until it is set, Get returns 0, 0, 0, and the tip is
-   * where FindStart puts it from +z, y up, on each body.
+   * Position of the tip in the body's frame, mm. Until it is set, Get returns 0, 0, 0, and the tip
+   * is at the place that FindStart finds from +z with y up, on each body.
    */
   virtual void SetTipPosition(double x, double y, double z);
   virtual void SetTipPosition(const double position[3])
@@ -95,40 +98,41 @@ public:
   ///@}
 
   /**
-   * A good place to begin a touch, for a viewer in the direction `towards` (from the body to the
-   * viewer, not zero) with `up` upward in the picture: into `start`, a point of the surface, mm. It
-   * is visible, near the middle, flat within the contact of half of Range and its surroundings,
-   * faces the viewer with its normal leaning upward, so that tool and force are seen from the side,
-   * and lies within the response's validity if possible. If nothing on that side has a response,
-   * the next of +z, +x, +y, -z, -x, -y is tried. Depends on shape, response and direction alone.
-   * Returns false, and leaves `start` unchanged, for a body without a valid response. Some 0.2 s.
+   * Finds a good place to begin a touch, for a viewer in the direction `towards` (from the body to
+   * the viewer, not zero) with `up` upward in the picture. Writes a point of the surface, mm, to
+   * `start`. The place is visible and near the middle. It is flat over the contact at half of Range
+   * and its surroundings. It faces the viewer, and its normal leans upward, so that tool and force
+   * are seen from the side. If possible it is within the response's validity. If no point on that
+   * side has a response, the next of +z, +x, +y, -z, -x, -y is tried. The result depends on shape,
+   * response and direction only. Returns false, and leaves `start` unchanged, for a body without a
+   * valid response. Takes some 0.2 s.
    */
   static bool FindStart(vtkPolyData* body, const std::string& responseName, const double towards[3],
     const double up[3], double start[3]);
 
   ///@{
-  /** Whether the tip is first put on the nearest point of the surface. Default on. */
+  /** Whether the tip is first moved to the nearest point of the surface. Default on. */
   vtkSetMacro(Snap, bool);
   vtkGetMacro(Snap, bool);
   vtkBooleanMacro(Snap, bool);
   ///@}
 
   ///@{
-  /** Whether a second tool presses at once. Default off. */
+  /** Whether a second tool presses at the same time. Default off. */
   vtkSetMacro(SecondTip, bool);
   vtkGetMacro(SecondTip, bool);
   vtkBooleanMacro(SecondTip, bool);
   ///@}
   ///@{
-  /** Where its tip is, in the body's frame, mm. Default 0, 0, 0. */
+  /** Position of the second tip in the body's frame, mm. Default 0, 0, 0. */
   vtkSetVector3Macro(SecondTipPosition, double);
   vtkGetVector3Macro(SecondTipPosition, double);
   ///@}
 
   ///@{
   /**
-   * How far the tip is moved inward, mm, finite and not negative. Default 0: with Snap half of the
-   * response's Range there, without Snap not at all.
+   * Distance by which the tip is moved inward, mm, finite and not negative. Default 0: with Snap,
+   * half of the response's Range there; without Snap, no movement.
    */
   vtkSetMacro(Indentation, double);
   vtkGetMacro(Indentation, double);
@@ -136,23 +140,23 @@ public:
 
   ///@{
   /**
-   * The settings of the contact, which others may share. Friction does not act, as a single tip has
-   * no history. Default, and for null: an object of its own.
+   * The settings of the contact. Other objects may share them. Friction does not act, since a
+   * single tip has no history. Default, and for null: an object of its own.
    */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
 
   ///@{
-  /** Poisson's ratio of the body, 0 to 0.5. Default 0.45. Only used for the shape of the dent. */
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.45. Used only for the shape of the dent. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
   /**
-   * Distance from the contact, in contact radii, at which the dent has faded out, positive; fading
-   * begins at 3/4 of it. Default 20, where the dent has fallen to a thirtieth of the deflection.
+   * Distance from the contact, in contact radii, at which the dent has faded out, positive. Fading
+   * begins at 3/4 of it. Default 20, where the dent is a thirtieth of the deflection.
    */
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
@@ -160,17 +164,20 @@ public:
 
   ///@{
   /**
-   * Length of the arrow per force, mm/N, finite and not negative. Default 0: such that the force at
-   * half of Range, on average over the body, is about a fifth of the body's diagonal long, rounded
-   * to 1, 2 or 5. So on one body a longer arrow means a larger force, wherever it is touched.
+   * Length of the arrow per force, mm/N, finite and not negative. Default 0: automatic. The force
+   * at half of Range, averaged over the body, is then about a fifth of the body's diagonal long;
+   * the scale is rounded to 1, 2 or 5. So on one body a longer arrow means a larger force at any
+   * place.
    */
   vtkSetMacro(ForceScale, double);
   vtkGetMacro(ForceScale, double);
   ///@}
 
   ///@{
-  /** Height of the tool drawn, mm, finite and not negative. Default 0: a quarter of the body's
-   * diagonal. */
+  /**
+   * Height of the drawn tool, mm, finite and not negative. Default 0: a quarter of the body's
+   * diagonal.
+   */
   vtkSetMacro(ToolLength, double);
   vtkGetMacro(ToolLength, double);
   ///@}
@@ -181,7 +188,7 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
-  /** Includes the time of the settings. */
+  /** Includes the modification time of the settings. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -196,7 +203,7 @@ private:
   void operator=(const vtkToolTouch&) = delete;
 
   bool CheckSettings();
-  /// Takes body, tool and force scale, if they have changed.
+  /// Updates body, tool and force scale if they have changed.
   bool PrepareBody(vtkPolyData* body);
   /// The touch at a position, without the other tool.
   palpate::Touch PressAlone(const double position[3]);
@@ -222,7 +229,7 @@ private:
   std::string ResponseName = "Response";
 
   vtkNew<vtkPolyData> Probed; ///< the tips, with the arrays of vtkToolContactProbe
-  // The body of the last time, and what was made of it.
+  // The last body, and the objects made from it.
   std::unique_ptr<palpate::TouchedBody> Touched;
   std::unique_ptr<palpate::BodyField> Field;
   std::unique_ptr<palpate::BodyField> SecondField;
@@ -230,7 +237,7 @@ private:
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkContactTool> Tool;
   double AutomaticScale = 0.0;
-  double Start[3] = { 0.0, 0.0, 0.0 }; ///< where no TipPosition is set
+  double Start[3] = { 0.0, 0.0, 0.0 }; ///< used if TipPosition was not set
   bool StartIsFound = false;
   vtkPolyData* Source = nullptr;
   vtkMTimeType SourceTime = 0;

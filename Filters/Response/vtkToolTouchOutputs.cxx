@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the outputs of vtkToolTouch hold: dents, tools and arrows.
+// The content of the outputs of vtkToolTouch: dents, tools and arrows.
 #include "vtkToolTouch.h"
 
 #include "Response/Touch/ContactArrow.h"
@@ -26,9 +26,10 @@ namespace
 {
 constexpr double ToolShare = 0.25;
 constexpr double ArrowThickness = 0.012;
-constexpr double WidestTool = 0.25; // of its length, where its profile widens without end
+// Fraction of the tool's length, for a profile that widens without end.
+constexpr double WidestTool = 0.25;
 
-/// One number, or vector, of each touch.
+/// Adds an array with one number, or vector, per touch.
 void addField(vtkPolyData* to, const char* name, const std::vector<palpate::Touch>& touches,
   int components, const std::function<const double*(const palpate::Touch&)>& valuesOf)
 {

@@ -26,7 +26,7 @@ double findBaseDepth(const double* grey, std::size_t count, const BaseCriteria& 
       if (*lowest <= 0.5 * high)
       {
         const double middle = 0.5 * (high + *lowest);
-        const double* last = lowest - 1; // the last sample of the fall above the mean
+        const double* last = lowest - 1; // last sample above the mean
         while (*last < middle)
         {
           --last;

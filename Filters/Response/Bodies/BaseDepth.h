@@ -6,22 +6,22 @@
 
 namespace palpate
 {
-/// Criteria of the dark base under brighter tissue along a ray of grey values.
+/// Criteria for a dark base under brighter tissue along a ray of grey values.
 struct BaseCriteria
 {
-  double baseValue;         ///< below it, a sample is dark
-  std::ptrdiff_t edge;      ///< samples over which an edge is spread, > 0
-  std::ptrdiff_t darkCount; ///< least number of dark samples of a base
+  double baseValue;         ///< a sample below it is dark
+  std::ptrdiff_t edge;      ///< width of a blurred edge in samples, > 0
+  std::ptrdiff_t darkCount; ///< smallest number of dark samples of a base
 };
 
 /**
- * Where the first dark base begins, in samples from the start of a ray; +inf where there is none.
+ * Start of the first dark base, in samples from the start of a ray; +inf if the ray has no base.
  *
- * The ray begins at the first sample that is not dark, and ends at the first that is not finite. A
- * dark run is a base if it is long enough and its lowest value, within an edge, is at most half the
- * highest value of the tissue within an edge above it. The base begins where the grey level falls
- * through the mean of the two, which is where a sharp edge lies, however it was blurred by partial
- * volume.
+ * The search begins at the first sample that is not dark, and ends at the first sample that is not
+ * finite. A dark run is a base if it is long enough, and if its lowest value within an edge width
+ * is at most half the highest value of the tissue within an edge width above it. The base begins
+ * where the grey level falls through the mean of these two values. That is the position of a sharp
+ * edge, however partial volume has blurred it.
  */
 double findBaseDepth(const double* grey, std::size_t count, const BaseCriteria& criteria);
 } // namespace palpate

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/** The filter that makes a body of other data. */
+/** Names the filter that makes a body of other data. */
 std::string advice(vtkDataObject* data)
 {
   struct Advice
@@ -137,7 +137,7 @@ void BodyBlocks::addTree(vtkDataObjectTree* tree, const std::string& name)
   child.TakeReference(tree->NewTreeIterator());
   child->VisitOnlyLeavesOff();
   child->TraverseSubTreeOff();
-  child->SkipEmptyNodesOff(); // for the same numbers on all ranks
+  child->SkipEmptyNodesOff(); // gives the same numbers on all ranks
   unsigned int number = 0;
   for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem(), ++number)
   {

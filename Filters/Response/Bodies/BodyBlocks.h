@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The parts of a user's body: the blocks of a composite, each a data set or the partitions of
- * one. Empty parts are skipped.
+ * The parts of a user's body: the blocks of a composite. Each block is a data set or the partitions
+ * of one. Empty parts are skipped.
  */
 #ifndef BodyBlocks_h
 #define BodyBlocks_h
@@ -18,15 +18,15 @@ namespace palpate
 {
 struct BodyBlock
 {
-  std::string name; // as the composite names it, or its number
+  std::string name; // name in the composite, or its number
   std::vector<vtkDataSet*> pieces;
 };
 
-/// How many blocks have three-dimensional cells.
+/// Number of blocks with three-dimensional cells.
 std::size_t countVolumes(const std::vector<BodyBlock>& blocks);
 
-/// Makes one block of those with three-dimensional cells, so that faces between them are inner
-/// ones. It has the same name on all ranks.
+/// Joins the blocks with three-dimensional cells into one block, so that faces between them are
+/// inner faces. It has the same name on all ranks.
 void joinVolumes(std::vector<BodyBlock>& blocks);
 
 class BodyBlocks
@@ -34,9 +34,9 @@ class BodyBlocks
 public:
   explicit BodyBlocks(vtkDataObject* input);
 
-  /// Not owned: they live as long as the input.
+  /// The data sets are not owned; they live as long as the input.
   const std::vector<BodyBlock>& blocks() const { return this->Blocks; }
-  /// Why the input is not a body, and what to do; "" if it is one.
+  /// The reason why the input is not a body, and the remedy; "" if it is a body.
   const std::string& fault() const { return this->Fault; }
 
 private:

@@ -21,7 +21,9 @@ namespace
 {
 using Corner = std::array<double, 3>;
 
-/** Hash of bytes; two with different start values make a collision practically impossible. */
+/**
+ * Hash of bytes. Two hashes with different start values make a collision practically impossible.
+ */
 std::uint64_t mix(std::uint64_t hash, const void* data, std::size_t size)
 {
   const auto* bytes = static_cast<const unsigned char*>(data);
@@ -47,7 +49,10 @@ struct KeyHash
   std::size_t operator()(const Key& key) const { return static_cast<std::size_t>(key.first); }
 };
 
-/** The same for the same corners in the same block, wherever the polygon begins and ends. */
+/**
+ * A key that is the same for the same corners in the same block, wherever the polygon begins and
+ * ends.
+ */
 Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std::string& block)
 {
   std::vector<Corner> corners(static_cast<std::size_t>(count));
@@ -56,7 +61,7 @@ Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std
     surface->GetPoint(ids[i], corners[i].data());
     for (double& c : corners[i])
     {
-      c += 0.0; // -0 is 0
+      c += 0.0; // turns -0 into 0
     }
   }
   std::sort(corners.begin(), corners.end());
@@ -99,7 +104,7 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      withoutGhosts->RemoveGhostCells(); // whose faces are the walls of structured pieces
+      withoutGhosts->RemoveGhostCells(); // their faces are the walls of structured pieces
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
       all.insert(all.end(), own[i].begin(), own[i].end());
@@ -134,7 +139,7 @@ void removeInnerWalls(
       }
     }
     kept->RemoveDeletedCells();
-    vtkNew<vtkCleanPolyData> used; // without the points inside the walls
+    vtkNew<vtkCleanPolyData> used; // removes the points inside the walls
     used->SetInputData(kept);
     used->PointMergingOff();
     used->Update();

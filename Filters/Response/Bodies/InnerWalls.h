@@ -11,9 +11,9 @@ namespace palpate
 {
 class Ranks;
 
-/// Where a volume is divided among ranks without ghost cells, each has a wall at the seam. These
-/// are the polygons that two ranks have in the same block, with the same corners. Removes them; on
-/// one rank does nothing. Collective; O(polygons) of the surfaces of all ranks.
+/// Removes inner walls. If a volume is divided among ranks without ghost cells, each piece has a
+/// wall at the seam. The walls are the polygons that two ranks have in the same block with the same
+/// corners. Has no effect on one rank. Collective; O(polygons) of the surfaces of all ranks.
 void removeInnerWalls(
   std::vector<SurfaceTriangles>& made, const std::vector<std::string>& blocks, const Ranks& ranks);
 } // namespace palpate

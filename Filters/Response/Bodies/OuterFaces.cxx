@@ -30,7 +30,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double RoundedApart = 1e-6; // of the diagonal: points that are one
+constexpr double RoundedApart = 1e-6; // fraction of the diagonal: points this close are one point
 
 bool isStructured(vtkDataSet* data)
 {
@@ -45,7 +45,7 @@ Vector3d placeOf(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Six times the volume that the faces of a cell enclose, by fans over their corners: negative if
+/// Six times the volume enclosed by the faces of a cell, from fans over their corners. Negative if
 /// the cell winds inward.
 double sixfoldVolume(vtkCell* cell)
 {
@@ -54,9 +54,9 @@ double sixfoldVolume(vtkCell* cell)
   for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
   {
     vtkCell* face = cell->GetFace(i);
-    const int corners = face->GetNumberOfEdges(); // middles of edges come after them
+    const int corners = face->GetNumberOfEdges(); // edge midpoints follow the corners
     const bool isPixel = face->GetCellType() == VTK_PIXEL;
-    const auto corner = [&](int k) -> Vector3d // around the face
+    const auto corner = [&](int k) -> Vector3d // corners in order around the face
     { return placeOf(face->GetPoints(), isPixel && k > 1 ? 5 - k : k) - origin; };
     for (int k = 1; k + 1 < corners; ++k)
     {
@@ -76,7 +76,7 @@ std::vector<vtkIdType> pointsOf(vtkUnstructuredGrid* grid, vtkIdType cell)
   return sorted;
 }
 
-/// Cells that have the type and the points of an earlier one.
+/// Finds cells that have the type and the points of an earlier cell.
 std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
@@ -107,11 +107,11 @@ std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
   return isRepeated;
 }
 
-/// Cells of three dimensions, each once, and which of them wind which way.
+/// Three-dimensional cells, each once, with the number of cells for each winding.
 struct SolidCells
 {
   vtkNew<vtkIdList> all;
-  vtkIdType repeated = 0; ///< left out: other cells have the same points
+  vtkIdType repeated = 0; ///< left out, since earlier cells have the same points
   vtkIdType positive = 0;
   vtkIdType firstPositive = -1;
   vtkIdType negative = 0;
@@ -198,15 +198,15 @@ vtkSmartPointer<vtkPolyData> outerFaces(
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputConnection(source->GetOutputPort());
-  surface->DelegationOff(); // the delegate's order of points depends on the number of threads
+  surface->DelegationOff(); // with delegation the order of points depends on the number of threads
   surface->Update();
   notes.push_back(joined("surface extracted from ", volume->GetNumberOfCells(), " cells"));
   if (!isStructured(data))
   {
     return surface->GetOutput();
   }
-  // The six sides of a structured grid have their own points along the edges where they meet, and a
-  // grid that closes around an axis meets itself.
+  // The six sides of a structured grid have separate points along the edges where they meet. A grid
+  // that closes around an axis meets itself.
   vtkNew<vtkStaticCleanPolyData> clean;
   clean->SetInputData(surface->GetOutput());
   clean->ToleranceIsAbsoluteOn();

@@ -12,10 +12,10 @@ class vtkDataSet;
 
 namespace palpate
 {
-/// The outer faces of the three-dimensional cells of a data set; the cells themselves if it has
-/// none of three dimensions. Notes say how many cells of fewer dimensions are left out. A fault
-/// names the first cell that winds against the most. `wholeExtent`: that of all ranks' pieces of a
-/// structured grid, of which only the faces are surface; null: the grid is whole.
+/// The outer faces of the three-dimensional cells of a data set. If it has no such cells, the cells
+/// themselves. Notes give the number of cells of fewer dimensions that are left out. A fault names
+/// the first cell that winds against the majority. `wholeExtent`: extent of the pieces of all ranks
+/// of a structured grid; only its faces are surface. Null: the grid is whole.
 vtkSmartPointer<vtkPolyData> outerFaces(
   vtkDataSet* data, const int* wholeExtent, std::vector<std::string>& notes, std::string& fault);
 } // namespace palpate

@@ -21,10 +21,10 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// How many triangles the polygons and strips of a surface have.
+/// Number of triangles of the polygons and strips of a surface.
 vtkIdType triangleCountOf(vtkPolyData* surface)
 {
-  // A polygon of n corners has n - 2 triangles, and so has a strip.
+  // A polygon of n corners has n - 2 triangles. So has a strip.
   return surface->GetPolys()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfPolys() +
     surface->GetStrips()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfStrips();
 }
@@ -49,7 +49,7 @@ Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
   return sum;
 }
 
-/// Triangles that cover a polygon, in threes; empty if there are none.
+/// Triangles that cover a polygon, three corners each; empty if none are found.
 std::vector<vtkIdType> trianglesOf(vtkPoints* points, vtkIdList* polygon)
 {
   vtkNew<vtkPolygon> cell;
@@ -65,7 +65,7 @@ std::vector<vtkIdType> trianglesOf(vtkPoints* points, vtkIdList* polygon)
     }
     return found;
   }
-  // Polygons that meet themselves, as a ring that is cut open along a line.
+  // For polygons that meet themselves, such as a ring that is cut open along a line.
   vtkNew<vtkCellArray> cells;
   vtkContourTriangulator::TriangulatePolygon(polygon, points, cells);
   vtkIdType count = 0;
@@ -92,7 +92,8 @@ bool covers(const std::vector<vtkIdType>& triangles, vtkPoints* points, const Ve
   return std::abs(sum - area.norm()) <= 0.01 * area.norm();
 }
 
-/// The corners without those that repeat the one before: a triangulator ends the program at them.
+/// Removes corners that repeat the previous one, since a triangulator terminates the program at
+/// them.
 void dropRepeatedCorners(vtkIdList* polygon)
 {
   vtkIdType kept = 0;
@@ -112,7 +113,7 @@ void dropRepeatedCorners(vtkIdList* polygon)
   polygon->SetNumberOfIds(kept);
 }
 
-/// Whether a polygon has no area because parts of it cancel out: its sides cross.
+/// Whether a polygon has no area because parts of it cancel: its sides cross.
 bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));
@@ -126,7 +127,7 @@ bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
   return area.norm() < 1e-6 * sum;
 }
 
-/// Each polygon by itself, for surfaces with some that the filter drops.
+/// Cuts each polygon separately, for surfaces with polygons that the filter drops.
 vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
 {
   vtkPoints* points = surface->GetPoints();
@@ -141,7 +142,7 @@ vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
       polygon->GetNumberOfIds() < 3 ? Vector3d::Zero().eval() : areaOf(points, polygon);
     const std::vector<vtkIdType> triangles =
       area.isZero(0.0) ? std::vector<vtkIdType>() : trianglesOf(points, polygon);
-    // Four corners have two ways to be cut, both of them right, however little flat they are.
+    // Four corners can be cut in two ways. Both are right, even if the polygon is not flat.
     const bool isCut = polygon->GetNumberOfIds() > 4 ? covers(triangles, points, area)
                                                      : area.isZero(0.0) || !triangles.empty();
     if (polygon->GetNumberOfIds() > 3 && (!isCut || cancelsOut(points, polygon, area)))

@@ -10,9 +10,9 @@
 
 namespace palpate
 {
-/// A surface of triangles; what was cut or left out is added to `notes`. A surface of triangles
-/// alone is returned itself. Null, and a fault that names the polygon, if one cannot be cut: its
-/// sides cross.
+/// Cuts a surface into triangles. Changes and omissions are added to `notes`. A surface of
+/// triangles alone is returned itself. Returns null and a fault that names the polygon if a polygon
+/// cannot be cut, because its sides cross.
 vtkSmartPointer<vtkPolyData> cutPolygons(
   vtkPolyData* surface, std::vector<std::string>& notes, std::string& fault);
 } // namespace palpate

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/** runs[w]: the indices (j, k) of those rows of a ball that reach from -w to w along x. */
+/** runs[w]: the indices (j, k) of the rows of a ball that extend from -w to w along x. */
 struct Ball
 {
   std::array<int, 3> reach; // voxels
@@ -41,7 +41,10 @@ struct Ball
   }
 };
 
-/** The scan with `margin` voxels more on every side, `air` in them; less for negative margins. */
+/**
+ * The scan with `margin` more voxels on every side, filled with `air`. A negative margin removes
+ * voxels.
+ */
 SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float air)
 {
   SkinScan wide{ scan.size, scan.spacing, {} };
@@ -50,7 +53,7 @@ SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float a
     wide.size[axis] += 2 * margin[axis];
   }
   wide.values.assign(static_cast<std::size_t>(wide.size[0]) * wide.size[1] * wide.size[2], air);
-  const int first = std::max(0, -margin[0]); // in the scan, of each row kept
+  const int first = std::max(0, -margin[0]); // first voxel of each row of the scan that is kept
   const int count = std::min(scan.size[0], wide.size[0]);
   for (vtkIdType k = 0; k < scan.size[2]; ++k)
   {
@@ -70,8 +73,8 @@ SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float a
 }
 
 /**
- * Each voxel becomes the extremum over the ball around it: a flat grey-level dilation (pick = max)
- * or erosion (pick = min). Rows of the ball of equal length share their extrema along x.
+ * Replaces each voxel by the extremum over the ball around it: a flat grey-level dilation (pick =
+ * max) or erosion (pick = min). Rows of the ball of equal length share their extrema along x.
  */
 template <typename Pick>
 bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan::Progress& progress)
@@ -123,7 +126,10 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
   return true;
 }
 
-/** The voxels marked `below` and connected to `seed` through faces; clears their marks. */
+/**
+ * Returns the voxels that are marked `below` and connected to `seed` through faces. Clears their
+ * marks.
+ */
 std::vector<vtkIdType> takeRegion(vtkIdType seed, std::vector<char>& below, const SkinScan& scan)
 {
   std::vector<vtkIdType> region;

@@ -25,7 +25,7 @@ SoundMesh soundMesh(vtkPolyData* surface, SoundBody::Extent extent)
     extent == SoundBody::Extent::Piece);
 }
 
-/// The used triangles with their cell arrays; their corners are moved by firstOf.
+/// The used triangles with their cell arrays. firstOf replaces their corners.
 template <class First>
 vtkSmartPointer<vtkPolyData> withTriangles(
   vtkPolyData* surface, const std::vector<TriangleCorners>& triangles, const First& firstOf)

@@ -19,7 +19,7 @@ class Ranks;
 
 /**
  * A body as laws, display and mesher use it: the triangles of a SoundMesh on the points of the
- * input. Points of the input that are at one place are represented by the first of them.
+ * input. Points of the input that coincide are represented by the first of them.
  */
 class PALPATERESPONSE_EXPORT SoundBody
 {
@@ -27,49 +27,52 @@ public:
   enum class Extent
   {
     Whole,
-    Piece ///< of a body on several processes: a piece does not show which side is outside
+    Piece ///< of a body on several processes: the outside of a piece is unknown
   };
 
   /// The input may have no points.
   explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole);
 
-  /// Why the input is no body (checkTriangles, SoundMesh), or "". Then body() is null.
+  /// The reason why the input is not a body (checkTriangles, SoundMesh), or "". In case of a fault
+  /// body() is null.
   const std::string& fault() const { return this->Fault; }
-  /// The input itself if nothing is repaired; otherwise a copy that shares its points and point
+  /// The input itself if nothing was repaired; otherwise a copy that shares its points and point
   /// arrays.
   vtkPolyData* body() const { return this->Body; }
   const MeshDefects& defects() const { return this->Found; }
 
-  /// How many points are represented by another one.
+  /// Number of points that are represented by another point.
   vtkIdType joinedPoints() const { return static_cast<vtkIdType>(this->Found.joinedPoints); }
-  /// The first point at the place of this one.
+  /// The first point at the place of `point`.
   vtkIdType firstAt(vtkIdType point) const
   {
     return this->First.empty() ? point : this->First[static_cast<std::size_t>(point)];
   }
 
-  /// Gives an output that was made from body() the triangles and cell arrays of the input, and the
-  /// points that are represented by another one its values. Arrays of the input keep theirs.
+  /// Restores an output that was made from body(): it gets the triangles and cell arrays of the
+  /// input, and points that are represented by another point get the values of that point. Arrays
+  /// of the input keep their values.
   void giveBack(vtkPolyData* output) const;
 
 private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Body;
-  std::vector<std::int32_t> First; ///< empty: all points are at places of their own
+  std::vector<std::int32_t> First; ///< empty: no points coincide
   MeshDefects Found;
   std::string Fault;
 };
 
-/// What a process has of a body.
+/// Whether this process has the whole body or a piece.
 SoundBody::Extent extentOn(const Ranks& ranks);
 
-/// The triangles of a surface in their order, outward, without repeats, on its own points; itself
-/// if it has no such defect. `found`: what was wrong. A fault, or "".
+/// The triangles of a surface in their order, outward, without repeats, on its own points. The
+/// surface itself if it has no such defect. `found`: the defects found. Returns "" or an error
+/// message.
 std::string orientSurface(
   vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found);
 
-/// The defects and how each was handled, with their numbers; "" for a sound mesh. Open borders are
-/// no defect, nor are joined points: files split a surface for its texture or normals.
+/// Describes the defects and the treatment of each, with their numbers; "" for a sound mesh. Open
+/// borders and joined points are not defects: files split a surface for its texture or normals.
 PALPATERESPONSE_EXPORT std::string describeDefects(const MeshDefects& found);
 } // namespace palpate
 

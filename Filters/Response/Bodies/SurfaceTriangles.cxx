@@ -27,7 +27,10 @@ namespace palpate
 {
 namespace
 {
-/** Finds cells that name missing points, which would crash the filters; "" if there are none. */
+/**
+ * Finds cells that refer to missing points, which would crash the filters. Returns an error message
+ * or "".
+ */
 std::string cellFault(vtkDataSet* data)
 {
   std::vector<vtkCellArray*> arrays;
@@ -83,10 +86,10 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
   return mergedPoints(all->GetOutput());
 }
 
-/** Moves points of the pieces that are apart by rounding to one place. */
+/** Moves points of the pieces that differ by rounding only to one place. */
 void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
 {
-  constexpr double rounding = 1e-5; // of the diagonal
+  constexpr double rounding = 1e-5; // fraction of the diagonal
   vtkNew<vtkAppendFilter> all;
   for (vtkUnstructuredGrid* piece : pieces)
   {
@@ -113,7 +116,7 @@ void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& 
   }
 }
 
-/** Appends volumes, without ghost cells, since separate surfaces would have walls at the seams. */
+/** Appends volumes without ghost cells, since separate surfaces would have walls at the seams. */
 vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& given)
 {
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;
@@ -130,7 +133,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   }
   joinRoundedPoints(pieces);
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // which it does only where nothing is marked as a ghost
+  all->MergePointsOn(); // only has an effect if nothing is marked as a ghost
   for (vtkUnstructuredGrid* piece : pieces)
   {
     all->AddInputData(piece);
@@ -139,7 +142,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   return all->GetOutput();
 }
 
-/** Without the points of no triangle, which need not be finite. */
+/** Removes points that belong to no triangle. They need not be finite. */
 vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
 {
   vtkNew<vtkCleanPolyData> clean;
@@ -150,7 +153,7 @@ vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
   return clean->GetOutput();
 }
 
-/** The advice for data with points but no triangles. */
+/** Advises on data that have points but no triangles. */
 std::string withoutTriangles(const std::vector<vtkDataSet*>& pieces)
 {
   vtkIdType points = 0;
@@ -231,7 +234,7 @@ void cutSurface(
       std::swap(lost.notFinite, found.notFinite);
       made.loss = describeDefects(lost);
     }
-    found.degenerate = found.nonManifoldEdges = 0; // as they were
+    found.degenerate = found.nonManifoldEdges = 0; // unchanged, so not reported
     const std::string changes = describeDefects(found);
     if (!changes.empty())
     {

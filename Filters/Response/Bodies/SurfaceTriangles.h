@@ -2,9 +2,9 @@
 /** @file
  * One data set, whole or in partitions, as triangles.
  *
- * A surface of triangles alone comes out unchanged if it is sound. Polygons and strips are cut,
- * vertices and lines left out. Of a volume the outer faces are taken. Partitions are joined where
- * their points coincide exactly, and ghost cells are left out.
+ * A surface of triangles alone is returned unchanged if it is sound. Polygons and strips are cut;
+ * vertices and lines are left out. For a volume, the outer faces are used. Partitions are joined
+ * where their points coincide exactly, and ghost cells are left out.
  */
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
@@ -25,23 +25,24 @@ struct SurfaceTriangles
 {
   vtkSmartPointer<vtkPolyData> surface; // null after a fault
   bool isOfVolume = false;
-  std::vector<std::string> notes; // what was done, each part of a sentence
-  std::string loss;               // which input is not used, for a warning; "" if all is
-  std::string fault;              // why there are none; "" if there are
-  bool isEmpty = false;           // the fault is only that there are none
+  std::vector<std::string> notes; // changes, each part of a sentence
+  std::string loss;               // unused input, for a warning; "" if all is used
+  std::string fault;              // the reason why no triangles were made, or ""
+  bool isEmpty = false;           // the only fault is that the input has no triangles
 };
 
-/// The surface, still with polygons and strips. `wholeExtent`: that of all ranks' pieces of a
-/// structured grid, of which only the faces are surface; null: the grid is whole. Pieces must have
-/// points.
+/// Extracts the surface, still with polygons and strips. `wholeExtent`: extent of the pieces of all
+/// ranks of a structured grid; only its faces are surface. Null: the grid is whole. Pieces must
+/// have points.
 SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const int* wholeExtent);
 
-/// Cuts it into triangles, and orients them (SoundMesh); a fault if there are none, or no body.
+/// Cuts the surface into triangles and orients them (SoundMesh). Sets a fault if no triangles
+/// result, or if they are not a body.
 void cutSurface(
   SurfaceTriangles& made, const std::vector<vtkDataSet*>& pieces, SoundBody::Extent extent);
 
-/// Names of point arrays that some of the data sets have and others lack, comma-separated: those
-/// lost by appending.
+/// Names of point arrays that some of the data sets have and others lack, comma-separated.
+/// Appending loses them.
 std::string arraysNotShared(const std::vector<vtkDataSet*>& pieces);
 } // namespace palpate
 

@@ -31,7 +31,7 @@ struct SimplerBody
 constexpr std::size_t ThicknessArray = 1;
 constexpr std::size_t SecondArray = 4;
 
-/// The simplest first; none for a half-space.
+/// Simplest body first. Empty for a half-space.
 std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMaterial& material)
 {
   std::vector<SimplerBody> simpler;
@@ -70,7 +70,7 @@ std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMate
   return simpler;
 }
 
-/// Removes terms as long as the tolerance is not used up.
+/// Removes terms while their changes stay within the tolerance.
 class TermChooser
 {
 public:
@@ -108,7 +108,7 @@ private:
   std::string Words;
 };
 
-/// The simplest body that keeps the force.
+/// Chooses the simplest body that keeps the force.
 std::string chooseBody(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
   bool hasPiece, TermChooser& chooser, BodyMaterial& material)
 {
@@ -142,7 +142,7 @@ std::string chooseBody(const Ranks& ranks, vtkPolyData* body, const LawRequest& 
   }
   return {};
 }
-/// Chooses whether finite strain is in the law, which may need its correction.
+/// Chooses whether the law includes finite strain. The choice may need the correction itself.
 std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrain,
   TermChooser& chooser, AutomaticTerms& chosen)
 {
@@ -152,7 +152,7 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
   const std::string name = describe(law);
   const bool curved = chosen.terms.curvature;
   const LawModel small{ material, curved, nullptr };
-  const double bound = chooser.bound(small); // of the error that is stated without it
+  const double bound = chooser.bound(small); // of the error stated without finite strain
   if (law.model == StrainModel::NeoHooke)
   {
     if (chooser.canSpare(bound))
@@ -213,7 +213,8 @@ void chooseCurvature(TermChooser& chooser, AutomaticTerms& chosen)
   }
 }
 
-/// Edges are kept wherever a body has some, since a contact leaves over them at any depth.
+/// Edges are kept if the body has any, since a contact can leave the body over an edge at any
+/// depth.
 void chooseEdges(const Ranks& ranks, const PressedBody& pressed, bool hasPiece,
   TermChooser& chooser, AutomaticTerms& chosen)
 {

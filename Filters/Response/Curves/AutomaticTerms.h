@@ -15,34 +15,35 @@ namespace palpate
 {
 class StrainCorrection;
 
-/// The simplest law that keeps the forces of the requested one, and the reason in words.
+/// The simplest law that keeps the forces of the requested law, and the reason as text.
 struct AutomaticTerms
 {
   LawTerms terms;
   BodyMaterial material;
-  std::unique_ptr<StrainCorrection> strain = {}; ///< if it was needed for the choice
+  std::unique_ptr<StrainCorrection> strain = {}; ///< if the choice needed it
   std::string reason = {};
 };
 
-/// Makes the correction of a material by finite strain. Returns what is wrong, or "".
+/// Makes the correction of a material by finite strain. Returns "" or an error message.
 using StrainMaker = std::function<std::string(
   const BodyMaterial&, const StrainLaw&, std::unique_ptr<StrainCorrection>&)>;
 
 /**
  * Removes terms from the law of `request` one by one (layers, curvature, finite strain), as long as
  * together they change the force by no more than request.terms.changeTolerance (TermEffect.h).
- * Finite strain is considered where it is requested, and where Neo-Hooke's tables have the tool.
- * `chosen` begins with the terms of the request. Collective: without a piece of the body, `shape`
- * is not asked. Returns what is wrong, or "".
+ * Finite strain is considered if it is requested, or if Neo-Hooke's tables have the tool. On input
+ * `chosen` has the terms of the request. Collective: without a piece of the body, `shape` is not
+ * used. Returns "" or an error message.
  */
 PALPATERESPONSE_EXPORT std::string chooseTerms(const Ranks& ranks, vtkPolyData* body,
   const LawRequest& request, const SurfaceShape& shape, const StrainMaker& makeStrain,
   AutomaticTerms& chosen);
 
-/// A change of the force in words: "0.8 %".
+/// A change of the force as text: "0.8 %".
 PALPATERESPONSE_EXPORT std::string percentOf(double change);
 
-/// The field array that keeps the reason, `<name>Terms`, and what it says on a body; "" without it.
+/// Name of the field array that stores the reason, `<name>Terms` (termsName), and its text on a
+/// body; "" without the array (termsReason).
 PALPATERESPONSE_EXPORT std::string termsName(const std::string& responseName);
 PALPATERESPONSE_EXPORT std::string termsReason(vtkPolyData* body, const std::string& responseName);
 } // namespace palpate

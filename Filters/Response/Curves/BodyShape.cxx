@@ -50,7 +50,7 @@ double spacingOf(const TriangleSpans& surface)
     0.5 * twice / static_cast<double>(std::count(isUsed.begin(), isUsed.end(), true)));
 }
 
-/// All pieces as one surface, joined at their seams, and which of its points are of this rank's
+/// All pieces as one surface, joined at their seams, and the indices of the points of this rank's
 /// piece.
 struct WholeSurface
 {
@@ -111,10 +111,10 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
 /// The input of a shape.
 struct ShapeKey
 {
-  std::array<std::size_t, 3> surface; ///< of the own piece
+  std::array<std::size_t, 3> surface; ///< of this rank's piece
   double radius;
   bool hasEdges;
-  bool isOfFaces; ///< curvature without that of sharp edges
+  bool isOfFaces; ///< curvature of the faces, without that of sharp edges
 
   bool operator==(const ShapeKey& other) const
   {
@@ -169,7 +169,8 @@ std::shared_ptr<const BodyShape> findShape(
     });
   if (wantsEdges)
   {
-    constexpr double reach = 40.0; // contact radii: there an edge takes 2 % of the force
+    // Contact radii: at this distance an edge reduces the force by 2 %.
+    constexpr double reach = 40.0;
     made->edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
   }
   made->curvature = curvature.get();

@@ -18,12 +18,13 @@ namespace palpate
 class BodySeam;
 class Ranks;
 
-/// The shape of this rank's piece of a body, as it affects a contact; null: not requested.
+/// The shape of this rank's piece of a body, as it affects a contact. Null members: not requested.
 struct BodyShape
 {
-  std::unique_ptr<SurfaceCurvature> curvature; ///< of the whole body, as are the edges
+  std::unique_ptr<SurfaceCurvature> curvature; ///< of the whole body, like the edges
   std::unique_ptr<EdgeDistance> edges;
-  std::vector<std::int32_t> inWhole; ///< its points that are the own ones; empty: all, in order
+  /// Indices of the piece's points in the whole body; empty: all points, in order.
+  std::vector<std::int32_t> inWhole;
 
   SpotCurvature curvatureAt(std::size_t i) const { return this->curvature->at(this->place(i)); }
   const NearEdge& edgeAt(std::size_t i) const { return this->edges->at(this->place(i)); }
@@ -33,20 +34,20 @@ struct BodyShape
   }
 };
 
-/// Curvature for a law or an error, edges for an error alone, on the scale of a contact of radius
-/// `a` (mm). `normals`: three floats a point. Never null. Collective; each rank holds the whole
-/// body for a while.
+/// Finds the curvature, for a law or an error, and the edges, for an error only, on the scale of a
+/// contact of radius `a` (mm). `normals`: three floats per point. Never null. Collective; each rank
+/// temporarily stores the whole body.
 ///
-/// A shape does not depend on the material, which changes more often: the last ones are cached in
-/// the process, by content, 28 bytes a point, up to 128 MB and 16 of them. Thread-safe.
+/// A shape does not depend on the material, which changes more often. So the process caches the
+/// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Thread-safe.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
-/// Of the three lengths of the whole body's box, mm.
+/// Lengths of the sides of the whole body's box, mm.
 struct BodyLengths
 {
-  double least;  ///< the body is nowhere deeper
-  double middle; ///< no circle much wider fits it
+  double least;  ///< smallest side: the body is nowhere deeper
+  double middle; ///< middle side: a circle much wider does not fit on the body
 };
 /// Collective.
 BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks);

@@ -50,8 +50,8 @@ void addLaw(vtkPolyData* body, const std::string& name, const CouplingTerms& ter
   body->GetFieldData()->AddArray(array);
 }
 
-/// The law of the layers, for the mean of the least and the largest Poisson's ratio; none for a
-/// half-space.
+/// The law of the layers, for the mean of the smallest and the largest Poisson's ratio. The default
+/// law for a half-space.
 CouplingLaw lawOf(const MaterialRange& range)
 {
   if (!range.hasLayers())
@@ -63,10 +63,10 @@ CouplingLaw lawOf(const MaterialRange& range)
     : CouplingLaw(LayerKernel(0.5 * (range.leastRatio + range.mostRatio), range.layers.base));
 }
 
-/// Attaches modes, scaled down where they would give way more than the response itself: at most its
-/// global compliance and a third of the local one at the last sample (1 - 2/π of 1/(2E*a), what the
-/// surface's law leaves). Then the compliance matrix of all contacts is positive definite, whatever
-/// the depths.
+/// Attaches the modes. They are scaled down where their compliance would exceed that of the
+/// response: its global compliance plus a third of the local one at the last sample (1 - 2/π of
+/// 1/(2E*a), the part that the surface's law does not use). Then the compliance matrix of all
+/// contacts is positive definite at any depths.
 void addModes(
   const ContactSpots& spots, const std::string& name, vtkDataArray* modes, vtkPolyData* body)
 {
@@ -98,7 +98,7 @@ void addModes(
     });
 }
 
-/// Finds the modes of a body; returns what is wrong with them, or "".
+/// Finds the modes of a body. Returns "" or an error message.
 std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
 {
   vtkAbstractArray* found = body->GetPointData()->GetAbstractArray(CouplingModesName);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The arrays of a response by which contacts on its body feel one another: Coupling,
- * CouplingModulus, CouplingThickness, CouplingModes of Contact/ResponseContract.h. Without them
- * each contact is alone.
+ * The arrays of a response for the interaction of contacts on its body: Coupling, CouplingModulus,
+ * CouplingThickness, CouplingModes of Contact/ResponseContract.h. Without them contacts do not
+ * interact.
  */
 #ifndef CouplingConversion_h
 #define CouplingConversion_h
@@ -22,18 +22,20 @@ class BodyMaterial;
 /// The point array of a body with its motion by finite elements (vtkElasticCompliance).
 constexpr const char* CouplingModesName = "CouplingModes";
 
-/// Why contacts on a body of this material, with these arrays, cannot be coupled; or "".
+/// Checks that contacts on a body with this material and these arrays can be coupled. Returns "" or
+/// an error message.
 std::string checkCouples(const BodyMaterial& material, vtkPolyData* body);
 
-/// Attaches the arrays of a body that has passed checkCouples, in place of any there were.
+/// Attaches the arrays to a body that has passed checkCouples. Replaces existing ones.
 void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 
 /// Attaches the arrays of these terms.
 PALPATERESPONSE_EXPORT void describeCoupling(
   vtkPolyData* body, const std::string& name, const CouplingTerms& terms);
 
-/// Fills arrays.coupling with views, the number of points being set already. Leaves it unchanged
-/// where there is none. False, and an error that names array and number, if it is wrong.
+/// Fills arrays.coupling with views. The number of points must already be set. Leaves it unchanged
+/// if the body has no coupling. Returns false and an error that names array and number if an array
+/// is invalid.
 bool viewCoupling(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 } // namespace palpate

@@ -15,29 +15,29 @@ namespace palpate
 class BodySeam;
 
 /**
- * Largest normal curvature met along the edges at each point, 1/mm:
+ * Largest normal curvature along the edges at each point, 1/mm:
  *   max over edges ij of |(n_j - n_i)·(x_j - x_i)| / |x_j - x_i|²,
  * exact on a sphere.
  *
- * Built in one threaded pass over the triangles. The maximum commutes, so the result has the same
- * bits for any number of threads, and of pieces of the body: at a seam it is the maximum over all
- * pieces.
+ * Built in one threaded pass over the triangles. A maximum does not depend on the order, so the
+ * bits do not depend on the number of threads or of pieces of the body. At a seam it is the maximum
+ * over all pieces.
  */
 class CurvatureBound
 {
 public:
-  /// `body`, or the own piece of it, has triangles only; `normals` are 3 floats per point, unit
+  /// `body`, or this rank's piece of it, has triangles only. `normals`: 3 floats per point, unit
   /// length, the same on all pieces at a seam. Collective.
   CurvatureBound(vtkPolyData* body, const BodySeam& seam, const float* normals);
 
-  /// Negative where no triangle with an area meets.
+  /// Negative if the point has no triangle with an area.
   float at(vtkIdType point) const noexcept;
 
 private:
   void joinAlong(const BodySeam& seam);
 
-  /// 0 where no edge was seen, otherwise the bits of the bound plus one: non-negative floats are
-  /// ordered as their bits.
+  /// 0 if no edge was found, otherwise the bits of the bound plus one. Non-negative floats have the
+  /// order of their bits.
   std::vector<std::atomic<std::int32_t>> Raised;
 };
 } // namespace palpate

@@ -47,7 +47,7 @@ MaterialArray arrayToProcess(
     : nullptr;
   if (!which || !which->Has(vtkAlgorithm::INPUT_PORT()))
   {
-    return {}; // never set: the constant property holds
+    return {}; // never set: the constant property is used
   }
   const std::string name = which->Has(vtkDataObject::FIELD_NAME())
     ? which->Get(vtkDataObject::FIELD_NAME())
@@ -79,7 +79,7 @@ MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 5
 
 namespace
 {
-/// Fetches one value per point. Returns what is wrong with the array, or "".
+/// Reads one value per point. Returns "" or an error message.
 std::string readValues(
   const std::string& name, vtkDataArray* array, vtkIdType points, PointValues& given)
 {

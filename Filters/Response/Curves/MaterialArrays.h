@@ -20,9 +20,9 @@ namespace palpate
 class Ranks;
 
 /// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness, 2
-/// global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. One that is not
-/// wanted has no name; one that is wanted but missing has no array. With a compliance, an array
-/// named <its name>Error is its error, if present.
+/// global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. An array that is
+/// not requested has no name; an array that is requested but missing is null. For a compliance, an
+/// array named <its name>Error is its error, if present.
 struct MaterialArray
 {
   std::string name;
@@ -30,36 +30,36 @@ struct MaterialArray
 };
 using MaterialArrays = std::array<MaterialArray, 5>;
 
-/// `first` with the layers that were added to a filter, each by thickness (mm), Young's modulus
-/// (MPa), Poisson's ratio and whether it slides, and with an elastic base in place of the rigid
-/// one.
+/// The material `first` with the layers that were added to a filter (each with thickness (mm),
+/// Young's modulus (MPa), Poisson's ratio and whether it slides), and with an elastic base instead
+/// of the rigid one if `isElasticBase`.
 BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
   double baseRatio);
 
-/// The array that a filter was told to process, without a name if none was set; `find(index)`
+/// The array that is set as input of a filter; without a name if none was set. `find(index)`
 /// fetches it.
 MaterialArray arrayToProcess(
   vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int index)>& find);
-/// All arrays that a filter was told to process.
+/// All arrays that are set as inputs of a filter.
 MaterialArrays arraysToProcess(
   vtkAlgorithm* filter, const std::function<vtkDataArray*(int index)>& find);
-/// Those of these names; "" for one that is not wanted.
+/// The arrays with these names; "" for an array that is not requested.
 PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
   vtkPolyData* body, const std::array<std::string, 5>& names);
 
-/// Gives `material` the values of the points of a body. Returns what is wrong, naming property or
-/// array, point and value, or "".
+/// Gives `material` the values at the points of a body. Returns "" or an error that names property
+/// or array, point and value.
 std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material);
 
-/// Makes the range of `material` that of the whole body, after readMaterial on the ranks that have
-/// a piece of it. Collective: the ranks without one call it, too.
+/// Sets the range of `material` to that of the whole body, after readMaterial on the ranks that
+/// have a piece. Collective: the ranks without a piece call it, too.
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material);
 
-/// Attaches <name>LayerThickness and <name>LayerBase, if there are layers; of a stack also, as
-/// field data, <name>LayerStack (double 4: thickness in mm, 0 for the half-space; E in MPa, ν,
-/// whether it slides below the layer above; one tuple each, from the top, varying ones at their
-/// thinnest), and <name>SecondThickness per point.
+/// Attaches <name>LayerThickness and <name>LayerBase if the material has layers. For a stack it
+/// also attaches <name>LayerStack as field data (double 4: thickness in mm, 0 for the half-space; E
+/// in MPa; ν; whether it slides below the layer above; one tuple per layer from the top, with the
+/// smallest thickness of varying layers), and <name>SecondThickness per point.
 void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 } // namespace palpate
 

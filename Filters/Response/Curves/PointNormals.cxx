@@ -25,13 +25,13 @@ namespace palpate
 {
 namespace
 {
-/// A vector that differs from unit length by float rounding alone is kept to the bit, so that
-/// normals read from a file are those that were written.
+/// A vector whose length differs from 1 by float rounding only is kept unchanged, so that normals
+/// read from a file have the bits that were written.
 constexpr double UnitTolerance = 3e-7;
 
 constexpr double NormalTolerance = 0.035; // rad, 2 degrees
 
-/// Writes the unit vector along (x, y, z), or zero if there is none; returns the status.
+/// Writes the unit vector along (x, y, z), or zero if its length is 0. Returns the status.
 ResponseStatus storeUnit(double x, double y, double z, float* normal)
 {
   double length = std::sqrt(x * x + y * y + z * z);
@@ -55,8 +55,9 @@ double angleBetween(const Vector3& one, const Vector3& other)
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-/// Whether the stored normals are those of the triangles: each within 2 degrees, and the largest
-/// angle to a neighbour's normal, of the computed one. That they are more exact than these can be.
+/// Whether the stored normals belong to the triangles: each differs from the computed normal by at
+/// most 2 degrees plus the largest angle to a neighbour's normal. Stored normals may be more exact
+/// than computed ones by that much.
 bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* computed)
 {
   const auto at = [computed](std::int32_t i)
@@ -88,7 +89,7 @@ bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* comput
   return true;
 }
 
-/// Points that are not finite have no normal.
+/// Sets status and normal of points that are not finite.
 void markNotFinite(vtkPoints* points, float* normals, unsigned char* status)
 {
   vtkSMPTools::For(0, points->GetNumberOfPoints(),
@@ -124,7 +125,7 @@ void computeNormals(vtkPolyData* body, float* normals, unsigned char* status)
   }
 }
 
-/// The same over a seam; an error for a closed surface inside out.
+/// The same for a body with a seam. Returns an error if a closed surface is inside out.
 std::string computeNormals(
   vtkPolyData* body, const BodySeam& seam, float* normals, unsigned char* status)
 {
@@ -158,7 +159,7 @@ std::string fillPointNormals(
   std::string wrongSide;
   if (seam.ranks().areAlone())
   {
-    computeNormals(body, normal, state); // a SoundBody has no other side
+    computeNormals(body, normal, state); // a SoundBody never winds inward
   }
   else
   {

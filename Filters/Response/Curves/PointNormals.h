@@ -15,21 +15,21 @@ namespace palpate
 class BodySeam;
 
 /**
- * Unit outward normals of the points of a body, and which points cannot have a response.
+ * Unit outward normals of the points of a body, and the status of each point.
  *
- * They are angle-weighted. The active point normals are used instead, since they can be more exact,
- * if each of them is within 2 degrees, and the turn to the next points, of the angle-weighted one.
- * Sets status NotFinite where the coordinates are not finite, Degenerate where no triangle with an
- * area meets, and Valid elsewhere; the normal is (0,0,0) where the status is not Valid. Returns an
- * error, or "": a closed surface in pieces that winds inward.
+ * The normals are angle-weighted. The active point normals are used instead, since they can be more
+ * exact, if each of them agrees with the angle-weighted normal within 2 degrees plus the turn to
+ * the next points. The status is NotFinite if the coordinates are not finite, Degenerate if the
+ * point has no triangle with an area, and Valid otherwise. The normal is (0,0,0) if the status is
+ * not Valid. Returns "" or an error: a closed surface in pieces winds inward.
  *
- * `body` may be a piece: at the seam the triangles of all pieces count. Collective then, and the
- * same error comes back on all ranks.
+ * `body` may be a piece. At the seam the triangles of all pieces count. The call is then
+ * collective, and all ranks return the same error.
  */
 std::string fillPointNormals(
   vtkPolyData* body, const BodySeam& seam, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 
-/// The same of a whole body.
+/// The same for a whole body.
 PALPATERESPONSE_EXPORT std::string fillPointNormals(
   vtkPolyData* body, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 } // namespace palpate

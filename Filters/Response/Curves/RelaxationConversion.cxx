@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// k values of a field array, 1 to 4; or what is wrong with it.
+/// Reads the k values of a field array, 1 to 4. Returns "" or an error message.
 std::string readBranches(vtkDataArray* array, const std::string& name, std::vector<double>& values)
 {
   const vtkIdType count = array->GetNumberOfValues();
@@ -44,8 +44,8 @@ bool isStrength(double value)
   return value >= 0.0 && std::isfinite(value);
 }
 
-/// Checks values of points that must be finite and not negative; what is wrong with the first that
-/// is not, or "".
+/// Checks values of points, which must be finite and not negative. Returns "" or an error that
+/// names the first invalid value.
 std::string checkValues(const std::string& name, const float* values, std::size_t points,
   std::size_t components, const char* quantity, const char* unit)
 {
@@ -62,7 +62,7 @@ std::string checkValues(const std::string& name, const float* values, std::size_
   return {};
 }
 
-/// Exponent and contact radius of the tool, for a contact that slides onto fresh material.
+/// Exponent and contact radius of the tool, for a contact that slides onto new material.
 void describeContact(const std::string& text, double range, RelaxationTerms& terms)
 {
   ToolSpecification specification;

@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// Strength and seconds of each branch, as set on a filter one by one: any numbers, as many as are
-/// given, until fillSeries() checks them.
+/// Strength and seconds of each branch, as they are set on a filter one by one. Any number of
+/// branches and any values are stored; fillSeries() checks them.
 class RelaxationList
 {
 public:
   void add(double strength, double seconds) { this->Branches.push_back({ strength, seconds }); }
-  /// Replaces a branch, or appends one. Whether anything has changed.
+  /// Replaces a branch, or appends one. Returns whether the list changed.
   bool set(int place, double strength, double seconds)
   {
     const std::array<double, 2> next{ strength, seconds };
@@ -33,7 +33,7 @@ public:
     this->Branches[static_cast<std::size_t>(place)] = next;
     return true;
   }
-  /// Removes all branches; whether there were any.
+  /// Removes all branches. Returns whether the list had any.
   bool clear()
   {
     const bool had = !this->Branches.empty();
@@ -42,7 +42,7 @@ public:
   }
 
   int count() const { return static_cast<int>(this->Branches.size()); }
-  /// 0 where there is none.
+  /// 0 if the branch does not exist.
   double strength(int place) const { return this->has(place) ? this->at(place)[0] : 0.0; }
   double seconds(int place) const { return this->has(place) ? this->at(place)[1] : 0.0; }
 
@@ -60,7 +60,7 @@ public:
     return some;
   }
 
-  /// Fills the series. Returns what is wrong, naming the branch, or "".
+  /// Fills the series. Returns "" or an error that names the branch.
   std::string fillSeries(PronySeries& series) const
   {
     series = {};

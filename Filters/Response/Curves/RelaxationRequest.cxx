@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// Whether it is not negative and within the range of a float.
+/// Whether the value is not negative and within the range of a float.
 bool isHeld(double value)
 {
   return value >= 0.0 && std::isfinite(static_cast<float>(value));

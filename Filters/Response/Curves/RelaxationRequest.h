@@ -13,27 +13,27 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Index of the array to process that holds the strengths of each point.
+/// Index of the array to process with the strengths of each point.
 constexpr int RelaxationArrayIndex = 5;
 
-/// How a body relaxes; without branches it does not.
+/// The relaxation of a body. Without branches the body does not relax.
 struct RelaxationRequest
 {
   PronySeries series;
-  MaterialArray strength = {};   ///< as many components as branches, instead of the series' own
-  bool complianceRelaxes = true; ///< the global compliance is of the same material
+  MaterialArray strength = {};   ///< one component per branch; replaces the strengths of the series
+  bool complianceRelaxes = true; ///< the global compliance belongs to the same material
 };
 
-/// What is wrong with the request or with the arrays of a body that it names, or "".
+/// Checks the request and the arrays of a body that it names. Returns "" or an error message.
 std::string checkRelaxation(
   vtkPolyData* body, const RelaxationRequest& request, const MaterialArray& compliance);
 
-/// ", relaxing 0.5 in 0.1 s, 0.3 in 2 s"; "" where nothing does.
+/// The relaxation as text, ", relaxing 0.5 in 0.1 s, 0.3 in 2 s"; "" without relaxation.
 PALPATERESPONSE_EXPORT std::string relaxationInWords(
   const RelaxationRequest& request, const MaterialArray& compliance);
 
-/// Attaches the arrays of the data contract in place of any there were, for a body that has passed
-/// checkRelaxation.
+/// Attaches the arrays of the data contract to a body that has passed checkRelaxation. Replaces
+/// existing ones.
 PALPATERESPONSE_EXPORT void attachRelaxation(const RelaxationRequest& request,
   const MaterialArray& compliance, const std::string& name, vtkPolyData* output);
 } // namespace palpate

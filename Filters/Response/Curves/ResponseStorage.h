@@ -16,7 +16,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The point arrays of one response, allocated together, attached together.
+/// The point arrays of one response. They are allocated and attached together.
 struct PALPATERESPONSE_EXPORT ResponseStorage
 {
   vtkNew<vtkFloatArray> Force;

@@ -13,12 +13,12 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The error at a depth (mm), from those at the samples of a curve: linear in √δ between samples,
-/// constant below the first, NaN beyond the range (mm).
+/// The error at a depth (mm), from the errors at the samples of a curve. Linear in √δ between
+/// samples, constant below the first sample, NaN beyond the range (mm).
 PALPATERESPONSE_EXPORT double errorBetween(
   const float* errors, int samples, double range, double depth);
 
-/// The estimated relative errors that a response keeps in its array Error.
+/// The estimated relative errors in the array Error of a response.
 class PALPATERESPONSE_EXPORT StoredError
 {
 public:
@@ -26,9 +26,10 @@ public:
   StoredError(vtkPolyData* body, const std::string& responseName);
 
   bool isKept() const { return this->Errors != nullptr; }
-  /// Of a point's force at a depth (mm). NaN where none is kept, or beyond the range.
+  /// Error of a point's force at a depth (mm). NaN if the response stores no error, or beyond the
+  /// range.
   double at(vtkIdType point, double depth) const;
-  /// Of the force at a place on a triangle, given by its cell and a point on it.
+  /// Error of the force at a place on a triangle, given by its cell and a point on it.
   double at(vtkIdType cell, const double* point, double depth) const;
 
 private:
@@ -37,13 +38,14 @@ private:
   vtkFloatArray* Range;
 };
 
-/// Adds to tips that were touched (ContactCell, ContactPoint, Deflection) the array RelativeError
-/// (double): of the force on each, 0 without contact, NaN where it is not known. Adds nothing if
-/// the response keeps no error.
+/// Adds the array RelativeError (double) to tips with contacts (ContactCell, ContactPoint,
+/// Deflection): the error of the force on each tip, 0 without contact, NaN if unknown. Adds nothing
+/// if the response stores no error.
 PALPATERESPONSE_EXPORT void addContactErrors(
   vtkPolyData* body, const std::string& responseName, vtkPolyData* tips);
 
-/// The text to write behind a force: " ± 4 %"; from 100 % on, that nothing is known; "" for NaN.
+/// The error as a text that follows a force: " ± 4 %". From 100 % on, the text says that the force
+/// is unknown; "" for NaN.
 PALPATERESPONSE_EXPORT std::string errorInWords(double relativeError);
 } // namespace palpate
 

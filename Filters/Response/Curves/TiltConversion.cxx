@@ -26,7 +26,7 @@ TiltNumbers numbersOf(const TiltTerms& terms)
     static_cast<double>(terms.laws) };
 }
 
-/// Counts that are not whole numbers become 0, which is invalid.
+/// Converts the numbers. Counts that are not whole numbers become 0, which is invalid.
 TiltTerms termsOf(const TiltNumbers& numbers)
 {
   const auto count = [&numbers](std::size_t which)
@@ -52,8 +52,8 @@ void addNumbers(
   body->GetFieldData()->AddArray(array);
 }
 
-/// The values of a field array of doubles with `tuples` tuples; null and an error if it is
-/// different.
+/// The values of a field array of doubles with `tuples` tuples. Returns null and an error if type
+/// or size is different.
 const double* viewNumbers(vtkPolyData* body, const std::string& name, ResponseArray which,
   std::size_t tuples, std::string& error)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The arrays of a response with the effect of tilting its tool on the force: Tilt, TiltDrop,
+ * The arrays of a response for the effect of the tool's tilt on the force: Tilt, TiltDrop,
  * TiltNode, TiltWeight of Contact/ResponseContract.h, the numbers of a TiltTable. Without them the
- * tool counts as upright, wherever its axis points.
+ * tool counts as upright, whatever its axis.
  */
 #ifndef TiltConversion_h
 #define TiltConversion_h
@@ -19,13 +19,13 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Attaches the arrays in place of any there were. `weights`: of each law at each point; empty for
-/// a table of one law.
+/// Attaches the arrays. Replaces existing ones. `weights`: of each law at each point; empty for a
+/// table of one law.
 PALPATERESPONSE_EXPORT void describeTilts(vtkPolyData* body, const std::string& name,
   const TiltTable& table, const std::vector<float>& weights);
 
-/// Fills arrays.tilt with views of the arrays, if they are there. False, and an error that names
-/// the array and the number, if they are wrong.
+/// Fills arrays.tilt with views of the arrays, if the body has them. Returns false and an error
+/// that names the array and the number if they are invalid.
 bool viewTilts(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 } // namespace palpate

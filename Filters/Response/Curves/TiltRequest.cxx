@@ -42,7 +42,8 @@ MaterialTilts tiltsIn(const TiltRequest& request, const BodyMaterial* material, 
   return tilts;
 }
 
-/// The arrays are those of the response that was just made.
+/// Includes the error of the tilts in validity and error. The arrays belong to the response that
+/// was just made.
 std::string limit(const TiltRequest& request, const BodyMaterial& material, double tolerance,
   const std::string& name, vtkPolyData* output)
 {

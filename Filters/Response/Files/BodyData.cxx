@@ -38,7 +38,7 @@ namespace palpate
 {
 namespace
 {
-/// Why the file cannot be read at all; "" if it can.
+/// The reason why the file cannot be read at all; "" if it can.
 std::string accessFault(const std::string& path)
 {
   std::error_code code;
@@ -93,7 +93,8 @@ vtkSmartPointer<vtkPolyData> asPolyData(const FileMesh& mesh)
   return made;
 }
 
-/// One point for corners at the same place; triangles of which two corners are one are left out.
+/// Makes one point of corners at the same place. Triangles with two corners at the same place are
+/// left out.
 vtkSmartPointer<vtkPolyData> mergedCorners(vtkPolyData* facets)
 {
   vtkNew<vtkPoints> points;
@@ -144,7 +145,7 @@ void readStlFile(const std::string& path, BodyData& result)
   }
 }
 
-/// More than the content of a file can need in memory, bytes: DEFLATE makes 1 of 1032 at best.
+/// Upper limit of the memory for the content of a file, bytes: DEFLATE compresses by 1032 at best.
 double memoryFor(const std::string& path)
 {
   constexpr double Least = 2.5e8;
@@ -153,7 +154,7 @@ double memoryFor(const std::string& path)
   return Least + Most * static_cast<double>(std::filesystem::file_size(path, ignored));
 }
 
-/// Text of ours and VTK's may quote the file, whatever is in it.
+/// Replaces unprintable characters: texts of Palpate and VTK may quote any content of the file.
 std::string printable(std::string text)
 {
   std::replace_if(
@@ -166,8 +167,8 @@ std::string noFault()
   return "";
 }
 
-/// Updates a reader of VTK's where it does not crash, and only if what it says of the content is
-/// without `fault`.
+/// Updates a VTK reader if it did not crash in the trial run, and if `fault` finds no error in the
+/// information about the content.
 void update(vtkAlgorithm* reader, const std::string& path, BodyData& result,
   const std::function<std::string()>& fault = noFault)
 {
@@ -256,7 +257,7 @@ const Format formats[] = {
   { ".nii.gz", readNiftiFile },
 };
 
-/// The format by the end of the file name, upper or lower case; null if unknown.
+/// Finds the format by the file name extension, in upper or lower case; null if unknown.
 const Format* findFormat(std::string path)
 {
   std::transform(path.begin(), path.end(), path.begin(),

@@ -10,19 +10,19 @@
 
 namespace palpate
 {
-/// The content of a file of a body or a scan, as it is in the file.
+/// The content of a file with a body or a scan, as stored in the file.
 struct BodyData
 {
   vtkSmartPointer<vtkDataSet> data; ///< null after an error
-  std::vector<std::string> notes;   ///< what was done to the content, a part of a sentence each
-  std::string fault;                ///< without the name of the file; "": nothing is wrong
+  std::vector<std::string> notes;   ///< changes to the content, each part of a sentence
+  std::string fault;                ///< without the name of the file; "": no error
 };
 
-/// Reads a file, of the kind that its name says; see vtkBodyFileReader. Never throws or crashes,
-/// whatever is in it. VTK's output window is replaced meanwhile, so call it from one thread only.
+/// Reads a file. Its name determines the kind; see vtkBodyFileReader. Never throws or crashes, for
+/// any content. Replaces VTK's output window while it runs, so call it from one thread only.
 BodyData readBodyData(const std::string& path);
 
-/// The ends of the names of files that are read, ".vtp .stl ...".
+/// The file name extensions that can be read, ".vtp .stl ...".
 std::string bodyFileExtensions();
 } // namespace palpate
 

@@ -33,24 +33,25 @@ public:
     const std::string all = text;
     if (all.find("Error reading InformationKey") != std::string::npos)
     {
-      return; // of an array with a NaN: only its range is lost
+      return; // an array has a NaN: only its range is lost
     }
     this->failed = true;
     if (this->error.empty() &&
-      all.find("returned failure for request") == std::string::npos) // adds no information
+      // This text adds no information.
+      all.find("returned failure for request") == std::string::npos)
     {
       this->error = messageOf(all);
     }
   }
 
   bool hasFailed() const { return this->failed; }
-  /** The first error or, if there is none, the first warning. */
+  /** The first error. Without errors, the first warning. */
   std::string reason() const { return this->error.empty() ? this->firstWarning() : this->error; }
   std::string firstWarning() const
   {
     return this->different.empty() ? std::string() : this->different.front();
   }
-  /** Each once, in their order; of hundreds the first few. */
+  /** Prints each warning once, in order, and only the first few. */
   void printWarnings() const
   {
     for (const std::string& warning : this->different)
@@ -63,7 +64,8 @@ private:
   /** Some readers report an error as a warning and continue. */
   void warn(const std::string& text)
   {
-    static const std::regex isError("\\bError\\b"); // not the name of an array that ends so
+    // But not the name of an array that ends with "Error".
+    static const std::regex isError("\\bError\\b");
     this->failed = this->failed || std::regex_search(text, isError);
     const std::string message = messageOf(text);
     if (this->different.size() < MostWarnings &&
@@ -74,8 +76,8 @@ private:
   }
 
   /**
-   * The message of "ERROR: In file, line n\nclass (address): message\n\n", as VTK passes only the
-   * whole text.
+   * Extracts the message from "ERROR: In file, line n\nclass (address): message\n\n", since VTK
+   * passes only the whole text.
    */
   static std::string messageOf(const std::string& text)
   {
@@ -96,7 +98,7 @@ private:
   std::vector<std::string> different; ///< warnings
 };
 
-/** While this lives, VTK's output goes to a CollectingWindow and not to the console. */
+/** During its lifetime, VTK's output goes to a CollectingWindow instead of the console. */
 struct QuietScope
 {
   vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();

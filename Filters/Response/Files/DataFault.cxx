@@ -42,7 +42,7 @@ std::string attributeFault(vtkDataSetAttributes* attributes, vtkIdType count, co
   return "";
 }
 
-/// Where cells begin and end, and which points they name.
+/// Checks begin and end of the cells, and their point indices.
 std::string cellsFault(vtkCellArray* cells, vtkIdType points)
 {
   if (!cells || cells->GetNumberOfCells() == 0)
@@ -63,7 +63,7 @@ std::string cellsFault(vtkCellArray* cells, vtkIdType points)
     : "";
 }
 
-/// How many points the cells of a type have; 0 if any number.
+/// Number of points of the cells of a type; 0 if any number is allowed.
 vtkIdType pointsOf(int type, std::map<int, vtkIdType>& known)
 {
   const auto found = known.find(type);
@@ -75,7 +75,7 @@ vtkIdType pointsOf(int type, std::map<int, vtkIdType>& known)
   return known[type] = cell ? cell->GetNumberOfPoints() : -1;
 }
 
-/// Polyhedra and cells of any order, of which only their own classes know what they must hold.
+/// Checks polyhedra and cells of any order, whose required content only their own classes know.
 std::string facesFault(vtkUnstructuredGrid* grid, double memory)
 {
   vtkNew<vtkDataSetSurfaceFilter> surface;

@@ -8,10 +8,10 @@ class vtkDataSet;
 
 namespace palpate
 {
-/// What a damaged file has left in a data set that would lead a filter out of its arrays, or "": an
-/// array of another length than points or cells, a cell of a kind that is unknown or has another
-/// number of points, an image without voxels for its size.
-/// `memory`: bytes that its cells may need when they are looked at.
+/// Finds damage in a data set from a file that would make a filter read outside its arrays: an
+/// array whose length differs from the number of points or cells, a cell of unknown type or with a
+/// wrong number of points, an image whose voxels do not match its size. Returns an error message or
+/// "". `memory`: bytes that the inspection of its cells may use.
 std::string dataFault(vtkDataSet* data, double memory);
 } // namespace palpate
 

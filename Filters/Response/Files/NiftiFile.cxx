@@ -25,9 +25,9 @@ namespace palpate
 namespace
 {
 constexpr double MostDeflated = 1032.0; // bytes per byte of a gzip file
-constexpr double SmallestVolume = 1e-6; // of the three axes, as a fraction of a box's
+constexpr double SmallestVolume = 1e-6; // volume of the three axes, as a fraction of a box's
 
-using Affine = Eigen::Matrix<double, 3, 4>; // from voxel indices of the file to its coordinates
+using Affine = Eigen::Matrix<double, 3, 4>; // from voxel indices to the coordinates of the file
 
 bool isCompressed(const std::string& path)
 {
@@ -44,7 +44,7 @@ Affine sform(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// The sides of a voxel along the axes; 1 where the header has none.
+/// The lengths of a voxel along the axes; 1 if the header does not give them.
 Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
 {
   Eigen::Vector3d sides;
@@ -56,7 +56,7 @@ Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
   return sides;
 }
 
-/// A turn by the quaternion, whose first part follows from the others.
+/// The rotation by the quaternion. Its first component follows from the others.
 Affine qform(vtkNIFTIImageHeader* header)
 {
   const Eigen::Vector3d vector(header->GetQuaternB(), header->GetQuaternC(), header->GetQuaternD());
@@ -88,7 +88,7 @@ double unitOf(vtkNIFTIImageHeader* header)
   return unit == Metre ? 1000.0 : unit == Micrometre ? 0.001 : 1.0;
 }
 
-/// Where the axes do not span a volume, no point has a place in the image.
+/// Whether the axes span a volume. If they do not, no point has a position in the image.
 bool spansVolume(const Affine& affine)
 {
   const Eigen::Matrix3d axes = affine.leftCols<3>();
@@ -214,7 +214,7 @@ std::string applyNiftiHeader(
   const double intercept = reader->GetRescaleIntercept();
   if (slope == 0.0 || (slope == 1.0 && intercept == 0.0))
   {
-    return ""; // 0: the header has none
+    return ""; // slope 0: the header does not give them
   }
   if (!std::isfinite(slope) || !std::isfinite(intercept))
   {

@@ -10,14 +10,14 @@ class vtkImageData;
 
 namespace palpate
 {
-/// Why the header of a NIfTI file is not that of one image of three dimensions that the file may
-/// hold, or "". A compressed file is taken to hold at most 1032 times its size, the most of
-/// DEFLATE.
+/// Checks that the header of a NIfTI file describes one three-dimensional image that can fit in the
+/// file. Returns "" or an error message. A compressed file can contain at most 1032 times its size,
+/// the maximum of DEFLATE.
 std::string niftiFault(vtkNIFTIImageReader* reader);
 
 /// Applies the header to the image that was read: values times scl_slope plus scl_inter, and
-/// coordinates by the sform, or else the qform, in millimetres. Without either the first voxel is
-/// the origin, and the axes are those of the voxels. Returns what is wrong with the header, or "".
+/// coordinates by the sform, otherwise by the qform, in millimetres. Without either, the first
+/// voxel is the origin and the axes are those of the voxels. Returns "" or an error in the header.
 std::string applyNiftiHeader(
   vtkNIFTIImageReader* reader, vtkImageData* image, std::vector<std::string>& notes);
 } // namespace palpate

@@ -10,10 +10,10 @@
 namespace palpate
 {
 /**
- * VTK feeds the tag <AppendedData> to expat in pieces and relies on an immediate callback. Expat
- * since 2.6 (and Debian's patched 2.5) defers the parsing of such pieces until the input has
- * doubled, so that VTK continues into the binary data and fails (VTK issue 19258). Blanks after the
- * end of the document only make expat catch up.
+ * VTK passes the tag <AppendedData> to expat in pieces and relies on an immediate callback. Since
+ * 2.6 (and in Debian's patched 2.5), expat defers the parsing of such pieces until the input has
+ * doubled. VTK then continues into the binary data and fails (VTK issue 19258). Blanks after the
+ * end of the document make expat parse the deferred pieces and have no other effect.
  */
 class PromptParser : public vtkXMLDataParser
 {
@@ -36,7 +36,7 @@ protected:
   }
 };
 
-/** A vtkXMLReader that uses it. */
+/** A vtkXMLReader that uses the PromptParser. */
 template <class Reader>
 class PromptReader : public Reader
 {

@@ -22,7 +22,7 @@ namespace
 constexpr char Finished = 1;
 constexpr char OutOfMemory = 2;
 
-/// Of the addresses that the process has.
+/// Bytes of address space that the process uses.
 double usedAddresses()
 {
   double pages = 0.0;
@@ -42,7 +42,7 @@ void limitMemory(double memory)
   }
 }
 
-/// Leaves no trace of a crash: no core, no words, no actions of the program.
+/// Suppresses the effects of a crash: no core file, no output, no signal handlers of the program.
 void prepareToCrash()
 {
   const rlimit none = { 0, 0 };
@@ -80,7 +80,7 @@ std::string crashOf(const std::function<void()>& work, double memory)
     {
       end = OutOfMemory;
     }
-    catch (...) // the same exception comes where the work is done
+    catch (...) // the work will throw the same exception in this process
     {
     }
     _exit(write(pipe[1], &end, 1) == 1 ? 0 : 1);

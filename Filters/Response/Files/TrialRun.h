@@ -7,12 +7,11 @@
 
 namespace palpate
 {
-/// Runs `work` in a copy of this process, and says how the copy crashed, as "Segmentation fault",
-/// or
-/// "" if it did not: the same work then does not crash here. VTK's readers of files are tried so,
-/// since damaged files crash them. To want more than `memory` bytes is a crash, too. Nothing is
-/// printed, and loops are sequential there. Costs the time of the work and of the copy, some
-/// milliseconds. Call it while no other thread uses VTK.
+/// Runs `work` in a copy of this process. Returns how the copy crashed, such as "Segmentation
+/// fault", or "" if it did not; the same work then does not crash in this process. VTK's file
+/// readers are tried in this way, since damaged files crash them. A need of more than `memory`
+/// bytes counts as a crash, too. The copy prints nothing, and its loops are sequential. Cost: the
+/// time of the work, and some milliseconds for the copy. Call it while no other thread uses VTK.
 std::string crashOf(const std::function<void()>& work, double memory);
 } // namespace palpate
 

@@ -13,50 +13,51 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * Where the pieces of a body on several ranks meet.
+ * The seam of a body on several ranks: the points where its pieces meet.
  *
- * Points of different ranks are one seam point if both lie on an open border of their piece, at the
- * same place to four units in the last place of a float coordinate (each piece may have computed it
- * by itself), and, where the body has point normals, with the same normal. Points of one piece are
- * never merged.
+ * Points of different ranks are one seam point under three conditions: both are on an open border
+ * of their piece; they are at the same place to four units in the last place of a float coordinate
+ * (each piece may have computed it separately); and, if the body has point normals, the normals are
+ * the same. Points of one piece are never merged.
  *
- * Seam points are numbered alike on all ranks. Collective to build; one rank has no seam, at no
- * cost. O(n) locally; each rank holds the seam points of all.
+ * All ranks use the same numbers for the seam points. Collective to build. One rank has no seam, at
+ * no cost. O(n) locally; each rank stores the seam points of all ranks.
  */
 class BodySeam
 {
 public:
-  /// A point of the own piece on the seam.
+  /// A point of this rank's piece on the seam.
   struct Place
   {
     std::int32_t point;
     std::int32_t seam;
   };
 
-  /// The seam points of all ranks, as the module Pieces finds them.
+  /// The seam points of all ranks, as found by the module Pieces.
   struct Points
   {
     std::size_t size = 0;
-    std::vector<Place> places;                    ///< own, in rising order of the points
+    std::vector<Place> places; ///< of this rank, in ascending order of the points
     std::vector<std::vector<std::int32_t>> seams; ///< of the places of each rank
-    /// Border edges that coincide with one of another piece in the opposite direction.
+    /// Border edges that coincide with an edge of another piece in the opposite direction.
     std::size_t joinedEdges = 0;
   };
 
-  /// `body` is the own piece, of triangles alone; may be empty. Of several ranks missingPieces has
-  /// been asked before.
+  /// `body` is this rank's piece; it has triangles only and may be empty. With several ranks, call
+  /// missingPieces before.
   BodySeam(const Ranks& ranks, vtkPolyData* body);
 
   const Ranks& ranks() const noexcept { return this->Among; }
-  /// In rising order of the points.
+  /// In ascending order of the points.
   const std::vector<Place>& places() const noexcept { return this->Found.places; }
-  /// Border edges, of all ranks, that coincide with one of another piece in the opposite direction.
+  /// Border edges of all ranks that coincide with an edge of another piece in the opposite
+  /// direction.
   std::size_t joinedEdges() const noexcept { return this->Found.joinedEdges; }
 
   /**
-   * Combines values of the seam points over all ranks: `own` has a value for each of places(), and
-   * so has the result, combine(...combine(start, first)..., last) over the values of all ranks in
-   * the order of the ranks: the same bits everywhere. Collective.
+   * Combines values of the seam points over all ranks. `own` and the result have a value for each
+   * of places(). The result is combine(...combine(start, first)..., last) over the values of all
+   * ranks in the order of the ranks, so the bits are the same everywhere. Collective.
    */
   template <class T, class Combine>
   std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const

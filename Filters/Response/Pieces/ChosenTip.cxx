@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Returns an error that names what is missing, or "".
+/// Reads the contact of the tip. Returns "" or an error that names the missing array.
 std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, ChosenTip& chosen)
 {
   vtkPointData* data = tips->GetPointData();
@@ -53,7 +53,7 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, Chos
   return {};
 }
 
-/// Copies what one rank has read to all.
+/// Copies the data that one rank has read to all ranks.
 void broadcast(const Ranks& ranks, bool isOwn, ChosenTip& chosen)
 {
   using Record = std::array<double, 10>;

@@ -12,16 +12,16 @@ namespace palpate
 {
 class Ranks;
 
-/// The contact of one tip among those of all ranks.
+/// The contact of a chosen tip among the tips of all ranks.
 struct ChosenTip
 {
-  FieldContact contact; ///< without contact, or without tips, its cell is -1
-  int rank = 0;         ///< that has the cell
+  FieldContact contact; ///< its cell is -1 without contact or without tips
+  int rank = 0;         ///< rank that has the cell
 };
 
 /**
  * Finds tip `index` (-1: the last) among the outputs of vtkToolContactProbe on all ranks, counted
- * rank by rank. Collective; returns what is missing or wrong, the same on all ranks, or "".
+ * rank by rank. Collective. Returns "" or an error message, the same on all ranks.
  */
 std::string chooseTip(const Ranks& ranks, vtkPolyData* tips, vtkIdType index, ChosenTip& chosen);
 } // namespace palpate

@@ -19,7 +19,7 @@ namespace palpate
 class BodyPiece;
 class ContactBody;
 
-/// The own tips of a rank, which have passed checkTips.
+/// The tips of this rank. They have passed checkTips.
 struct PressedTips
 {
   vtkPolyData* tips = nullptr;
@@ -29,42 +29,42 @@ struct PressedTips
   std::function<void(const ContactBody& part, const TipVisitor& visit)> press;
 };
 
-/// What one of these tips touched.
+/// The contact of one of these tips.
 struct PieceTouch
 {
-  Vector3 at = Vector3::Zero(); ///< where the tip was after the indentation
-  Contact contact;              ///< its triangle: the cell of that rank's piece
-  int rank = -1;                ///< that has the touched cell; -1: none
+  Vector3 at = Vector3::Zero(); ///< position of the tip after the indentation
+  Contact contact;              ///< its triangle is the cell of the piece of `rank`
+  int rank = -1;                ///< rank that has the touched cell; -1: no contact
 };
 
 /**
- * What libpalpatePieces.so adds: what is only done where a body lies in pieces on several
- * processes. No library links the module; the first filter with more than one process loads it.
- * All functions but makePiece are collective.
+ * Functions of libpalpatePieces.so: work that is needed only if a body is in pieces on several
+ * processes. No library links the module; the first filter with more than one process loads it. All
+ * functions except makePiece are collective.
  */
 struct PiecesModule : ModuleTable
 {
   BodySeam::Points (*findSeam)(const Ranks& ranks, vtkPolyData* body);
-  /// `body`: the own piece, with the response to be touched, or empty.
+  /// `body`: this rank's piece with the response, or empty.
   std::shared_ptr<const BodyPiece> (*makePiece)(vtkPolyData* body, const BodySeam& seam);
-  /// The contacts of the own tips, and in `defects` what is wrong with the mesh around them. The
-  /// same error on all ranks, or "".
+  /// Computes the contacts of this rank's tips. `defects` describes the defects of the mesh around
+  /// them. Returns "" or the same error on all ranks.
   std::string (*touch)(const Ranks& ranks, const BodyPiece& piece, const std::string& responseName,
     const PressedTips& tips, std::vector<PieceTouch>& touched, std::string& defects);
 };
 
-/// The loaded module, or the reason why there is none, in words.
+/// The loaded module, or the reason why it could not be loaded.
 struct LoadedPieces
 {
   const PiecesModule* module = nullptr;
-  std::string fault; ///< empty if there is a module
+  std::string fault; ///< empty if the module is loaded
 };
 
-/// Loads the module at the first call; later calls return the same. Any thread may call it.
+/// Loads the module at the first call. Later calls return the same result. Any thread may call it.
 const LoadedPieces& loadedPieces();
 
-/// Why several ranks cannot share a body, naming the module that is missing; "" if they can, or if
-/// there is one rank. To be asked before a BodySeam is made. Collective.
+/// The reason why several ranks cannot share a body, with the name of the missing module; "" if
+/// they can, or if there is only one rank. Call it before making a BodySeam. Collective.
 std::string missingPieces(const Ranks& ranks);
 } // namespace palpate
 

@@ -24,7 +24,7 @@ vtkSmartPointer<vtkPolyData> ownPiece(vtkPolyData* input, const Ranks& ranks)
     if (input->HasAnyGhostCells())
     {
       piece->RemoveGhostCells();
-      vtkNew<vtkCleanPolyData> unused; // points that were of ghost cells alone
+      vtkNew<vtkCleanPolyData> unused; // removes points that belonged to ghost cells only
       unused->PointMergingOff();
       unused->ConvertLinesToPointsOff();
       unused->ConvertPolysToLinesOff();

@@ -16,14 +16,14 @@ namespace palpate
 class Ranks;
 
 /**
- * The piece of a body that this rank has: the input itself where there is one rank; otherwise the
- * input without ghost cells, or a piece without points if there is none. Never null.
+ * The piece of a body on this rank. With one rank, the input itself. Otherwise the input without
+ * ghost cells; a piece without points if there is no input. Never null.
  */
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> ownPiece(
   vtkPolyData* input, const Ranks& ranks);
 
-/// What is wrong with the type of an input that should be vtkPolyData, naming the filter that
-/// converts it, or "". `what` is its name in the text: "body" or "tips".
+/// Checks that an input is vtkPolyData. Returns "" or an error that names the filter that converts
+/// it. `what` is the name of the input in the text: "body" or "tips".
 PALPATERESPONSE_EXPORT std::string checkType(vtkInformation* input, const char* what);
 } // namespace palpate
 

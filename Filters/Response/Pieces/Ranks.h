@@ -17,9 +17,9 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * The processes among which a body is divided, each with a piece of it.
+ * The processes among which a body is divided. Each has a piece of it.
  *
- * All calls but own, count and areAlone are collective: every rank must make them, in the same
+ * All calls except own, count and areAlone are collective: every rank must make them, in the same
  * order. With one rank, or without a controller, they return their argument at no cost.
  */
 class PALPATERESPONSE_EXPORT Ranks
@@ -36,10 +36,10 @@ public:
   bool any(bool own) const;
   double largest(double own) const;
   double smallest(double own) const;
-  /// The fault of the lowest rank that has one, with that rank's number; "" if none has.
+  /// The fault of the lowest rank with a fault, and that rank's number; "" if no rank has one.
   std::string firstFault(const std::string& own) const;
 
-  /// The values of all ranks, in their order, on all ranks.
+  /// The values of all ranks, in rank order, on all ranks.
   template <class T>
   std::vector<std::vector<T>> gather(const std::vector<T>& own) const
   {
@@ -66,7 +66,7 @@ public:
     return all;
   }
 
-  /// The bodies of all ranks, in their order, on rank `to`; nothing elsewhere.
+  /// The bodies of all ranks, in rank order, on rank `to`; empty on other ranks.
   std::vector<vtkSmartPointer<vtkPolyData>> send(vtkPolyData* own, int to) const;
   /// Copies the body of rank `from` to all ranks.
   void spread(vtkPolyData* body, int from) const;

@@ -14,7 +14,7 @@ namespace
 {
 using Sum = std::array<double, 3>;
 
-/// The normals of the triangles of one piece around a point, weighted by their angles there.
+/// The sum of the normals of one piece's triangles around a point, weighted by their angles there.
 Sum angleWeightedSum(const BodyMesh& mesh, std::int32_t point)
 {
   Vector3 sum = Vector3::Zero();
@@ -78,7 +78,7 @@ SeamClosure closureOf(const BodyMesh& piece, const BodySeam& seam)
   const BodyMesh::Defects& found = piece.defects();
   const std::vector<double> open{ static_cast<double>(found.borderEdges),
     static_cast<double>(found.nonManifoldEdges + found.notFinite + found.badIndex) };
-  // A common origin, within the body: any point of the first rank that has one.
+  // A common origin within the body: any point of the first rank that has one.
   std::vector<Sum> origin;
   for (std::size_t t = 0; t < piece.triangleCount() && origin.empty(); ++t)
   {

@@ -10,13 +10,13 @@ namespace palpate
 {
 class BodySeam;
 
-/// Unit angle-weighted normals at the places of a seam, over the triangles of all pieces: those of
-/// the body in one piece except for the order in which its triangles are summed. Zero where no
-/// usable triangle meets. Collective; the same bits on all ranks.
+/// Unit angle-weighted normals at the places of a seam, over the triangles of all pieces. They
+/// equal those of the body in one piece except for the order in which triangles are summed. Zero if
+/// a point has no usable triangle. Collective; the bits are the same on all ranks.
 std::vector<Vector3> seamNormals(const BodyMesh& piece, const BodySeam& seam);
 
-/// Whether the surface of all pieces is closed, and the volume it then encloses (mm³, negative when
-/// triangles wind inward; otherwise without meaning). Collective.
+/// Whether the surface of all pieces is closed, and the enclosed volume (mm³, negative if triangles
+/// wind inward; meaningless if the surface is not closed). Collective.
 struct SeamClosure
 {
   bool isClosed = false;

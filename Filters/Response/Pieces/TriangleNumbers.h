@@ -8,12 +8,12 @@
 
 namespace palpate
 {
-/// A triangle of a field as numbers, to be sent to another process, and back.
+/// Conversion of a triangle of a field to numbers, for transfer to another process, and back.
 std::vector<double> triangleNumbersOf(const FieldTriangle& triangle);
 FieldTriangle triangleOf(const std::vector<double>& numbers);
 
-/// A stack from the numbers of <name>LayerStack, four a layer; without layers if there are no
-/// numbers.
+/// A stack from the numbers of <name>LayerStack, four per layer. Without numbers the stack has no
+/// layers.
 LayerStack stackOf(const std::vector<double>& numbers, LayerBase base);
 } // namespace palpate
 

@@ -20,16 +20,16 @@ namespace palpate
 namespace
 {
 constexpr int Facets = 32;         // around the shaft
-constexpr double HeadRadius = 1.4; // shaft diameters
+constexpr double HeadRadius = 1.4; // in shaft diameters
 constexpr double HeadLength = 3.5;
-constexpr double LargestHead = 0.4; // of the arrow
+constexpr double LargestHead = 0.4; // fraction of the arrow
 
-/// One end of a band of facets: height above the tail, radius, and slope of the normal there.
+/// One end of a band of facets: height above the tail, radius, and direction of the normal there.
 struct Ring
 {
   double height;
   double radius;
-  double outward; // of the normal, away from the axis
+  double outward; // component of the normal away from the axis
   double upward;
 };
 } // namespace
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> makeContactArrow(
   const double wide = HeadRadius * thickness * slim;
   const double side = std::hypot(head, wide);
   const double neck = length - head;
-  // Each band has its own two rings, so that its edges stay sharp.
+  // Each band has its own two rings, so that its edges remain sharp.
   const std::array<Ring, 8> rings = { { { 0.0, 0.0, 0.0, -1.0 }, { 0.0, shaft, 0.0, -1.0 },
     { 0.0, shaft, 1.0, 0.0 }, { neck, shaft, 1.0, 0.0 }, { neck, shaft, 0.0, -1.0 },
     { neck, wide, 0.0, -1.0 }, { neck, wide, head / side, wide / side },

@@ -10,9 +10,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// An arrow from `tail` along `way` (mm), triangles with outward point normals. `thickness` is the
-/// shaft's diameter, mm: the same for arrows of any length, so that they are compared by length;
-/// the head is at most 40 % of the arrow, and an arrow shorter than a head is slimmer.
+/// An arrow from `tail` along `way` (mm): triangles with outward point normals. `thickness` is the
+/// shaft's diameter, mm. It is the same for arrows of any length, so that their lengths can be
+/// compared. The head is at most 40 % of the arrow, so an arrow shorter than a head is slimmer.
 vtkSmartPointer<vtkPolyData> makeContactArrow(
   const Vector3& tail, const Vector3& way, double thickness);
 } // namespace palpate

@@ -41,7 +41,7 @@ vtkDataArray* timesOf(vtkPolyData* tips)
   return tips->GetPointData()->GetArray("Time");
 }
 
-/// The tips that press at the same time, one of each polyline (-1: absent), by time or index.
+/// The tips that press at the same time, one per polyline (-1: absent), by time or index.
 std::map<double, Line> stepsOf(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -58,7 +58,7 @@ std::map<double, Line> stepsOf(vtkPolyData* tips, const std::vector<Line>& lines
   return steps;
 }
 
-/// The single points, by time.
+/// The single points, grouped by time.
 std::map<double, Line> groupsOf(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   std::vector<char> inHistory(static_cast<std::size_t>(tips->GetNumberOfPoints()), 0);
@@ -82,7 +82,7 @@ std::map<double, Line> groupsOf(vtkPolyData* tips, const std::vector<Line>& line
   return groups;
 }
 
-/// What is wrong with the times of polylines that press together.
+/// Checks the times of polylines that press together. Returns "" or an error message.
 std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -115,7 +115,7 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
   return {};
 }
 
-/// Copies the rows of tips that press at once into their tuples; -1: absent.
+/// Copies the rows of tips that press at once into their tuples. -1: the tip is absent.
 void storeStiffness(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness)
 {
   if (!stiffness)

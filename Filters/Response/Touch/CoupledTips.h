@@ -11,22 +11,23 @@ class vtkDoubleArray;
 namespace palpate
 {
 /**
- * Why tips that have passed checkTips cannot press at once, or "": more than CoupledContacts::Most
- * polylines, or as many single points (at one Time); with Time a polyline that has two points at
- * one time, or none at one of another polyline's between its first and its last; a single point
- * whose Time is NaN or minus infinity.
+ * Checks that tips that have passed checkTips can press at once. Returns "" or an error message.
+ * Errors: more than CoupledContacts::Most polylines, or as many single points (at one Time); with
+ * Time, a polyline with two points at one time, or without a point at a time of another polyline
+ * between its own first and last time; a single point whose Time is NaN or minus infinity.
  */
 std::string checkCoupledTips(vtkPolyData* tips);
 
 /**
- * As touchWithTips, but tips that press at the same time feel one another
- * (CoupledContacts::settle): of polylines those of equal Time, or, without Time, of equal index in
- * their polylines; of single points those of equal Time, or all. Single points and polylines do not
- * feel one another. The tips have passed checkCoupledTips, the body has a coupling.
+ * As touchWithTips, but tips that press at the same time interact (CoupledContacts::settle). For
+ * polylines these are the points of equal Time or, without Time, of equal index in their polylines.
+ * For single points these are the points of equal Time, or all of them. Single points and polylines
+ * do not interact. The tips have passed checkCoupledTips, and the body has a coupling.
  *
- * `stiffness`, unless null, gets a tuple per tip: the derivative of its slow normal force by the
- * depth of each tip that presses with it, N/mm, in the order of the polylines, or of the points; as
- * many components as tips ever press at once, the others zero.
+ * `stiffness`, unless null, receives a tuple per tip: the derivative of its slow normal force with
+ * respect to the depth of each tip that presses at the same time, N/mm, in the order of the
+ * polylines, or of the points. It has as many components as tips ever press at once; the others are
+ * zero.
  */
 void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
   double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness = nullptr);

@@ -21,14 +21,14 @@ namespace palpate
 {
 namespace
 {
-/// Ratio of the displacement to the length of an edge below which a turn is invisible.
+/// Ratio of the displacement to the length of an edge, below which a turn is invisible.
 constexpr double SeenTurn = 1e-3;
 
 using FacetCorners = std::array<Vector3, 3>;
 
 Vector3 facetNormal(const FacetCorners& corners)
 {
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // twice the area long
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // its length is twice the area
 }
 
 /// Calls use(corner ids) for each triangle.
@@ -53,7 +53,7 @@ Vector3 motionOf(vtkFloatArray* displacement, vtkIdType point)
   return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * point)).cast<double>();
 }
 
-/// The sum of all dents: the array of a single one, or a new array.
+/// The sum of all dents. A single dent returns its own array, several return a new array.
 vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
 {
   if (dents.size() == 1)
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
   return sum;
 }
 
-/// New normals, or null where none changes.
+/// Returns new normals, or null if none changes.
 vtkSmartPointer<vtkDataArray> turnNormals(
   vtkPolyData* body, vtkDataArray* normals, vtkPoints* before, vtkFloatArray* displacement)
 {
@@ -166,7 +166,7 @@ void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Vector3 moved = motionOf(displacement, i);
-    double depth = 0.0; // no -0
+    double depth = 0.0; // avoids -0
     for (const Dent& made : dents)
     {
       depth -= motionOf(made.displacement, i).dot(made.normal);
@@ -185,7 +185,7 @@ void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
   {
     if (const auto turned = turnNormals(body, normals, before, displacement))
     {
-      data->SetNormals(turned); // in place of the old ones
+      data->SetNormals(turned); // replaces the old normals
     }
   }
   body->SetPoints(after);

@@ -21,13 +21,13 @@ struct Dent
 };
 
 /**
- * Moves the points of a body by the sum of all dents and adds the point array `Dent (mm)`, the sum
- * of each dent's motion against its own normal, as active scalars. The point array
- * `ContactDisplacement` is the whole motion. At least one dent.
+ * Moves the points of a body by the sum of all dents. Adds the point array `Dent (mm)`, the sum of
+ * each dent's motion against its own normal, as active scalars, and the point array
+ * `ContactDisplacement`, the whole motion. Needs at least one dent.
  *
- * `body` shares its arrays with others: changed arrays are replaced, none is written to. Active
- * point normals are corrected by the change of the mean of the facets around a point, so that
- * smooth shading and sharp edges stay as they were.
+ * `body` shares its arrays with others: changed arrays are replaced, and none is modified. Active
+ * point normals are corrected by the change of the mean normal of the facets around a point, so
+ * that smooth shading and sharp edges are kept.
  */
 void dentBody(vtkPolyData* body, const std::vector<Dent>& dents);
 } // namespace palpate

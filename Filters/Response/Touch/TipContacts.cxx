@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/// What is wrong with the polylines, or "".
+/// Checks the polylines. Returns "" or an error message.
 std::string checkLines(vtkPolyData* tips)
 {
   vtkCellArray* lines = tips->GetLines();
@@ -41,7 +41,8 @@ std::string checkLines(vtkPolyData* tips)
   return {};
 }
 
-/// What is wrong with the times along the polylines of tips that have passed checkLines, or "".
+/// Checks the times along the polylines of tips that have passed checkLines. Returns "" or an error
+/// message.
 std::string checkTimes(vtkPolyData* tips)
 {
   vtkCellArray* lines = tips->GetLines();
@@ -127,8 +128,8 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       ToolContact single(body, frictionless);
       TipPoses start(body, tips, indentation);
       TipOrder order;
-      // A result is stored in one piece first, and copied from there, in the order of the tips, to
-      // the many arrays of the visitor.
+      // A result is first stored in one piece. It is copied from there to the many arrays of the
+      // visitor in the order of the tips.
       struct Felt
       {
         Contact contact;
@@ -154,7 +155,7 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             at.contact = single.update(pose);
             if (pose.hasAxis())
             {
-              at.contact = single.update(pose); // followed along the normal that was found
+              at.contact = single.update(pose); // again, with the normal found by the first update
             }
           });
         for (std::size_t k = 0; k < felt.size(); ++k)

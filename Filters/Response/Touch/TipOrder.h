@@ -16,15 +16,15 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * A block of tips sorted so that each is near the one before: along Morton's curve of a 1024³ grid
- * of cells around them. The search for a contact then begins where the last was found, and the
- * memory it reads is in the cache, whatever the order of the tips.
+ * A block of tips, sorted so that each is near the previous one: along Morton's curve of a 1024³
+ * grid of cells around them. The search for a contact then begins where the last contact was found,
+ * and the memory that it reads is in the cache, for any order of the tips.
  */
 class TipOrder
 {
 public:
-  /// Tips of one block: several for each part of a large body, and few enough for their data to fit
-  /// a large cache.
+  /// Tips of one block. Enough for several tips in each part of a large body, and few enough for
+  /// their data to fit in a large cache.
   static constexpr vtkIdType BlockSize = 1 << 18;
 
   struct Tip
@@ -33,14 +33,14 @@ public:
     Vector3 position;
   };
 
-  /// Takes the tips first..last-1, at most BlockSize, without those marked in `leftOut`.
+  /// Takes the tips first..last-1, at most BlockSize, except those marked in `leftOut`.
   void sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const char* leftOut);
 
-  /// The tips as they were given.
+  /// The tips in their given order.
   const std::vector<Tip>& tips() const { return this->Given; }
 
-  /// Calls visit(k, next) for each of tips(), in the order; `next` comes a little later, so that
-  /// its memory can be prefetched.
+  /// Calls visit(k, next) for each of tips() in the sorted order. `next` comes a little later, so
+  /// that its memory can be prefetched.
   template <class Visit>
   void forEach(const Visit& visit) const
   {
@@ -56,7 +56,7 @@ private:
   struct Item
   {
     std::uint32_t key;
-    std::uint32_t place; ///< in Given
+    std::uint32_t place; ///< index in Given
   };
 
   std::vector<Tip> Given;

@@ -15,19 +15,19 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The point array of tips that holds the axes of the tools.
+/// The point array of tips with the axes of the tools.
 constexpr const char* ToolAxisName = "ToolAxis";
 
 /// Whether the axes of the tools are known.
 bool haveAxes(vtkPolyData* tips);
 
-/// What is wrong with the axes of tips, naming the first tip of a wrong one, or "".
+/// Checks the axes of tips. Returns "" or an error that names the first tip with an invalid axis.
 std::string checkAxes(vtkPolyData* tips);
 
 /**
- * The poses of tools at tips whose axes have passed checkAxes: each moved inward by `indentation`
- * (mm) along the blended normal at its closest point, with its axis if there are axes. For use by
- * one thread; body and tips must outlive it.
+ * The poses of tools at tips whose axes have passed checkAxes. Each tip is moved inward by
+ * `indentation` (mm) along the blended normal at its closest point. The pose includes the axis if
+ * the axes are known. For use by one thread; body and tips must outlive it.
  */
 class TipPoses
 {

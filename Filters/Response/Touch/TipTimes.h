@@ -9,14 +9,14 @@ class vtkInformationVector;
 namespace palpate
 {
 /**
- * The times of a filter with two inputs, body and tips: TIME_STEPS of the output are the steps of
- * either, each once, in rising order; TIME_RANGE spans both. None, if neither input has any.
- * For RequestInformation.
+ * Sets the times of a filter with two inputs, body and tips. TIME_STEPS of the output are the steps
+ * of both inputs, each once, in ascending order; TIME_RANGE spans both. Sets no times if neither
+ * input has any. For RequestInformation.
  */
 void passTimes(vtkInformationVector** inputs, vtkInformation* output);
 
-/// Sets DATA_TIME_STEP of the output to that of the tips, or, if they have none, of the body.
-/// Either may be null.
+/// Sets DATA_TIME_STEP of the output to that of the tips or, if they have none, to that of the
+/// body. Either may be null.
 void passDataTime(vtkDataObject* body, vtkDataObject* tips, vtkDataObject* output);
 } // namespace palpate
 

@@ -26,10 +26,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int ProfilePoints = 48; // and one more for each kink, at most
+constexpr int ProfilePoints = 48; // at most one more for each kink
 
-/// Radius where the drawn profile ends: its outer wall, however wide, or `maximum` if it widens
-/// without end.
+/// Radius at which the drawn profile ends: at its outer wall, or at `maximum` if it widens without
+/// end.
 double outerRadius(const AxisymmetricTool& tool, double maximum, double length)
 {
   if (std::isfinite(tool.largestContactRadius()))
@@ -51,8 +51,8 @@ double outerRadius(const AxisymmetricTool& tool, double maximum, double length)
   return inside;
 }
 
-/// Radii to draw the profile at: its kinks, and between them points denser towards the outer end,
-/// as a sphere's profile needs.
+/// Radii at which the profile is drawn: its kinks, and points between them that are denser towards
+/// the outer end, as a sphere's profile needs.
 std::vector<double> drawnRadii(const AxisymmetricTool& tool, double outer)
 {
   std::vector<double> ends;
@@ -110,8 +110,8 @@ std::string makeToolSurface(
   turn->CappingOff();
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(turn->GetOutputPort());
-  // The sweep duplicates the points of its start and of the axis: merge them, or the shading shows
-  // a seam.
+  // The sweep duplicates the points of its start and of the axis. Without merging them the shading
+  // shows a seam.
   vtkNew<vtkCleanPolyData> merged;
   merged->SetInputConnection(triangles->GetOutputPort());
   merged->ToleranceIsAbsoluteOn();

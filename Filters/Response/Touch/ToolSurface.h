@@ -12,16 +12,16 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// How much of a tool is drawn, > 0.
+/// Size of the drawn part of a tool, all > 0.
 struct ToolSurfaceSize
 {
   double length;        ///< mm
-  double maximumRadius; ///< mm, where the profile widens without end
-  int resolution = 64;  ///< facets around
+  double maximumRadius; ///< mm, for a profile that widens without end
+  int resolution = 64;  ///< facets around the axis
 };
 
-/// The surface of a tool: triangles with normals, tip at the origin, axis along +z. What is wrong,
-/// or "".
+/// Makes the surface of a tool: triangles with normals, tip at the origin, axis along +z. Returns
+/// "" or an error message.
 std::string makeToolSurface(
   const AxisymmetricTool& tool, const ToolSurfaceSize& size, vtkPolyData* output);
 

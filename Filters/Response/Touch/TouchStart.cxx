@@ -20,13 +20,15 @@ namespace palpate
 {
 namespace
 {
-constexpr int PlacesPerSide = 25; // odd: the middle is one
+constexpr int PlacesPerSide = 25; // odd: one place is in the middle
 constexpr int Around = 8;
 constexpr double Surroundings = 2.0; // contact radii
-constexpr double Lean = 0.8;         // up, per towards: the best direction of the normal
-constexpr double Grazing = 0.5;      // cosine of normal and line of sight: less is hard to see
-constexpr int Flatness = 8;          // power: 10 % of disagreement weighs as much as the far corner
-constexpr double Least = 1e-3;       // where nothing is within validity the other factors decide
+// Best direction of the normal: part upward divided by part towards the viewer.
+constexpr double Lean = 0.8;
+// Cosine between normal and line of sight; below it a place is hard to see.
+constexpr double Grazing = 0.5;
+constexpr int Flatness = 8;    // power: 10 % of disagreement counts as much as the far corner
+constexpr double Least = 1e-3; // if no place is within validity, the other factors decide
 
 struct Rectangle
 {
@@ -47,7 +49,7 @@ Vector3 rightOf(const Vector3& up, const Vector3& towards)
   return right.norm() > 1e-6 * up.norm() ? Vector3(right.normalized()) : towards.unitOrthogonal();
 }
 
-/// Lines of sight through the picture of a body, in the coordinates of `Sight`'s halves.
+/// Lines of sight through the picture of a body. Positions are in the units of `Sight`'s halves.
 class Picture
 {
 public:
@@ -120,7 +122,8 @@ private:
   const Vector3 Right;
   const Vector3 Up;
   Rectangle Body;
-  double Nearest = std::numeric_limits<double>::infinity(); ///< of the eye's plane, mm
+  /// Distance from the plane of the eye, mm.
+  double Nearest = std::numeric_limits<double>::infinity();
   double Farthest = -std::numeric_limits<double>::infinity();
 };
 
@@ -134,7 +137,7 @@ std::array<Vector3, 8> cornersOf(const double bounds[6])
   return corners;
 }
 
-/// The mean of the normals at a place and around it; its length, at most 1, measures flatness.
+/// The mean of the normals at a place and around it. Its length, at most 1, measures flatness.
 Vector3 groundAt(
   TouchedBody& body, const Picture& picture, const TouchedPlace& place, double distance)
 {
@@ -156,7 +159,7 @@ Vector3 groundAt(
   return sum / (Around + 1);
 }
 
-/// How suitable a place is for the start of a touch; 0: unsuitable.
+/// Rates a place as the start of a touch; 0: unsuitable.
 double judge(
   TouchedBody& body, vtkContactTool* tool, const Picture& picture, const TouchedPlace& place)
 {
@@ -214,7 +217,7 @@ TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
     const double middle = 1.0 - 0.25 * share.squaredNorm();
     if (picture.isEmpty() || middle <= most)
     {
-      break; // no later one can be better, as no factor exceeds 1
+      break; // no later place can be better, since no factor exceeds 1
     }
     const TouchedPlace place =
       picture.look(body, picture.seen().at(0, share.x()), picture.seen().at(1, share.y()));

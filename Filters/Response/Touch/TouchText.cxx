@@ -57,7 +57,7 @@ std::string describeValidity(const Touch& touch)
   }
   return text;
 }
-/// Begins with a newline.
+/// Describes one touch. The text begins with a newline.
 std::string describeTouch(const Touch& touch)
 {
   std::string text;

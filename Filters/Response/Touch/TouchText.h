@@ -10,25 +10,25 @@
 
 namespace palpate
 {
-/// One touch, as vtkToolTouch shows it. Body frame; mm, N.
+/// One touch, as vtkToolTouch displays it. Body frame; mm, N.
 struct Touch
 {
   Vector3 tip = Vector3::Zero(); ///< after snap and indentation
-  TouchedPlace nearest;          ///< of the given tip
-  TouchedPlace place;            ///< the contact; cell -1: none
+  TouchedPlace nearest;          ///< nearest place to the given tip
+  TouchedPlace place;            ///< place of the contact; cell -1: no contact
   /// Without contact its normal points away from the surface.
   Contact contact;
   double stiffness = 0.0; ///< of the stored curve, N/mm
-  double range = 0.0;     ///< of the response there
+  double range = 0.0;     ///< Range of the response at the place
   double scale = 0.0;     ///< mm/N of the arrow
   PlaceValidity validity;
-  double sunk = 0.0;    ///< by how much another tool lowers the surface here, mm
-  bool isAlone = false; ///< there is another tool, but the response has no coupling
+  double sunk = 0.0;    ///< distance by which another tool lowers the surface here, mm
+  bool isAlone = false; ///< another tool presses, but the response has no coupling
 
   bool touches() const { return this->place.cell >= 0; }
 };
 
-/// The numbers of all in plain words, with units, one line each.
+/// The numbers of all touches as plain text with units, one line each.
 std::string describeTouches(const std::vector<Touch>& touches, const std::string& tool);
 } // namespace palpate
 

@@ -16,18 +16,18 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// The law's validity at a place: the least of the corners.
+/// The law's validity at a place: the smallest of the corners.
 struct PlaceValidity
 {
   bool known = false; ///< whether the response has the arrays
-  double depth = 0.0; ///< at which the first assumption breaks, mm
-  std::string limit;  ///< which, in words; "" for none
-  /// Estimated relative error of the force; NaN where the response keeps none.
+  double depth = 0.0; ///< depth at which the first assumption fails, mm
+  std::string limit;  ///< name of that assumption; "" if none fails
+  /// Estimated relative error of the force; NaN if the response stores none.
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A body with a response, for the display of a touch: its nearest place, and the stored curves
-/// there. Holds the body, and a locator of its triangles made on first use.
+/// A body with a response, for the display of a touch: finds the nearest place and evaluates the
+/// stored curves there. Stores the body, and a locator of its triangles that is made on first use.
 class TouchedBody
 {
 public:
@@ -36,44 +36,44 @@ public:
   TouchedBody(const TouchedBody&) = delete;
   TouchedBody& operator=(const TouchedBody&) = delete;
 
-  /// False, and what is missing, if the body does not have the response `name`.
+  /// Returns false and names the missing part if the body does not have the response `name`.
   bool take(vtkPolyData* body, const std::string& name, std::string& error);
 
   /// The nearest place of the surface; cell -1 for a body without triangles.
   TouchedPlace nearest(const Vector3& tip);
-  /// The first intersection of the surface with a segment; cell -1 for none.
+  /// The first intersection of the surface with a segment; cell -1 if they do not meet.
   TouchedPlace hit(const Vector3& from, const Vector3& to);
-  /// The place of a point of the surface in a cell of the body.
+  /// The place of a surface point in a cell of the body.
   TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
 
   /// Unit normal of the facet, on the side of the response's normals.
   Vector3 normal(const TouchedPlace& place) const;
   /// Whether all corners have a response.
   bool isValid(const TouchedPlace& place) const;
-  /// Bounds of the body: least and largest x, y, z, mm.
+  /// Bounds of the body: smallest and largest x, y, z, mm.
   const double* bounds() const;
 
-  /// Depth of the last sample there, mm; 0 without a response.
+  /// Depth of the last sample at the place, mm; 0 without a response.
   double range(const TouchedPlace& place) const;
-  /// dF/dδ of the three corners' curves, blended, N/mm.
+  /// Blended dF/dδ of the three corners' curves, N/mm.
   double stiffness(const TouchedPlace& place, double depth) const;
-  /// The law's validity there at a deflection, mm.
+  /// The law's validity at the place for a deflection, mm.
   PlaceValidity validity(const TouchedPlace& place, double depth) const;
 
-  /// Force at half of Range, on average over the points that have a response, N. O(points).
+  /// Force at half of Range, averaged over the points that have a response, N. O(points).
   double typicalForce() const;
 
 private:
   bool locate();
 
   vtkSmartPointer<vtkPolyData> Body;
-  vtkSmartPointer<vtkPolyData> Triangles; ///< those of the body, and no other cells
+  vtkSmartPointer<vtkPolyData> Triangles; ///< the triangles of the body, without other cells
   vtkSmartPointer<vtkStaticCellLocator> Locator;
   std::string Name;
   ResponseArrays Response;
 };
 
-/// The prefixes of the responses of a body, 'A', 'B'; "" for none.
+/// The prefixes of the responses of a body, 'A', 'B'; "" if it has none.
 std::string listResponses(vtkPolyData* body);
 } // namespace palpate
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Where a body is touched, or would be.
+ * The place where a body is touched, or would be.
  */
 #ifndef TouchedPlace_h
 #define TouchedPlace_h
@@ -14,10 +14,10 @@ namespace palpate
 /// A place on the surface of a body.
 struct TouchedPlace
 {
-  vtkIdType cell = -1;               ///< of the body; -1: none
+  vtkIdType cell = -1;               ///< of the body; -1: no place
   Vector3 point = Vector3::Zero();   ///< mm
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
-  double distance = 0.0;             ///< of what was projected, mm
+  double distance = 0.0;             ///< to the projected point, mm
 };
 } // namespace palpate
 
