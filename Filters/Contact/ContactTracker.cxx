@@ -172,14 +172,19 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 
 ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
 {
-  const SurfacePoint nearest = this->Search.closestLocal(tip);
+  SurfacePoint nearest = this->Search.closestLocal(tip);
   if (nearest.triangle < 0)
   {
     return { Outcome::Invalid, {} };
   }
-  if (nearest.onCrease)
+  if (nearest.onCrease && !this->Mesh.isUnderCorner(tip, nearest))
   {
     return {};
+  }
+  if (nearest.onCrease)
+  {
+    nearest.onCrease = false;
+    nearest.signedDistance = -std::abs(nearest.signedDistance);
   }
   if (!this->Smooth)
   {
@@ -191,7 +196,7 @@ ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
     return {};
   }
   const Result found = this->touch(tip, nearest.triangle, nearest.projection.weights);
-  return found.outcome == Outcome::Crease ? Result{} : found;
+  return found.outcome == Outcome::Crease ? classified(nearest) : found;
 }
 
 [[gnu::hot]] bool ContactTracker::isHeld(const Result& result, const Vector3& tip) const noexcept

@@ -19,7 +19,7 @@ std::size_t PackedMesh::memory() const noexcept
   return this->Records.size() * sizeof(Record) + this->Vertices.size() * sizeof(Vertex) +
     (this->Ring.size() + this->InputTriangles.size() + this->InputPoints.size()) *
     sizeof(std::int32_t) +
-    this->Creases.size() * sizeof(CreaseSide);
+    this->Creases.size() * sizeof(CreaseSide) + this->CornerNormals.size() * sizeof(CornerNormal);
 }
 
 Vector3 PackedMesh::faceNormal(std::int32_t triangle) const noexcept
@@ -35,6 +35,20 @@ bool PackedMesh::isPlaneBeyond(
   const double height = normal.dot(tip - this->corner(triangle, 0));
   // 1e-12: a triangle is skipped only if it is farther by more than rounding.
   return height * height > (1.0 + 1e-12) * squaredDistance * normal.squaredNorm();
+}
+
+bool PackedMesh::isUnderCorner(const Vector3& tip, const SurfacePoint& closest) const noexcept
+{
+  const auto feature = static_cast<std::size_t>(closest.projection.feature);
+  if (feature >= 3)
+  {
+    return false;
+  }
+  const std::int32_t corner = this->corners(closest.triangle)[feature];
+  const auto found = std::lower_bound(this->CornerNormals.begin(), this->CornerNormals.end(),
+    corner, [](const CornerNormal& one, std::int32_t point) { return one.point < point; });
+  return found != this->CornerNormals.end() && found->point == corner &&
+    found->normal.dot(tip - closest.projection.point) < 0.0;
 }
 
 SurfacePoint PackedMesh::orient(

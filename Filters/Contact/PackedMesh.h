@@ -138,6 +138,9 @@ public:
     const Vertex& vertex = this->Vertices[static_cast<std::size_t>(point)];
     return vertex.ring != NoRing && (vertex.ring & CreaseFlag) != 0;
   }
+  /// Whether a tip (local coordinates) whose closest point lies on a crease is inside. It never is
+  /// on the crease itself, which is convex, but may be at a corner where hollow edges end, too.
+  bool isUnderCorner(const Vector3& tip, const SurfacePoint& closest) const noexcept;
   /// Both sides of each crease, ordered by triangle.
   const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
 
@@ -254,7 +257,14 @@ private:
   LargeVector<std::int32_t> Ring; ///< triangles around points, the last of each as its complement
   LargeVector<std::int32_t> InputTriangles;
   LargeVector<std::int32_t> InputPoints;
+  /// The angle-weighted normal of all faces around a point that creases divide.
+  struct CornerNormal
+  {
+    std::int32_t point; ///< ascending
+    Vector3 normal;
+  };
   std::vector<CreaseSide> Creases;
+  std::vector<CornerNormal> CornerNormals;
   Defects Found;
   std::string Fault;
 };

@@ -62,6 +62,7 @@ void PackedMesh::Builder::build(const double* points, std::size_t pointCount,
     this->markCreases();
   }
   this->computePointNormals();
+  this->computeCornerNormals();
   this->report(0.75);
   this->computeBends();
   this->report(0.95);
@@ -226,6 +227,25 @@ void PackedMesh::Builder::packRecords()
   this->Mesh.Found.borderEdges = borderEdges;
 }
 
+/// Angle-weighted sum of the normals of the triangles around a point.
+Vector3 PackedMesh::Builder::sumOfNormals(std::size_t point) const
+{
+  const Vector3 at = pointAt(this->Coordinates, static_cast<std::int32_t>(point));
+  const auto self = static_cast<std::int32_t>(this->twinOf(point));
+  Vector3 sum = Vector3::Zero();
+  this->Mesh.visitAround(static_cast<std::int32_t>(point),
+    [&](std::int32_t triangle)
+    {
+      const TriangleCorners& corners = this->joined()[static_cast<std::size_t>(triangle)];
+      const int k = corners[0] == self ? 0 : corners[1] == self ? 1 : 2;
+      const Vector3 u = this->Mesh.corner(triangle, (k + 1) % 3) - at;
+      const Vector3 v = this->Mesh.corner(triangle, (k + 2) % 3) - at;
+      const Vector3 normal = u.cross(v);
+      sum += cornerAngle(u, v) / normal.norm() * normal;
+    });
+  return sum;
+}
+
 void PackedMesh::Builder::computePointNormals()
 {
   forRanges(this->PointCount,
@@ -233,19 +253,7 @@ void PackedMesh::Builder::computePointNormals()
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const Vector3 at = pointAt(this->Coordinates, static_cast<std::int32_t>(i));
-        const auto self = static_cast<std::int32_t>(this->twinOf(i));
-        Vector3 sum = Vector3::Zero();
-        this->Mesh.visitAround(static_cast<std::int32_t>(i),
-          [&](std::int32_t triangle)
-          {
-            const TriangleCorners& corners = this->joined()[static_cast<std::size_t>(triangle)];
-            const int k = corners[0] == self ? 0 : corners[1] == self ? 1 : 2;
-            const Vector3 u = this->Mesh.corner(triangle, (k + 1) % 3) - at;
-            const Vector3 v = this->Mesh.corner(triangle, (k + 2) % 3) - at;
-            const Vector3 normal = u.cross(v);
-            sum += cornerAngle(u, v) / normal.norm() * normal;
-          });
+        const Vector3 sum = this->sumOfNormals(i);
         const double length = sum.norm();
         Eigen::Map<Eigen::Vector3f>(this->Mesh.Vertices[i].normal.data()) =
           (length > 0.0 ? Vector3(sum / length) : Vector3::Zero().eval()).cast<float>();

@@ -40,7 +40,9 @@ private:
   void packRings();
   void packRecords();
   void markCreases();
+  Vector3 sumOfNormals(std::size_t point) const;
   void computePointNormals();
+  void computeCornerNormals();
   void computeBends();
 
   const std::vector<TriangleCorners>& joined() const

@@ -45,6 +45,7 @@ void ToolContact::lose() noexcept
   this->Relaxation.lose();
   this->LastWeights.setZero();
   this->IsLetGo = false;
+  this->IsWithoutEdges = false;
 }
 
 [[gnu::hot]] ContactTracker::Result ToolContact::find(const ToolPose& pose) noexcept
@@ -66,7 +67,14 @@ void ToolContact::lose() noexcept
   const Vector3 followed = this->Tilt.follow(pose, this->Tracker.triangle() >= 0);
   this->LastStep = followed - this->LastTip;
   this->LastTip = followed;
-  return this->Tracker.update(followed);
+  this->IsNew = this->Tracker.triangle() < 0;
+  const ContactTracker::Result found = this->Tracker.update(followed);
+  if (this->IsWithoutEdges && found.outcome == ContactTracker::Outcome::Crease)
+  {
+    this->Tracker.reset();
+    return this->Tracker.update(followed);
+  }
+  return found;
 }
 
 void ToolContact::sink(const ContactPlace& place) noexcept
@@ -133,6 +141,7 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
   this->LetDown = sunk;
   this->LastWeights.setZero();
   this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;
+  this->IsWithoutEdges = this->IsWithoutEdges && outcome != ContactTracker::Outcome::Outside;
   if (this->IsLetGo && outcome != ContactTracker::Outcome::Invalid)
   {
     this->Tracker.reset();
@@ -191,95 +200,6 @@ Contact ToolContact::comeOff() noexcept
   this->Relaxation.lose();
   this->LastWeights.setZero();
   return withoutForce(ContactState::None);
-}
-
-EdgeEffect ToolContact::edgeEffect(ContactPlace& place) const noexcept
-{
-  const Vector3 tip = this->LastTip; // on facets: the followed point
-  if (!place.isSmooth)
-  {
-    // Beyond a crease the plane of the face continues.
-    place = EnergyGradient::onFacet(this->Body.surface, tip, place);
-    place.normal = place.onCrease ? this->Body.surface.faceNormal(place.triangle) : place.normal;
-  }
-  const Vector3 pressed = tip + this->Sunk * place.normal;
-  const double depth = place.normal.dot(place.projection.point - pressed);
-  return this->Body.edges->at(
-    this->Body.surface.toLocal(pressed), place.triangle, place.normal, depth);
-}
-
-EdgeEffect ToolContact::onNearestFace(ContactPlace& place) noexcept
-{
-  constexpr int others = 2; // at a corner
-  EdgeEffect effect = this->edgeEffect(place);
-  for (int face = 0; face < others && effect.depth > 0.0 && effect.nearerAcross >= 0; ++face)
-  {
-    const ContactTracker::Result across =
-      this->Tracker.handOver(this->LastTip, effect.nearerAcross);
-    if (across.outcome != ContactTracker::Outcome::Inside)
-    {
-      break;
-    }
-    place = across.place;
-    this->sink(place);
-    effect = this->edgeEffect(place);
-  }
-  return effect;
-}
-
-Contact ToolContact::feelEdges(ContactPlace& place) noexcept
-{
-  const EdgeEffect effect = this->onNearestFace(place);
-  if (!(effect.depth > 0.0) && effect.depth + this->Sunk > 0.0 && effect.share > 0.0)
-  {
-    return this->end(ContactState::None); // the lowered surface does not reach the tool
-  }
-  if (!(effect.depth > 0.0 && effect.share > 0.0))
-  {
-    this->Tracker.reset();
-    this->IsLetGo = true;
-    return this->end(ContactState::None);
-  }
-  place.signedDistance = -effect.depth;
-  if (place.onCrease) // beyond the edge: on the continued plane of the face
-  {
-    place.projection.point =
-      this->LastTip + place.normal.dot(place.projection.point - this->LastTip) * place.normal;
-  }
-  const BlendedResponse response(
-    this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
-  Contact result;
-  if (!this->hasResponse(place) || !this->blend(place, response, result))
-  {
-    return this->end(ContactState::Invalid);
-  }
-  if (result.state == ContactState::None)
-  {
-    return this->comeOff();
-  }
-  this->applyEdges(effect, response, result);
-  this->keepOutward(place, result);
-  this->complete(place, response, effect.share, result);
-  return result;
-}
-
-void ToolContact::applyEdges(
-  const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept
-{
-  const double work =
-    this->work(response, effect.depth) + (this->IsInTime ? this->Relaxation.storedEnergy() : 0.0);
-  const double before = result.normalForce;
-  const Vector3 beside = result.force - result.normalForce * result.normal; // of unlike curves
-  const double force = result.normalForce * effect.share + work * effect.byDepth;
-  result.stiffness = result.stiffness * effect.share + 2.0 * result.normalForce * effect.byDepth +
-    work * effect.byDepthTwice;
-  result.normal = effect.ownNormal * result.normal + effect.otherNormals;
-  result.force = force * result.normal + effect.share * beside - work * effect.byPlace;
-  const double length = result.normal.norm();
-  result.normal /= length;
-  result.normalForce = force * length;
-  result.stiffness *= length * length;
-  result.memory *= before > 0.0 ? result.normalForce / before : 0.0;
 }
 
 BorderFade ToolContact::fadeAt(const ContactPlace& place) const noexcept

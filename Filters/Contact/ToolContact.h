@@ -117,10 +117,13 @@ private:
   ContactTracker::Result follow(const ToolPose& pose) noexcept;
   bool isAtEdges(const ContactTracker::Result& found) const noexcept
   {
-    return found.outcome == ContactTracker::Outcome::Crease ||
-      (found.outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
-        this->Body.edges->areNear(found.place.triangle));
+    return !this->IsWithoutEdges &&
+      (found.outcome == ContactTracker::Outcome::Crease ||
+        (found.outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
+          this->Body.edges->areNear(found.place.triangle)));
   }
+  /// A contact that begins inside the body, where the law of edges leaves no force.
+  Contact feelWithoutEdges() noexcept;
   /// Sets Sunk for a place: how much deeper the followed point is than the tool presses, by the
   /// lowering of the surface and by the tilt there.
   void sink(const ContactPlace& place) noexcept;
@@ -182,6 +185,10 @@ private:
   /// An edge has released the tip. The next contact begins only after the tip has been outside: a
   /// contact that begins in the depth would return energy that was never put in.
   bool IsLetGo = false;
+  bool IsNew = false; ///< the last update searched the whole body
+  /// The contact began inside the body where the law of edges leaves no force, far below an edge or
+  /// between bumps. It has no edges until the tip has been outside.
+  bool IsWithoutEdges = false;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
   bool IsInTime = false;

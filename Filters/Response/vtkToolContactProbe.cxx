@@ -243,11 +243,13 @@ int vtkToolContactProbe::RequestData(
       [&arrays, firstPoly](vtkIdType tip, const palpate::Contact& contact, const palpate::Vector3&)
     { arrays.store(tip, contact, firstPoly); };
     output->ShallowCopy(tips);
+    std::vector<double> coupling;
     if (this->Coupled)
     {
       vtkNew<vtkDoubleArray> stiffness;
       stiffness->SetName("CoupledStiffness");
-      palpate::touchTogether(*this->Body, tips, settings, this->Indentation, store, stiffness);
+      palpate::touchTogether(
+        *this->Body, tips, settings, this->Indentation, store, stiffness, &coupling);
       output->GetPointData()->AddArray(stiffness);
     }
     else
@@ -255,7 +257,7 @@ int vtkToolContactProbe::RequestData(
       palpate::touchWithTips(*this->Body, tips, settings, this->Indentation, store);
     }
     arrays.attach(output);
-    palpate::addContactErrors(body, this->ResponseName, output);
+    palpate::addContactErrors(body, this->ResponseName, output, coupling);
   }
   else if (!this->TouchPieces(ranks, body, tips, settings, output))
   {

@@ -166,6 +166,19 @@ BodyCoupling::Surface BodyCoupling::surface(const Spot& one, const Spot& other) 
   return result;
 }
 
+double BodyCoupling::pointForceError(const Spot& one, const Spot& other) const noexcept
+{
+  if (!this->HasSurface || !(one.normal.dot(other.normal) > 0.0))
+  {
+    return 0.0;
+  }
+  const double radii = one.radius + other.radius;
+  const double distance = (one.point - other.point).norm();
+  const double ratio = distance > radii ? radii / distance : 1.0;
+  const double onHalfSpace = 0.0085 * std::pow(ratio, 1.5);
+  return this->Law.isLayered() ? onHalfSpace + 0.14 * std::pow(ratio, 4.2) : onHalfSpace;
+}
+
 double BodyCoupling::compliance(const Spot& one, const Spot& other) const noexcept
 {
   const Surface surface = this->surface(one, other);

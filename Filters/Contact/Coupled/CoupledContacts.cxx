@@ -127,6 +127,22 @@ double CoupledContacts::sunkBy(std::size_t contact) const noexcept
   return sum;
 }
 
+double CoupledContacts::pointForceError(std::size_t contact) const noexcept
+{
+  const Load& own = this->Loads[contact];
+  double sum = 0.0;
+  for (std::size_t j = 0; own.counts() && j < this->Loads.size(); ++j)
+  {
+    const Load& other = this->Loads[j];
+    if (j != contact && other.counts())
+    {
+      sum += this->Body.coupling->pointForceError(own.spot, other.spot) *
+        std::max(1.0, other.force / own.force);
+    }
+  }
+  return std::min(1.0, sum);
+}
+
 double CoupledContacts::press(std::size_t contact) noexcept
 {
   Load& load = this->Loads[contact];

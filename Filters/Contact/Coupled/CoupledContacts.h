@@ -70,6 +70,10 @@ public:
   /// How far the others lower the surface at a contact, mm.
   double sunk(std::size_t contact) const noexcept { return this->Loads[contact].sunk; }
 
+  /// Relative error of a contact's force because the others act on it as point forces
+  /// (BodyCoupling::pointForceError), 0 to 1.
+  double pointForceError(std::size_t contact) const noexcept;
+
   /// The functions of ToolContact of these names, for all contacts.
   void pass(double elapsed) noexcept;
   void reset() noexcept;

@@ -105,4 +105,31 @@ void PackedMesh::Builder::markCreases()
     this->Mesh.Vertices[point].ring = this->Mesh.Vertices[this->twinOf(point)].ring;
   }
 }
+
+void PackedMesh::Builder::computeCornerNormals()
+{
+  std::map<std::int32_t, Vector3> sums; // by the number of the uncut point
+  const auto visitParts = [this](const auto& visit)
+  {
+    for (std::size_t point = 0; !this->Mesh.Creases.empty() && point < this->PointCount; ++point)
+    {
+      if (this->Mesh.isOnCrease(static_cast<std::int32_t>(point)))
+      {
+        visit(point, this->Mesh.InputPoints[this->twinOf(point)]);
+      }
+    }
+  };
+  visitParts(
+    [&](std::size_t point, std::int32_t uncut)
+    {
+      if (this->twinOf(point) == point)
+      {
+        sums.try_emplace(uncut, Vector3::Zero()).first->second += this->sumOfNormals(point);
+      }
+    });
+  visitParts(
+    [&](std::size_t point, std::int32_t uncut) {
+      this->Mesh.CornerNormals.push_back({ static_cast<std::int32_t>(point), sums[uncut] });
+    });
+}
 } // namespace palpate

@@ -82,7 +82,8 @@ double StoredError::at(vtkIdType cell, const double* point, double depth) const
   return error;
 }
 
-void addContactErrors(vtkPolyData* body, const std::string& responseName, vtkPolyData* tips)
+void addContactErrors(vtkPolyData* body, const std::string& responseName, vtkPolyData* tips,
+  const std::vector<double>& others)
 {
   const StoredError stored(body, responseName);
   vtkPointData* data = tips->GetPointData();
@@ -102,8 +103,10 @@ void addContactErrors(vtkPolyData* body, const std::string& responseName, vtkPol
       for (vtkIdType tip = begin; tip < end; ++tip)
       {
         const vtkIdType cell = cells->GetValue(tip);
+        const double other = others.empty() ? 0.0 : others[static_cast<std::size_t>(tip)];
         errors->SetValue(tip,
-          cell < 0 ? 0.0 : stored.at(cell, places->GetPointer(3 * tip), depths->GetValue(tip)));
+          cell < 0 ? 0.0
+                   : other + stored.at(cell, places->GetPointer(3 * tip), depths->GetValue(tip)));
       }
     });
   data->AddArray(errors);

@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <vector>
 
 class vtkFloatArray;
 class vtkPolyData;
@@ -40,9 +41,10 @@ private:
 
 /// Adds the array RelativeError (double) to tips with contacts (ContactCell, ContactPoint,
 /// Deflection): the error of the force on each tip, 0 without contact, NaN if unknown. Adds nothing
-/// if the response stores no error.
-PALPATERESPONSE_EXPORT void addContactErrors(
-  vtkPolyData* body, const std::string& responseName, vtkPolyData* tips);
+/// if the response stores no error. `others` (one number per tip, or empty) is added: the error of
+/// contacts that act on one another.
+PALPATERESPONSE_EXPORT void addContactErrors(vtkPolyData* body, const std::string& responseName,
+  vtkPolyData* tips, const std::vector<double>& others = {});
 
 /// The error as a text that follows a force: " ± 4 %". From 100 % on, the text says that the force
 /// is unknown; "" for NaN.

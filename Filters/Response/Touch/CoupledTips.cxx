@@ -115,9 +115,17 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
   return {};
 }
 
-/// Copies the rows of tips that press at once into their tuples. -1: the tip is absent.
-void storeStiffness(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness)
+/// Copies the results of tips that press at once to their places. -1: the tip is absent.
+void storeCoupling(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness,
+  std::vector<double>* errors)
 {
+  for (std::size_t i = 0; errors && i < tips.size(); ++i)
+  {
+    if (tips[i] >= 0)
+    {
+      (*errors)[static_cast<std::size_t>(tips[i])] = contacts.pointForceError(i);
+    }
+  }
   if (!stiffness)
   {
     return;
@@ -135,7 +143,7 @@ void storeStiffness(const CoupledContacts& contacts, const Line& tips, vtkDouble
 
 void touchAlong(const ContactBody& body, vtkPolyData* tips, const std::vector<Line>& lines,
   const ContactSettings& settings, TipPoses& poses, const TipVisitor& visit,
-  vtkDoubleArray* stiffness)
+  vtkDoubleArray* stiffness, std::vector<double>* errors)
 {
   const bool isInTime = timesOf(tips) != nullptr;
   CoupledContacts contacts(body, settings, lines.size());
@@ -158,7 +166,7 @@ void touchAlong(const ContactBody& body, vtkPolyData* tips, const std::vector<Li
         visit(step[line], felt[line], at[line].tip);
       }
     }
-    storeStiffness(contacts, step, stiffness);
+    storeCoupling(contacts, step, stiffness, errors);
     before = when;
     isFirst = false;
   }
@@ -198,8 +206,13 @@ std::string checkCoupledTips(vtkPolyData* tips)
 }
 
 void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
-  double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness)
+  double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness,
+  std::vector<double>* errors)
 {
+  if (errors)
+  {
+    errors->assign(static_cast<std::size_t>(tips->GetNumberOfPoints()), 0.0);
+  }
   const std::vector<Line> lines = linesOf(tips);
   const std::map<double, Line> groups = groupsOf(tips, lines);
   if (stiffness)
@@ -216,7 +229,7 @@ void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSett
   TipPoses poses(body, tips, indentation);
   if (!lines.empty())
   {
-    touchAlong(body, tips, lines, settings, poses, visit, stiffness);
+    touchAlong(body, tips, lines, settings, poses, visit, stiffness, errors);
   }
   ContactSettings frictionless = settings;
   frictionless.friction.coefficient = 0.0;
@@ -233,7 +246,7 @@ void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSett
     {
       visit(group[i], felt[i], at[i].tip);
     }
-    storeStiffness(contacts, group, stiffness);
+    storeCoupling(contacts, group, stiffness, errors);
   }
 }
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "Response/Touch/TipContacts.h"
 
 #include <string>
+#include <vector>
 
 class vtkDoubleArray;
 
@@ -24,13 +25,17 @@ std::string checkCoupledTips(vtkPolyData* tips);
  * For single points these are the points of equal Time, or all of them. Single points and polylines
  * do not interact. The tips have passed checkCoupledTips, and the body has a coupling.
  *
+ * `errors`, unless null, receives the relative error of each tip's force because the others act on
+ * it as point forces (CoupledContacts::pointForceError), 0 for a single tip.
+ *
  * `stiffness`, unless null, receives a tuple per tip: the derivative of its slow normal force with
  * respect to the depth of each tip that presses at the same time, N/mm, in the order of the
  * polylines, or of the points. It has as many components as tips ever press at once; the others are
  * zero.
  */
 void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
-  double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness = nullptr);
+  double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness = nullptr,
+  std::vector<double>* errors = nullptr);
 } // namespace palpate
 
 #endif

@@ -92,6 +92,10 @@ TEST(CoupledForces, TwoBallsAgreeWithBoundaryElements)
       felt[isFirst ? 0 : 1].normalForce / (10.0 * std::pow(isFirst ? deep : second, 1.5));
     // The point law against two full contacts: 0.4 % of the force at most (the sheet's bound).
     EXPECT_NEAR(ratio / table.number(row, "BEM"), 1.0, 4e-3) << kind << " " << apart;
+    // And no more than is stated, but for floats; not ten times more either.
+    const double stated = contacts.pointForceError(isFirst ? 0 : 1);
+    EXPECT_LE(std::abs(ratio / table.number(row, "BEM") - 1.0), stated + 3e-4) << kind << apart;
+    EXPECT_LT(stated, 0.03);
     // That law by another code, to its six digits and those of floats.
     EXPECT_NEAR(ratio, table.number(row, "point"), 3e-4) << kind << " " << apart;
     ++compared;
@@ -123,6 +127,9 @@ TEST(CoupledForces, TwoFlatEndsAgreeWithBoundaryElements)
     // 0.8 % of the point law at twice the radius, less farther, and the same again the other way,
     // as the flat ends of the grid are 1.4 % small.
     EXPECT_NEAR(felt[0].normalForce / alone, table.number(row, "BEM"), 0.01) << over;
+    EXPECT_LE(std::abs(table.number(row, "point") / table.number(row, "BEM") - 1.0),
+      contacts.pointForceError(0))
+      << over;
     // Opposite motion: exact for two.
     EXPECT_NEAR(contacts.stiffening(), 1.0 / (1.0 - 2.0 / (Pi * over)), 1e-5) << over;
     ++compared;
