@@ -41,11 +41,11 @@ union Name
   sockaddr_in udp;
 };
 
-/// A bound datagram socket, and the program behind it: what comes is answered at once, in a thread.
+/// A bound datagram socket with its program: a thread answers each datagram at once.
 class Answering
 {
 public:
-  /// `path` empty: UDP on a free port of the loopback address.
+  /// An empty `path` selects UDP on a free port of the loopback address.
   Answering(const std::string& path, bool bare)
     : Path(path)
     , Bare(bare)
@@ -204,7 +204,7 @@ Times throughBridge(const std::string& path, int ticks)
   }
   const auto seconds = [begin = Clock::now()]
   { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  while (!device->read(seconds()).valid) // the state that comes with the second greeting
+  while (!device->read(seconds()).valid) // the state comes with the second greeting
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -41,7 +41,7 @@ const ContactBody& bodyOf(Kind kind)
   return *bodies[kind];
 }
 
-/// Where tool i is, 0.1 mm on at each tick.
+/// Pose of tool i. It moves by 0.1 mm per tick.
 ToolPose poseOf(std::size_t i, long tick)
 {
   const double along = 0.1 * static_cast<double>(std::abs(tick % 80 - 40));

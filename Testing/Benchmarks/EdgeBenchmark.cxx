@@ -43,13 +43,13 @@ std::unique_ptr<ContactBody> makeBody(Place place, bool hasEdges)
   if (hasEdges)
   {
     arrays.edges = sphereOverEdges();
-    arrays.edges.extent = 9.0; // as on a layer of 7 mm; the middle is 20 mm away
+    arrays.edges.extent = 9.0; // as on a layer of 7 mm; the middle is 20 mm from the edges
   }
   return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-/// 1 mm deep, 0.1 mm per tick, along z and back.
+/// The tip is 1 mm deep and moves back and forth along z, 0.1 mm per tick.
 void tick(benchmark::State& state)
 {
   const auto place = static_cast<Place>(state.range(0));

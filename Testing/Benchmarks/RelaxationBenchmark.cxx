@@ -30,7 +30,7 @@ std::unique_ptr<ContactBody> makeBody(int branches)
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-/// 1 to 1.9 mm deep of 2 mm, 0.1 mm along per tick, at 1 kHz.
+/// Depths from 1 to 1.9 mm of a range of 2 mm; 0.1 mm per tick along the surface, at 1 kHz.
 void tick(benchmark::State& state)
 {
   const auto body = makeBody(static_cast<int>(state.range(0)));

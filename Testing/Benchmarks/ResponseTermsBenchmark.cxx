@@ -12,7 +12,7 @@
 
 namespace
 {
-/// With its own normals, 80 mm. Built once.
+/// A sphere of 80 mm with its own normals. Built once.
 vtkPolyData* ball()
 {
   static const vtkNew<vtkSphereSource> source;
@@ -66,7 +66,7 @@ void TermsCurvature(benchmark::State& state)
 {
   response(state, { 0.0, true });
 }
-/// What nobody has to ask for.
+/// The default terms of the filter.
 void TermsErrorCurvature(benchmark::State& state)
 {
   response(state, { 0.05, true });

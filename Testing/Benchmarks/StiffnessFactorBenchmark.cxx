@@ -24,15 +24,15 @@ namespace
 using namespace palpate;
 
 constexpr int Side = 31;
-constexpr std::size_t Block = 64; // loads, as StiffnessFactor takes them
+constexpr std::size_t Block = 64; // loads per block, as StiffnessFactor takes them
 
 double now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A stiffness matrix, factorised by both, and loads on the nine nodes around each of its upper
-/// face.
+/// A stiffness matrix with both factorisations, and loads on the nine nodes around each node of its
+/// upper face.
 struct Problem
 {
   StiffnessMatrix stiffness;
@@ -92,7 +92,7 @@ struct Problem
   }
 };
 
-/// |L⁻¹ P b|² by CHOLMOD's own solution, which goes over all of L for each block.
+/// |L⁻¹ P b|² by the solver of CHOLMOD, which passes over all of L for each block.
 std::vector<double> byCholmod(Problem& problem, const std::vector<SparseLoad>& loads)
 {
   const auto n = problem.factor->n;

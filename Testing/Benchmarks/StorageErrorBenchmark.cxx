@@ -26,7 +26,8 @@ constexpr double Modulus = 3.45;
 constexpr double Range = 2.0;
 constexpr int Probes = 10000;
 
-/// The stored response of one tool with one global compliance (mm/N), as the tick holds it.
+/// The stored response of one tool with one global compliance (mm/N), in the form that the tick
+/// uses.
 std::unique_ptr<palpate::ResponseField> store(const std::string& tool, double compliance)
 {
   vtkNew<vtkPoints> points;
@@ -60,7 +61,7 @@ std::unique_ptr<palpate::ResponseField> store(const std::string& tool, double co
   return palpate::makeResponseField(filter->GetOutput(), "Response", error);
 }
 
-/// Largest relative error of force between two depths, in parts of the range.
+/// Largest relative error of the force between two depths, given as fractions of the range.
 double largestError(const palpate::ResponseField& field, const palpate::AxisymmetricTool& law,
   double compliance, double from, double to)
 {

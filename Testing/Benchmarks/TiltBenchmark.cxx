@@ -25,7 +25,7 @@ enum Kind : int
   Leaning
 };
 
-/// A ball of 5 mm, which tilts to 0.6 rad; of several laws each has a factor of its own.
+/// A ball of 5 mm that tilts up to 0.6 rad. With several laws, each has its own factor.
 std::unique_ptr<ContactBody> plateOf(std::size_t laws)
 {
   std::vector<TiltStore::Factor> factors;
@@ -47,7 +47,7 @@ std::unique_ptr<ContactBody> plateOf(std::size_t laws)
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-/// 0.1 mm on at each tick.
+/// The pose moves by 0.1 mm at each tick.
 ToolPose poseAt(long tick, Kind kind)
 {
   const double along = 0.1 * static_cast<double>(std::abs(tick % 400 - 200));

@@ -39,7 +39,8 @@ HidModel keyboard()
   return model;
 }
 
-/// What `words` says in a process that is nobody's, as its own exit code: 0 it contains `part`.
+/// Calls `words` in a process of an unprivileged user. True if the text contains `part`. The
+/// process reports the result as its exit code: 0 if it does.
 template <class Words>
 bool nobodyIsTold(const Words& words, const std::string& part)
 {

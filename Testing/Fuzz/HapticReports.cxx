@@ -15,10 +15,10 @@ using palpate::testing::require;
 
 namespace
 {
-/// A parsed report survives being packed: the bytes of what it names come back.
+/// Removes the orientation, which packing may change.
 void forgetTurn(StateReport& report)
 {
-  // Of two components that are equal to rounding either may be the one that is left out.
+  // If two components are equal to rounding, either one may be the component that is left out.
   report.orientation = orientationNotTold();
 }
 
@@ -27,6 +27,7 @@ void forgetTurn(Report&)
 {
 }
 
+/// Checks that a parsed report keeps its bytes when it is packed again.
 template <class Report>
 void parseAndPack(const std::uint8_t* bytes, std::size_t size)
 {
@@ -112,7 +113,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     return 0;
   }
-  // A copy of just this size, so that the address sanitizer sees its end.
+  // A copy of exactly this size, so that the address sanitizer detects a read beyond its end.
   std::vector<std::uint8_t> bytes(data + 1, data + size);
   if ((data[0] & 1U) != 0 && bytes.size() >= HapticReportSize)
   {

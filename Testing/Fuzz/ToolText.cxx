@@ -44,7 +44,7 @@ void tryTool(const ToolSpecification& specification)
 
 void readSpecification(const std::string& text)
 {
-  // A file of the machine is not for a fuzzer to read.
+  // A fuzzer must not read files of the machine.
   const bool isFile = text.rfind("profile:", 0) == 0 && text.find(';') == std::string::npos;
   ToolSpecification specification;
   std::string error;

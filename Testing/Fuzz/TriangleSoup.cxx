@@ -17,7 +17,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Closest by enumeration, among the triangles that take part.
+/// Smallest distance by enumeration of the triangles that take part.
 double smallestDistance(const PackedMesh& mesh, const Vector3& tip)
 {
   double smallest = std::numeric_limits<double>::infinity();
@@ -81,7 +81,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (reaches && !body.tree.isBeyondHorizon(body.surface.toLocal(tip)))
   {
     const double smallest = smallestDistance(body.surface, body.surface.toLocal(tip));
-    // Both are computed in double from the same coordinates, of up to the body's size.
+    // Both are computed in double from the same coordinates, which are at most as large as the
+    // body.
     require(
       std::abs(closest.signedDistance) <= smallest * (1.0 + 1e-9) + 1e-12 * sizeOf(body.surface),
       "no triangle is closer than the closest");

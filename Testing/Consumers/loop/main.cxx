@@ -38,7 +38,7 @@ int main(int argc, char** argv)
     std::this_thread::sleep_until(deadline);
   }
   std::printf("strongest force %.4g N, last %.4g N\n", strongest, last.deviceForce.norm());
-  // The exact sphere of 6.35 mm at 1 mm and E* = 3.45 MPa: 11.4088 N; the mesh sags below its
-  // circle.
+  // The exact sphere of 6.35 mm at 1 mm and E* = 3.45 MPa: 11.4088 N. The mesh is below the circle
+  // of the cylinder.
   return std::abs(strongest - 11.4088) < 0.05 && last.deviceForce.norm() == 0.0 ? 0 : 1;
 }
