@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a bridge adds: from a force written to the first state that acknowledges it, at 1 kHz, by
-// BridgeDevice and a program that answers at once, over a Unix and a UDP socket; beside 64 bytes
-// sent and returned over the same kind of bare socket, in the same run. See README.md.
+// The delay of a bridge, from a written force to the first state that acknowledges it, at 1 kHz:
+// BridgeDevice with a program that answers at once, over a Unix and a UDP socket. The same run
+// measures 64 bytes sent and returned over the same kind of bare socket. See README.md.
 #include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/RealTimeGrant.h"
 

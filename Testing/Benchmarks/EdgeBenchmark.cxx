@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs a tick to feel sharp edges: a tip led over a block of 40 mm (200 thousand
-// triangles), with edges felt and without, in the middle where they are out of reach, beside one,
-// and beside a blunt one (a hexagonal prism's).
+// The cost of sharp edges in a tick. A tip moves over a block of 40 mm (200 thousand triangles)
+// with and without the edge law: in the middle, out of reach of the edges; near an edge; and near a
+// blunt edge (of a hexagonal prism).
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
 #include "Contact/ToolContact.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree's point query over its tree of boxes. It finds the triangles within a radius and leaves
-// their distance to the caller; the radius is that to the point found last, which is on the body.
+// Embree's point query over its tree of boxes. The query finds the triangles within a radius and
+// leaves their distance to the caller. The radius is the distance to the point found last, which is
+// on the body.
 #include "TimedMethod.h"
 
 #ifdef PALPATE_WITH_EMBREE

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the dent adds to a frame: a scene with a moving contact, its body drawn without a dent, with
-// one in the vertex shader, and with one computed point by point. See README.md.
+// The cost of the dent in a frame: a scene with a moving contact whose body is drawn without a
+// dent, with a dent in the vertex shader, and with a dent computed point by point. See README.md.
 #include "BumpySphere.h"
 #include "DrawnBody.h"
 #include "FrameScenes.h"

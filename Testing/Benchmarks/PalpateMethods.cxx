@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Palpate's own rows of the benchmark: the only file of it that knows the kernel's classes.
+// Palpate's own methods of the benchmark. Only this file of the benchmark uses the kernel's
+// classes.
 #include "BumpySphere.h"
 #include "Contact/ContactBody.h"
 #include "Haptics/Safety/SafetyLinks.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs a tick that its body relaxes: a tip led over a plate of 500 thousand triangles,
-// pressed up and down, elastic beside relaxing, by branches k and elements N.
+// The cost of relaxation in a tick. A tip moves over a plate of 500 thousand triangles and is
+// pressed up and down; elastic and relaxing bodies, by branches k and elements N.
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
 #include "Contact/ToolContact.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkToolContactResponse on two million points, into memory that is new each time, beside the time
-// to clear as much new memory in the same run. The floor is not 1: the filter also reads points,
-// normals and triangles, `read_MB`.
+// vtkToolContactResponse on two million points, into new memory each time, compared with the time
+// to clear the same amount of new memory in the same run. The ratio cannot reach 1: the filter also
+// reads points, normals and triangles, `read_MB`.
 #include "ProcessMemory.h"
 
 #include "vtkCellArray.h"

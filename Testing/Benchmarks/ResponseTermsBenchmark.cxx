@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a response costs that knows its error, the body's curvature and finite strain, beside the
-// plain one in the same run: a ball of 498,002 points, sphere of 6.35 mm, 1 mm.
+// The cost of a response with its error, the body's curvature and finite strain, compared with the
+// plain response in the same run: a ball of 498,002 points, sphere of 6.35 mm, 1 mm.
 #include "vtkContactTool.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How late the servo thread wakes up and how long its ticks take, at several rates, with nothing
-// else to do and beside a renderer, scheduled as any thread and by SCHED_FIFO in turns. A hand
-// slides about 1 mm deep along a bumpy sphere. See README.md.
+// The wake-up delay of the servo thread and the duration of its ticks, at several rates, on an idle
+// machine and during rendering. Normal scheduling and SCHED_FIFO take turns. A hand slides about 1
+// mm deep along a bumpy sphere. See README.md.
 #include "BackgroundLoad.h"
 #include "BumpySphere.h"
 #include "Contact/ContactBody.h"

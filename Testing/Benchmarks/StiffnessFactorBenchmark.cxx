@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it brings to walk CHOLMOD's supernodes along the paths of the loads, beside CHOLMOD's own
-// forward solution of blocks of as many loads (`ratio` to it, of the same run, in one thread): for
-// one load and for those of a face of a block of 31 × 31 × 31 hexahedra, 95 thousand unknowns.
+// The gain of a walk over CHOLMOD's supernodes along the paths of the loads, compared with
+// CHOLMOD's own forward solution of blocks with the same number of loads (`ratio` to it, in the
+// same run, in one thread): for one load and for those of a face of a block of 31 × 31 × 31
+// hexahedra, 95 thousand unknowns.
 //
 //   OPENBLAS_NUM_THREADS=1 palpateBenchmarks --benchmark_filter=CompliancesOfLoads
 //
-// One load: 151 ms, CHOLMOD 446, ratio 2.9. 900 loads: 10.8 s, CHOLMOD 70.7, ratio 6.6 (2.8 GHz, a
-// build beside).
+// One load: 151 ms, CHOLMOD 446, ratio 2.9. 900 loads: 10.8 s, CHOLMOD 70.7, ratio 6.6 (2.8 GHz,
+// with a build running at the same time).
 #include "Solids/FiniteElements/StiffnessFactor.h"
 #include "Mechanics/ThreadCount.h"
 

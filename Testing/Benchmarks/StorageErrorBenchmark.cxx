@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much is lost by storing a curve in 8 samples: through the filter's arrays and the evaluation
-// that the servo tick uses, against the law itself (E* = 3.45 MPa, range 2 mm). The time is that of
-// one evaluation.
+// The error of a curve that is stored in 8 samples: through the filter's arrays and the evaluation
+// of the servo tick, against the law itself (E* = 3.45 MPa, range 2 mm). The time is that of one
+// evaluation.
 #include "Response/BodyConversion.h"
 #include "Mechanics/SeriesCompliance.h"
 #include "Mechanics/Tools/ToolSpecification.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tick beside other ways to find a closest point, in one run: a tip slides about 1 mm deep along
-// a bumpy sphere, 0.1 mm per tick, over bodies of 20 thousand to 4 million triangles, with hot and
-// with cold caches. Answers are compared first; methods that disagree are not timed. See README.md.
+// A tick compared with other ways to find a closest point, in one run. A tip slides about 1 mm deep
+// along a bumpy sphere, 0.1 mm per tick, over bodies of 20 thousand to 4 million triangles, with
+// hot and with cold caches. The results are compared first; methods that disagree are not timed.
+// See README.md.
 #include "BumpySphere.h"
 #include "ColdRead.h"
 #include "Contact/ContactBody.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs a tick that the tool leans, beside one that is told no axis and one that is
-// upright: led over a plate of 60 mm (20 thousand triangles) 1 mm deep, one curve; one law of tilts
-// for all points, or several with weights at each.
+// The cost of a tilted tool in a tick, compared with a tool without an axis and an upright one. The
+// tool moves over a plate of 60 mm (20 thousand triangles) at a depth of 1 mm, with one curve, and
+// with one law of tilts for all points or several laws with weights at each point.
 #include "Contact/ToolContact.h"
 #include "SampleResponses.h"
 #include "SampleTilts.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A force device at 1 kHz through the real hidapi, and all that may come instead of a report.
+// A force device at 1 kHz through the real hidapi, and everything that may arrive instead of a
+// report.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is plugged in, as the real hidapi tells it, and what stands against opening it.
+// The plugged-in devices as the real hidapi reports them, and the reasons why a device cannot be
+// opened.
 #include "Transports/DeviceList.h"
 
 #include "Firmware.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plug is pulled while the tool presses: the first tick after the device has reported its loss
-// sends no force, every time. And it returns.
+// never sends a force. And the device returns.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unplugs at random moments on the real hidapi: is the first tick after the report of the loss
-// without force, every time, and how long after the pull does it end? See --help.
+// Unplugs at random moments with the real hidapi. Is the first tick after the report of the loss
+// always without force, and how long after the pull does it end? See --help.
 #include "PressingServo.h"
 #include "PulledPlug.h"
 #include "SampleResponses.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program on the bridge's other end that sends anything: what the device then reads is not valid,
-// or finite and no older than the time-out; no force leaves for a program that has not described
-// itself. Input: chunks; the first byte of each says what happens, see step().
+// A program at the bridge's other end that sends anything. The samples of the device are invalid,
+// or finite and no older than the time-out. No force is sent to a program that has not described
+// itself. Input: chunks; the first byte of each selects the event, see step().
 #include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"
 #include "Require.h"

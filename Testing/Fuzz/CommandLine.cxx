@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any words as the viewer's command line: the program ends and says why, or goes on with options
-// that it can use. Input: the words, a line each. Files and devices are named, not opened.
+// Any words as the viewer's command line: the program ends with a reason, or continues with options
+// that it can use. Input: the words, one per line. Files and devices are named, not opened.
 #include "Contact/SettingTable.h"
 #include "Transports/Bridge/BridgeSocket.h"
 #include "Haptics/Simulation/SimulatedPlant.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a body file, also with a checksum that is right: refused with a reason, or a body
-// that a tick can be run on. Input: a choice (bit 0: mend the checksum), the file, and from its end
+// Any bytes as a body file, also with a correct checksum: rejected with a reason, or a body on
+// which a tick can run. Input: a choice (bit 0: correct the checksum), the file, and from its end
 // on tips.
 #include "AnyTips.h"
 #include "Contact/FlatBodyFile.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever 64 bytes a device sends: refused, or whole and finite.
-// Input: a choice (bit 0: mend mark, version and check sum, so that the content is reached), a
-// report.
+// Any 64 bytes from a device: rejected, or complete and finite. Input: a choice (bit 0: correct
+// mark, version and checksum, so that the content is reached), a report.
 #include "Transports/Hid/HapticReport.h"
 #include "Require.h"
 #include "Transports/Hid/SpaceMouseReport.h"

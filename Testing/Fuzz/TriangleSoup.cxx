@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any triangles as a body: it is built, counts what is wrong with it, and a tick over it finds no
-// triangle that is nearer by enumeration than the one it says, and no force that is not finite.
-// Input: numbers of points and triangles, coordinates, indices (also wrong ones), tips.
+// Any triangles as a body. The body is built and its defects are counted. In a tick on it,
+// enumeration finds no triangle nearer than the reported one, and every force is finite. Input:
+// numbers of points and triangles, coordinates, indices (also invalid ones), tips.
 #include "AnyTips.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"

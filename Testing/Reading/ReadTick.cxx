@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tick whole: every surface, force form and friction model, the safety chain of a device, the
+// A whole tick: every surface, force form and friction model, the safety chain of a device, the
 // clutch, a change of scene, lost readings, a border to slide off.
 #include "Counted.h"
 #include "SampleResponses.h"

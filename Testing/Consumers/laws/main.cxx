@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body of somebody else's making, without VTK and without a file: its response, then a tick.
+// A body that the program makes itself, without VTK and without a file: its response, then a tick.
 #include <Laws/BodyMaterial.h>
 #include <Contact/ContactBody.h>
 #include <Laws/ResponseFiller.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Somebody else's servo loop, without VTK: 1 kHz, its own clock, step(sample, time) in the middle.
-// ServoScene.h is a header of before, kept for programs that include it.
+// A servo loop of another program, without VTK: 1 kHz, its own clock, step(sample, time) in the
+// middle. ServoScene.h is an old header, kept for programs that include it.
 #include <FlatBodyFile.h>
 #include <Haptics/Servo/ServoScene.h>
 #include <ServoStep.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts that leave over sharp edges: the force of a quarter space beside and beyond one, no jump
-// and no energy gained on any way, whatever the form and the surface.
+// Contacts near sharp edges and beyond them: the force of a quarter space on both sides of the
+// edge. There is no jump and no gain of energy on any path, for every form and surface.
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with a mesh is counted and left out; borders and volume.
+// Defects of a mesh are counted and left out; borders and volume.
 #include "BruteForce.h"
 #include "Contact/TriangleTree.h"
 #include "Mechanics/Numerics/Constants.h"

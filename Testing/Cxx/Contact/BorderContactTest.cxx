@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip slides off an open border: contact is lost, the force fades with the place of the tip, and
-// nothing pulls it back; whatever the form, the surface and friction.
+// A tip slides off an open border: the contact is lost, the force fades with the position of the
+// tip, and no force pulls the tip back; for every form, surface and friction.
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
 

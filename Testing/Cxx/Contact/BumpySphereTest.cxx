@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of the tick's benchmark and of its exactness tests is what it is said to be.
+// The body of the tick benchmark and of its exactness tests has the stated properties.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Sanitized.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A curve with its stiffness capped, against fine quadrature of the data contract (ContractCurve),
-// and against what the paper's three tools become.
+// A curve with capped stiffness, against fine quadrature of the data contract (ContractCurve), and
+// against the capped curves of the paper's three tools.
 #include "Contact/CappedResponse.h"
 
 #include "SampleResponses.h"

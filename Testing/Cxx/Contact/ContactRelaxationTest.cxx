@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tool on a body that relaxes, against closed forms (Lee and Radok, Ting) and the tables of the
-// reference sheet. Unless said otherwise: f = δ^m N to 1 mm, stored in float, which is good to
-// 1e-7.
+// reference sheet. Unless stated otherwise: f = δ^m N to 1 mm, stored as float, accurate to 1e-7.
 #include "Contact/Relaxation/ContactRelaxation.h"
 
 #include "ReferenceTable.h"

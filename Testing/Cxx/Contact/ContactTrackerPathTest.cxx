@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip presses and slides; in every tick the contact is the nearest point of the triangles within
+// A tip presses and slides. In every tick the contact is the nearest point of the triangles within
 // two rings of the last contact, found here by plain loops.
 #include "BruteForce.h"
 #include "BumpySphere.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the force jumps from triangle to triangle, what closed paths gain, how far it is from that of
-// the smooth body: the formulas of polygons, and the orders in the size of the mesh.
+// Force jumps from triangle to triangle, energy gained on closed paths, and the difference from the
+// force of the smooth body: the formulas of polygons, and the orders in the size of the mesh.
 #include "ContinuityMeasures.h"
 #include "ReferenceTable.h"
 #include "SampleResponses.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What coupling must leave alone: one contact, contacts far apart, bodies without it; and what it
-// tells of two places.
+// Cases that coupling must not change: one contact, contacts far apart, bodies without coupling;
+// and the coupling of two places.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"

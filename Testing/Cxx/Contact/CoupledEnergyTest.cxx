@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tools that feel one another gain or lose on closed paths.
+// Energy that coupled tools gain or lose on closed paths.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"

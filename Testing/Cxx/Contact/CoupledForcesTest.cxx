@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Forces of several tools on a half-space: against a boundary-element solution of two, and against
-// the equations solved directly.
+// a direct solution of the equations.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"

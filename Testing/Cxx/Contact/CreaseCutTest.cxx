@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces cut along their sharp edges: which edges those are, what is cut, and what stays.
+// Surfaces cut along their sharp edges: which edges are sharp, which points are cut, and what is
+// unchanged.
 #include "SampleBodies.h"
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"

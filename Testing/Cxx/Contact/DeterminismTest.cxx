@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body built, reduced and felt with 1, 2 and 8 threads: the same bits. It has so many points that
-// each of eight threads gets a share.
+// A body built, reduced and pressed with 1, 2 and 8 threads gives identical bits. It has enough
+// points that each of eight threads gets a share.
 #include "BumpySphere.h"
 #include "Contact/Reduction/LeadingLaws.h"
 #include "Contact/ParallelRanges.h"

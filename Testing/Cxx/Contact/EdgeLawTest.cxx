@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The law of a contact beside a sharp edge against Hetényi's quarter space, and by itself.
+// The law of a contact near a sharp edge, against Hetényi's quarter space, and its own invariants.
 #include "Contact/Edges/EdgeLaw.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Tools/ToolSpecification.h"

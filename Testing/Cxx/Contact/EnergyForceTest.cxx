@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole tick's EnergyConsistent force, against differences of the energy Σ n_i e_i, on facets
-// and on the smooth surface, with responses that differ from point to point.
+// The EnergyConsistent force of the whole tick, against differences of the energy Σ n_i e_i, on
+// facets and on the smooth surface, with responses that differ from point to point.
 #include "SampleResponses.h"
 #include "Contact/SmoothContact.h"
 #include "Contact/ToolContact.h"

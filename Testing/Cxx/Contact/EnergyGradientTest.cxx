@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The force as the gradient of an energy: the closest point's area coordinates and the energy are
-// differentiated by differences of their own values.
+// The force as the gradient of an energy: compared with finite differences of the closest point's
+// area coordinates and of the energy.
 #include "Contact/EnergyGradient.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip slides under a bumpy sphere: in every tick the contact is the nearest point of the
-// triangles within two rings of the last one, by enumeration in long double; a plain descent is
-// not.
+// A tip slides under a bumpy sphere. In every tick the contact is the nearest point of the
+// triangles within two rings of the last one, by enumeration in long double. A plain descent does
+// not find it.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Contact/ContactTracker.h"

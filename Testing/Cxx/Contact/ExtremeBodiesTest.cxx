@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact on bodies at the ends of what there is: one triangle, a hundred thousand pieces, a place
-// a kilometre from the origin.
+// Contact on extreme bodies: one triangle, a hundred thousand pieces, a position a kilometre from
+// the origin.
 #include "BruteForce.h"
 #include "Contact/ContactBody.h"
 #include "SampleResponses.h"

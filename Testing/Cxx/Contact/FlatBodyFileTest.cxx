@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body goes through its file unchanged; a file that is not whole and ours is refused, with a
-// reason.
+// A body is unchanged after it is written to a file and read. A file that is incomplete or of
+// another format is rejected with a reason.
 #include "Contact/FlatBodyFile.h"
 
 #include "FileSizeLimit.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body file says of relaxation and tilts, and the formats before, which had less in their
-// header.
+// Relaxation and tilts in a body file, and the older formats, which have a shorter header.
 #include "Contact/FlatBodyFile.h"
 
 #include "FlatBodyFixture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Equation 3 of Mahvash and Hayward 2002 adds unit normals of different directions; blending
-// magnitude and direction apart does not lose what that loses.
+// Equation 3 of Mahvash and Hayward 2002 adds unit normals of different directions, which makes the
+// force too small. Magnitude and direction that are blended separately do not have this error.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"

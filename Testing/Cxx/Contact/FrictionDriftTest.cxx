@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction in the loop: a mass on a plane, held by friction against a force that swings within the
-// limit, and the stiffness a sampled loop can hold.
+// Friction in the loop: a mass on a plane, held by friction against a force that oscillates within
+// the limit, and the stiffness that a sampled loop can hold.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 

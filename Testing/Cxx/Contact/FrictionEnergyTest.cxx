@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From first touch on, friction never gives back more energy than it took, however point and depth
-// move and responses differ: the work of the tool against friction is >= 0 at all times.
+// From the first contact on, friction never returns more energy than it took, for any motion of
+// point and depth and for responses that differ: the work of the tool against friction is always >=
+// 0.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three friction models along given paths on a plane: the number of ticks does not matter, and
-// on a circle they do what their differential equations, finely integrated here, say.
+// The three friction models along given paths on a plane. The number of ticks does not matter. On a
+// circle they agree with their differential equations, which are integrated finely here.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Sanitized.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface of Friction: what goes in and out, limits, bad input, curved bodies.
+// The interface of Friction: inputs and outputs, limits, invalid input, curved bodies.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Mechanics/Numerics/Constants.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// That a body's memory is in large pages is seen in no result, only in /proc/self/smaps (proc(5)).
+// A body's memory in large pages changes no result. It is visible only in /proc/self/smaps
+// (proc(5)).
 #include "BumpySphere.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"

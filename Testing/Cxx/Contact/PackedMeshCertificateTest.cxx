@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where isCertainlyNearest says yes, no triangle that shares a corner is nearer: on bodies that are
-// bumpy, convex, saddle-shaped, notched, sharp, and crumpled.
+// If isCertainlyNearest returns true, no triangle that shares a corner is nearer: on bodies that
+// are bumpy, convex, saddle-shaped, notched, sharp, and crumpled.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Sanitized.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flipped, doubled, split, thin and folded triangles: what is wrong is mended or left out, and
-// counted; what is left gives the closest points, sides and normals of the sound body.
+// Flipped, doubled, split, thin and folded triangles: defects are repaired or left out, and
+// counted. The rest gives the closest points, sides and normals of the sound body.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Contact/TriangleTree.h"

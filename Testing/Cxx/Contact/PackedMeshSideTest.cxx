@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inside or outside, by the pseudonormal of the closest feature, against tests that know better.
+// Inside or outside, by the pseudonormal of the closest feature, against independent tests.
 #include "BruteForce.h"
 #include "Contact/TriangleTree.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The data contract: its codes as saved files number them, their words, its names.
+// The data contract: its codes as in saved files, its words and its names.
 #include "Contact/Contact.h"
 #include "Contact/ResponseContract.h"
 

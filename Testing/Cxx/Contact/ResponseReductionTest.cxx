@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Responses whose fewest numbers are known, reduced; errors against the contract's own evaluation.
+// Reduced responses whose smallest number of values is known; errors against the contract's own
+// evaluation.
 #include "Contact/Reduction/ResponseReduction.h"
 
 #include "SampleResponses.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which curves are told to rise in stiffness all the way: closed forms, and random ones against a
-// dense walk along them.
+// Curves whose stiffness is reported to rise over the whole range: closed forms, and random ones
+// against a dense scan.
 #include "Contact/RisingStiffness.h"
 
 #include "Contact/ResponseSampling.h"

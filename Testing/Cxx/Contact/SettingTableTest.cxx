@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings from outside: every range has both its ends, and a fault names what is wrong.
+// Settings given as text: every range is checked at both ends, and a fault names the wrong setting.
 #include "Contact/SettingTable.h"
 #include "Mechanics/Numerics/Constants.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One body, many threads: each ToolContact gives the bits it gives alone.
+// One body, many threads: each ToolContact gives the same bits as alone.
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
 

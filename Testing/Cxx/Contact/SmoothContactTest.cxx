@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closest point of the smooth surface: found, followed, continuous, differentiated, refused.
+// The closest point of the smooth surface: found, followed, continuous, differentiated, rejected.
 #include "Contact/ContactBody.h"
 #include "Contact/ContactTracker.h"
 #include "Contact/SmoothContact.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smooth contact from tick to tick: where it begins, what it stays with, when the facets step
-// in.
+// The smooth contact from tick to tick: where it begins, which contact it keeps, and when the
+// facets replace it.
 #include "Contact/ContactBody.h"
 #include "Contact/ContactTracker.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One patch by itself: what it interpolates, what it shares with its neighbour, and how close it
-// comes to a sphere.
+// One patch alone: the values it interpolates, the values it shares with its neighbour, and its
+// distance from a sphere.
 #include "Contact/SmoothTriangle.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which side of each part is outside, cavities, second bodies, sheets and repeats; and random
-// breakage, after which the distances are those of the sound body.
+// The outside of each part, cavities, second bodies, sheets and repeats; and random damage, after
+// which the distances are those of the sound body.
 #include "BumpySphere.h"
 #include "Contact/SoundMesh.h"
 #include "Contact/TriangleTree.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well 8 float32 samples hold a response: the closed forms of the reference sheet in series
-// with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
+// The error of a response stored in 8 float32 samples: the closed forms of the reference sheet in
+// series with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
 #include "Contact/ResponseField.h"
 #include "Mechanics/Numerics/Constants.h"
 

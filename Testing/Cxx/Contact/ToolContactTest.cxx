@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A first contact anywhere, against the same tick written again: closest point over all triangles,
-// weights by areas (Mahvash and Hayward 2002, eq. 4), curves by the words of the contract.
+// A first contact at any place, against a second implementation of the tick: closest point over all
+// triangles, weights by areas (Mahvash and Hayward 2002, eq. 4), curves as defined by the contract.
 #include "Contact/ToolContact.h"
 
 #include "BruteForce.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tilted tools in the tick: against closed forms on a plate, against the work along paths on a
-// ball. The tables are made of functions, so that what is tested is the tick and not a tool.
+// Tilted tools in the tick: against closed forms on a plate, and against the work along paths on a
+// ball. The tables come from functions, so that the test checks the tick and not a tool.
 #include "Contact/ToolContact.h"
 #include "SampleResponses.h"
 #include "SampleSeries.h"

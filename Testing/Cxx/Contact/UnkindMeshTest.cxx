@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact on meshes as they come: slivers, triangles without area, points listed twice, triangles
-// turned over, edges of four triangles, bodies within bodies. The force is F = 10 δ^1.5 N.
+// Contact on meshes with typical defects: slivers, triangles without area, duplicate points,
+// flipped triangles, edges of four triangles, bodies within bodies. The force is F = 10 δ^1.5 N.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip that is very far, very fast, or nowhere: each tick gives a sane force, and the next one
-// knows nothing of it.
+// A tip that is very far, very fast, or has no valid position: each tick gives a valid force, and
+// the next one is not affected.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "SampleResponses.h"

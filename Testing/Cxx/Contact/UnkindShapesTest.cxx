@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slab, groove, edge, cone and saddle: which side holds the tip, how hard and which way. The tip is
-// moved by hand, the force is F = 10 δ^1.5 N of the deflection up to 2 mm.
+// Slab, groove, edge, cone and saddle: the side that holds the tip, and the magnitude and direction
+// of the force. The tip is moved by hand. The force is F = 10 δ^1.5 N of the deflection up to 2 mm.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies found again from curves of independent formulas, and what is refused.
+// Bodies identified from curves of independent formulas, and curves that are rejected.
 #include "Identification/BodyIdentification.h"
 
 #include "Identification/ForceNoise.h"

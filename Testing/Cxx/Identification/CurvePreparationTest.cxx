@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves whose energies are known in closed form: F = k δ loading, so that W = k δ²/2.
+// Curves whose energies are known in closed form: F = k δ in loading, so W = k δ²/2.
 #include "Identification/CurvePreparation.h"
 
 #include "Agreement.h"

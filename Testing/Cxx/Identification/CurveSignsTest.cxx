@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signs and units that are not the file's: refused with what was found, never identified.
+// Wrong signs and units: the curves are rejected with a message, never identified.
 #include "Identification/CurveSigns.h"
 #include "Identification/MeasuredSite.h"
 

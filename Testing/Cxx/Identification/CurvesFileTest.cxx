@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves files: what is read, and that whatever is wrong is named with file and line, with nothing
-// half-loaded.
+// Curves files: the data that are read. A fault is reported with file and line, and no part of the
+// file is loaded.
 #include "Identification/CurvesFile.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of the kinds that instruments record and no model fits: each is refused in words, and a
-// fit that failed is never used. Holds are those of Lee and Radok.
+// Curves of kinds that instruments record and that no model fits: each is rejected with a message,
+// and a failed fit is never used. Holds are those of Lee and Radok.
 #include "Identification/MeasuredSite.h"
 
 #include "ClosedRelaxation.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What precedes the contact: long, shifted, drifting, crooked. The truth is Hertz's closed form.
+// The part of a curve before the contact: long, shifted, drifting, curved. The reference is Hertz's
+// closed form.
 #include "Identification/ArrangedReadings.h"
 #include "Identification/BodyIdentification.h"
 #include "Identification/MeasuredSite.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured with one tool, felt with another, where the measurements are those of a finite-element
-// code that knows nothing of our laws (Data/Studies/calculix): one sphere identifies, the tools
-// that were held out are predicted. To the identifying curve noise is added, and an offset it does
-// not know. Testing/Studies/measured/run.py makes the whole table, where it fails included.
+// Identification with one tool and prediction for others. The measurements come from a
+// finite-element code that is independent of our laws (Data/Studies/calculix): one sphere
+// identifies, the held-out tools are predicted. Noise and an unknown offset are added to the
+// identifying curve. Testing/Studies/measured/run.py makes the whole table, including the cases
+// that fail.
 #include "Identification/BodyIdentification.h"
 #include "Identification/CurvesFile.h"
 

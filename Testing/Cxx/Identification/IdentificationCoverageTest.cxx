@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Do 95 % confidence intervals hold the truth 95 times in 100? Repeated experiments with noise of 1
-// % of the largest force and an unknown contact point, fixed seeds. Also: how often the right model
-// is chosen, and whether the interval of what another tool will feel holds.
+// Do 95 % confidence intervals contain the true value 95 times in 100? Repeated experiments with
+// noise of 1 % of the largest force and an unknown contact point, fixed seeds. Also: how often the
+// right model is chosen, and whether the interval of another tool's predicted force is valid.
 #include "Identification/PredictedForceError.h"
 
 #include "Mechanics/Layers/LayerContact.h"

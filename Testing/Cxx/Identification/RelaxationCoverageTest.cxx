@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Do 95 % confidence intervals of bodies that relax hold the truth 95 times in 100? Repeated tests
-// with noise of 1 % of the largest force and an unknown contact point, fixed seeds; the forces are
-// those of Lee and Radok for a ramp and a hold, and of Ting for a triangle.
+// Do 95 % confidence intervals of bodies that relax contain the true value 95 times in 100?
+// Repeated tests with noise of 1 % of the largest force and an unknown contact point, fixed seeds.
+// The forces are those of Lee and Radok for a ramp and a hold, and of Ting for a triangle.
 #include "Identification/RelaxingIdentification.h"
 
 #include "Mechanics/Numerics/Constants.h"

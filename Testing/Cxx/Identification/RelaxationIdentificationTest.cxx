@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation found again from loops and holds: from the tables of the reference sheet, and from the
+// Relaxation identified from loops and holds: from the tables of the reference sheet, and from the
 // closed forms of Lee, Radok and Ting.
 #include "Identification/CommonRelaxation.h"
 #include "Identification/MeasuredSite.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a relaxing body gives over a history, against Ting's integrals and tables made of them.
+// Forces of a relaxing body over a history, against Ting's integrals and tables made from them.
 #include "Identification/RelaxationFit.h"
 
 #include "Mechanics/Numerics/Constants.h"

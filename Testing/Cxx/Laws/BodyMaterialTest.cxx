@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body is made of: constants and values, and which of them make no sense.
+// The material of a body: constants and values, and invalid combinations.
 #include "Laws/BodyMaterial.h"
 
 #include "Paraboloid.h"

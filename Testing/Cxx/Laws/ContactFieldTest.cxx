@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a surface moves around a contact: a paraboloid on a plane by its closed form, modes by hand.
+// The motion of a surface around a contact: a paraboloid on a plane by its closed form, modes by
+// hand.
 #include "Laws/ContactField.h"
 
 #include "Paraboloid.h"

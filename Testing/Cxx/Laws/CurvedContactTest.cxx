@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body's sag in the law: spheres on spheres are spheres, Hertz's ellipse, a flat end on a ball.
+// The body's sag in the law: a sphere on a sphere acts as a sphere, Hertz's ellipse, a flat end on
+// a ball.
 #include "Laws/LocalContact.h"
 #include "Laws/ResponseLaw.h"
 #include "Mechanics/Layers/LayerContact.h"

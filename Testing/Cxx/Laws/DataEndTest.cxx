@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a stored curve leaves what was measured.
+// The end of the measured data in a stored curve.
 #include "Laws/DataEnd.h"
 
 #include "Paraboloid.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is an edge for a contact, how far it is, and what it takes of the force.
+// Edges that count for a contact, their distance, and the reduction of the force.
 #include "Laws/EdgeDistance.h"
 #include "Laws/ErrorRule.h"
 #include "Mechanics/Numerics/Constants.h"

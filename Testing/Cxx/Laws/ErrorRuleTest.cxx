@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The estimated error of a law: its parts by their formulas, its sum over a depth, and how often it
-// holds.
+// is valid.
 #include "Laws/ErrorRule.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/LocalContact.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a law is prepared for: all points of a body, whole or in pieces.
+// The range of materials for which a law is prepared: all points of a body, whole or in pieces.
 #include "Laws/MaterialRange.h"
 
 #include "Mechanics/Layers/LayerTable.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tilted tool at every point of a body: laws between whose nodes the force is met.
+// A tilted tool at every point of a body: between the nodes of the laws the force is interpolated
+// correctly.
 #include "Laws/MaterialTilts.h"
 
 #include "Laws/BodyMaterial.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stated errors beside those that finite elements find, at contacts drawn at random. A handful
-// here; many more in the study error, whose results are in Data/Studies/error.
+// Stated errors compared with errors against finite elements, at random contacts. Only a few here;
+// many more in the study error, whose results are in Data/Studies/error.
 #include "RandomContact.h"
 
 #include <gtest/gtest.h>

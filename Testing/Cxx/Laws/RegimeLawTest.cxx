@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How local a contact is and what the tool's size does, where both are known by heart.
+// Local share of the deflection and effect of the tool's size, in cases with known values.
 #include "Laws/RegimeLaw.h"
 
 #include "Paraboloid.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a relaxing contact in few elements, against the runs of the reference it is taken
-// from, and what a tolerance needs by it.
+// The error of a relaxing contact with few elements, against the runs of the reference from which
+// it is derived, and the number of elements for a tolerance.
 #include "Laws/RelaxationError.h"
 
 #include <gtest/gtest.h>

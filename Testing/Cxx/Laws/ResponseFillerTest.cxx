@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of a response, point by point: neighbours are left alone.
+// The arrays of a response, point by point: neighbouring entries are unchanged.
 #include "Laws/ResponseFiller.h"
 
 #include "Paraboloid.h"

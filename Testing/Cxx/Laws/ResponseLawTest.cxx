@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool's law as it is stored: against Hertz's closed form, alone and in series.
+// The stored law of a tool: against Hertz's closed form, alone and in series.
 #include "Laws/ResponseLaw.h"
 
 #include "Paraboloid.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curvatures of meshes of analytic surfaces, exact and noisy, against what a contact feels there:
-// the stated error bounds the true one in 95 of 100 points, and is of its size.
+// Curvatures of meshes of analytic surfaces, exact and noisy, against the curvature that acts on a
+// contact there: the stated error bounds the true one at 95 of 100 points and is of the same size.
 #include "Laws/SurfaceCurvature.h"
 #include "Mechanics/Numerics/Constants.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a term of a law changes, against closed forms.
+// The effect of a term of a law, against closed forms.
 #include "Laws/TermEffect.h"
 #include "Laws/BodyMaterial.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"

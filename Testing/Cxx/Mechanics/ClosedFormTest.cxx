@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closed forms keep their digits very near the axis and very far from it, where the formulas of
-// the textbooks cancel. Oracle: the textbook formulas in long double, and series where these
-// cancel.
+// The closed forms keep their accuracy very near the axis and very far from it, where the textbook
+// formulas suffer from cancellation. Reference: the textbook formulas in long double, and series
+// where these cancel.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"

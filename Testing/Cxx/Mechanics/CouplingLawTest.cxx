@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a layer gives way beside a force, against its Hankel transform integrated as it stands.
+// Deflection of a layer next to a force, against direct integration of its Hankel transform.
 #include "Mechanics/Coupling/CouplingLaw.h"
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/Numerics/Constants.h"

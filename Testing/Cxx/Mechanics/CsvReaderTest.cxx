@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables as RFC 4180 and spreadsheets have them are read; broken ones name file, line and column.
+// Tables as in RFC 4180 and from spreadsheets are read. For invalid ones the error names file, line
+// and column.
 #include "Mechanics/Files/CsvReader.h"
 #include "Mechanics/Files/CsvRow.h"
 #include "Mechanics/Files/MappedFile.h"

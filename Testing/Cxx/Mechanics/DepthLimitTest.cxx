@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The depth beyond which a profile touches outside its circle of contact, against the gap computed
-// by the tests' own quadrature of the exact reduced profile.
+// The depth beyond which a profile touches outside its circle of contact, against the gap from the
+// tests' own quadrature of the exact reduced profile.
 #include "Mechanics/Tools/DepthLimit.h"
 
 #include "Agreement.h"

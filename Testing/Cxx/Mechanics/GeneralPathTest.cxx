@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The path every profile can take (g by quadrature of f', everything else by quadrature of g)
+// The general code path for any profile (g by quadrature of f', all else by quadrature of g),
 // against the closed forms of the nine shapes.
 #include "GeneralTool.h"
 

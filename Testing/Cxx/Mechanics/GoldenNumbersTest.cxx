@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The single numbers of golden.csv that belong to tools the library has.
+// The single numbers of golden.csv for tools of the library.
 #include "Agreement.h"
 #include "ReferenceTable.h"
 #include "TestTools.h"

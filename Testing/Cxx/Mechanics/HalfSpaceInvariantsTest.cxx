@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for every rigid tool of revolution on a half-space, whatever its shape.
+// Properties of every rigid tool of revolution on a half-space, for any shape.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"

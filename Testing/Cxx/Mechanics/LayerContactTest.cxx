@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for any tool on a layer: against a dense solution of the integral equation by another
-// rule, and by invariants.
+// Properties of any tool on a layer: against a dense solution of the integral equation with another
+// quadrature rule, and by invariants.
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"

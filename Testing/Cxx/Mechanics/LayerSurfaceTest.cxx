@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the surface of a layer goes: against the Hankel integrals themselves, and against the
-// moments of the displacement, which follow from the transforms at small wave number.
+// The displacement of the surface of a layer: against the Hankel integrals themselves, and against
+// the moments of the displacement, which follow from the transforms at small wave number.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
 #include "Mechanics/Layers/LayerSurface.h"

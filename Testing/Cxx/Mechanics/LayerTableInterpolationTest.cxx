@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves interpolated over thickness and Poisson's ratio, against the exact layer at each.
+// Curves interpolated over thickness and Poisson's ratio, against the exact layer for each.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/LayerTable.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layer on a rigid base, against the reference tables (Nyström solutions of another code, given
-// to 12 digits). The tables' spheres are paraboloids.
+// The layer on a rigid base, against the reference tables (Nyström solutions of another code, with
+// 12 digits). The spheres of the tables are paraboloids.
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"

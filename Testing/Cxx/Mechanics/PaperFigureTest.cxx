@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The curves of Mahvash and Hayward 2002, figure 6: force of depth, and depth of force.
+// The curves of Mahvash and Hayward 2002, figure 6: force over depth, and depth over force.
 #include "Agreement.h"
 #include "ReferenceTable.h"
 #include "TestTools.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every row of punches.csv whose tool the library has: eight of the nine shapes, four depths each.
+// Every row of punches.csv for a tool of the library: eight of the nine shapes, four depths each.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "ReferenceTable.h"

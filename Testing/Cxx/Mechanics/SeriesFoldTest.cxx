@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A negative compliance (a near rigid base) folds the curve where 1 + C dF/dδ_local = 0. With
-// k = |C| E* the fold lies at, from the laws of the reference sheet:
+// A negative compliance (a near rigid base) folds the curve where 1 + C dF/dδ_local = 0. With k =
+// |C| E* the laws of the reference sheet give the fold at
 //   paraboloid  x = 1/(4k²R),         δ = x/3
 //   cone        x = π/(4k tan α),     δ = x/2
 //   flat        at every depth if 2ak >= 1, else nowhere.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of tilts on a half-space, and how a table is read between its nodes.
+// Tables of tilts on a half-space, and their interpolation between nodes.
 #include "Mechanics/ThreadCount.h"
 #include "Mechanics/Tilt/TiltNodes.h"
 #include "Mechanics/Tilt/TiltedContact.h"

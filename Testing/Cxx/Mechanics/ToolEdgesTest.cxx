@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tools answer at and beyond the edges of their arguments.
+// Results of the tools at and beyond the limits of their arguments.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool s times as large: by dimensions F(δ; s) = s² F(δ/s), a(δ; s) = s a(δ/s).
+// A tool that is s times as large: by dimensions F(δ; s) = s² F(δ/s), a(δ; s) = s a(δ/s).
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"

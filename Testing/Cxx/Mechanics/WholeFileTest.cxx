@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file is replaced by one that is whole, or stays what it was.
+// A file is replaced by a complete new one or stays unchanged.
 #include "Mechanics/Files/WholeFile.h"
 
 #include "FileSizeLimit.h"

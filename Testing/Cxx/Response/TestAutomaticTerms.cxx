@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A law that has no more than the forces need, and says so.
+// A law with only the terms that change the forces; it reports which terms these are.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

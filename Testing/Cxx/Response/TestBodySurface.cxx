@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever is given as a body comes out as triangles in mm, or as an error that says what to do.
+// Any input as a body results in triangles in mm, or in an error message with a remedy.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

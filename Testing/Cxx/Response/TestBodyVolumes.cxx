@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes as mesh generators write them: with faces and edges as cells, in several blocks, with
-// inverted or mixed cells; and polygons that meet themselves.
+// inverted or mixed cells; and polygons that touch themselves.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

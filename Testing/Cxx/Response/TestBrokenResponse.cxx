@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response arrays that break the contract, as the probe meets them in a file made elsewhere: an
-// error that names the array, an empty output, and no harm to the next update.
+// Response arrays that violate the contract, as the probe may find them in a file from another
+// program: an error that names the array, an empty output, and no effect on the next update.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

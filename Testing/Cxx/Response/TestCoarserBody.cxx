@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second mesh of vtkElasticContactResponse: what it changes and what not, against the exact
-// layer; from one tool to the next, threads, abort, errors. How often its error holds: Mechanics,
-// MeshDifferenceTest.
+// The second mesh of vtkElasticContactResponse: its effects, against the exact layer; from one tool
+// to the next, threads, abort, errors. For the reliability of its error see MeshDifferenceTest in
+// Mechanics.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field under one tip: the tool's own, laid over planes and spheres.
+// The displacement field under one tip: the tool's own field on planes and spheres.
 #include "FilterChecks.h"
 #include "ProbedTips.h"
 

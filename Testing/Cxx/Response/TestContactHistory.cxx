@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was felt along a way as a table over time or deflection.
+// The contact along a path as a table over time or deflection.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

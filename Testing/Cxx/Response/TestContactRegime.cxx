@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Local or global: regime index and tool sensitivity against the closed forms of the series model
-// and the reference tables, and the verdict they lead to.
+// and the reference tables, and the resulting verdict.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One object says how a contact feels: defaults, table, faults in words, and filters that share it.
+// One object holds the contact settings: defaults, table, fault messages, and filters that share
+// it.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactTool against the tables of Data/Reference, and what it says to wrong parameters.
+// vtkContactTool against the tables of Data/Reference, and its messages on invalid parameters.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 

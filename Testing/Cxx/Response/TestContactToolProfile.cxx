@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactTool's Profile: its points, who may change them, what it refuses and how it says so.
+// vtkContactTool's Profile: its points, who may change them, and its messages on invalid profiles.
 #include "FilterChecks.h"
 
 #include "vtkContactTool.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of a tool: on its profile, closed, outward, as large as said.
+// The geometry of a tool: on its profile, closed, with outward normals, of the stated size.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

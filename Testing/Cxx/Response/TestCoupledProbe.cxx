@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips that press at once and feel one another, tips with an axis, the arrays by which a response
-// tells of it; and what is said where they are wrong.
+// Tips that press at the same time and are coupled, tips with an axis, the coupling arrays of a
+// response, and the messages on invalid input.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fingers on bodies that bend: two on a strip held at one end, against the theory of beams, and
-// opposite ones on a plate held at its rim, against its solution under one of them.
+// Fingers on bodies that bend: two on a strip held at one end, against beam theory, and opposite
+// ones on a plate held at its rim, against its solution under one of them.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "VolumeBlock.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field of a body with layers: that of a layer as thick as at the contact.
+// The displacement field of a body with layers: that of a layer with the thickness at the contact.
 #include "FilterChecks.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/LayerSurface.h"

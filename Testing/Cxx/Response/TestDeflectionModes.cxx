@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field of a body that bends as a whole: its modes and what they leave to the
-// tool; and the end of a field that is told where to end.
+// The displacement field of a body with a global deflection: its modes and the part of the tool;
+// and a field with a given end.
 #include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "ProbedTips.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field on a body of true shape against finite elements under the same force on a
-// patch (vtkElasticCompliance, which subtracts nothing): beside an edge, over a nodule, on a layer,
-// on a column that bends; what it says of arrays that are wrong; and that it does without them.
+// The displacement field on a body of true shape, against finite elements under the same force on a
+// patch (vtkElasticCompliance, without any subtraction): near an edge, over a nodule, on a layer,
+// on a column that bends; its messages on invalid arrays; and its result without these arrays.
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
 #include "ProbedTips.h"

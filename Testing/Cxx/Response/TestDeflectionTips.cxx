@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactDeflection: which tip, which body, and what it says to wrong input.
+// vtkContactDeflection: the choice of tip and body, and its messages on invalid input.
 #include "FilterChecks.h"
 #include "ProbedTips.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every filter that runs in threads, or whose kernel does, with 1, 2 and 8 of them: the same bits
-// in all that comes out. Bodies are so large that each of eight threads gets a share.
+// Every filter that runs in threads, or whose kernel does, gives identical bits in all outputs with
+// 1, 2 and 8 threads. The bodies are large enough that each of eight threads gets a share.
 #include "FilterChecks.h"
 #include "ManyCores.h"
 #include "MeasuredFiles.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Direct contact on parts cut out of a body: a bar that bends, pressed in the middle and half over
-// its edge, against the same tool on one fine mesh of all of it; a bonded layer against the exact
-// law; what stays; threads, abort, errors.
+// its edge, against the same tool on one fine mesh of the whole bar; a bonded layer against the
+// exact law; unchanged results; threads, abort, errors.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"

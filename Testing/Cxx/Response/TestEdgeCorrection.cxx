@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sharp edges in a response: what is attached, what a probe feels of it, what the error and the
-// chooser say, and what becomes of it in files and other forms.
+// Sharp edges in a response: the attached arrays, their effect on a probe, on the error and on the
+// chooser, and their treatment in files and other forms.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Structural compliance of a layer bonded to a rigid base, against M0/(πE*h) of
-// layer_bonded_moments.csv, with every kind of element; and the locking of linear tetrahedra.
-// A block of half-width 2.5 h stands for the infinite layer.
+// layer_bonded_moments.csv, with every kind of element; and the locking of linear tetrahedra. A
+// block of half-width 2.5 h replaces the infinite layer.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
 #include "Solids/FiniteElements/PatchCompliance.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The global modes of vtkElasticCompliance: their arrays, and by the contract alone the motion of a
-// bar under forces it was not asked for before; what six modes of a plate must leave out; errors,
+// The global modes of vtkElasticCompliance: their arrays; the motion of a bar under new forces,
+// computed from the contract alone; the part that six modes of a plate cannot include; errors,
 // abort. The kernel: GlobalModesTest.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies at the ends of what there is, through the filters: one triangle; a tool larger than the
-// body; a body of many pieces; a kilometre from the origin; solids that do not fit the memory.
+// Extreme bodies in the filters: one triangle; a tool larger than the body; a body of many pieces;
+// a position a kilometre from the origin; solids that do not fit in memory.
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "FilterChecks.h"
 #include "Response/FlatBodyConversion.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials at the ends of what there is: forces in proportion to E over twelve orders of
-// magnitude, nothing lost in float storage without a word, ν = 0 and 0.5 against closed forms and
-// the tables of Data/Reference, and what lies outside refused.
+// Extreme materials: forces proportional to E over twelve orders of magnitude, no silent loss in
+// float storage, ν = 0 and 0.5 against closed forms and the tables of Data/Reference, and rejection
+// of values out of range.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkGradedBody: volumes, edges, Jacobians, what is held, the same bits, abort, errors; and
-// contacts on what it makes against the series for a ball and the exact layer.
+// vtkGradedBody: volumes, edges, Jacobians, held points, identical bits, abort, errors; and
+// contacts on its output against the series for a ball and the exact layer.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"

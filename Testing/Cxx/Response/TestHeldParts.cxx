@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies held to a given depth: vtkGradedBody cuts them there exactly, and what is pressed on a
-// surface of its own knows where it is held.
+// Bodies held to a given depth: vtkGradedBody cuts them exactly there, and a body pressed on a
+// separate surface keeps its held parts.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

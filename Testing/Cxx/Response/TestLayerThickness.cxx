@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLayerThickness on scans of known thickness: balls, slabs, plates; what is no base; errors.
+// vtkLayerThickness on scans of known thickness: balls, slabs, plates; surfaces that are no base;
+// errors.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

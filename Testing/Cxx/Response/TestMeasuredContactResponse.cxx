@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured with one tool, felt with another: the same arrays as of a body whose material is known.
+// Measured with one tool, applied to another: the same arrays as for a body of known material.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body that relaxes, measured: the slow response of any tool, strengths and times beside it, and
-// loops beside the readings. The forces are those of Lee and Radok.
+// A measured body that relaxes: the slow response of any tool with its strengths and times, and
+// loops compared with the readings. The forces are those of Lee and Radok.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sites of measured curves on a body: how far they speak, that nothing crosses a thin lobe, how
-// they are registered, and which are refused.
+// Sites of measured curves on a body: their reach, which does not cross a thin lobe, their
+// registration, and the rejected ones.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 

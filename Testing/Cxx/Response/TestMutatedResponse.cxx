@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response arrays as a careless or hostile hand leaves them: a sound body, changed at random in one
-// to three places, through every reader of responses. Each reports an error, or what it gives is
-// finite; nothing of VTK's complains by itself (that would fail the test by its output).
-// The second argument is the number of bodies; a failure names its own, which is its seed.
+// Damaged response arrays: a sound body, changed at random in one to three places, in every reader
+// of responses. Each reader reports an error or gives finite results; VTK itself must not complain
+// (its output would fail the test). The second argument is the number of bodies. A failure reports
+// the number of the body, which is its seed.
 #include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkNoduleDetectability: its responses against vtkElasticContactResponse, changes by brute force,
-// what is kept for the next tool, threads, what is wrong, abort. Against a table: TestNoduleTable.
+// the data kept for the next tool, threads, faults, abort. Against a table: TestNoduleTable.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "NoduleBodies.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkNoduleMaterial: volumes of spheres, mixed cells, overlap, arrays in, what is wrong.
+// vtkNoduleMaterial: volumes of spheres, mixed cells, overlap, input arrays, faults.
 #include "FilterChecks.h"
 #include "VolumeBlock.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkNoduleMaterial and vtkNoduleDetectability against an axisymmetric code with meshes that follow
-// the ball (Data/Reference/shape/nodule_forces.csv): by how much three tools feel it.
+// the ball (Data/Reference/shape/nodule_forces.csv): the change of the force for three tools.
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
 #include "ReferenceTable.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The probe's copy of the body: progress while it is built, one warning of what the mesh has wrong.
+// The probe's copy of the body: progress while it is built, and one warning for all mesh defects.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction along polylines over a plate, where every model has a closed form; none at single tips;
-// none of it depends on time.
+// Friction along polylines over a plate, where every model has a closed form. Single tips have no
+// friction. Time has no effect.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

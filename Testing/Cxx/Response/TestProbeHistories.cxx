@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips as the probe takes them: histories on polylines, single queries, Indentation, borders, cells
-// of a mixed body, the copy of the body kept between updates, threads.
+// Tips in the probe: histories on polylines, single queries, Indentation, borders, cells of a mixed
+// body, the copy of the body kept between updates, threads.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Probe and deflection pass on the times of body and tips: all steps, and the time of the tips.
+// Probe and deflection filter pass on the times of body and tips: all steps, and the time of the
+// tips.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

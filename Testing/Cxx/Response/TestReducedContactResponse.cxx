@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Responses in fewer numbers: how few bodies of known make-up take, and that tips feel the same.
+// Responses in fewer numbers: the small number for bodies of known structure, and equal forces on
+// tips.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"

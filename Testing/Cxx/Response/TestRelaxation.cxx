@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation in a response: what is attached, what the chooser says, what becomes of it in files
-// and other forms, and what a probe makes of times.
+// Relaxation in a response: the attached arrays, the result of the chooser, their treatment in
+// files and other forms, and the use of times by a probe.
 #include "FilterChecks.h"
 #include "RelaxingPlane.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies of which it is known what they need: a point force, one law, a few, a response per vertex.
+// Bodies whose best form is known: a point force, one law, a few laws, a response per vertex.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

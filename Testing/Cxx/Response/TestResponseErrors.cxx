@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkToolContactResponse and wrong input: what is said, that the output is empty, and that the same
-// filter works once the mistake is mended.
+// vtkToolContactResponse with invalid input: the message, the empty output, and a correct result of
+// the same filter once the input is corrected.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layers on a rigid base, point by point, against the exact solution of each (LayerContact, which
-// the kernel tests compare with the reference tables), and against those tables themselves.
+// the kernel tests compare with the reference tables), and against those tables directly.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "Mechanics/Layers/LayerContact.h"

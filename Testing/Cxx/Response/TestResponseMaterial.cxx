@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Material per point: moduli from arrays, and the series with a global compliance.
+// Material per point: moduli from arrays, and a global compliance in series.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "ReferenceTable.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How deep a response may be trusted without an ErrorTolerance: Validity and Limit.
+// Validity and Limit of a response without an ErrorTolerance.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

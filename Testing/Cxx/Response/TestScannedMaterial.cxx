@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkScannedMaterial: labels and scales, mixed cells, what lies outside the image, what is wrong.
+// vtkScannedMaterial: labels and scales, mixed cells, points outside the image, faults.
 #include "FilterChecks.h"
 #include "VolumeBlock.h"
 

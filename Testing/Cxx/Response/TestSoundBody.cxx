@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies as people have them give the force of the sound body, never one into the body, and never a
-// smaller error; or a refusal that names the part.
+// Bodies with typical defects give the force of the sound body, never a force into the body, and
+// never a smaller error; or they are rejected with the name of the part.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

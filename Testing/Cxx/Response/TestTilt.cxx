@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool that leans: what a response stores of it, what the probe feels of it, how far it is
-// trusted, what the chooser says, and what is refused.
+// A tilted tool: its arrays in a response, its force in the probe, its validity, the result of the
+// chooser, and rejected input.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of the data contract: names, types, shapes and values; normals; what passes through.
+// The arrays of the data contract: names, types, shapes and values; normals; arrays that are passed
+// on.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One touch, shown: forces by the tool's closed form, where the tip goes, what the four ports hold.
+// One touch, shown: forces by the tool's closed form, the position of the tip, the data of the four
+// ports.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a touch begins: on bodies of which it is known which ground is flat, and what is seen.
+// The start of a touch: on bodies with known flat parts, and its visibility.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "Response/Touch/TouchStart.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVoxelBody: volume, conformity, what is held, errors; and the compliance of what it makes.
+// vtkVoxelBody: volume, conformity, held points, errors; and the compliance of its output.
 #include "FilterChecks.h"
 
 #include "vtkCell.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is told of how much of a plate's bending its elements miss, against elements of half the
-// side; and how that is carried from place to place.
+// The stated share of a plate's bending that its elements miss, against elements of half the size;
+// and its transfer from place to place.
 #include "Solids/TrueShape/BendingError.h"
 
 #include "ShapedBodies.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the error that is stated of a compliance holds: against the exact layer, a plate, and
-// meshes half as coarse of bodies that the estimate was not fitted to.
+// The stated error of a compliance must bound the true one: against the exact layer, a plate, and
+// meshes of half the element size, for bodies to which the estimate was not fitted.
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/EnergyError.h"
 #include "Mechanics/Numerics/Constants.h"

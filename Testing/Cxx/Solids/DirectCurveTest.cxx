@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which of two curves a point gets: its own, or that of direct contact. On a bonded layer, whose
-// exact law tells.
+// exact law is known.
 #include "Solids/Curves/DirectCurve.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"

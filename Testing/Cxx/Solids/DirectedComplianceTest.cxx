@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a region yields by its direction: a matrix from its motions, and kernels between landmarks
-// against a beam, which is soft across and stiff along.
+// The compliance of a region by direction: a matrix from its motions, and kernels between landmarks
+// against a beam, which is soft across and stiff along its axis.
 #include "ShapedBodies.h"
 
 #include "Solids/TrueShape/DirectedCompliance.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The elements by themselves: rigid motions, homogeneous strain, inversion; and the patch test.
+// The elements alone: rigid motions, homogeneous strain, inversion; and the patch test.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact at finite strain on tetrahedra: the element by its derivatives, a layer against the
-// axisymmetric solver's tables, a part of a bar that bends against all of it.
+// axisymmetric solver's tables, a part of a bar that bends against the whole bar.
 #include "Solids/TrueShape/FiniteTetrahedron.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"

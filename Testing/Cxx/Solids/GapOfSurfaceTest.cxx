@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gap of a triangulated body against that of the smooth body its points were taken from:
-// ellipsoids with bumps, drawn at random, whose triangles are between three times and half as long
-// as a contact is wide.
+// The gap of a triangulated body against that of the smooth body from which its points were taken:
+// random ellipsoids with bumps. Their triangles are between three times and half as long as the
+// contact is wide.
 #include "Solids/Curves/GapOfSurface.h"
 
 #include "Mechanics/Numerics/Constants.h"

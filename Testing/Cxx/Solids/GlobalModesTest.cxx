@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The modes of bodies that bend, against full solutions at points that are no landmarks, C_g and
-// beam theory; the dent that is taken off; bodies with few points or none to press, of several
-// parts, held along all of one side. Plate and filter: TestElasticComplianceModes.
+// The modes of bodies that bend, against full solutions at points that are not landmarks, C_g and
+// beam theory; the subtracted dent; bodies with few or no points to press, of several parts, held
+// along one whole side. Plate and filter: TestElasticComplianceModes.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/GlobalModes.h"

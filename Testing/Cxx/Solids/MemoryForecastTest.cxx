@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What finite elements will take: told from counts of nodes, against the symbolic analysis, and
-// that against what the factorisation then takes.
+// Forecast of the memory of finite elements: from counts of nodes, against the symbolic analysis,
+// and that analysis against the memory of the factorisation.
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/MemoryForecast.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether what two meshes tell of the error of the finer one holds: against elements of half its
-// side, at points, tools and depths drawn at random.
+// The error of the finer mesh, estimated from two meshes, must be valid: against elements of half
+// the size, at random points, tools and depths.
 #include "ShapedBodies.h"
 
 #include "Solids/TrueShape/MeshDifference.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The singular field, the sources and the law on small bodies: equations they have to fulfil,
-// threads, abort, and what is answered in words.
+// The singular field, the sources and the law on small bodies: equations that they must satisfy,
+// threads, abort, and error messages.
 #include "ShapedBodies.h"
 
 #include "Agreement.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pole of a hemisphere that slips on its base, against the series for a ball loaded at both
-// poles (Data/Reference/shape/ball_regular.csv) and contacts on that (hemisphere.csv).
+// poles (Data/Reference/shape/ball_regular.csv) and contacts on that ball (hemisphere.csv).
 #include "ShapedBodies.h"
 
 #include "Mechanics/GeneralTool.h"

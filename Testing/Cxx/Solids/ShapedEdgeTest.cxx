@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts beside the edge of a block against full two-dimensional contact on another code's H
-// (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and where the edge ends them.
+// Contacts near the edge of a block, against full two-dimensional contact on another code's H
+// (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and their end at the edge.
 #include "ShapedBodies.h"
 
 #include "DenseContact.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the error that is stated of a contact on finite elements holds: against elements of half
-// the side, at points, tools and depths drawn at random, on bodies that the estimate was not fitted
-// to. What a finer mesh does not change (small strain) is not in it.
+// The stated error of a contact on finite elements must bound the true one: against elements of
+// half the size, at random points, tools and depths, on bodies to which the estimate was not
+// fitted. It does not include errors that a finer mesh does not change (small strain).
 #include "ShapedBodies.h"
 
 #include "Mechanics/Numerics/Constants.h"

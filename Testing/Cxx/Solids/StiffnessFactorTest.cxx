@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both factors against a dense solution; floating parts; what cannot be factorised.
+// Both factors against a dense solution; floating parts; matrices that cannot be factorised.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts on a half-space whose surface has a shape of its own, to second order and solved
-// (UnevenContact): planes that lean and unequal curvatures in closed form, and waves drawn at
-// random against square cells and an active set, which know nothing of rings and harmonics.
+// Contacts on a half-space whose surface has its own shape, to second order and solved
+// (UnevenContact): inclined planes and unequal curvatures in closed form, and random waves against
+// square cells with an active set, a method without rings and harmonics.
 #include "Mechanics/Numerics/Constants.h"
 #include "Solids/TrueShape/ShapedContact.h"
 #include "Solids/TrueShape/UnevenContact.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body under unit loads at a place: far from it as under any other loads of the same resultant;
-// and a part cut out of it, which with what its cut does moves as it does in the whole.
+// A body under unit loads at a place. Far from the loads it moves as under any other loads of the
+// same resultant. A part cut out of it, with the forces of its cut, moves as in the whole body.
 #include "Solids/FiniteElements/UnitLoads.h"
 #include "Solids/ShapedBodies.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Indentation at finite strain: against the exact laws where the strain is small, against tables of
-// another code where it is not (Data/Reference/deep), and by what must hold.
+// Indentation at finite strain: against the exact laws at small strain, against tables of another
+// code at large strain (Data/Reference/deep), and by general properties.
 #include "Strain/FiniteIndentation.h"
 #include "Strain/GradedMesh.h"
 #include "Mechanics/Layers/LayerContact.h"

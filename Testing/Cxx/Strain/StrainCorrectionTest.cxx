@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What finite strain does to a force: tables and solver against another code (Data/Reference/deep,
-// Data/Studies/calculix), Long et al. 2011, and by what must hold.
+// The effect of finite strain on a force: tables and solver against another code
+// (Data/Reference/deep, Data/Studies/calculix), Long et al. 2011, and by general properties.
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finite strain on layers on each other, by what must hold of any solver: equal layers are one
-// layer, equal layers on a half-space are that half-space, little depth is the exact law.
+// Finite strain on stacked layers, by properties of any solver: equal layers are one layer, equal
+// layers on a half-space are that half-space, a small depth gives the exact law.
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"

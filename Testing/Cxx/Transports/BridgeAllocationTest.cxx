@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read and write of a bridge touch no heap: alive, silent, greeting again, and flooded.
+// read and write of a bridge do not use the heap: alive, silent, during a new greeting, and
+// flooded.
 #include "AllocationCount.h"
 #include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bridge, with a device's program on the other end that does what the test says, in virtual
-// time: what is lost, late, damaged or of somebody else, and a program that dies and returns.
+// The bridge with a scripted device program at the other end, in virtual time: lost, late, damaged
+// and foreign datagrams, and a program that dies and returns.
 #include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `palpate --list-devices` knows and says.
+// The content and the text of `palpate --list-devices`.
 #include "Transports/DeviceList.h"
 
 #include "FakeHidBus.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The device's side in C against the host's in C++: each reads what the other writes. And what a
-// device must do by itself: obey the watchdog, the enable flag and its own limit.
+// The device's side in C against the host's in C++: each reads the other's output. And the duties
+// of a device alone: watchdog, enable flag and its own limit.
 #include "Transports/Hid/HapticReport.h"
 #include "KnownReports.h"
 #include "Transports/Hid/ReportSequence.h"

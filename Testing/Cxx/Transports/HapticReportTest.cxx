@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 64-byte reports, byte by byte, and that nothing damaged passes for one.
+// The 64-byte reports, byte by byte; a damaged report is never accepted.
 #include "Transports/Hid/HapticReport.h"
 
 #include "KnownReports.h"

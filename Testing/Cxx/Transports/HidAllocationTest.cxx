@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read and write of the HID devices touch no heap, connected or not.
+// read and write of the HID devices do not use the heap, connected or not.
 #include "AllocationCount.h"
 #include "FakeHidBus.h"
 #include "Transports/Hid/HidDevice.h"

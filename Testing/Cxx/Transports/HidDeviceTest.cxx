@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HidDevice between a tick and a device that may do anything; a made-up bus, so that the sanitizers
-// see its threads. The same on the real hidapi: Testing/Devices.
+// HidDevice between a tick and a device with any behaviour, on an emulated bus, so that the
+// sanitizers see its threads. The same with the real hidapi: Testing/Devices.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"

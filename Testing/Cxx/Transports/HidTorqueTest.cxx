@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A HID device that tells how its tool is turned and is sent a torque; and one that does neither.
+// A HID device that reports the orientation of its tool and receives a torque; and one that does
+// neither.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which reports are news: gaps, old ones, the wrap-around of the number, a device that starts anew.
+// Which reports are new: gaps, old ones, wrap-around of the number, a device that restarts.
 #include "Transports/Hid/ReportSequence.h"
 
 #include <gtest/gtest.h>

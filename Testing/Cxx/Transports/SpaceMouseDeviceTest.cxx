@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A SpaceMouse as a tick sees it: two modes, rest, limits, loss and return.
+// A SpaceMouse in a tick: two modes, rest, limits, loss and return.
 #include "Transports/Hid/SpaceMouseDevice.h"
 
 #include "FakeHidBus.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orientation and torque in the 64-byte reports, from either side; and that a side of before, which
-// knows of neither, is understood and understands.
+// Orientation and torque in the 64-byte reports, from both sides; and compatibility with an older
+// side that has neither.
 #include "Transports/Hid/HapticReport.h"
 
 #include "KnownReports.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first process of an emulated machine (boot.sh): prepares what the tests need of a system,
-// runs them, says on the console how they ended, and ends the machine.
+// The first process of an emulated machine (boot.sh): prepares the system for the tests, runs them,
+// prints their results on the console, and ends the machine.
 #include <gtest/gtest.h>
 
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body of many points through everything that precedes a tick: its response against the closed
-// form, the flat file and back to the bit, the kernel, ticks against a search of all triangles, and
-// the memory it took. The body is the bumpy sphere of the benchmarks.
+// A body with many points in all steps before a tick: its response against the closed form, the
+// flat file and back to the bit, the kernel, ticks against a search of all triangles, and the
+// memory used. The body is the bumpy sphere of the benchmarks.
 #include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the soak is made of: closed forms, depths, swaps and memory.
+// The parts of the soak: closed forms, depths, swaps and memory.
 #include "MemoryWatch.h"
 #include "SwapWatch.h"
 #include "RoundBody.h"

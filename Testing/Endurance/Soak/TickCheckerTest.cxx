@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The soak's checker on series of ticks: it accepts those of the real servo step, in virtual time,
-// and finds what is done to them afterwards.
+// The soak's checker on series of ticks. It accepts those of the real servo step, in virtual time,
+// and finds the faults that are added afterwards.
 #include "TickSeries.h"
 
 #include "Haptics/Servo/ServoStep.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpateAccuracySpeed: the rows of the study of accuracy against speed as CSV. Columns in
+// palpateAccuracySpeed prints the rows of the study of accuracy against speed as CSV. Columns in
 // README.md.
 #include "ColdRead.h"
 #include "MethodErrors.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpateContinuity: the rows of the continuity study as CSV, on the standard output. One row per
-// body, mesh, force form and surface; columns in README.md. --quick: one mesh of each, short paths.
+// palpateContinuity prints the rows of the continuity study as CSV on the standard output. One row
+// per body, mesh, force form and surface; columns in README.md. --quick: one mesh of each, short
+// paths.
 #include "ContinuityMeasures.h"
 #include "Contact/ToolContact.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Direct contact, on meshes small enough for a test: against the exact law of a bonded layer,
-// straight and aslant, and however the body lies in space.
+// Direct contact on meshes small enough for a test: against the exact law of a bonded layer,
+// straight and oblique, and for rotated bodies.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Solids/ShapedBodies.h"

@@ -6,11 +6,11 @@
  *   palpatePress TOOL THICKNESS NU MODEL PARAMETER DEEPEST COUNT EDGE FILLET
  *
  * TOOL as "sphere:1.6"; THICKNESS (mm) of a layer bonded to a rigid base, 0: a half-space; MODEL
- * linear, neohooke, ogden or demiray; DEEPEST (mm), COUNT depths at even √δ from a fifth of its
- * root on; EDGE of the elements, in contact radii; FILLET (mm) of corners. E* = 1 MPa. Columns:
- * depth (mm), F/E* (mm²), radius of the contact in the deformed body (mm), least J, iterations of
- * Newton's method. The curve ends at the depth without an equilibrium, with a message on the
- * standard error.
+ * linear, neohooke, ogden or demiray; DEEPEST depth (mm); COUNT depths, evenly spaced in √δ from a
+ * fifth of the largest root on; EDGE length of the elements, in contact radii; FILLET (mm) of
+ * corners. E* = 1 MPa. Columns: depth (mm), F/E* (mm²), radius of the contact in the deformed body
+ * (mm), least J, iterations of Newton's method. The curve ends at the depth without an equilibrium,
+ * with a message on the standard error.
  */
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/Layers/LayerContact.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body of a given size costs, from its pre-computation to a tick and a frame: a line
-// "name value" per quantity on the output stream. One size per process, so that memory is its own.
-// The body is the bumpy sphere of the benchmarks; see README.md for what is timed.
+// The cost of a body of a given size, from its pre-computation to a tick and a frame: a line "name
+// value" per quantity on the output stream. One size per process, so that its memory is measured
+// alone. The body is the bumpy sphere of the benchmarks; README.md states the timed steps.
 #include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part b: at which settings the cylinder of Mahvash and Hayward (2002, section 5) is free of
+// Part b: the settings at which the cylinder of Mahvash and Hayward (2002, section 5) is free of
 // oscillation. A mesh with radial normals, Table 1's responses at every vertex, eq. 3.
 #include "Parts.h"
 #include "Renderings.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part f: devices that fail, under every way of rendering. A relaxed hand kneads soft tissue with
-// the 6.35 mm sphere while the device drops readings, brings them late, tells NaN, hangs, or is
+// Part f: devices that fail, with every rendering. A relaxed hand kneads soft tissue with the 6.35
+// mm sphere while the device drops readings, delivers them late, reports NaN, hangs, or is
 // unplugged.
 #include "Parts.h"
 #include "Renderings.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part a: what an encoder's step does. A spring on rounded readings never comes to rest by itself;
-// it takes Coulomb friction to stop the last swing.
+// Part a: the effect of an encoder's step. A spring on rounded readings never comes to rest by
+// itself; Coulomb friction is needed to stop the last swing.
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"

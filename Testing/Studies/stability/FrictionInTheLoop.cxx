@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part d: what friction models do in a sampled loop: drift under a load that swings within the
-// limit, stick and slip behind a spring, the stiffest stick, and rest.
+// Part d: friction models in a sampled loop: drift under a load that oscillates within the limit,
+// stick and slip behind a spring, the largest stick stiffness, and rest.
 #include "Mechanics/Numerics/Constants.h"
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two devices on one half-space that feel one another: the largest stable stiffness of their
-// opposite and of their common motion, and what each link of the chain makes of the strongest push
-// on both.
+// Two coupled devices on one half-space: the largest stable stiffness of their opposite and of
+// their common motion, and the effect of each link of the chain under the strongest push on both.
 #include "EnergyAudit.h"
 #include "Haptics/Servo/HandsStep.h"
 #include "LoopPoles.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part c: the energy that a press and release gets out of the hold, beside F_max v (T + 2 t_d).
+// Part c: the energy gained from the hold by a press and release, compared with F_max v (T + 2
+// t_d).
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"

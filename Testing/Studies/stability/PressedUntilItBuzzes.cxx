@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part b: each response model pressed by a growing force until it buzzes, bare and under control.
+// Part b: each response model is pressed by a growing force until it buzzes, bare and under
+// control.
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"

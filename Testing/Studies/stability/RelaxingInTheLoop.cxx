@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts a and b of a body that relaxes: the largest stable slow stiffness of a linear plate, and
-// what each link of the safety chain makes of the strongest push.
+// Parts a and b for a body that relaxes: the largest stable slow stiffness of a linear plate, and
+// the effect of each link of the safety chain under the strongest push.
 #include "LoopPoles.h"
 #include "Parts.h"
 #include "RelaxingModels.h"

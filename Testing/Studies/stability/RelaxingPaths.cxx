@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part e of a body that relaxes, unlike from point to point in curve and strength: energy on closed
-// paths and jumps of the force, by force form.
+// Part e for a body that relaxes, with different curves and strengths from point to point: energy
+// on closed paths and jumps of the force, by force form.
 #include "Parts.h"
 #include "RelaxingPlate.h"
 #include "RelaxingModels.h"

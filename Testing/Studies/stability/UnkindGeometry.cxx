@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part e: jumps and loop energy over edges, grooves, slabs and coarse meshes, per force form and
-// surface, edges felt or not.
+// surface, with and without the edge law.
 #include "ContinuityMeasures.h"
 #include "Parts.h"
 #include "Renderings.h"
