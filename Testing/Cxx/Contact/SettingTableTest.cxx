@@ -84,7 +84,7 @@ TEST(SettingTable, FaultsAreWords)
     palpate::faultOfContact(given).remark, "must be no less than the breakaway, but is 0.5");
 }
 
-// Each row is of a member of its own, and the defaults are in the ranges.
+// Each row sets its own member, and the defaults are within the ranges.
 TEST(SettingTable, EachReachesItsPlace)
 {
   ContactSettings given;

@@ -21,7 +21,7 @@ namespace
 {
 constexpr int Ticks = 3000;
 
-/// In and out of a torus, along another path for each tool.
+/// In and out of a torus, on a different path for each tool.
 Vector3 pathOf(int tool, int tick)
 {
   const double t = tick * 1e-3;
