@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces cut along their sharp edges: which edges are sharp, which points are cut, and what is
-// unchanged.
+// Surfaces cut along their sharp edges: the sharp edges, the cut points, and the unchanged parts.
 #include "SampleBodies.h"
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
