@@ -108,7 +108,7 @@ TEST(BodyMaterial, TheExponentIsTheTipsUntilTheBodyIsSoft)
   EXPECT_EQ(hard.bestExponent(*tool, law), 1.5);
   BodyMaterial soft(Usual);
   BodyMaterial::Values values;
-  values.compliance = { "C", { 1000.0 } }; // nearly a spring
+  values.compliance = { "C", { 1000.0 } }; // almost a spring
   ASSERT_EQ(soft.take(std::move(values), 1), "");
   EXPECT_EQ(soft.bestExponent(*tool, law), 1.0);
 }
