@@ -21,7 +21,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A force device on a bus, and the host's end of it.
+/// A force device on a bus with the host's end of it.
 struct Bench
 {
   FakeHidBus bus;
@@ -45,7 +45,7 @@ struct Bench
     EXPECT_EQ(error, "");
   }
 
-  /// The sample by which the tick sees a state at this x.
+  /// Sends a state with this x and orientation. Returns the sample in which the tick reads it.
   DeviceSample tell(double x, const ToolOrientation& orientation)
   {
     StateReport state;
@@ -63,7 +63,7 @@ struct Bench
       }));
     return sample;
   }
-  /// What arrives of it.
+  /// Writes a wrench and returns the force report that arrives.
   ForceReport write(const Wrench& wrench)
   {
     const std::size_t before = this->far->written().size();
