@@ -73,9 +73,9 @@ void checkLabels()
     PALPATE_CHECK(valueOf(filter, "YoungsModulus", 2, 2, 0) == 0.01);
     PALPATE_CHECK(valueOf(filter, "PoissonRatio", 2, 2, 0) == 0.49);
     PALPATE_CHECK(valueOf(filter, "YoungsModulus", 2, 2, Height - 1) == 0.1);
-    // The upper half of the second cell is skin. With voxels of 0.5 mm that is one of two middle
-    // voxels: 4.25 mm (fat) and 4.75 mm (skin). The one with the smaller value keeps its place as
-    // the first.
+    // The upper half of the second cell is skin. With voxels of 0.5 mm its two middle voxels are at
+    // 4.25 mm (fat) and 4.75 mm (skin). Both are equally frequent, so the one with the smaller
+    // value counts as the most frequent material.
     PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 2, 2, Height - 2),
       1.0 / (0.5 / 0.01 + 0.5 / 0.1), 1e-12); // harmonic: the skin is harder
     PALPATE_CHECK_NEAR(valueOf(filter, "PoissonRatio", 2, 2, Height - 2), 0.47, 1e-12);

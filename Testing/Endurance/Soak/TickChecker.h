@@ -69,7 +69,7 @@ struct TickTally
   double largestGain = -1.0;  ///< largest energy gained in a visit, over force times path
   double largestForce = 0.0;  ///< N
   double largestStep = 0.0;   ///< N, between two ticks with a force
-  double largestExcess = 0.0; ///< N, beyond what is allowed
+  double largestExcess = 0.0; ///< N, beyond the tolerance
   double nearest = 0.0;       ///< largest ratio of the difference from the model to its tolerance
 };
 
