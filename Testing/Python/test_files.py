@@ -356,7 +356,7 @@ class Nifti(Files):
             # Stored as integers: an error of at most 1.
             np.testing.assert_allclose(vtk_to_numpy(image.GetPointData().GetScalars()),
                                        (stored * scale[0] + scale[1]).ravel(order="F"), atol=1.01 * scale[0] + 1e-5)
-        image = self.image(nifti(lump(), scale=(0.0, 5.0)))         # a slope of 0 says that there is none
+        image = self.image(nifti(lump(), scale=(0.0, 5.0)))         # a slope of 0 means: not scaled
         np.testing.assert_array_equal(vtk_to_numpy(image.GetPointData().GetScalars()),
                                       lump().ravel(order="F").astype(np.float32))
 

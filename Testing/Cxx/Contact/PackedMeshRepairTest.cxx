@@ -104,7 +104,7 @@ TEST(PackedMeshRepair, ASoupIsJoined)
   EXPECT_EQ(count(mended.defects()), mended.defects().joinedPoints);
   EXPECT_EQ(mended.pointCount(), apart.points.size()); // each keeps its own response
   expectSame(mended, sound, 25.0);
-  // Each point of a position knows all triangles around it.
+  // Each point at a position is linked to all triangles around it.
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(mended.pointCount()); ++i)
   {
     int around = 0;

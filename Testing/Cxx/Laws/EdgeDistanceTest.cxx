@@ -342,8 +342,8 @@ TEST(EdgeDistance, SharpnessIsThatOfWedges)
   EXPECT_EQ(edgeSharpness(0.3, 3.0), edgeSharpness(0.3, 2.0 * Pi / 3.0));
 }
 
-/// A step up with a ridge on it hides nothing from below: there is body under the ridge at its
-/// foot.
+/// A step up with a ridge on it. For a point at its foot the ridge is no edge, since there is body
+/// under the ridge.
 TEST(EdgeDistance, WhatRisesAboveTheSurfaceIsNoneForIt)
 {
   constexpr double rise = 6.0; // mm; a slope of 45° from x = 20 on, its ridge, and a vertical drop

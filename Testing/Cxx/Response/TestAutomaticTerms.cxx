@@ -87,7 +87,7 @@ void checkMore()
 }
 
 /// A term is kept if its removal would raise the stated error, even if it hardly changes the force.
-/// At nu = 0.49 the law of a cone has a small error, but small strain does not know that.
+/// At nu = 0.49 the law of a cone has a small error, but small strain does not predict that.
 void checkErrorStays()
 {
   const Body body = planeBody(40.0, 4);

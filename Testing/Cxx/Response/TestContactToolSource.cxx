@@ -100,7 +100,7 @@ void checkShapes()
     // the space under a profile f is 2π ∫ f r dr
     { "truncated:1,60", 8.0, pi * 64.0 * Length - 2.0 * pi * cot60 * (511.0 / 3.0 - 63.0 / 2.0) },
     { "blunted:4,60", 8.0,
-      // a spherical cap of 4 mm to r = 2, then the cone whose apex lies 4 (1/sin 60° - 1) below
+      // a spherical cap of 4 mm to r = 2, then the cone with its apex 4 (1/sin 60° - 1) below
       pi * 64.0 * Length -
         (2.0 * pi * (2.0 * 4.0 - (64.0 - std::pow(12.0, 1.5)) / 3.0) +
           2.0 * pi * (cot60 * 504.0 / 3.0 - 4.0 * (2.0 / std::sqrt(3.0) - 1.0) * 60.0 / 2.0)) },

@@ -64,7 +64,7 @@ Body slab()
 }
 
 /// In a history the contact stays on the side of entry, even beyond the other face; a single query
-/// takes the nearer side. Columns: tip z, depth of the history, sign of the force of both.
+/// takes the nearer side.
 void checkSlab()
 {
   const Body body = slab();

@@ -40,7 +40,7 @@ public:
   {
     double depth = 0.0;               ///< below the surface, mm; negative above it
     Vector3 normal = Vector3::Zero(); ///< the three point normals blended, unit
-    double modulus = 0.0;             ///< likewise, MPa
+    double modulus = 0.0;             ///< blended in the same way, MPa
   };
   /// All points that are as near as the nearest to within NearestTolerance; at least one.
   std::vector<Touch> touch(const Vector3& tip) const;

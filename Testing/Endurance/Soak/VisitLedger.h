@@ -20,7 +20,7 @@ public:
   /// mm. Trapezoids are too coarse for a longer path in one tick, as after a late reading.
   static constexpr double LongestStep = 0.2;
 
-  /// Discards the visit; a new one starts when the tip is outside. For ticks that were not seen.
+  /// Discards the visit; a new one starts when the tip is outside. For missed ticks.
   void lose() noexcept { this->IsOpen = false; }
   /// Adds the force on the tip, N, at `tip`, mm. True if a visit ends.
   bool move(const Eigen::Vector3d& tip, const Eigen::Vector3d& force, bool isOutside) noexcept

@@ -117,7 +117,7 @@ class TestFiles(unittest.TestCase):
                 np.testing.assert_allclose(depth[dragged], case.depth, rtol=1e-5)
                 self.assertLess(np.abs(reach).max(), case.reach * (1 + 1e-5) + 1e-12)
                 self.assertTrue(np.all(np.diff(normal[~dragged]) > 0))
-                # Either the path is complete, or the file says that it is not.
+                # Either the path is complete, or the file states that it is not.
                 whole = slide.finished(case, [(row["leg"], d, x) for row, d, x in zip(rows, depth, reach)])
                 self.assertEqual(whole, "# end: of the way\n" in head)
                 self.assertTrue(whole or "gave up here\n" in head)

@@ -57,7 +57,7 @@ private:
 
   double Credit;
   std::vector<Eigen::Vector3d> Pending;
-  std::size_t Next = 0; ///< index of the force that acts now, after the call of told() in this tick
+  std::size_t Next = 0; ///< index of the force that acts now, once the force of this tick is set
   bool HasPlace = false;
   Eigen::Vector3d Place = Eigen::Vector3d::Zero();
   double Work = 0.0;

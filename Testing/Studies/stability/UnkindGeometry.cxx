@@ -100,7 +100,7 @@ double generated(const std::shared_ptr<const ContactBody>& body, const ContactSe
 }
 
 /// The tip goes down at the softest place of a varying response, at constant depth to the stiffest,
-/// up, and back outside. Energy put in at one place comes out at the other.
+/// up, and back outside. Energy put in at one place is returned at the other.
 std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
 {
   Vector3 softest = Vector3::UnitX();

@@ -145,7 +145,7 @@ TEST(FiniteBody, StoresASymmetricCompliance)
   for (const FiniteBodyPointer& body : { plate(), layer() })
   {
     const Eigen::MatrixXd& matrix = body->compliance();
-    EXPECT_LT(body->asymmetry(), 1e-9); // midpoint rule at a distance of 0.5
+    EXPECT_LT(body->asymmetry(), 1e-9); // Betti; rounding times the condition
     // A column found by symmetry equals its direct solution.
     const int node = body->side() + 2;
     const Eigen::VectorXd solved = body->solve(Eigen::VectorXd::Unit(body->windowNodes(), node));
