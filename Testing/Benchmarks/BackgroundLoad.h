@@ -7,32 +7,32 @@
 
 namespace palpate::benchmarks
 {
-/// What the machine has to do beside a servo thread.
+/// Work for the machine in addition to a servo thread.
 class BackgroundLoad
 {
 public:
   virtual ~BackgroundLoad() = default;
-  /// Returns after so many seconds, or a little more.
+  /// Runs the load and returns after `seconds` s or a little more.
   virtual void runFor(double seconds) = 0;
-  /// One word: idle, rendering, memory.
+  /// Short name in one word: idle, rendering, memory.
   virtual std::string name() const = 0;
-  /// What that is, for a person.
+  /// Description of the load for a reader.
   virtual std::string describe() const = 0;
 };
 
 /// Sleeps.
 std::unique_ptr<BackgroundLoad> makeIdleLoad();
 
-/// A thread on every processor that reads through memory three times as large as the last cache.
+/// One thread per processor reads through memory three times as large as the last cache.
 std::unique_ptr<BackgroundLoad> makeMemoryLoad();
 
-/// VTK draws a body of 200 thousand triangles off screen, one frame after the other: in the calling
-/// thread, in those of the OpenGL library, and, from the first run until it is destroyed, in a
-/// process for every further processor, because one drawing does not keep all of them at work. Null
-/// where there is no display for it (DISPLAY).
+/// VTK draws a body of 200 thousand triangles off screen, one frame after the other, in the calling
+/// thread and in those of the OpenGL library. One drawing does not keep all processors busy. So one
+/// process per further processor draws as well, from the first run until the load is destroyed.
+/// Null if there is no display (DISPLAY).
 std::unique_ptr<BackgroundLoad> makeRenderLoad();
 
-/// What such a process is to do: this program, called with DrawOption. Ends with its parent.
+/// The work of such a process: this program, called with DrawOption. It ends with its parent.
 extern const char* const DrawOption;
 [[noreturn]] void drawForEver();
 } // namespace palpate::benchmarks

@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-/// Filters run on two threads of the STDThread back end: the one every VTK has, and the cores of
-/// the machine the targets were set on.
+/// Filters run on two threads of the STDThread back end. Every VTK has this back end, and the
+/// machine on which the targets were set has two cores.
 int main(int argc, char* argv[])
 {
   benchmark::Initialize(&argc, argv);

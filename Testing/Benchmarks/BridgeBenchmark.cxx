@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a bridge adds: from a force written to the first state that acknowledges it, at 1 kHz, by
-// BridgeDevice and a program that answers at once, over a Unix and a UDP socket; beside 64 bytes
-// sent and returned over the same kind of bare socket, in the same run. See README.md.
+// The delay of a bridge, from a written force to the first state that acknowledges it, at 1 kHz:
+// BridgeDevice with a program that answers at once, over a Unix and a UDP socket. The same run
+// measures 64 bytes sent and returned over the same kind of bare socket. See README.md.
 #include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/RealTimeGrant.h"
 
@@ -41,11 +41,11 @@ union Name
   sockaddr_in udp;
 };
 
-/// A bound datagram socket, and the program behind it: what comes is answered at once, in a thread.
+/// A bound datagram socket with its program: a thread answers each datagram at once.
 class Answering
 {
 public:
-  /// `path` empty: UDP on a free port of the loopback address.
+  /// An empty `path` selects UDP on a free port of the loopback address.
   Answering(const std::string& path, bool bare)
     : Path(path)
     , Bare(bare)
@@ -204,7 +204,7 @@ Times throughBridge(const std::string& path, int ticks)
   }
   const auto seconds = [begin = Clock::now()]
   { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  while (!device->read(seconds()).valid) // the state that comes with the second greeting
+  while (!device->read(seconds()).valid) // the state comes with the second greeting
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -12,8 +12,8 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// Of the first processor, as the kernel tells it (sysconf counts the caches of a whole package);
-/// 0 where it does not.
+/// Size of the last-level cache of the first processor, as reported by the kernel (sysconf counts
+/// the caches of a whole package). 0 if it is not reported.
 std::size_t lastLevelBytes()
 {
   std::ifstream file("/sys/devices/system/cpu/cpu0/cache/index3/size");
@@ -38,7 +38,7 @@ CacheFlush::CacheFlush()
   madvise(memory, this->Bytes, MADV_NOHUGEPAGE);
 #endif
   this->Buffer = static_cast<unsigned char*>(memory);
-  std::memset(this->Buffer, 1, this->Bytes); // pages of its own, not the one page of zeros
+  std::memset(this->Buffer, 1, this->Bytes); // pages of its own, not the shared page of zeros
 }
 
 CacheFlush::~CacheFlush()

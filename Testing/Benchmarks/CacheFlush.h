@@ -8,10 +8,10 @@
 namespace palpate::benchmarks
 {
 /**
- * Drives everything else out of the caches by reading through three times the last level, in 4 KiB
- * pages, so that the translations of addresses are driven out as well: what a renderer does to a
- * servo tick between two milliseconds. (After twice the last level, on the machine the targets were
- * set on, a good part of the former contents was still there.)
+ * Evicts all other data from the caches: it reads through three times the size of the last level,
+ * in pages of 4 KiB, so that address translations are evicted as well. A renderer has this effect
+ * between two ticks at 1 kHz. (After a read of twice the last level, much of the former contents
+ * was still in the cache on the machine on which the targets were set.)
  */
 class CacheFlush
 {

@@ -12,14 +12,15 @@
 namespace palpate::benchmarks
 {
 /**
- * Times single calls of some ten nanoseconds: counts of the processor's time stamp, fenced so that
- * no work of the call is done outside; elsewhere the steady clock. Reading touches no memory, so
- * that it is the same with cold caches. What an empty call costs is measured once and subtracted.
+ * Times single calls of about ten nanoseconds. It counts the processor's time stamp, with fences so
+ * that no work of the call runs outside the measurement; on other processors it uses the steady
+ * clock. A reading touches no memory, so its cost is the same with cold caches. The cost of an
+ * empty call is measured once and subtracted.
  */
 class CallClock
 {
 public:
-  /// Measures, for 0.1 s, the length of a count and the cost of a reading.
+  /// Measures the length of a count and the cost of a reading; takes 0.1 s.
   CallClock();
 
   static std::uint64_t start() noexcept
@@ -47,14 +48,14 @@ public:
 #endif
   }
 
-  /// Nanoseconds of a call that took so many counts, without the cost of reading.
+  /// Duration of a call that took `counts` counts, ns, without the cost of reading.
   double nanoseconds(std::uint64_t counts) const noexcept
   {
     return counts > this->Overhead
       ? static_cast<double>(counts - this->Overhead) * this->NanosecondsPerCount
       : 0.0;
   }
-  /// Cost of a reading, and the step in which the clock advances, ns.
+  /// Cost of a reading or the step of the clock, ns.
   double step() const noexcept
   {
     return static_cast<double>(this->Step) * this->NanosecondsPerCount;

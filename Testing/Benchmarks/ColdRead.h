@@ -7,9 +7,9 @@
 
 namespace palpate::benchmarks
 {
-/// What one read of a line costs that is in no cache, median, ns: the yardstick of this machine, at
-/// this hour, for a cold tick. In 64 MiB of pages of 2 MiB, if the system grants them, and of 4
-/// KiB.
+/// Median cost of one read of a cache line that is in no cache, ns: the reference of this machine,
+/// at this time, for a cold tick. Measured in 64 MiB, in pages of 2 MiB, if the system provides
+/// them, and in pages of 4 KiB.
 struct ColdRead
 {
   double largePages;

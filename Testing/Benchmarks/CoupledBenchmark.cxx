@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs a tick that N tools feel one another, beside N that do not: led over a plate of 60
-// mm (20 thousand triangles) 1 mm deep, on a half-space and on a layer.
+// The cost of a tick for N coupled tools compared with N uncoupled ones. They move over a plate of
+// 60 mm (20 thousand triangles) at a depth of 1 mm, on a half-space and on a layer.
 #include "CoupledPlate.h"
 
 #include "Contact/Coupled/CoupledContacts.h"
@@ -41,7 +41,7 @@ const ContactBody& bodyOf(Kind kind)
   return *bodies[kind];
 }
 
-/// Where tool i is, 0.1 mm on at each tick.
+/// Pose of tool i. It moves by 0.1 mm per tick.
 ToolPose poseOf(std::size_t i, long tick)
 {
   const double along = 0.1 * static_cast<double>(std::abs(tick % 80 - 40));

@@ -8,7 +8,7 @@
 namespace palpate::benchmarks
 {
 /// The bumpy sphere of the other benchmarks (Testing/Cxx/Contact/BumpySphere.h) as VTK draws it,
-/// with point normals, of about so many triangles.
+/// with point normals and about `triangles` triangles.
 vtkSmartPointer<vtkPolyData> drawnBody(double triangles);
 } // namespace palpate::benchmarks
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs a tick to feel sharp edges: a tip led over a block of 40 mm (200 thousand
-// triangles), with edges felt and without, in the middle where they are out of reach, beside one,
-// and beside a blunt one (a hexagonal prism's).
+// The cost of sharp edges in a tick. A tip moves over a block of 40 mm (200 thousand triangles)
+// with and without the edge law: in the middle, out of reach of the edges; near an edge; and near a
+// blunt edge (of a hexagonal prism).
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
 #include "Contact/ToolContact.h"
@@ -43,13 +43,13 @@ std::unique_ptr<ContactBody> makeBody(Place place, bool hasEdges)
   if (hasEdges)
   {
     arrays.edges = sphereOverEdges();
-    arrays.edges.extent = 9.0; // as on a layer of 7 mm; the middle is 20 mm away
+    arrays.edges.extent = 9.0; // as on a layer of 7 mm; the middle is 20 mm from the edges
   }
   return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-/// 1 mm deep, 0.1 mm per tick, along z and back.
+/// The tip is 1 mm deep and moves back and forth along z, 0.1 mm per tick.
 void tick(benchmark::State& state)
 {
   const auto place = static_cast<Place>(state.range(0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree's point query over its tree of boxes. It finds the triangles within a radius and leaves
-// their distance to the caller; the radius is that to the point found last, which is on the body.
+// Embree's point query over its tree of boxes. The query finds the triangles within a radius and
+// leaves their distance to the caller. The radius is the distance to the point found last, which is
+// on the body.
 #include "TimedMethod.h"
 
 #ifdef PALPATE_WITH_EMBREE
@@ -17,7 +18,7 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// The query's own numbers are floats: a tip 100 mm out and about 1 mm deep is off by 1e-5.
+/// Embree's query uses floats. For a tip 100 mm out and about 1 mm deep the error is 1e-5.
 constexpr double RoundUp = 2e-5;
 
 class EmbreePoint
@@ -90,7 +91,7 @@ private:
     double squaredDistance;
   };
 
-  /// A triangle within the radius; true if it made the radius smaller.
+  /// Checks a triangle within the radius; true if it reduced the radius.
   static bool consider(RTCPointQueryFunctionArguments* arguments)
   {
     Search& search = *static_cast<Search*>(arguments->userPtr);

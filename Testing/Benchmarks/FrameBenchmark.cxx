@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the dent adds to a frame: a scene with a moving contact, its body drawn without a dent, with
-// one in the vertex shader, and with one computed point by point. See README.md.
+// The cost of the dent in a frame: a scene with a moving contact whose body is drawn without a
+// dent, with a dent in the vertex shader, and with a dent computed point by point. See README.md.
 #include "BumpySphere.h"
 #include "DrawnBody.h"
 #include "FrameScenes.h"
@@ -27,8 +27,8 @@ using palpate::Vector3;
 
 constexpr double Depth = 1.0;  // mm
 constexpr double Step = 1.0;   // mm from frame to frame
-constexpr int WarmUp = 3;      // frames that are not counted: shaders, buffers
-constexpr double Budget = 1.5; // s that a path may take longer than its share
+constexpr int WarmUp = 3;      // uncounted frames, for shaders and buffers
+constexpr double Budget = 1.5; // s by which the total time of a path may exceed that of the first
 constexpr std::size_t Contacts = 1000;
 
 struct Options
@@ -82,8 +82,8 @@ vtkSmartPointer<vtkPolyData> contactsWith(vtkPolyData* body)
   return probe->GetOutput();
 }
 
-/// One row per path. They take turns frame by frame, so that what else the machine does meets all;
-/// a path that is slower than the others' time draws fewer frames.
+/// One row per path. The paths take turns frame by frame, so that other work of the machine affects
+/// all of them. A path that has become too slow (Budget) draws fewer frames.
 std::vector<Row> runBody(double triangles, int frames)
 {
   const auto body = withResponse(drawnBody(triangles));
@@ -100,7 +100,7 @@ std::vector<Row> runBody(double triangles, int frames)
   {
     for (std::size_t turn = 0; turn < scenes.size(); ++turn)
     {
-      // Each goes first as often as the others.
+      // Each path is the first of a turn equally often.
       const std::size_t i = (turn + static_cast<std::size_t>(frame + WarmUp)) % scenes.size();
       if (frame > 0 && spent[i] > spent[0] + Budget)
       {

@@ -21,7 +21,7 @@ constexpr int Height = 768;
 constexpr double View[3] = { 0.3, -1.0, 0.5 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// The body as a user of VTK would draw it: its normals, and a scalar through the same legend.
+/// The body as a VTK user would draw it: with its normals and a scalar through the same legend.
 vtkNew<vtkActor> plainActor(vtkPolyData* body, vtkScalarsToColors* colors)
 {
   vtkNew<vtkPolyData> drawn;
@@ -67,7 +67,7 @@ FrameScene::FrameScene(FramePath path, vtkPolyData* body, vtkPolyData* probed)
   this->Scene->LookAtBody(View, Up);
   if (path == FramePath::Plain)
   {
-    vtkNew<vtkPolyData> nothing; // the scene's own body takes no part
+    vtkNew<vtkPolyData> nothing; // hides the scene's own body
     this->Scene->SetBody(nothing);
     this->Scene->GetBodyActor()->VisibilityOff();
     this->Renderer->AddActor(plainActor(body, this->Scene->GetLegend()->GetLookupTable()));

@@ -13,24 +13,24 @@
 
 namespace palpate::benchmarks
 {
-/// How the body of a scene is drawn. Everything else in it is the same.
+/// How the body of a scene is drawn. The rest of the scene is the same.
 enum class FramePath
 {
-  Plain,  ///< undisturbed, by VTK's own mapper, in the colours of the legend
+  Plain,  ///< without the dent, by VTK's own mapper, in the colours of the legend
   Shader, ///< with the dent, in the vertex shader
   Filter  ///< with the dent, by vtkContactDeflection
 };
 
 std::string nameOf(FramePath path);
 
-/// A window, off screen, with a scene whose contact moves.
+/// An off-screen window with a scene whose contact moves.
 class FrameScene
 {
 public:
-  /// `probed`: contacts of a probe with `body`, which has responses.
+  /// `probed`: contacts of a probe with `body`. `body` must have responses.
   FrameScene(FramePath path, vtkPolyData* body, vtkPolyData* probed);
 
-  /// Seconds that one frame takes, from the contact to the finished picture.
+  /// Draws one frame. Returns the seconds from the new contact to the finished picture.
   double draw(vtkIdType contact);
 
   FramePath path() const { return this->Path; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Palpate's own rows of the benchmark: the only file of it that knows the kernel's classes.
+// Palpate's own methods of the benchmark. Only this file of the benchmark uses the kernel's
+// classes.
 #include "BumpySphere.h"
 #include "Contact/ContactBody.h"
 #include "Haptics/Safety/SafetyLinks.h"
@@ -16,10 +17,10 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// Below the 10 N of a tip 1 mm deep, so that the limit is at work in every tick.
+/// Less than the 10 N of a tip 1 mm deep, so that the limit acts in every tick.
 constexpr double MaximumForce = 8.0;
 
-/// Friction as it is by default, elasto-plastic: after the first tenths of a millimetre it slides.
+/// Default friction, elasto-plastic: the contact slides after the first tenths of a millimetre.
 ContactSettings withFriction()
 {
   ContactSettings settings;
@@ -27,7 +28,7 @@ ContactSettings withFriction()
   return settings;
 }
 
-/// Depth of a tick; NaN if it did not feel what it should.
+/// Depth of a tick; NaN if its contact is not as expected.
 double depthFelt(const Contact& contact, const Vector3& sent)
 {
   const bool slides = contact.state == ContactState::Slide && contact.friction.norm() > 0.0;
@@ -36,8 +37,7 @@ double depthFelt(const Contact& contact, const Vector3& sent)
   return inContact && limited ? contact.deflection : std::nan("");
 }
 
-/// Tip in, limited force out.
-/// One that goes on, or a contact begun anew in each call.
+/// From the tip to the limited force. The contact continues, or each call starts a new one (Onset).
 template <bool Onset>
 class PalpateTick
 {
@@ -65,7 +65,7 @@ public:
     answer.sent = this->Limit.limit(answer.contact.force);
     return answer;
   }
-  /// Also what a loop does once the force is sent.
+  /// Also includes foresee(), which a loop calls after the force is sent.
   double distance(const Vector3* /*tips*/, const Answer& answer) const
   {
     this->Touch.foresee();
@@ -78,8 +78,8 @@ private:
   ForceLimit Limit{ MaximumForce };
 };
 
-/// Device sample in, force for the device out, with the whole safety chain of a device that allows
-/// as much force.
+/// From the device sample to the force for the device, with the whole safety chain. The device
+/// allows the same force.
 class PalpateServo
 {
 public:
@@ -101,11 +101,11 @@ public:
     return sample;
   }
   Tick operator()(const Sample& sample) { return this->Servo.step(sample.device, sample.time); }
-  /// Also what a loop does once the force is sent.
+  /// Also includes foresee(), which a loop calls after the force is sent.
   double distance(const Vector3* /*tips*/, const Tick& tick) const
   {
     this->Servo.foresee();
-    // The chain's control may hold some of the force back.
+    // The passivity control of the chain may withhold some of the force.
     const double force = tick.deviceForce.norm();
     const bool isSent = force > 0.0 && force < (1.0 + 1e-9) * MaximumForce;
     return isSent ? tick.contact.deflection : std::nan("");
@@ -115,11 +115,11 @@ public:
 private:
   static std::unique_ptr<ServoScene> sceneOn(const ContactBody& body)
   {
-    const std::shared_ptr<void> nobody; // the body outlives its methods
+    const std::shared_ptr<void> nobody; // no owner: the body outlives its methods
     return std::make_unique<ServoScene>(
       std::shared_ptr<const ContactBody>(nobody, &body), withFriction());
   }
-  /// The links at work but gate and slew limit, which keep back the first force of a path.
+  /// All links act except gate and slew limit, which would withhold the first force of a path.
   static SafetySettings safety()
   {
     SafetySettings settings;
@@ -133,7 +133,7 @@ private:
   double Time = 0.0;
 };
 
-/// As many histories on one body.
+/// One contact history per tip, all on one body.
 class PalpatePatch
 {
 public:
@@ -142,7 +142,7 @@ public:
   {
   }
   using Input = std::array<Vector3, PatchTips>;
-  /// Its force is what a tick is for; the rest of each tip is kept for the check.
+  /// The force is the result of a tick. The data of each tip are kept for the check.
   struct Answer
   {
     Vector3 force = Vector3::Zero();
@@ -185,7 +185,7 @@ private:
   std::vector<PalpateTick<false>> Contacts;
 };
 
-/// The contact point alone, followed or found anew.
+/// Only the search of the contact point: followed, or new in each call (Onset).
 template <bool Onset>
 class PalpatePoint
 {
@@ -236,7 +236,7 @@ std::unique_ptr<ContactBody> makePalpateBody(
 std::unique_ptr<ContactBody> makeCompactBody(
   const testing::Surface& surface, const testing::ResponseStore& responses, int laws)
 {
-  // The law of all points, in equal parts; more than one are felt with different weights.
+  // The law of all points, split into equal laws. Several laws get different weights per point.
   ResponseArrays arrays = responses.arrays();
   const auto columns = static_cast<std::size_t>(arrays.samples);
   const auto count = static_cast<std::size_t>(laws);

@@ -41,7 +41,7 @@ public:
     this->Window->SetOffScreenRendering(1);
     this->Window->SetSize(1280, 1024);
     this->Window->AddRenderer(this->Renderer);
-    this->draw(); // makes the window, compiles the shaders
+    this->draw(); // creates the window, compiles the shaders
   }
   void draw()
   {
@@ -55,7 +55,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-/// This program once more, drawing.
+/// A second process of this program that draws.
 class DrawingProcess
 {
 public:
@@ -120,7 +120,7 @@ void drawForEver()
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   Drawing drawing;
-  while (getppid() != 1) // the parent may have ended before it was asked for
+  while (getppid() != 1) // the parent may have ended before the request to end with it
   {
     drawing.draw();
   }

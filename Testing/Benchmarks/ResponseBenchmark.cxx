@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkToolContactResponse on two million points, into memory that is new each time, beside the time
-// to clear as much new memory in the same run. The floor is not 1: the filter also reads points,
-// normals and triangles, `read_MB`.
+// vtkToolContactResponse on two million points, into new memory each time, compared with the time
+// to clear the same amount of new memory in the same run. The ratio cannot reach 1: the filter also
+// reads points, normals and triangles, `read_MB`.
 #include "ProcessMemory.h"
 
 #include "vtkCellArray.h"
@@ -101,7 +101,7 @@ double secondsOf(const Work& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The arrays of the filter's output, as sizes: n forces, n stiffnesses, normal, range, validity,
+/// Sizes of the output arrays of the filter: n forces, n stiffnesses, normal, range, validity,
 /// status, limit.
 std::vector<std::size_t> outputSizes()
 {
@@ -110,13 +110,14 @@ std::vector<std::size_t> outputSizes()
     points };
 }
 
-/// Gives freed memory back, so that what is allocated next is new.
+/// Returns freed memory to the system, so that the next allocation gets new pages.
 void forgetFreedMemory()
 {
   malloc_trim(0);
 }
 
-/// Clears as many bytes, allocated one by one as the filter does, on one thread.
+/// Time to clear the same memory on one thread. The arrays are allocated one by one, as in the
+/// filter.
 double clearSeconds()
 {
   forgetFreedMemory();
@@ -137,7 +138,7 @@ double clearSeconds()
   return seconds;
 }
 
-/// `array`: which array to process the filter is given, and its name; an empty name for none.
+/// The array to process that the filter gets: its index and its name; an empty name for none.
 struct Given
 {
   int index = 0;
@@ -153,7 +154,7 @@ void response(benchmark::State& state, const Given& given)
   tool->SetSpecification(given.tool);
   double filterSeconds = 0.0;
   double clearing = 0.0;
-  double peak = 0.0; // bytes above what was in use before
+  double peak = 0.0; // bytes in addition to those in use before
   for (auto _ : state)
   {
     vtkNew<vtkToolContactResponse> filter;
@@ -210,13 +211,13 @@ void ResponseOfComplianceArray(benchmark::State& state)
 {
   response(state, { 2, "C" });
 }
-/// A layer of its own thickness at each point, 2 to 12 mm.
+/// A layer whose thickness differs at each point, 2 to 12 mm.
 void ResponseOfThicknessArray(benchmark::State& state, const char* tool)
 {
   response(state, { 1, "h", tool });
 }
-/// Two layers, each of a thickness of its own at each point, 2 to 12 and 2 to 18 mm. Its peer is
-/// the layer of the same tool.
+/// Two layers whose thicknesses differ at each point, 2 to 12 and 2 to 18 mm. Compare with the
+/// layer of the same tool.
 void ResponseOfStack(benchmark::State& state, const char* tool)
 {
   response(state, { 1, "h", tool, true });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a response costs that knows its error, the body's curvature and finite strain, beside the
-// plain one in the same run: a ball of 498,002 points, sphere of 6.35 mm, 1 mm.
+// The cost of a response with its error, the body's curvature and finite strain, compared with the
+// plain response in the same run: a ball of 498,002 points, sphere of 6.35 mm, 1 mm.
 #include "vtkContactTool.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -12,7 +12,7 @@
 
 namespace
 {
-/// With its own normals, 80 mm. Built once.
+/// A sphere of 80 mm with its own normals. Built once.
 vtkPolyData* ball()
 {
   static const vtkNew<vtkSphereSource> source;
@@ -66,7 +66,7 @@ void TermsCurvature(benchmark::State& state)
 {
   response(state, { 0.0, true });
 }
-/// What nobody has to ask for.
+/// The default terms of the filter.
 void TermsErrorCurvature(benchmark::State& state)
 {
   response(state, { 0.05, true });

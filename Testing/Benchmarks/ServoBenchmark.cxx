@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How late the servo thread wakes up and how long its ticks take, at several rates, with nothing
-// else to do and beside a renderer, scheduled as any thread and by SCHED_FIFO in turns. A hand
-// slides about 1 mm deep along a bumpy sphere. See README.md.
+// The wake-up delay of the servo thread and the duration of its ticks, at several rates, on an idle
+// machine and during rendering. Normal scheduling and SCHED_FIFO take turns. A hand slides about 1
+// mm deep along a bumpy sphere. See README.md.
 #include "BackgroundLoad.h"
 #include "BumpySphere.h"
 #include "Contact/ContactBody.h"
@@ -27,11 +27,12 @@ using namespace palpate::benchmarks;
 using palpate::testing::Surface;
 
 constexpr double Triangles = 200e3;
-constexpr double Depth = 1.0;       // mm
-constexpr double Speed = 100.0;     // mm/s
-constexpr int OutsideTicks = 20;    // enters from outside, as the safety chain asks for
-constexpr double SliceTime = 1.0;   // s: the two schedulings take turns this long
-constexpr double Rehearsal = 50e-6; // s, of SCHED_FIFO: twice what waking up takes at most
+constexpr double Depth = 1.0;    // mm
+constexpr double Speed = 100.0;  // mm/s
+constexpr int OutsideTicks = 20; // the device starts outside the body, as the safety chain requires
+constexpr double SliceTime =
+  1.0; // s; the two scheduling policies alternate in slices of this length
+constexpr double Rehearsal = 50e-6; // s of SCHED_FIFO: twice the longest wake-up time
 
 struct Options
 {
@@ -42,7 +43,7 @@ struct Options
   bool quick = false;
 };
 
-/// A hand that winds around the body, there and back, over and over.
+/// A hand that winds around the body and back, again and again.
 class WindingDevice final : public HapticDevice
 {
 public:
@@ -59,7 +60,7 @@ public:
     const std::size_t turn = tick % (2 * TipCount);
     const Vector3& tip = this->Tips[turn < TipCount ? turn : 2 * TipCount - 1 - turn];
     DeviceSample sample;
-    // 2 % farther out it is outside of a body whose bumps are 1 % of it.
+    // At 2 % more distance the tip is outside the body: its bumps are 1 % of the radius.
     sample.position = (this->Reads < OutsideTicks ? 1.02e-3 : 1e-3) * tip;
     sample.valid = true;
     return sample;
@@ -69,7 +70,7 @@ public:
     this->Pressed += force.isZero() ? 0 : 1;
     return true;
   }
-  /// Ticks with a force; to be read while no loop runs.
+  /// Number of ticks with a force. Read it only while no loop runs.
   std::uint64_t Pressed = 0;
 
 private:
@@ -89,7 +90,7 @@ std::shared_ptr<const ContactBody> makeBody()
   return testing::contactBody(surface, responses);
 }
 
-/// A loop and its device, which takes turns with others.
+/// A loop and its device. Runners take turns.
 struct Runner
 {
   Runner(const std::shared_ptr<const ContactBody>& body, double rate, int priority,
@@ -115,7 +116,7 @@ struct Runner
     settings.realTime = { priority, true };
     return settings;
   }
-  /// False if the system did not grant what was asked for.
+  /// False if the system refused the requested scheduling.
   bool runBeside(BackgroundLoad& load, double seconds)
   {
     const std::string fault = this->loop.start();
@@ -136,7 +137,7 @@ struct Runner
   ServoLoop loop;
 };
 
-/// Since the machine was started, of all processors together, in the kernel's own unit of time.
+/// Sum over all processors since the start of the machine, in the time unit of the kernel.
 struct ProcessorTime
 {
   double all = 0.0;
@@ -147,7 +148,7 @@ ProcessorTime processorTime()
 {
   constexpr int Idle = 3;
   constexpr int IdleForInput = 4;
-  constexpr int Stolen = 7; // the fields after it are part of the first two
+  constexpr int Stolen = 7; // the fields after it are included in the first two
   ProcessorTime time;
   std::ifstream file("/proc/stat");
   std::string name;
@@ -161,7 +162,8 @@ ProcessorTime processorTime()
   return time;
 }
 
-/// The rows of one rate under one load. Appends to `rows`; false if a loop felt nothing.
+/// Measures the rows of one rate under one load and appends them to `rows`. False if a loop had no
+/// contact.
 bool runRate(const std::shared_ptr<const ContactBody>& body, double rate, BackgroundLoad& load,
   double seconds, std::vector<ServoRow>& rows)
 {

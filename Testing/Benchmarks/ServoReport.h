@@ -9,7 +9,7 @@
 
 namespace palpate::benchmarks
 {
-/// One rate under one load with one scheduling.
+/// Results of one rate under one load with one scheduling policy.
 struct ServoRow
 {
   double rate;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it brings to walk CHOLMOD's supernodes along the paths of the loads, beside CHOLMOD's own
-// forward solution of blocks of as many loads (`ratio` to it, of the same run, in one thread): for
-// one load and for those of a face of a block of 31 × 31 × 31 hexahedra, 95 thousand unknowns.
+// The gain of a walk over CHOLMOD's supernodes along the paths of the loads, compared with
+// CHOLMOD's own forward solution of blocks with the same number of loads (`ratio` to it, in the
+// same run, in one thread): for one load and for those of a face of a block of 31 × 31 × 31
+// hexahedra, 95 thousand unknowns.
 //
 //   OPENBLAS_NUM_THREADS=1 palpateBenchmarks --benchmark_filter=CompliancesOfLoads
 //
-// One load: 151 ms, CHOLMOD 446, ratio 2.9. 900 loads: 10.8 s, CHOLMOD 70.7, ratio 6.6 (2.8 GHz, a
-// build beside).
+// One load: 151 ms, CHOLMOD 446, ratio 2.9. 900 loads: 10.8 s, CHOLMOD 70.7, ratio 6.6 (2.8 GHz,
+// with a build running at the same time).
 #include "Solids/FiniteElements/StiffnessFactor.h"
 #include "Mechanics/ThreadCount.h"
 
@@ -24,15 +25,15 @@ namespace
 using namespace palpate;
 
 constexpr int Side = 31;
-constexpr std::size_t Block = 64; // loads, as StiffnessFactor takes them
+constexpr std::size_t Block = 64; // loads per block, as StiffnessFactor takes them
 
 double now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A stiffness matrix, factorised by both, and loads on the nine nodes around each of its upper
-/// face.
+/// A stiffness matrix with both factorisations, and loads on the nine nodes around each node of its
+/// upper face.
 struct Problem
 {
   StiffnessMatrix stiffness;
@@ -92,7 +93,7 @@ struct Problem
   }
 };
 
-/// |L⁻¹ P b|² by CHOLMOD's own solution, which goes over all of L for each block.
+/// |L⁻¹ P b|² by the solver of CHOLMOD, which passes over all of L for each block.
 std::vector<double> byCholmod(Problem& problem, const std::vector<SparseLoad>& loads)
 {
   const auto n = problem.factor->n;

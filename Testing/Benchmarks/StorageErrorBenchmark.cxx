@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much is lost by storing a curve in 8 samples: through the filter's arrays and the evaluation
-// that the servo tick uses, against the law itself (E* = 3.45 MPa, range 2 mm). The time is that of
-// one evaluation.
+// The error of a curve that is stored in 8 samples: through the filter's arrays and the evaluation
+// of the servo tick, against the law itself (E* = 3.45 MPa, range 2 mm). The time is that of one
+// evaluation.
 #include "Response/BodyConversion.h"
 #include "Mechanics/SeriesCompliance.h"
 #include "Mechanics/Tools/ToolSpecification.h"
@@ -26,7 +26,8 @@ constexpr double Modulus = 3.45;
 constexpr double Range = 2.0;
 constexpr int Probes = 10000;
 
-/// The stored response of one tool with one global compliance (mm/N), as the tick holds it.
+/// The stored response of one tool with one global compliance (mm/N), in the form that the tick
+/// uses.
 std::unique_ptr<palpate::ResponseField> store(const std::string& tool, double compliance)
 {
   vtkNew<vtkPoints> points;
@@ -60,7 +61,7 @@ std::unique_ptr<palpate::ResponseField> store(const std::string& tool, double co
   return palpate::makeResponseField(filter->GetOutput(), "Response", error);
 }
 
-/// Largest relative error of force between two depths, in parts of the range.
+/// Largest relative error of the force between two depths, given as fractions of the range.
 double largestError(const palpate::ResponseField& field, const palpate::AxisymmetricTool& law,
   double compliance, double from, double to)
 {

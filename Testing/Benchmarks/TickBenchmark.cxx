@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tick beside other ways to find a closest point, in one run: a tip slides about 1 mm deep along
-// a bumpy sphere, 0.1 mm per tick, over bodies of 20 thousand to 4 million triangles, with hot and
-// with cold caches. Answers are compared first; methods that disagree are not timed. See README.md.
+// A tick compared with other ways to find a closest point, in one run. A tip slides about 1 mm deep
+// along a bumpy sphere, 0.1 mm per tick, over bodies of 20 thousand to 4 million triangles, with
+// hot and with cold caches. The results are compared first; methods that disagree are not timed.
+// See README.md.
 #include "BumpySphere.h"
 #include "ColdRead.h"
 #include "Contact/ContactBody.h"
@@ -46,7 +47,7 @@ struct Options
   bool quick = false;
 };
 
-/// The tips of all calls: one per call, and a patch per call.
+/// The tips of all calls: one tip per call, and one patch of tips per call.
 struct Paths
 {
   std::vector<Vector3> single;
@@ -58,7 +59,7 @@ Paths makePaths(const Options& options)
   Paths paths;
   const std::size_t calls = options.hotCalls + TickTimer::UncountedCalls;
   paths.single = palpate::testing::windingTips(calls, Depth, Step);
-  // Ten tips across a finger of 10 mm, five along it.
+  // Ten tips across a finger of 10 mm and five along it.
   const std::size_t patches = options.hotCalls / 10 + TickTimer::UncountedCalls;
   paths.patch.reserve(PatchTips * patches);
   for (std::size_t i = 0; i < patches; ++i)
@@ -94,14 +95,14 @@ BuildCost costOf(const std::function<void()>& build)
   return { passed.count(), residentMegabytes() - before };
 }
 
-/// What is built for one size, and the methods on it.
+/// The bodies for one size and the methods on them.
 struct Field
 {
   std::unique_ptr<ContactBody> body;
   std::unique_ptr<ContactBody> shuffledBody;
   std::array<std::unique_ptr<ContactBody>, 2> compactBodies;
   std::vector<Contender> contenders; ///< destroyed before the bodies
-  std::size_t leaders = 0;           ///< Palpate's, which come first
+  std::size_t leaders = 0;           ///< number of Palpate's methods, which come first
 };
 
 BuildCost buildPalpate(const Surface& surface, std::unique_ptr<ContactBody>& body)
@@ -126,7 +127,8 @@ void addPalpate(Field& field, const Surface& surface, const Paths& paths)
   add("palpate-tick-50-tips", makePalpatePatch(*field.body), PatchTips);
 }
 
-/// Under responses in the compact form: one law for all points, and four combined at each.
+/// Adds methods on responses in the compact form: one law for all points, and four laws combined at
+/// each point.
 void addCompact(Field& field, const Surface& surface, const Paths& paths)
 {
   const ResponseStore responses = bumpyResponses(surface);
@@ -166,7 +168,8 @@ void addPeers(Field& field, const Surface& surface, const Paths& paths)
   add("vtk-static-point", makeVtkStaticPoint);
 }
 
-/// How far a point of the body may lie from where it was given, mm, in coordinates kept as floats.
+/// Largest distance of a point of the body from its given position, mm. The coordinates are stored
+/// as floats.
 double coordinateRounding(const Surface& surface)
 {
   double extent = 0.0;
@@ -192,8 +195,8 @@ std::vector<double> distances(const Contender& contender, std::size_t calls)
   return found;
 }
 
-/// What each call of a contender should find: the followed point's distance, or of several tips
-/// the sum over their points, found globally.
+/// The expected distance of each call of a contender: that of the followed point. For several tips
+/// it is the sum over their points, each found by a global search.
 std::vector<double> expectedDistances(
   const Contender& contender, const Field& field, std::size_t calls)
 {
@@ -213,10 +216,10 @@ std::vector<double> expectedDistances(
 }
 
 /**
- * Compares all methods with Palpate's followed point. Two that find the closest point of the whole
- * body, one with its points moved by at most the rounding of a float, differ in distance by no more
- * than that rounding; twice that where both keep floats. Where the followed contact were a local
- * minimum, it would be farther; 1 mm deep in this body there is none.
+ * Compares all methods with Palpate's followed point. Both find the closest point of the whole
+ * body. If one of them stores the points as floats, the distances differ by no more than that
+ * rounding; if both do, by twice the rounding. A followed contact in a local minimum would be
+ * farther away; at a depth of 1 mm this body has no local minimum.
  */
 bool agree(const Field& field, const Surface& surface, std::size_t calls)
 {
@@ -245,7 +248,7 @@ bool agree(const Field& field, const Surface& surface, std::size_t calls)
   return allAgree;
 }
 
-/// A tick on a small body of its own, which brings nothing of another body into the caches.
+/// A tick on a small separate body. It brings no data of another body into the caches.
 struct Rehearsal
 {
   Rehearsal()
@@ -259,7 +262,7 @@ struct Rehearsal
   std::unique_ptr<TimedMethod> tick;
 };
 
-/// The rows of one body, or none if the methods do not agree.
+/// The rows of one body; empty if the methods do not agree.
 std::vector<TickRow> timeBody(
   const Options& options, double triangles, const Paths& paths, TickTimer& timer)
 {
@@ -379,7 +382,7 @@ int main(int argc, char* argv[])
     options.coldCalls = cold->count() > 0 ? options.coldCalls : 100;
   }
 
-  // For the methods that build with VTK's threads.
+  // For the methods that are built with VTK's threads.
   vtkSMPTools::SetBackend("STDThread");
   vtkSMPTools::Initialize(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   return run(options);

@@ -10,7 +10,7 @@
 
 namespace palpate::benchmarks
 {
-/// One method on one body.
+/// Results of one method on one body.
 struct TickRow
 {
   std::string method;
@@ -25,10 +25,11 @@ struct TickRow
 /// row, hot and cold. False if the file cannot be written.
 bool writeTickCsv(const std::string& path, const std::vector<TickRow>& rows);
 
-/// The rows of one body, with their ratio to Palpate's own point of the same caches.
+/// Prints the rows of one body, with their ratio to Palpate's own point under the same state of the
+/// caches.
 void printRows(const std::vector<TickRow>& rows, std::size_t triangles);
 
-/// What the largest body should cost and what it does cost; how that grew from the smallest.
+/// Prints targets and measured values of the largest body, and their growth from the smallest.
 void printTargets(const std::vector<TickRow>& rows);
 } // namespace palpate::benchmarks
 

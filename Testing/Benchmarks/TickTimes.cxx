@@ -28,7 +28,7 @@ CallTimes summarise(std::vector<double>& times)
   return found;
 }
 
-/// Of each call the fastest pass.
+/// Uses the fastest pass of each call.
 CallTimes summariseFastest(const std::vector<std::vector<double>>& passes)
 {
   std::vector<double> least = passes.front();

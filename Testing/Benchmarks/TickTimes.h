@@ -12,7 +12,7 @@
 
 namespace palpate::benchmarks
 {
-/// A method on one body, with what it cost to build.
+/// A method on one body and its cost of building.
 struct Contender
 {
   std::string name;
@@ -20,18 +20,18 @@ struct Contender
   double buildSeconds = 0.0;
   double megabytes = 0.0;
   int tipsPerCall = 1;
-  const std::vector<Vector3>* tips = nullptr; ///< of all its calls, one after the other
+  const std::vector<Vector3>* tips = nullptr; ///< tips of all calls, in order
   TimedMethod* rehearsal = nullptr;           ///< the same method on another body, for warmCode
 };
 
-/// Of single calls, ns.
+/// Statistics of single calls, ns.
 struct CallTimes
 {
   double median = 0.0;
   double p99 = 0.0;
   double p999 = 0.0;
   double mean = 0.0;
-  double maximum = 0.0; ///< of all passes, also what the machine did in between
+  double maximum = 0.0; ///< over all passes; includes interruptions by other work of the machine
   std::size_t calls = 0;
 };
 
@@ -39,17 +39,17 @@ struct TickTimes
 {
   CallTimes hot;
   CallTimes cold;
-  CallTimes warmCode; ///< no calls without a rehearsal
+  CallTimes warmCode; ///< zero calls without a rehearsal
 };
 
 /**
- * Hot: call after call along the path, `passes` times over; of each call the fastest pass counts,
- * because what else the machine does comes at random. Each pass begins with flushed caches and some
- * calls that do not count, so that new ground comes from memory, as under a hand.
- *
- * Cold: caches flushed before every call, of body, code, stack and translations of addresses;
- * percentiles as they come. Warm code: the same, but the method was called on another body since
- * the flush, so that only the body is cold.
+ * Hot: call after call along the path, repeated for `passes` passes. The fastest pass of each call
+ * counts, because other work of the machine interrupts at random. Each pass begins with flushed
+ * caches and some uncounted calls, so that data of new places come from memory, as under a moving
+ * hand.
+ * Cold: caches are flushed before every call, including body, code, stack and address translations.
+ * The percentiles are over all calls. Warm code: the same, but the method has been called on
+ * another body since the flush, so that only the body is cold.
  */
 class TickTimer
 {
@@ -59,13 +59,14 @@ public:
   std::size_t hotCalls = 200000;
   std::size_t coldCalls = 2000;
   int passes = 3;
-  /// A method gets fewer hot calls than hotCalls if they took longer than this, s; 2000 at least.
+  /// Time limit of the hot calls, s. A slower method gets fewer than hotCalls calls, but at least
+  /// 2000.
   double hotSeconds = 2.0;
 
   /**
    * Times the contenders of one body interleaved: pass by pass, call by call. Leaders are called
-   * straight after a flush of the caches; each follower after one of the leaders, of whose memory
-   * it shares nothing but the stack.
+   * directly after a flush of the caches. Each follower is called after a leader with which it
+   * shares no memory except the stack.
    */
   std::vector<TickTimes> run(std::vector<Contender>& contenders, std::size_t leaders);
 

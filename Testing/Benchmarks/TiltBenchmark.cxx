@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs a tick that the tool leans, beside one that is told no axis and one that is
-// upright: led over a plate of 60 mm (20 thousand triangles) 1 mm deep, one curve; one law of tilts
-// for all points, or several with weights at each.
+// The cost of a tilted tool in a tick, compared with a tool without an axis and an upright one. The
+// tool moves over a plate of 60 mm (20 thousand triangles) at a depth of 1 mm, with one curve, and
+// with one law of tilts for all points or several laws with weights at each point.
 #include "Contact/ToolContact.h"
 #include "SampleResponses.h"
 #include "SampleTilts.h"
@@ -25,7 +25,7 @@ enum Kind : int
   Leaning
 };
 
-/// A ball of 5 mm, which tilts to 0.6 rad; of several laws each has a factor of its own.
+/// A ball of 5 mm that tilts up to 0.6 rad. With several laws, each has its own factor.
 std::unique_ptr<ContactBody> plateOf(std::size_t laws)
 {
   std::vector<TiltStore::Factor> factors;
@@ -47,7 +47,7 @@ std::unique_ptr<ContactBody> plateOf(std::size_t laws)
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-/// 0.1 mm on at each tick.
+/// The pose moves by 0.1 mm at each tick.
 ToolPose poseAt(long tick, Kind kind)
 {
   const double along = 0.1 * static_cast<double>(std::abs(tick % 400 - 200));

@@ -12,27 +12,28 @@
 namespace palpate::benchmarks
 {
 /**
- * One way of answering "what is closest to this tip?", tick after tick. time() reads the clock
- * around nothing but the call itself, so that the virtual call and the reading of the tip are
- * outside, with cold caches too.
+ * One method that finds the closest point to a tip, tick after tick. time() reads the clock
+ * directly around the call. So the virtual call and the reading of the tip are not measured, even
+ * with cold caches.
  */
 class TimedMethod
 {
 public:
   virtual ~TimedMethod() = default;
 
-  /// Answers for the next tip (the next `tipsPerCall` tips); counts of the CallClock it took.
+  /// Finds the point for the next tip (the next `tipsPerCall` tips). Returns the counts of the
+  /// CallClock for it.
   virtual std::uint64_t time(const Vector3* tips) = 0;
-  /// Distance from the last tip to the point found for it, mm; of several tips the sum.
+  /// Distance from the last tip to the point found for it, mm; the sum for several tips.
   virtual double distance() const = 0;
-  /// Forgets where the last tip was.
+  /// Forgets the position of the last tip.
   virtual void reset() = 0;
 };
 
 /**
- * A method made of a Query: what is prepared before the clock starts (`Input prepare(tips)`), what
- * is timed (`Answer operator()(const Input&)`), and what is made of the answer afterwards
- * (`distance(tips, answer)`). The query's own memory is not warmed by the call.
+ * A method made of a Query. `Input prepare(tips)` runs before the clock starts, `Answer
+ * operator()(const Input&)` is timed, and `distance(tips, answer)` evaluates the answer afterwards.
+ * The virtual call does not warm the query's own memory.
  */
 template <class Query>
 class Timed final : public TimedMethod
@@ -71,11 +72,13 @@ std::unique_ptr<TimedMethod> timed(Arguments&&... arguments)
 /// Tips of one tick of palpate-tick-50-tips: a patch 10 mm wide and 5 mm long.
 constexpr int PatchTips = 50;
 
-/// Of the bumpy sphere: 8 samples of F = 10 δ^1.5 (N, mm) per point, with the true normals.
+/// Responses of the bumpy sphere: 8 samples of F = 10 δ^1.5 (N, mm) per point, with the exact
+/// normals.
 testing::ResponseStore bumpyResponses(const testing::Surface& surface);
 std::unique_ptr<ContactBody> makePalpateBody(
   const testing::Surface& surface, const testing::ResponseStore& responses);
-/// The same in the compact form: that many numbers per point; with 1, none, since all are the same.
+/// The same in the compact form, with `laws` numbers per point. With 1 law no numbers are stored,
+/// since all points are equal.
 std::unique_ptr<ContactBody> makeCompactBody(
   const testing::Surface& surface, const testing::ResponseStore& responses, int laws);
 
@@ -88,7 +91,7 @@ std::unique_ptr<TimedMethod> makePalpateOnset(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpateOnsetTick(const ContactBody& body);
 
 std::unique_ptr<TimedMethod> makeVtkStaticPoint(const testing::Surface& surface);
-// Null where the library was not found when Palpate was built.
+// Null if the library was not found when Palpate was built.
 std::unique_ptr<TimedMethod> makeCgalPoint(const testing::Surface& surface);
 std::unique_ptr<TimedMethod> makeEmbreePoint(const testing::Surface& surface);
 } // namespace palpate::benchmarks

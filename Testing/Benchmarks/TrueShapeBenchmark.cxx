@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What three tools feel on a body's true shape: a block of 31 × 31 × 31 hexahedra of 1 mm on a
-// fixed base, 95 thousand unknowns and 5768 points, each of them a source. `first_s` with factor
-// and solutions, `next_s` each tool after it; memory as told beforehand and as it came. Its peer is
-// ElasticComplianceOfAllPoints: the same body and factor, one number a point.
+// The responses of three tools on a body's true shape: a block of 31 × 31 × 31 hexahedra of 1 mm on
+// a fixed base, 95 thousand unknowns and 5768 points, each of them a source. `first_s` includes
+// factor and solutions, `next_s` is the time of each further tool; the memory is given as forecast
+// and as measured. Compare with ElasticComplianceOfAllPoints: the same body and factor, one number
+// per point.
 #include "ProcessMemory.h"
 #include "Response/VolumeBlock.h"
 
@@ -40,7 +41,7 @@ void ElasticContactResponseOfThreeTools(benchmark::State& state)
     filter->SetTool(tool);
     double first = 0.0;
     double next = 0.0;
-    for (const char* name : { "sphere:6.35", "sphere:1.6", "flat:1.6" }) // the widest first
+    for (const char* name : { "sphere:6.35", "sphere:1.6", "flat:1.6" }) // the widest tool first
     {
       tool->SetSpecification(name);
       const double seconds = secondsOf(filter);

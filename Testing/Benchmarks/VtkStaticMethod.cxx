@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkStaticCellLocator, as it is by default: buckets of cells, no memory of the last answer.
+// vtkStaticCellLocator with its default settings: buckets of cells, no memory of the last result.
 #include "TimedMethod.h"
 
 #include "vtkCellArray.h"

@@ -68,7 +68,7 @@ def measure(file, points):
         controller.Barrier()
         return time.perf_counter() - begin
     response_s = timed(response)
-    # A path of 1000 ticks over the equator, across the seam of two pieces, on process 0.
+    # A path of 1000 ticks on process 0, over the equator and across the seam of two pieces.
     tips, coordinates, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
     coordinates.SetDataTypeToDouble()
     for i in range(1000 if rank == 0 else 0):

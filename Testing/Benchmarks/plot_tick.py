@@ -16,7 +16,7 @@ try:
 except ImportError:
     pyplot = None
 
-# Okabe and Ito's colours, told apart by most eyes; the markers say it again.
+# Colours by Okabe and Ito, which most readers can distinguish; the markers repeat the distinction.
 STYLE = {
     "palpate-tick": ("Palpate, whole tick", "#d55e00", "o", "-"),
     "palpate-point": ("Palpate, contact point", "#e69f00", "s", "-"),

@@ -35,7 +35,7 @@ class ServoBenchmark(unittest.TestCase):
         result, rows, header = run("--rates", ",".join(rates), "--load", load, *options)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertEqual(header.split(","), HEADER)
-        # SCHED_FIFO where it is granted, and said so.
+        # SCHED_FIFO is expected only if the output says that the system granted it.
         fifo = "SCHED_FIFO 80 granted" in result.stdout
         policies = ["SCHED_OTHER", "SCHED_FIFO"] if fifo else ["SCHED_OTHER"]
         expected = [(rate, name, policy) for name in ("idle", load) for rate in rates for policy in policies]
@@ -48,8 +48,8 @@ class ServoBenchmark(unittest.TestCase):
                 self.assertEqual(wake, sorted(wake))
                 self.assertLessEqual(tick[0], tick[1])
                 self.assertGreater(tick[0], 0.0)
-                # Ticks and misses are all the periods there were: SECONDS, of which a late start or
-                # stop may take or add, but not half.
+                # Ticks and misses add up to all periods of SECONDS. A late start or stop may change
+                # the sum, but by less than half.
                 periods = int(row["ticks"]) + int(row["missed"])
                 self.assertGreater(periods, 0.5 * SECONDS * float(row["rate_hz"]))
         return result.stdout
@@ -57,7 +57,7 @@ class ServoBenchmark(unittest.TestCase):
     def test_beside_memory_traffic(self):
         said = self.check(["1000", "4000"], "memory")
         self.assertRegex(said, r"memory: \d+ threads that read \d+ MiB each")
-        # All of them: a thread of the program reads memory on each, without a pause.
+        # All processors: a thread of the program reads memory on each without a pause.
         busy = re.search(r"memory: (\d+\.\d+) of (\d+) processors were at work", said)
         self.assertIsNotNone(busy, said)
         self.assertGreater(float(busy[1]), 0.5 * int(busy[2]))

@@ -61,7 +61,8 @@ class TickBenchmark(unittest.TestCase):
         for match in compared.values():
             self.assertGreaterEqual(int(match[2]), 200)
             self.assertLessEqual(float(match[3]), float(match[4]))
-            # Floats at 100 mm: 2^-18 mm per coordinate, twice √3 of it; 50 tips together.
+            # Floats at 100 mm: 2^-18 mm per coordinate, times 2 √3. The sum over 50 tips has 50
+            # times that.
             self.assertLess(float(match[4]), (50 if "50" in match[1] else 1) * 1.4e-5)
 
     def test_wrong_options_are_refused(self):

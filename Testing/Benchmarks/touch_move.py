@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "ParaView"))
 import organ # pylint: disable=wrong-import-position
 
 MOVES = 30
-WARM = 5                                                    # moves that are not counted
+WARM = 5                                                    # uncounted moves
 
 
 def timed(view, change, update):
@@ -71,7 +71,8 @@ def main(file=None):
         touch.TipPositionmm = [140 * np.cos(angle), 100 * np.sin(angle), 40]
     rows.append(("Touch", *timed(view, move, lambda: touch.UpdatePipeline(view.ViewTime))))
 
-    # The filter without ParaView, which gathers information on all ports and their arrays at each update.
+    # The filter without ParaView, because ParaView gathers information on all ports and their
+    # arrays at each update.
     inner = touch.GetClientSideObject()
 
     def put(i):

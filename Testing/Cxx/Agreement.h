@@ -8,7 +8,7 @@
 
 namespace palpate::testing
 {
-/// Whether |actual - expected| <= tolerance |expected|; never true for NaN.
+/// True if |actual - expected| <= tolerance |expected|; never true for NaN.
 inline ::testing::AssertionResult agrees(double actual, double expected, double tolerance)
 {
   if (std::abs(actual - expected) <= tolerance * std::abs(expected))

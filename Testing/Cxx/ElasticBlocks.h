@@ -36,7 +36,7 @@ inline VolumeMesh hexahedronBlock(int nx, int ny, int nz, double h)
   return mesh;
 }
 
-/// Each hexahedron as six tetrahedra around its diagonal (Kuhn), which fit from one to the next.
+/// Splits each hexahedron into six tetrahedra around its diagonal (Kuhn); neighbours match.
 inline VolumeMesh tetrahedra(const VolumeMesh& hexahedra)
 {
   constexpr std::array<std::array<int, 4>, 6> split = { { { 0, 1, 2, 6 }, { 0, 2, 3, 6 },
@@ -59,7 +59,7 @@ inline VolumeMesh tetrahedra(const VolumeMesh& hexahedra)
   return mesh;
 }
 
-/// With a node in the middle of each edge.
+/// Adds a node in the middle of each edge.
 inline VolumeMesh quadratic(const VolumeMesh& linear)
 {
   constexpr std::array<std::array<std::size_t, 2>, 6> edges = { { { 0, 1 }, { 1, 2 }, { 0, 2 },
@@ -86,7 +86,7 @@ inline VolumeMesh quadratic(const VolumeMesh& linear)
   return mesh;
 }
 
-/// Every node with z = 0 held.
+/// Holds every node with z = 0.
 inline std::vector<unsigned char> heldBelow(const VolumeMesh& mesh)
 {
   std::vector<unsigned char> fixed(static_cast<std::size_t>(mesh.nodeTotal()), 0);
@@ -97,7 +97,7 @@ inline std::vector<unsigned char> heldBelow(const VolumeMesh& mesh)
   return fixed;
 }
 
-/// Every node held up to x.
+/// Holds every node up to x.
 inline std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
 {
   std::vector<unsigned char> fixed;
@@ -108,7 +108,7 @@ inline std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
   return fixed;
 }
 
-/// The elements beyond x, and the nodes of the whole that theirs are.
+/// The elements beyond x. `nodes` gives the node numbers in the whole mesh.
 inline VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std::int32_t>& nodes)
 {
   VolumeMesh part;
@@ -135,7 +135,7 @@ inline VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std:
   return part;
 }
 
-/// The element whose middle is nearest.
+/// The element with the nearest centre.
 inline std::int32_t elementAt(const VolumeMesh& mesh, const Eigen::Vector3d& place)
 {
   const auto away = [&](std::int32_t e)

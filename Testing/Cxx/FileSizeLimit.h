@@ -9,8 +9,8 @@
 
 namespace palpate::testing
 {
-/// As long as this lives no file of the process grows beyond so many bytes: as on a disk that is
-/// full, a write takes what there is room for, and the next one fails (EFBIG).
+/// While this exists, no file of the process grows beyond the given number of bytes. As on a full
+/// disk, a write stores the bytes that fit, and the next one fails (EFBIG).
 class FileSizeLimit
 {
 public:
@@ -35,7 +35,7 @@ private:
   void (*Handler)(int);
 };
 
-constexpr const char* FileTooLarge = "File too large"; ///< the system's words for EFBIG
+constexpr const char* FileTooLarge = "File too large"; ///< the system's text for EFBIG
 } // namespace palpate::testing
 
 #endif

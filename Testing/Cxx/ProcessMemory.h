@@ -8,8 +8,8 @@
 
 namespace palpate::testing
 {
-/// Memory of this process from a line of /proc/self/status (proc(5)), bytes; NaN where the system
-/// does not tell, so that no comparison with a limit holds.
+/// Memory of this process from a line of /proc/self/status (proc(5)), bytes. NaN if the system does
+/// not report it, so that no comparison with a limit holds.
 inline double statusMemory(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -25,13 +25,13 @@ inline double statusMemory(const std::string& name)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Bytes resident now; with what was freed and not given back (malloc_trim).
+/// Bytes resident now, including memory that was freed but not returned (malloc_trim).
 inline double residentMemory()
 {
   return statusMemory("VmRSS");
 }
 
-/// The most bytes that were resident since the process began, or since resetPeakMemory.
+/// Largest number of resident bytes since the process began or since resetPeakMemory.
 inline double peakMemory()
 {
   return statusMemory("VmHWM");
@@ -39,10 +39,10 @@ inline double peakMemory()
 
 inline void resetPeakMemory()
 {
-  std::ofstream("/proc/self/clear_refs") << "5"; // the mark is what is resident now
+  std::ofstream("/proc/self/clear_refs") << "5"; // sets the peak to the memory resident now
 }
 
-/// Bytes that mlockall or mlock keeps.
+/// Bytes locked by mlockall or mlock.
 inline double lockedMemory()
 {
   return statusMemory("VmLck");

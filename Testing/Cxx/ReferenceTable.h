@@ -14,8 +14,8 @@
 namespace palpate::testing
 {
 /**
- * A table of Data/Reference: its first line names the columns.
- * Throws (so that the test fails) when the file, a column or a number is missing.
+ * A table of Data/Reference. Its first line names the columns. Throws (so that the test fails) if
+ * the file, a column or a number is missing.
  */
 class ReferenceTable
 {

@@ -11,7 +11,7 @@
 
 namespace palpate::testing
 {
-/// Of branches { p, τ }.
+/// A series from branches { p, τ }.
 inline PronySeries relaxation(std::initializer_list<std::array<double, 2>> branches)
 {
   PronySeries series;
@@ -22,7 +22,7 @@ inline PronySeries relaxation(std::initializer_list<std::array<double, 2>> branc
   return series;
 }
 
-/// As reference tables have it: "0.5 0.8" and "0.02 0.2".
+/// The same from the text of reference tables: "0.5 0.8" and "0.02 0.2".
 inline PronySeries relaxation(const std::string& strengths, const std::string& times)
 {
   std::istringstream p(strengths);

@@ -2,8 +2,8 @@
 #ifndef palpate_testing_Sanitized_h
 #define palpate_testing_Sanitized_h
 
-// PALPATE_SANITIZED: this is compiled under the address or the thread sanitizer, which have a
-// malloc of their own and let mlockall do nothing. g++ tells by a macro, clang by a feature.
+// PALPATE_SANITIZED: compiled under the address or the thread sanitizer. These have their own
+// malloc and make mlockall do nothing. g++ reports them by a macro, clang by a feature.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define PALPATE_SANITIZED
 #elif defined(__has_feature)
@@ -14,8 +14,7 @@
 
 namespace palpate::testing
 {
-/// How often something is repeated that is so many times elsewhere: under a sanitizer, which makes
-/// it ten times as slow, a tenth.
+/// Number of repetitions: `all`, or a tenth of it under a sanitizer, which is ten times as slow.
 constexpr int casesOf(int all)
 {
 #ifdef PALPATE_SANITIZED

@@ -9,13 +9,13 @@
 
 namespace palpate::testing
 {
-/// The path of a file of the running test's own, removed at its end if the test has written it.
-/// Tests of one executable run side by side, each in its own process: a shared name would be
-/// written twice.
+/// Path of a file of the running test. If the test has written the file, it is removed at the end.
+/// Tests of one executable run at the same time in separate processes, so they must not share a
+/// name.
 class ScratchFile
 {
 public:
-  /// `ending`: ".csv".
+  /// `ending`: for example ".csv".
   explicit ScratchFile(const std::string& ending)
   {
     const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();

@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// The tool written as on a command line; throws (so that the test fails) if it is refused.
+/// A tool from its text on a command line. Throws (so that the test fails) if the text is rejected.
 inline std::unique_ptr<AxisymmetricTool> tool(const std::string& text)
 {
   ToolSpecification specification;
@@ -22,7 +22,7 @@ inline std::unique_ptr<AxisymmetricTool> tool(const std::string& text)
   return makeTool(specification);
 }
 
-/// E* of the rubber of Mahvash and Hayward 2002, MPa; of every table that names none.
+/// E* of the rubber of Mahvash and Hayward 2002, MPa. Tables that state no modulus use it.
 constexpr double Rubber = 3.45;
 } // namespace palpate::testing
 

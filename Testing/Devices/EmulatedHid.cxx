@@ -22,7 +22,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// The one testbed of the process, and the thread in which its answers to ioctl are made.
+/// The only testbed of the process, with the thread that answers ioctl calls.
 class Testbed
 {
 public:
@@ -46,7 +46,8 @@ private:
   Testbed()
   {
     this->Bed = umockdev_testbed_new();
-    chmod(this->root().c_str(), 0755); // so that other users may look in, and be refused
+    chmod(this->root().c_str(),
+      0755); // lets other users read the folder, so that access to the device is refused
     this->Loop = g_main_loop_new(nullptr, FALSE);
     this->Thread = std::thread([this] { g_main_loop_run(this->Loop); });
   }
@@ -54,7 +55,7 @@ private:
   {
     while (!g_main_loop_is_running(this->Loop))
     {
-      std::this_thread::yield(); // a loop that has not begun cannot be told to end
+      std::this_thread::yield(); // a loop must have started before it can be stopped
     }
     g_main_loop_quit(this->Loop);
     this->Thread.join();
@@ -68,7 +69,7 @@ private:
   int Number = 0;
 };
 
-/// Puts bytes into what an ioctl points to.
+/// Copies bytes to the argument of an ioctl.
 void answer(UMockdevIoctlClient* client, const std::uint8_t* bytes, std::size_t size, long result)
 {
   UMockdevIoctlData* const place =
@@ -79,7 +80,7 @@ void answer(UMockdevIoctlClient* client, const std::uint8_t* bytes, std::size_t 
   umockdev_ioctl_client_complete(client, result, 0);
 }
 
-/// The two that hidapi asks: how long the report descriptor is, and the feature report.
+/// Answers the two requests of hidapi: size of the report descriptor, and feature report.
 gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data)
 {
   const auto& model = *static_cast<const HidModel*>(data);
@@ -96,10 +97,10 @@ gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data)
   {
     if (model.feature.empty())
     {
-      umockdev_ioctl_client_complete(client, -1, EPIPE); // as usbhid says: stalled
+      umockdev_ioctl_client_complete(client, -1, EPIPE); // a stall, as usbhid reports it
       return TRUE;
     }
-    std::vector<std::uint8_t> bytes(1, 0); // the report's number
+    std::vector<std::uint8_t> bytes(1, 0); // number of the report
     bytes.insert(bytes.end(), model.feature.begin(), model.feature.end());
     bytes.resize(std::min<std::size_t>(bytes.size(), _IOC_SIZE(request)));
     answer(client, bytes.data(), bytes.size(), static_cast<long>(bytes.size()));
@@ -127,8 +128,8 @@ std::string fourDigits(int value)
   return text.data();
 }
 
-/// umockdev (0.17) keeps a note for each pseudo-terminal, and stumbles over it when the system
-/// gives the same one out again.
+/// umockdev (0.17) keeps a note for each pseudo-terminal. The note causes an error when the system
+/// reuses the terminal.
 void forgetTerminal(int far)
 {
   std::string note = ptsname(far);
@@ -204,7 +205,7 @@ bool EmulatedHid::send(const std::uint8_t* bytes, std::size_t size)
   this->flush();
   if (this->Unsent.size() == size)
   {
-    this->Unsent.clear(); // no room for any of it: lost, as in hidraw's buffer
+    this->Unsent.clear(); // no room for all of it: lost, as in hidraw's buffer
     return false;
   }
   return true;
@@ -238,7 +239,7 @@ bool EmulatedHid::receive(std::vector<std::uint8_t>& report, std::size_t size)
     return false;
   }
   const auto begin = this->Pending.begin();
-  report.assign(begin + 1, begin + 1 + static_cast<std::ptrdiff_t>(size)); // after its number
+  report.assign(begin + 1, begin + 1 + static_cast<std::ptrdiff_t>(size)); // without its number
   this->Pending.erase(begin, begin + 1 + static_cast<std::ptrdiff_t>(size));
   return true;
 }
@@ -251,7 +252,7 @@ void EmulatedHid::unplug()
     return;
   }
   forgetTerminal(this->Far);
-  close(this->Far); // reads and writes of the host fail from here on
+  close(this->Far); // reads and writes of the host fail from now on
   this->Far = -1;
   umockdev_testbed_detach_ioctl(*Testbed::get(), this->Path.c_str(), nullptr);
   for (auto node = this->Nodes.rbegin(); node != this->Nodes.rend(); ++node)

@@ -98,7 +98,7 @@ void Firmware::tick(std::uint64_t now)
 
 void Firmware::hang(bool yes)
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex); // a tick that has begun ends before
+  const std::lock_guard<std::mutex> lock(this->Mutex); // waits for the end of a running tick
   this->Hanging = yes;
 }
 

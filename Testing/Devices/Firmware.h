@@ -17,37 +17,37 @@
 
 namespace palpate::testing
 {
-/// Position (m) at a time since the start (s).
+/// Position (m) as a function of the time since the start (s).
 using HandPath = std::function<Eigen::Vector3d(double)>;
 
-/// A force device as its maker would describe it: 6 N, 2500 N/m, a time-out of 20 ms.
+/// Description of a force device as its maker would write it: 6 N, 2500 N/m, a time-out of 20 ms.
 palpate_hid_description describedDevice();
 HidModel modelOf(const palpate_hid_description& description);
 
 /**
- * The firmware of a force device: palpate_hid.c in a loop of 1 kHz on an emulated HID device, in a
- * thread of its own, with the hand's path for sensors and nothing for motors.
+ * The firmware of a force device: palpate_hid.c in a loop of 1 kHz on an emulated HID device, in
+ * its own thread. The path of the hand replaces the sensors; there are no motors.
  */
 class Firmware
 {
 public:
   Firmware(EmulatedHid& hid, HandPath hand);
-  /// The loop ends; the device stays plugged in.
+  /// Stops the loop; the device stays plugged in.
   ~Firmware();
 
-  /// A firmware that hangs: it neither reads nor writes, from the return of this call on.
+  /// `yes`: the firmware hangs. It neither reads nor writes after the return of this call.
   void hang(bool yes);
 
-  /// Copies, of this moment.
+  /// Returns a copy of the present state.
   palpate_hid state() const;
   Eigen::Vector3d motors() const; ///< N
-  /// Whether the motors have had this force (N) at any time. The watchdog takes it away after
-  /// 20 ms, in which a thread on a busy machine may not have looked.
+  /// True if the motors have had this force (N) at any time. The watchdog removes a force after 20
+  /// ms, and on a busy machine a thread may not look in that time.
   bool hasApplied(const Eigen::Vector3d& force) const;
   std::uint64_t forcesTaken() const;
-  /// States that the host's side had no room for, because it did not read.
+  /// Number of states for which the host had no room, because it did not read.
   std::uint64_t statesNotSent() const;
-  /// For each force taken, how many states had been sent since the one it rests on.
+  /// For each force taken: the number of states sent since the state on which the force is based.
   std::vector<std::uint32_t> delays() const;
 
 private:
@@ -59,7 +59,7 @@ private:
   mutable std::mutex Mutex;
   palpate_hid State{};
   Eigen::Vector3d Motors = Eigen::Vector3d::Zero();
-  std::vector<Eigen::Vector3d> Applied; ///< each force that differs from the one before
+  std::vector<Eigen::Vector3d> Applied; ///< each force that differs from the previous one
   std::uint64_t Taken = 0;
   std::uint64_t NotSent = 0;
   std::vector<std::uint32_t> Delays;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A force device at 1 kHz through the real hidapi, and all that may come instead of a report.
+// A force device at 1 kHz through the real hidapi, and everything that may arrive instead of a
+// report.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -18,7 +19,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Half a wave per second, 10 mm up and down.
+/// Half a wave per second with an amplitude of 10 mm.
 Vector3d wave(double seconds)
 {
   return { 0.0, 0.0, 0.01 * std::sin(3.14159265 * seconds) };
@@ -101,7 +102,7 @@ TEST(HidExchange, OneKilohertzBothWays)
       return firmware.hasApplied({ 0.25, 0.5, -1.0 });
     }))
     << "the last force is applied";
-  // The writer counts what was overtaken after it has written; the last force may be there before.
+  // The writer counts replaced forces after it has written. The last force may arrive before that.
   EXPECT_TRUE(eventually([&] { return firmware.forcesTaken() + device->errors().unsent == sent; }))
     << "no force is unaccounted for";
   EXPECT_TRUE(eventually(
@@ -153,11 +154,12 @@ TEST(HidExchange, WhatIsNoReportIsCountedAndNotUsed)
   refused(63, 2); // short
   refused(1, 3);
   report[60] ^= 1;
-  refused(96, 5); // long: hidapi hands over 64 bytes; here the other 32 are a short one
+  refused(
+    96, 5); // too long: hidapi delivers 64 bytes; here the other 32 are a second, short report
   pack(state, report);
   report[2] = 2; // version
   refused(64, 6);
-  pack(ForceReport(), report); // of the other direction
+  pack(ForceReport(), report); // a report of the wrong direction
   refused(64, 7);
   state.velocity.y() = std::nan("");
   pack(state, report);
@@ -201,7 +203,8 @@ TEST(HidExchange, ADeviceThatDoesNotReadDelaysNobody)
   Firmware firmware(hid, wave);
   ASSERT_TRUE(eventually([&] { return device->read(0.0).valid; }));
   firmware.hang(true);
-  // The pipe to it is full after some 300 reports; then the writer's thread waits in write().
+  // The pipe to the device is full after about 300 reports; then the writer's thread waits in
+  // write().
   std::uint64_t sent = 0;
   run(600,
     [&](int)
@@ -248,7 +251,7 @@ TEST(HidExchange, ADriverThatHangsDoesNotHangTheProgram)
   ASSERT_TRUE(eventually([&] { return device->read(0.0).valid; }));
   firmware.hang(true);
   run(600, [&](int) { device->write({ 1.0, 0.0, 0.0 }); });
-  device.reset(); // comes back, though write() does not
+  device.reset(); // returns although write() does not
 }
 
 TEST(HidExchange, AHostThatHangsHoldsItsForceNoLongerThanItSaid)
@@ -258,7 +261,7 @@ TEST(HidExchange, AHostThatHangsHoldsItsForceNoLongerThanItSaid)
   Firmware firmware(hid, wave);
   ASSERT_TRUE(eventually([&] { return device->read(0.0).valid; }));
   device->holdFor(6e-3);
-  device->write({ 1.0, 0.0, 0.0 }); // and nothing more
+  device->write({ 1.0, 0.0, 0.0 }); // no further force follows
   ASSERT_TRUE(eventually([&] { return firmware.state().expired == 1; }));
   EXPECT_EQ(firmware.motors(), Vector3d::Zero());
   EXPECT_EQ(firmware.state().watchdog, 6000U) << "not the 20 ms of the device's time-out";
@@ -275,7 +278,7 @@ TEST(HidExchange, SilenceIsSeenAsSuch)
   ASSERT_TRUE(eventually([&] { return firmware.state().expired == 1; })) << "the device's watchdog";
   EXPECT_EQ(firmware.motors(), Vector3d::Zero());
   firmware.hang(true);
-  int silent = 0; // ticks on end without a new reading
+  int silent = 0; // successive ticks without a new reading
   EXPECT_TRUE(eventually(
     [&]
     {

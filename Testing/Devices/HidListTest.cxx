@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is plugged in, as the real hidapi tells it, and what stands against opening it.
+// The plugged-in devices as the real hidapi reports them, and the reasons why a device cannot be
+// opened.
 #include "Transports/DeviceList.h"
 
 #include "Firmware.h"
@@ -39,7 +40,8 @@ HidModel keyboard()
   return model;
 }
 
-/// What `words` says in a process that is nobody's, as its own exit code: 0 it contains `part`.
+/// Calls `words` in a process of an unprivileged user. True if the text contains `part`. The
+/// process reports the result as its exit code: 0 if it does.
 template <class Words>
 bool nobodyIsTold(const Words& words, const std::string& part)
 {

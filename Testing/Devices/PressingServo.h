@@ -14,28 +14,29 @@
 
 namespace palpate::testing
 {
-/// On the middle of a plate of 10 mm: five times a second from 0.1 mm above it to 0.5 mm deep,
-/// where it begins.
+/// Path of a press on the middle of a plate of 10 mm: five times a second from 0.1 mm above it to a
+/// depth of 0.5 mm, where it begins.
 constexpr double PressPeriod = 0.2; ///< s
-/// Ticks in which what is awaited comes on any machine: a minute at least, for what takes a second.
+/// Number of ticks to wait for an event on any machine: at least a minute, for an event that takes
+/// a second.
 constexpr int PatientTicks = 60000;
 Eigen::Vector3d press(double seconds);
 
-/// The host's loop at 1 kHz, in the caller's own thread, with everything between sample and force.
+/// The host's loop at 1 kHz in the caller's own thread, with the whole chain from sample to force.
 class PressingServo
 {
 public:
   PressingServo(HidDevice& device, std::shared_ptr<const ContactBody> plate);
 
-  /// One tick, 1 ms or more after the one before. Whether the loss of the device had been reported
-  /// when it began.
+  /// Runs one tick, 1 ms or more after the one before. True if the loss of the device had been
+  /// reported when the tick began.
   bool tick();
-  /// Ticks until the plate is felt, PatientTicks at most. Whether it was.
+  /// Runs ticks until the plate gives a force, at most PatientTicks. True if it did.
   bool ticksUntilForce();
   void forgetLosses() { this->Losses = this->Device.errors().disconnections; }
 
   const Eigen::Vector3d& force() const { return this->Force; } ///< sent in the last tick, N
-  /// s at the last tick since one with a new reading.
+  /// Time in s from the last new reading to the last tick.
   double silence() const { return this->Silence; }
 
 private:

@@ -10,26 +10,27 @@
 
 namespace palpate::testing
 {
-/// When the plug is pulled.
+/// The moment at which the plug is pulled.
 struct PullMoment
 {
-  double phase = 0.0;               ///< s, of press() when the device is plugged in
-  std::chrono::microseconds wait{}; ///< since the plate was first felt
+  double phase = 0.0;               ///< s; phase of press() when the device is plugged in
+  std::chrono::microseconds wait{}; ///< time since the first force of the plate
 };
 
-/// What came of it.
+/// Result of a pulled plug.
 struct PulledPlug
 {
-  std::string fault;   ///< what must not be; "" if nothing
-  double motors = 0.0; ///< force in the hand at that moment, N
-  double wall = 0.0;   ///< from the pull to the end of the first tick after its report, ms
+  std::string fault;   ///< "" if there is none
+  double motors = 0.0; ///< force on the hand at that moment, N
+  double wall =
+    0.0; ///< from the pull to the end of the first tick after the report of the loss, ms
 };
 
 /**
- * Plugs a force device in, opens it by hidapi, presses it on the plate, and pulls the plug in
- * another thread. A fault: any force in the first tick that begins after the device has reported
- * its loss, or in the twenty that follow; a device that is not opened, not felt, or whose loss is
- * not reported within PatientTicks; one that calls itself connected afterwards.
+ * Plugs in a force device, opens it by hidapi, presses it on the plate, and pulls the plug from
+ * another thread. Faults are: a force in the first tick that begins after the device has reported
+ * its loss, or in the twenty ticks after it; a device that is not opened, gives no force, or does
+ * not report its loss within PatientTicks; a device that reports itself as connected afterwards.
  */
 PulledPlug pullPlug(const std::shared_ptr<const ContactBody>& plate, const PullMoment& moment);
 } // namespace palpate::testing

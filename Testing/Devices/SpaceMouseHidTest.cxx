@@ -27,14 +27,14 @@ HidModel model()
   return model;
 }
 
-/// Sends a report, then a button, and waits until the tick sees the button. `buttons` differs from
-/// the time before.
+/// Sends a report, then a button, and waits until the tick sees the button. `buttons` must differ
+/// from the last call.
 bool push(EmulatedHid& hid, SpaceMouseDevice& mouse, const std::vector<std::uint8_t>& report,
   std::uint8_t buttons)
 {
   hid.send(report.data(), report.size());
-  // Such a device sends one in 8 ms. The emulated one is a stream of bytes: on a busy machine, too,
-  // the first has to be read before the second comes.
+  // Such a device sends a report every 8 ms. The emulated one is a stream of bytes: the first
+  // report must be read before the second comes, even on a busy machine.
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   const std::uint8_t pressed[] = { 3, buttons, 0 };
   hid.send(pressed, sizeof pressed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unplugs at random moments on the real hidapi: is the first tick after the report of the loss
-// without force, every time, and how long after the pull does it end? See --help.
+// Unplugs at random moments with the real hidapi. Is the first tick after the report of the loss
+// always without force, and how long after the pull does it end? See --help.
 #include "PressingServo.h"
 #include "PulledPlug.h"
 #include "SampleResponses.h"
@@ -32,9 +32,9 @@ struct Options
 struct Tally
 {
   int pulls = 0;
-  int withoutForce = 0;      ///< the first tick after the report, and the twenty after it
-  int pressing = 0;          ///< the motors pushed when the plug was pulled
-  double strongest = 0.0;    ///< of them, N
+  int withoutForce = 0;      ///< in the first tick after the report and the twenty after it
+  int pressing = 0;          ///< the motors had a force when the plug was pulled
+  double strongest = 0.0;    ///< largest of these forces, N
   std::vector<double> walls; ///< from the pull to the end of the first tick without force, ms
 };
 
@@ -54,7 +54,8 @@ public:
   }
 
 private:
-  /// The same on every machine, which std::uniform_real_distribution does not promise.
+  /// Gives the same numbers on every machine; std::uniform_real_distribution does not guarantee
+  /// that.
   double share() { return this->Random() / 4294967296.0; }
   std::mt19937 Random;
 };
@@ -82,7 +83,8 @@ Tally pullAll(const Options& options)
   return tally;
 }
 
-/// The least of the sorted values that so many are not above; 0 of none.
+/// The smallest sorted value that is at least as large as this share of all values; 0 for no
+/// values.
 double quantile(const std::vector<double>& sorted, double share)
 {
   const auto rank = std::max(std::ceil(share * static_cast<double>(sorted.size())), 1.0);
@@ -92,7 +94,7 @@ double quantile(const std::vector<double>& sorted, double share)
 void printHistogram(const std::vector<double>& sorted)
 {
   constexpr int Bars = 16;
-  constexpr double Width = 50.0; // characters of the longest bar
+  constexpr double Width = 50.0; // width of the longest bar in characters
   const double step = std::max(quantile(sorted, 0.99) / Bars, 0.01);
   std::vector<int> counts(Bars + 1, 0);
   for (const double wall : sorted)
@@ -156,7 +158,7 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
 
   const Tally tally = pullAll(options);
-  // The force is felt for most of a press: of moments that are random most find it.
+  // There is a force for most of a press, so most random moments have one.
   const bool passed = tally.withoutForce == tally.pulls && 2 * tally.pressing > tally.pulls;
   const Figures figures = figuresOf(options, tally);
   for (const auto& [name, value] : figures)

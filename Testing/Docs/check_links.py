@@ -17,11 +17,11 @@ sys.path.insert(0, str(TOP / "Plugin/Manual/Doxygen"))
 import pages as tree  # noqa: E402
 
 README_WORDS = 900
-# Written by hand for readers, beside reports, which quote the past.
+# Written by hand for readers. Reports are excluded, since they quote the past.
 MANUAL = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "Plugin/Manual/")
-# A row of a table in a comment; a formula that begins with | has no blank behind it.
+# A row of a table in a comment. A formula that begins with | has no space after it.
 TABLE_ROW = re.compile(r"^\s*(?:\*|//+) ?(\|[ :-].*)$")
-# Options of other programs that stand in lines with palpate.
+# Options of other programs that appear in lines with palpate.
 FOREIGN = {"--preset", "--prefix", "--install", "--build", "--dr"}
 
 

@@ -30,9 +30,10 @@ from pathlib import Path
 
 from endurance import commit
 
-# Each allocation keeps where it was made: three frames of it, since to walk thirty takes a third of the
-# time. Run alone, an input that breaks something tells all of them. What is freed is kept back for a
-# while, to see who uses it still: 16 MiB are many inputs' worth, and stay in the cache.
+# Each allocation keeps three frames of the place where it was made, since thirty frames would take
+# a third of the time. A failing input that is run alone reports all frames. Freed memory is kept in
+# quarantine for a while to detect later use: 16 MiB hold the memory of many inputs and stay in the
+# cache.
 ENVIRONMENT = {"ASAN_OPTIONS": "malloc_context_size=3:quarantine_size_mb=16",
                "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
 REPLACED = ("-seed=", "-max_total_time=", "-print_final_stats=", "-runs=")

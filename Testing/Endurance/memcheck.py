@@ -30,8 +30,8 @@ QUICK = {"palpateTickTests": "*"}
 SUPPRESSIONS = Path(__file__).with_name("memcheck.supp")
 CHUNK = 12  # tests per valgrind: it takes a second to start, and the last chunks should end together
 
-# Pattern -> reason. Programs run 30 to 100 times slower here, threads one at a time. Of each kind of code
-# that is left out a shorter test remains.
+# Pattern -> reason. Programs run 30 to 100 times slower here, one thread at a time. For each kind
+# of code that is left out, a shorter test remains.
 SWEEP = "sweeps numbers for a bound: minutes here, no code that shorter tests of its suite leave out"
 TABLES = "solves layers anew for whole tables: minutes here; LayerTable.Bonded* and LayerContact.* remain"
 LONG = "compares with closed forms in long double, which valgrind computes in 64 bits"
@@ -111,7 +111,7 @@ def memcheck(program, tests, folder, number):
     """Runs some tests of a program. Returns how many ran, names of those that failed, and errors."""
     report = folder / f"{program.name}-{number}.xml"
     results = folder / f"{program.name}-{number}.json"
-    # The tests' own operator new, which counts allocations, is left to them: it ends in malloc.
+    # Some tests replace operator new to count allocations. It is left to them: it calls malloc.
     command = ["valgrind", "--error-exitcode=99", "--leak-check=full",
                "--errors-for-leak-kinds=definite", "--show-leak-kinds=definite", "--num-callers=30",
                "--child-silent-after-fork=yes", "--soname-synonyms=somalloc=nouserintercepts",

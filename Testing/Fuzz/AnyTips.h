@@ -14,8 +14,8 @@
 
 namespace palpate::testing
 {
-/// What the bits of a number can be, infinities and NaN too; ConsumeFloatingPoint gives finite
-/// ones.
+/// A number from arbitrary bits, including infinities and NaN. ConsumeFloatingPoint gives only
+/// finite ones.
 template <class Number, class Bits>
 Number anyBits(FuzzedDataProvider& input)
 {
@@ -26,7 +26,7 @@ Number anyBits(FuzzedDataProvider& input)
   return number;
 }
 
-/// A number as such input has it: mostly of a body's size, at times anything that 64 bits can be.
+/// A number for the input of tips: mostly of the size of a body, sometimes from 64 arbitrary bits.
 inline double anyNumber(FuzzedDataProvider& input)
 {
   return input.ConsumeIntegralInRange<int>(0, 15) > 0
@@ -34,8 +34,8 @@ inline double anyNumber(FuzzedDataProvider& input)
     : anyBits<double, std::uint64_t>(input);
 }
 
-/// Leads tips through a body, with every force form, surface and friction: what is felt is finite,
-/// and told of a triangle of the input, or nothing.
+/// Moves tips through a body, with every force form, surface and friction. Each contact must be
+/// finite with a triangle of the input, or there is no contact.
 inline void feelAround(const ContactBody& body, std::size_t triangles, FuzzedDataProvider& input)
 {
   ContactSettings settings;

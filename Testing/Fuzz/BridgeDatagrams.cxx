@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program on the bridge's other end that sends anything: what the device then reads is not valid,
-// or finite and no older than the time-out; no force leaves for a program that has not described
-// itself. Input: chunks; the first byte of each says what happens, see step().
+// A program at the bridge's other end that sends anything. The samples of the device are invalid,
+// or finite and no older than the time-out. No force is sent to a program that has not described
+// itself. Input: chunks; the first byte of each selects the event, see step().
 #include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"
 #include "Require.h"
@@ -29,7 +29,7 @@ DescriptionReport described()
   return description;
 }
 
-/// A device on a Unix socket, opened once, and the program at its other end.
+/// A device on a Unix socket, opened once, and the program at the other end of the socket.
 class Bridge
 {
 public:
@@ -45,11 +45,11 @@ public:
     require(this->Device != nullptr, "an honest program is a device");
   }
 
-  /// As found: described, alive, and its program a new one.
+  /// Restores the initial state: described and alive, with a new program at the other end.
   void begin()
   {
     this->Time += 1.0;
-    this->Device->read(this->Time); // silent for long: lost, and greeted
+    this->Device->read(this->Time); // after a long silence it is lost and is greeted again
     this->serve(described());
     this->Device->read(this->Time);
   }
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  /// Answers greetings; whether there was one. Forces that came are within the limits.
+  /// Answers greetings; true if there was one. Received forces must be within the limits.
   bool serve(const DescriptionReport& description)
   {
     HapticReportBytes bytes{};
@@ -148,7 +148,7 @@ private:
   double Time = 0.0;
   double NewsAt = -1.0;
   std::uint32_t Sequence = 0;
-  bool Sound = false; ///< a sound report has been sent at some time
+  bool Sound = false; ///< true once a sound report has been sent
 };
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any words as the viewer's command line: the program ends and says why, or goes on with options
-// that it can use. Input: the words, a line each. Files and devices are named, not opened.
+// Any words as the viewer's command line: the program ends with a reason, or continues with options
+// that it can use. Input: the words, one per line. Files and devices are named, not opened.
 #include "Contact/SettingTable.h"
 #include "Transports/Bridge/BridgeSocket.h"
 #include "Haptics/Simulation/SimulatedPlant.h"
@@ -24,7 +24,7 @@ using palpate::testing::require;
 
 namespace
 {
-/// Catches what is written to a stream while this lives.
+/// Captures the text written to a stream during its lifetime.
 class Caught
 {
 public:
@@ -133,7 +133,7 @@ void checkTrial(const ViewerOptions& options)
   require(count == 0 || !(options.compare || options.map), "one view at a time");
 }
 
-/// A socket of our own is opened for a sound address; nothing is sent.
+/// Opens a test socket for a valid address; sends nothing.
 void checkBridge(const std::string& device)
 {
   const std::string kind = "bridge:";
@@ -161,7 +161,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     if (word.find("profile:") != std::string::npos)
     {
-      return 0; // a file of the machine is not for a fuzzer to read; profiles are ToolText's
+      return 0; // a fuzzer must not read files of the machine; ToolText covers profiles
     }
     arguments.push_back(word.data());
   }

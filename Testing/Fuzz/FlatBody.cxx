@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a body file, also with a checksum that is right: refused with a reason, or a body
-// that a tick can be run on. Input: a choice (bit 0: mend the checksum), the file, and from its end
+// Any bytes as a body file, also with a correct checksum: rejected with a reason, or a body on
+// which a tick can run. Input: a choice (bit 0: correct the checksum), the file, and from its end
 // on tips.
 #include "AnyTips.h"
 #include "Contact/FlatBodyFile.h"
@@ -15,7 +15,7 @@ using namespace palpate::testing;
 namespace
 {
 constexpr std::size_t HeaderSizes[] = { 408, 416, 456, 560, 616 };
-constexpr std::size_t SizeAt = 16; // places of the header's numbers, see FlatBodyHeader.h
+constexpr std::size_t SizeAt = 16; // offsets of the header's numbers, see FlatBodyHeader.h
 constexpr std::size_t ChecksumAt = 24;
 constexpr std::size_t CountsAt = 32;
 constexpr std::size_t OffsetsAt = 64;
@@ -51,8 +51,8 @@ void add(
   }
 }
 
-/// Size and checksum as somebody would write them who wants the file to be read. A file whose
-/// sections do not fit is left as it is: it is refused for that.
+/// Corrects size and checksum, so that the file is read. A file whose sections do not fit stays as
+/// it is, since the reader rejects it for that reason.
 void mend(std::vector<std::uint8_t>& bytes)
 {
   const std::uint64_t size = bytes.size();

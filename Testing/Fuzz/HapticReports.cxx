@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever 64 bytes a device sends: refused, or whole and finite.
-// Input: a choice (bit 0: mend mark, version and check sum, so that the content is reached), a
-// report.
+// Any 64 bytes from a device: rejected, or complete and finite. Input: a choice (bit 0: correct
+// mark, version and checksum, so that the content is reached), a report.
 #include "Transports/Hid/HapticReport.h"
 #include "Require.h"
 #include "Transports/Hid/SpaceMouseReport.h"
@@ -15,10 +14,10 @@ using palpate::testing::require;
 
 namespace
 {
-/// A parsed report survives being packed: the bytes of what it names come back.
+/// Removes the orientation, which packing may change.
 void forgetTurn(StateReport& report)
 {
-  // Of two components that are equal to rounding either may be the one that is left out.
+  // If two components are equal to rounding, either one may be the component that is left out.
   report.orientation = orientationNotTold();
 }
 
@@ -27,6 +26,7 @@ void forgetTurn(Report&)
 {
 }
 
+/// Checks that a parsed report keeps its bytes when it is packed again.
 template <class Report>
 void parseAndPack(const std::uint8_t* bytes, std::size_t size)
 {
@@ -112,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     return 0;
   }
-  // A copy of just this size, so that the address sanitizer sees its end.
+  // A copy of exactly this size, so that the address sanitizer detects a read beyond its end.
   std::vector<std::uint8_t> bytes(data + 1, data + size);
   if ((data[0] & 1U) != 0 && bytes.size() >= HapticReportSize)
   {

@@ -12,7 +12,7 @@
 
 namespace palpate::testing
 {
-/// A file without a disk, whose content changes from run to run.
+/// A file in memory whose content changes from run to run.
 class MemoryFile
 {
 public:

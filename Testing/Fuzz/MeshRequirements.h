@@ -12,7 +12,8 @@
 
 namespace palpate::testing
 {
-/// A mesh of a file has nothing after a fault, and otherwise no corner without a point.
+/// Checks a mesh from a file: with a fault it must be empty, else each corner must be a valid
+/// point.
 inline void requireWhole(const FileMesh& mesh)
 {
   if (!mesh.fault.empty())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a .ply file: they are judged in bounded time and memory, and one without a header is
-// refused.
+// Any bytes as a .ply file: checked in bounded time and memory; a file without a header is
+// rejected.
 #include "Contact/MeshFiles/PlyFault.h"
 #include "Require.h"
 

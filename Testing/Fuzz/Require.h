@@ -7,7 +7,7 @@
 
 namespace palpate::testing
 {
-/// What must hold whatever comes in; the fuzzer keeps the input for which it does not.
+/// Checks a requirement that must hold for every input. The fuzzer keeps an input that violates it.
 inline void require(bool holds, const char* what)
 {
   if (!holds)

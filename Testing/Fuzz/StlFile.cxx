@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as an .stl file, ASCII or binary: an error, or triangles of points that are there.
+// Any bytes as an .stl file, ASCII or binary: an error, or triangles of existing points.
 #include "Contact/MeshFiles/StlFile.h"
 #include "MeshRequirements.h"
 

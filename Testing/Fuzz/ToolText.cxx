@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as a tool, and as the file of a profile: an error, or a tool whose forces are numbers,
-// that writes itself down and is read again as the same. Input: the first byte: 0 a specification,
-// else a profile file; then the text.
+// Any text as a tool, and as the file of a profile: an error, or a tool with finite forces whose
+// written form reads back as the same tool. Input: the first byte: 0 a specification, else a
+// profile file; then the text.
 #include "MemoryFile.h"
 #include "Mechanics/Tools/ProfileFile.h"
 #include "Require.h"
@@ -44,7 +44,7 @@ void tryTool(const ToolSpecification& specification)
 
 void readSpecification(const std::string& text)
 {
-  // A file of the machine is not for a fuzzer to read.
+  // A fuzzer must not read files of the machine.
   const bool isFile = text.rfind("profile:", 0) == 0 && text.find(';') == std::string::npos;
   ToolSpecification specification;
   std::string error;

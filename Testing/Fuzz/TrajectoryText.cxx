@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any text as a trajectory or recording: an error that names a line, or rows that are finite and in
-// the order of time, that are written and read again to the same bits, and that can be replayed.
+// the order of time, that keep their bits when written and read again, and that can be replayed.
 #include "MemoryFile.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Require.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any triangles as a body: it is built, counts what is wrong with it, and a tick over it finds no
-// triangle that is nearer by enumeration than the one it says, and no force that is not finite.
-// Input: numbers of points and triangles, coordinates, indices (also wrong ones), tips.
+// Any triangles as a body. The body is built and its defects are counted. In a tick on it,
+// enumeration finds no triangle nearer than the reported one, and every force is finite. Input:
+// numbers of points and triangles, coordinates, indices (also invalid ones), tips.
 #include "AnyTips.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"
@@ -17,7 +17,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Closest by enumeration, among the triangles that take part.
+/// Smallest distance by enumeration of the triangles that take part.
 double smallestDistance(const PackedMesh& mesh, const Vector3& tip)
 {
   double smallest = std::numeric_limits<double>::infinity();
@@ -81,7 +81,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (reaches && !body.tree.isBeyondHorizon(body.surface.toLocal(tip)))
   {
     const double smallest = smallestDistance(body.surface, body.surface.toLocal(tip));
-    // Both are computed in double from the same coordinates, of up to the body's size.
+    // Both are computed in double from the same coordinates, which are at most as large as the
+    // body.
     require(
       std::abs(closest.signedDistance) <= smallest * (1.0 + 1e-9) + 1e-12 * sizeOf(body.surface),
       "no triangle is closer than the closest");

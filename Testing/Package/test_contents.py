@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 
 from installation import BUILD, LIBDIR, LIBRARIES, SOURCE, VERSION, install, is_elf, our_headers, soversion
 
-# All that a component may hold; every file must match one of these, and every one of these a file.
+# All files that a component may contain. Every file must match a pattern, and every pattern a file.
 ALLOWED = {
     "runtime": [
         r"bin/palpate",

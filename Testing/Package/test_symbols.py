@@ -69,7 +69,8 @@ class Symbols(unittest.TestCase):
         for library in KERNELS:
             path = os.path.join(self.scratch.name, "usr", LIBDIR, f"libpalpate{library}.so.{VERSION}")
             told = subprocess.run(["readelf", "-rW", path], check=True, capture_output=True, text=True).stdout
-            # offset, info, type, value, name; the value of what another library defines is 0
+            # offset, info, type, value, name; the value is 0 for a symbol that another library
+            # defines
             called = [line.split() for line in told.splitlines() if "_JUMP_SL" in line]
             self.assertGreater(len(called), 10, library)
             self.assertEqual([entry[4] for entry in called if entry[3].strip("0")], [], library)

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet, vtkRectilinearGrid
 from vtkmodules.vtkFiltersCore import vtkExtractCells
 
-PLACES = 4                                                  # decimals of mm, to tell points by
+PLACES = 4                                                  # decimals of mm by which points are distinguished
 
 
 def stiffened(source):
@@ -30,7 +30,7 @@ def in_order(body):
 
 
 def in_paraview(source):
-    # Curvature and edges are those of the triangles, which each kind of data makes in its own way.
+    # Curvature and edges depend on the triangles, which each kind of data makes in its own way.
     response = simple.ToolContactResponse(Input=source, YoungsModulusArrayMPa=["POINTS", "Stiff"],
                                           CurvatureCorrection=0, ErrorTolerance=0)
     response.Tool.Shape = "Cone"
@@ -62,7 +62,8 @@ def check(source, plain, name):
     found, expected = in_order(found), in_order(expected)
     assert found.keys() >= expected.keys(), (name, expected.keys() - found.keys())
     for key, values in expected.items():
-        # Sums over the triangles of a point in another order: a few units of float's last place.
+        # The sums over the triangles of a point have another order: a few units of the last place
+        # of a float.
         np.testing.assert_allclose(found[key], values, rtol=2e-6, atol=2e-6, err_msg=f"{name}: {key}")
 
 
@@ -95,7 +96,7 @@ def halves(source):
 
 ball = stiffened(simple.Sphere(Radius=50, ThetaResolution=40, PhiResolution=40))
 check(ball, ball, "triangles")
-assert "Normals" in in_order(in_paraview(ball))             # arrays of the body survive
+assert "Normals" in in_order(in_paraview(ball))             # the arrays of the body are kept
 check(simple.TriangleStrips(Input=ball), ball, "strips")
 
 quads = stiffened(simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0),
@@ -120,7 +121,7 @@ for half, set_ticks in zip((4, 5, 6), (grid.SetXCoordinates, grid.SetYCoordinate
 grid.GetPointData().ShallowCopy(voxels.GetPointData())
 check(given(grid), surface, "rectilinear grid")
 
-# Partitions are one body: no wall inside, where volumes meet, and no point twice.
+# Partitions form one body: no inner wall where volumes meet, and no duplicate points.
 check(halves(image), surface, "image in partitions")
 check(halves(tetrahedra), plain_surface(tetrahedra), "tetrahedra in partitions")
 bare = stiffened(simple.Triangulate(Input=simple.Clean(Input=simple.Cylinder(Radius=20, Height=30, Capping=1))))

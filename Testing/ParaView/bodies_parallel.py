@@ -52,7 +52,7 @@ check("without ghosts", simple.RedistributeDataSet(Input=image), 6 * 20**2, 2 * 
 check("blocks", simple.GroupDatasets(Input=[simple.Sphere(Radius=20, Center=(60, 0, 0), **SPHERE), image]),
       sphere_area(20) + 6 * 20**2, SPHERE_TRIANGLES + 2 * 6 * 20**2)
 
-# Mirrored, without normals: inside out as a whole, which no piece can tell by itself.
+# Mirrored, without normals: the whole body is inside out, which no single piece can detect.
 mirror = simple.Transform(Input=simple.PassArrays(Input=simple.Sphere(Radius=50, **SPHERE)), Transform="Transform")
 mirror.Transform.Scale = [-1, 1, 1]
 mirror.UpdatePipeline()

@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 FOLDER = sys.argv[1]
-FLOAT = 5e-7                                                # what storing a float may cost, relative
+FLOAT = 5e-7                                                # relative error of a stored float
 YOUNG, POISSON = 0.05, 0.45                                 # MPa, -
 REDUCED = YOUNG / (1 - POISSON**2)
 if not os.environ.get("DISPLAY"):
@@ -89,7 +89,7 @@ def hertz(depth, modulus=REDUCED, radius=6.35):
 
 def body_with_responses():
     ball = simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60)
-    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0}    # closed forms, without bands
+    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0}    # closed forms without bands
     first = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, **plain)
     first.Tool.Shape, first.Tool.Radiusmm = "Paraboloid", 6.35
     both = simple.ToolContactResponse(Input=first, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, ResponseName="Flat",
@@ -189,7 +189,7 @@ def check_history(body):
     view, shown = opened(history)
     check_axes(view, "Deflection (mm)")
     assert visible(shown) == {"Normal Force (N)", "Friction Force (N)", "Force (N)"}, visible(shown)
-    # With time, the same chart goes over to it by itself, and back.
+    # If there are times, the same chart switches to time by itself, and back.
     timed = simple.Calculator(Input=way, ResultArrayName="Time", Function="(53 - coordsX) / 5")
     probe.Tips = timed
     simple.Render(view)

@@ -31,10 +31,10 @@ points = vtk_to_numpy(body.GetPoints().GetData())
 columns = servermanager.Fetch(curves).GetRowData()
 names = [columns.GetArrayName(i) for i in range(columns.GetNumberOfArrays())]
 assert names[0] == "Deflection (mm)" and 1 < len(names) < len(points), names
-chosen = [int(name.split()[3]) for name in names[1:] if ", " not in name]   # without the bands
-assert (points[chosen, 2] > 0).all(), chosen                # of the side that is seen
+chosen = [int(name.split()[3]) for name in names[1:] if ", " not in name]   # excludes the bands
+assert (points[chosen, 2] > 0).all(), chosen                # on the visible side
 near, far = np.hypot(*points[chosen, :2].T).max(), np.hypot(*points[points[:, 2] > 0, :2].T).max()
-assert near < far, (near, far)                              # the middle of it
+assert near < far, (near, far)                              # the middle of the visible side
 
 view = [view for view in simple.GetViews() if view.SMProxy.GetXMLName() == "XYChartView"]
 assert len(view) == 1, view

@@ -58,7 +58,7 @@ def first_force():
     rows = [numbers(line) for line in run("first_force.py")]
     assert len(rows) == 6
     for (depth, force), tip in zip(rows, (50.5, 50, 49.5, 49, 48.5, 48)):
-        close(depth, max(0, 50 - tip), 0.015)               # facets lie up to 7 micrometres deep; 2 decimals
+        close(depth, max(0, 50 - tip), 0.015)               # facets are up to 7 micrometres deep; 2 decimals
         close(force, sphere(6.35, depth, 0.05 / (1 - 0.45**2), 50), 2e-3)
 
 
@@ -92,7 +92,8 @@ def read_contract():
         close(force, sphere(6.35, depth, reduced, 50), 1e-3 * force + 1e-6) # eight samples, and the mesh's curvature
     flat = [numbers(line) for line in run("read_contract.py", "contract.vtp", "Punch")]
     for depth, force, stiffness in flat:
-        # Touched whole from 0.18 mm on, a corner of the curve that eight samples round off.
+        # The whole end is in contact from 0.18 mm on. There the curve has a corner, which eight
+        # samples round off.
         close(force, 2 * reduced * (3 * depth - 3**3 / (3 * 50)) if depth else 0.0, 3e-3 * force)
         close(stiffness, 2 * 3 * reduced if depth else 0.0, 0.02 * stiffness)
 
@@ -103,9 +104,9 @@ def probe_trajectory():
     assert len(lines) == 7
     for line in lines:
         *tip, depth, x, y, z = numbers(line)
-        close(depth, 50 - math.hypot(*tip), 0.015)          # facets lie up to 7 micrometres deep; 2 decimals
+        close(depth, 50 - math.hypot(*tip), 0.015)          # facets are up to 7 micrometres deep; 2 decimals
         close(math.hypot(x, y, z), sphere(6.35, depth, reduced, 50), 2e-3)
-        for along, direction in zip((x, y, z), tip):        # outwards, but for the facets' slant
+        for along, direction in zip((x, y, z), tip):        # outwards, except for the tilt of the facets
             close(along / math.hypot(x, y, z), direction / math.hypot(*tip), 0.02)
 
 
@@ -120,9 +121,9 @@ def friction_loop():
         assert state == "sticks"
     for turn, against in ((8, -1), (24, 1), (40, -1)):      # at x = 0.4, -0.4, 0.4 mm
         assert states[turn] == "slides"
-        close(friction[turn], against * limit, 1e-4)        # Coulomb's, against the motion
+        close(friction[turn], against * limit, 1e-4)        # Coulomb's friction, against the motion
     for turn in (8, 24):
-        assert states[turn + 1] == "sticks"                 # unloads elastically
+        assert states[turn + 1] == "sticks"                 # elastic unloading
         close(friction[turn + 1] - friction[turn], 0.8 * (xs[turn] - xs[turn + 1]), 2e-4)
 
 
@@ -153,7 +154,7 @@ def deflection_picture():
     row = [grey.GetComponent(300 * 600 + x, 0) for x in range(600)] # through the middle of the ball
     ball = [x for x in range(600) if row[x] > 0]
     assert 250 < len(ball) < 500, len(ball)
-    right = [row[x] for x in ball if x > 300]               # it darkens outwards, but for the dent
+    right = [row[x] for x in ball if x > 300]               # it darkens outwards, except at the dent
     assert any(later > earlier + 10 for earlier, later in zip(right, right[4:]))
 
 
@@ -200,8 +201,8 @@ def compare_global_local():
         for law, force in zip(laws, forces):
             close(force, in_series(law, compliances[name], 1), 2e-3 * force) # eight samples, five decimals
         close(apart[name], 100 * (max(forces) / min(forces) - 1), 0.06)
-    # A beam clamped at both ends, L^3/(192 E I), and its shear, L/(4 k G A): of 48 by 12 by 4 mm. Held across its
-    # width it bends as something between a beam and a plate, whose E is E/(1 - nu^2).
+    # A beam clamped at both ends, L^3/(192 E I), with shear, L/(4 k G A): 48 by 12 by 4 mm. Since
+    # it is held across its width it bends between a beam and a plate, whose E is E/(1 - nu^2).
     bends, shears = 48**3 / (192 * 12 * 4**3 / 12), 48 / (4 * 5 / 6 * (1 / 2.9) * 48)
     assert bends / reduced + shears < compliances["strip"] < bends + shears, compliances
     assert abs(compliances["block"]) < 0.05 * compliances["strip"]
@@ -211,16 +212,17 @@ def compare_global_local():
 def measured_curves():
     lines = run("measured_curves.py")
     assert [line.split()[0] for line in lines] == ["left", "top", "right"]
-    for line, true in zip(lines, (0.03, 0.04, 0.05)):      # mm/N, as Testing/Studies/measured made them
+    for line, true in zip(lines, (0.03, 0.04, 0.05)):      # mm/N, as set in Testing/Studies/measured
         modulus, compliance, _, force = numbers(line)
-        close(modulus, 3.45, 0.35)                         # noise of 0.05 N, and 5 % of energy lost
+        close(modulus, 3.45, 0.35)                         # noise of 0.05 N, and 5 % energy loss
         close(compliance, true, 0.01)
         stiffness = 2 * 1.6 * modulus
         close(force, 0.5 * stiffness / (1 + stiffness * compliance), 1e-3 * force) # three and four decimals
 
 
 def grip():
-    # E* = 1/(1 - 0.45^2), a ball of 3 mm, 0.5 mm deep. Its neighbour, r away, lets the surface down by F/(pi E* r).
+    # E* = 1/(1 - 0.45^2), a ball of 3 mm, 0.5 mm deep. Its neighbour at the distance r lowers the
+    # surface by F/(pi E* r).
     pinch, *pairs = run("grip.py", OUTPUT / "grip.png")
     reduced = 1 / (1 - 0.45**2)
     dent = sphere(3, 0.5, reduced)
@@ -230,10 +232,11 @@ def grip():
         apart = int(line.split()[0])
         close(alone, dent, 2e-3)                           # eight samples, three decimals
         close(together, in_series(lambda d: sphere(3, d, reduced), 1 / (math.pi * reduced * apart), 0.5), 2e-3)
-        close(less, 100 * (together / alone - 1), 0.15)    # of rounded forces
-    # By itself a finger bends the strip, 12 mm from its support and 12 by 6 mm, as something between a beam and a plate,
-    # whose E is E/(1 - nu^2); what voxels of 1.5 mm miss, and the dent in 6 mm, 10 %. Pinched it does not bend: what is
-    # left is the dent, at most as much harder as in a layer of half the strip that slips on its middle, some 35 %.
+        close(less, 100 * (together / alone - 1), 0.15)    # from rounded forces
+    # A single finger bends the strip, 12 mm from its support and 12 by 6 mm, between a beam and a
+    # plate, whose E is E/(1 - nu^2). Tolerance for the error of voxels of 1.5 mm and for the dent
+    # in 6 mm: 10 %. A pinched strip does not bend: only the dent is left. It is stiffer by at most
+    # about 35 %, as in a layer of half the thickness that slips on its middle.
     together, alone, _ = numbers(pinch)
     bends, shears = 12**3 / (3 * 12 * 6**3 / 12), 12 / (5 / 6 * (1 / 2.9) * 72)
     soft, hard = (in_series(lambda d: sphere(3, d, reduced), c, 0.5)
@@ -244,8 +247,9 @@ def grip():
 
 
 def tilted_punch():
-    # All of the end touches at 2.5 degrees: F = 2 a E* (D - a sin), M = 4/3 E* a^3 sin cos; four decimals. From 5 degrees on
-    # boundary elements, which are another code's: 1.7 %, what the rim's law leaves out of the wall.
+    # The whole end is in contact at 2.5 degrees: F = 2 a E* (D - a sin), M = 4/3 E* a^3 sin cos;
+    # four decimals. From 5 degrees on the reference is another code's boundary elements: 1.7 %, the
+    # effect of the wall that the law of the rim leaves out.
     upright, *lines = run("tilted_punch.py", OUTPUT / "tilted_punch.png")
     close(*numbers(upright), 0.4, 1e-4)
     rows = [numbers(line) for line in lines]
@@ -261,8 +265,9 @@ def tilted_punch():
 
 
 def feel_a_nodule():
-    # Axisymmetric finite elements of a wider body, Data/Reference/shape/nodule_forces.csv (0.4 mm deep between its
-    # rows); cells of half the ball's depth and a block of 20 mm: a tenth of the change, and 2 %.
+    # Axisymmetric finite elements of a wider body, Data/Reference/shape/nodule_forces.csv (0.4 mm
+    # deep, between its rows). With cells of half the ball's depth and a block of 20 mm the
+    # tolerance is a tenth of the change plus 2 %.
     for line, tool, change in zip(run("feel_a_nodule.py"), ("flat:1.6", "sphere:1.6", "sphere:6.35"), (26.6, 18.9, 29.5)):
         assert line.startswith(tool), line
         above, *beside = [float(found) for found in re.findall(r"[+-]\d+(?= %)", line)]
@@ -271,24 +276,26 @@ def feel_a_nodule():
 
 
 def press_a_horn():
-    # The sphere on the ball that the back is of, whose curvature the mesh tells to some per cent. A horn is as long as it
-    # is thick at its root: it gives way as a beam on top, by more than the dent. At its tip by 9.7 mm/N beside the dent, which is
-    # plain elements of 0.3 to 3 mm under Hertz's pressure of 1 to 1.5 mm; with a dent on 8 mm or on a plane 0.097 to 0.101 N.
-    # The normal turns that by 3 % a degree.
+    # The sphere on the ball that forms the back. The mesh gives its curvature to some per cent. A
+    # horn is as long as it is thick at its root: its deflection as a beam is added and exceeds the
+    # dent. At its tip this deflection is 9.7 mm/N in addition to the dent, from plain elements of
+    # 0.3 to 3 mm under Hertz's pressure of 1 to 1.5 mm; with a dent on 8 mm or on a plane the force
+    # is 0.097 to 0.101 N. A turn of the normal changes that by 3 % per degree.
     back, root, tip = [numbers(line) for line in run("press_a_horn.py", OUTPUT / "horn.png")]
     on_ball = sphere(3, 0.99 * 1.5, 0.1 / (1 - 0.45**2), 25)
     close(back[1], on_ball, 0.05 * on_ball)
-    close(back[0], on_ball, 0.15 * on_ball)                # the ball gives way as a whole, 0.46 a/R_b, and on its bottom
+    close(back[0], on_ball, 0.15 * on_ball)  # global deflection of the ball, 0.46 a/R_b, and of its bottom
     close(tip[0], 0.099, 0.12 * 0.099)
     assert back[0] < back[1] and root[0] < 0.5 * root[1] and tip[0] < 0.8 * root[0], (back, root, tip)
     assert (OUTPUT / "horn.png").stat().st_size > 20000
 
 
 def head_of_tissues():
-    # Bone is a hundred times a layer's base, and curved: the law of a layer, which the tissues are close to, knows none of
-    # that, nor how far a voxel of 1 mm is skin (a tenth of the thickness here, as much of what the base adds).
+    # Bone is a hundred times stiffer than the layer and curved. The law of a layer on a rigid base
+    # is close to the tissues, but ignores both. It also ignores how much of a voxel of 1 mm is skin
+    # (a tenth of the thickness here, with the same effect on the influence of the base).
     (thickness, tissues, layer, skin), = [numbers(line) for line in run("head_of_tissues.py")]
-    assert 8 <= thickness <= 13, thickness                 # Colin 27's forehead
+    assert 8 <= thickness <= 13, thickness                 # forehead of Colin 27
     close(skin, sphere(6.35, 0.8, 0.035 / (1 - 0.49**2)), 0.1 * skin) # the forehead is curved by 1/80 mm or less
     close(tissues, layer, 0.2 * layer)
     assert tissues > 1.2 * skin, (tissues, skin)

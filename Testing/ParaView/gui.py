@@ -28,4 +28,4 @@ assert response.Tool.Shape == "Cone" and response.Tool.HalfAngledegrees == 20
 response.CurvatureCorrection = 0                            # the cone's own law
 force = vtk_to_numpy(servermanager.Fetch(response).GetPointData().GetArray("ResponseForce"))
 cone = 2 / np.pi * np.tan(np.radians(20)) * 0.1 / (1 - 0.45**2) * 3**2
-np.testing.assert_allclose(force[:, -1], cone, rtol=1e-6)    # float
+np.testing.assert_allclose(force[:, -1], cone, rtol=1e-6)    # float rounding

@@ -28,7 +28,7 @@ if not os.environ.get("DISPLAY"):
     sys.exit(77)
 STATE, FORCE, DESCRIPTION, HELLO = 1, 2, 3, 4
 RATE = 500.0        # states per second
-DEEP = 11.5e-3      # m, of the hand from its origin, which lies 10 mm above the surface
+DEEP = 11.5e-3      # m, of the hand below its origin, which is 10 mm above the surface
 REDUCED = 0.1 / (1 - 0.45**2)  # MPa, the default material
 
 
@@ -47,13 +47,14 @@ class Hand(threading.Thread):
         self.socket.bind(("127.0.0.1", 0))
         self.socket.settimeout(1 / RATE)
         self.name = f"bridge:udp:{self.socket.getsockname()[1]}"
-        self.forces = []     # of every force report: time, enabled, size in N
+        self.forces = []     # for each force report: time, enabled, size in N
         self.ending = False
 
     def run(self):
         host, begin, sequence = None, None, 0
-        # The view looks along -z, up is y: device and body have the same axes. The handle begins where a touch does; in
-        # perspective that is up to 5 degrees elsewhere, which takes 0.05 mm from the depth.
+        # The view looks along -z, and up is y: device and body have the same axes. The handle
+        # begins where a touch begins. Perspective changes that by up to 5 degrees, which reduces
+        # the depth by 0.05 mm.
         start = [0.0, 0.0, 0.0]
         assert palpate.vtkToolTouch.FindStart(read_body(), "Response", (0, 0, 1), (0, 1, 0), start)
         inward = -np.array(start) / np.linalg.norm(start)
@@ -117,26 +118,27 @@ def read(name):
 
 
 def press():
-    # The numbers in LivePress.xml: a flat punch of 5 mm feels F = 2 E* R d.
+    # Expected numbers of LivePress.xml: a flat punch of 5 mm has F = 2 E* R d.
     for text, modulus, deep in (("1.254", 1.0, 1.0), ("0.627", 0.5, 1.0), ("0.313", 0.5, 0.5)):
-        # The facets of the sphere take 1e-4 of the depth; the label has three digits.
+        # The facets of the sphere reduce the depth by 1e-4. The label has three digits.
         assert abs(float(text) - 2 * REDUCED * modulus * 5 * deep) < 6e-4
     for old in ("live_touched.png", "live_stopped.png"):
         if os.path.exists(f"{folder}/{old}"):
             os.remove(f"{folder}/{old}")
     play("LivePress")
     colours = {
-        # The arrow of half of the response's largest force is a quarter of the body's 173 mm long; and its label.
+        # The arrow of half of the response's largest force is a quarter of the body's 173 mm long.
+        # Its label counts too.
         "arrow": (lambda red, green, blue: (red > green + 60) & (red > blue + 80), 100),
         "handle": (lambda red, green, blue: (red > 200) & (green > 180) & (blue < 60), 20),
-        # Seen through the tool the warm white of the body is grey; the background is bluer, and darker.
+        # Behind the tool the warm white of the body looks grey; the background is bluer and darker.
         "tool": (lambda red, green, blue: (abs(red - blue) < 6) & (red > 110), 200)}
     touched, stopped = read("live_touched.png"), read("live_stopped.png")
     differs = (touched != stopped).any(axis=0)
     for part, (test, least) in colours.items():
         seen, left = (np.sum(test(*picture) & differs) for picture in (touched, stopped))
         print(part, seen, left)
-        # A few pixels of the body's rim, in its own shade, are as grey as the tool.
+        # A few pixels of the body's shaded rim are as grey as the tool.
         assert seen > least and left <= seen / 50, part
 
 
@@ -149,7 +151,7 @@ def end_in_touch(name, quiet):
     hand.ending = True
     hand.join()
     size = np.array([force for _, _, force in hand.forces])
-    # Hertz's law of the 5 mm sphere 1.5 mm deep; the exact sphere feels up to a tenth less.
+    # Hertz's law of the 5 mm sphere at 1.5 mm; the exact sphere gives up to a tenth less.
     hertz = 4 / 3 * REDUCED * np.sqrt(5) * 1.5**1.5
     assert 0.8 * hertz < size.max() < 1.02 * hertz, (name, size.max(), hertz)
     moment, enabled, last = hand.forces[-1]
@@ -174,7 +176,7 @@ def remote():
 
 cases = {
     "press": press,
-    # The script goes on for 1.5 s after what ended the touch: nothing is sent any more in that time.
+    # The script continues for 1.5 s after the end of the touch. Nothing is sent in that time.
     "delete": lambda: end_in_touch("LiveDelete", 1.4),
     "close": lambda: end_in_touch("LiveCloseView", 1.4),
     "reset": lambda: end_in_touch("LiveReset", 1.4),

@@ -24,8 +24,8 @@ def forces(ranks, *arguments):
 
 alone = forces(1)
 assert set(alone) == {"Sphere", "Flat", "Cone"}, alone
-# F = 2 E* (a d - a^3 / 3 R) of the flat punch on a ball of R = 50 mm, whose facets lie up to 0.0063 mm deep (0.79 mm
-# beside the pole).
+# F = 2 E* (a d - a^3 / 3 R) of the flat punch on a ball of R = 50 mm. The ball's facets are up to
+# 0.0063 mm deep (0.79 mm from the pole).
 for depth, force in zip((0.5, 1.0, 1.5, 2.0), alone["Flat"][3:]):
     stiffness = 2 * 0.05 / (1 - 0.45 ** 2) * 3
     touched = depth - 3 ** 2 / (3 * 50)

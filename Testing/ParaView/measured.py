@@ -39,7 +39,7 @@ def check_defaults(proxy):
 
 
 def main(folder):
-    body = simple.Triangulate(Input=simple.Plane(  # its middle at 0
+    body = simple.Triangulate(Input=simple.Plane(  # centred at 0
         Origin=(-10, -10, 0), Point1=(10, -10, 0), Point2=(-10, 10, 0), XResolution=10, YResolution=10))
     proxy = simple.MeasuredContactResponse(Input=body)
     check_defaults(proxy)
@@ -75,7 +75,7 @@ def check_table(body, from_file, file):
                                       vtk_to_numpy(other.GetPointData().GetArray(name)), name)
     assert servermanager.Fetch(from_table, idx=2).GetNumberOfRows() == 71
 
-    # Also with every column as text, and out of a filter on the table.
+    # The same with every column as text, and from the output of a filter on the table.
     table.DetectNumericColumns = 0
     text = servermanager.Fetch(from_table, idx=0)
     np.testing.assert_array_equal(vtk_to_numpy(text.GetPointData().GetArray("ResponseForce")),

@@ -6,7 +6,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ball = simple.Sphere(Radius=50)
-# The active scalars of the body, which ParaView would choose by itself.
+# The active scalars of the body, which ParaView would choose by default.
 body = simple.Calculator(Input=ball, ResultArrayName="Stiff", Function="0.05 + 0.001 * abs(coordsX)")
 body.UpdatePipeline()
 response = simple.ToolContactResponse(Input=body, CurvatureCorrection=0)  # closed forms

@@ -36,7 +36,7 @@ def curvatures(place):
     along = np.eye(3) - np.outer(slope, slope) / steepness**2
     bend = np.array([(gradient(x + 1e-2 * e) - gradient(x - 1e-2 * e)) / 2e-2 for e in np.eye(3)])
     found = np.linalg.eigvalsh(along @ (0.5 * (bend + bend.T)) @ along / steepness)
-    return np.delete(found, np.argmin(np.abs(found)))        # along the normal there is none
+    return np.delete(found, np.argmin(np.abs(found)))        # there is no curvature along the normal
 
 
 def organ(level=6, size=1.0):

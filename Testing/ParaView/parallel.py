@@ -254,7 +254,8 @@ for index, distance in ((200, 0.0), (60, 9.0), (-1, 0.0)):
     check_same(servermanager.Fetch(dent), whole, ("ContactDisplacement",), 1e-6)
     check_integrals(dent, whole, ("ContactDisplacement",))
 
-# Material from arrays: the tables of layers, the exponent and the regime are those of the whole.
+# Material from arrays: the tables of layers, the exponent and the regime are those of the whole
+# body.
 response = simple.ToolContactResponse(Input=pieces, YoungsModulusArrayMPa=["POINTS", "E"],
                                       LayerThicknessArraymm=["POINTS", "Layer"])
 serial = serial_response(ball, i0="E", i1="Layer")
@@ -279,7 +280,7 @@ dent = simple.ContactDeflection(Body=response, Tips=probe)
 check_same(servermanager.Fetch(dent), serial_dent(serial, serial_probe(serial, path, FrictionCoefficient=0.2)),
            ("ContactDisplacement",), 1e-6)
 
-# Normals that are not those of the triangles are not used.
+# Input normals that differ from those of the triangles are not used.
 with_normals = bumpy_ball()
 normals = numpy_to_vtk((points_of(ball) / np.linalg.norm(points_of(ball), axis=1)[:, None]).astype(np.float32), deep=1)
 normals.SetName("Outward")
@@ -290,8 +291,8 @@ fetched, serial = servermanager.Fetch(response), serial_response(with_normals, i
 ranks.check_bits(fetched, serial, OF_POINTS, OF_NORMALS)
 ranks.check_sums(fetched, serial)
 
-# Through a block: the contact stays on the face it entered, also where the other is nearer, so that more has to be
-# gathered than what lies around the tip.
+# Through a block: the contact stays on the face where it entered, even if the other face is nearer.
+# So more points must be gathered than those around the tip.
 plate = slab()
 response = simple.ToolContactResponse(Input=in_pieces(plate, "slab"), YoungsModulusMPa=0.05)
 serial = serial_response(plate)
@@ -316,6 +317,7 @@ for name, tips in (("first", around(2.5, 60)), ("second", around(2.5, 60) + [60,
     probe = simple.ToolContactProbe(
         Body=response, Tips=simple.XMLPolyDataReader(FileName=[write(tips_from(tips, True), name)]))
     forces = arrays_of(servermanager.Fetch(probe))["Force"]
-    # The second ball is moved in float coordinates of 80 mm, 4e-6 mm, on 2.5 mm deep.
+    # The second ball is moved in float coordinates of 80 mm: an error of 4e-6 mm at a depth of 2.5
+    # mm.
     assert np.abs(forces - on_one["Force"]).max() <= 1e-5 * np.abs(on_one["Force"]).max(), name
 print("done", PROCESSES)

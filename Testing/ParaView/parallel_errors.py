@@ -109,7 +109,7 @@ def check_response():
     response.SetInputArrayToProcess(0, 0, 0, 0, "E")
     expect(response, "'E'")
 
-    # One process without a piece is nothing wrong.
+    # A process without a piece is not an error.
     response = response_of(vtkPolyData() if LAST else piece())
     expect(response)
     assert response.GetOutput().GetNumberOfPoints() == (0 if LAST else 121)
@@ -150,7 +150,7 @@ def check_probe():
 
 def check_dent():
     body = good_response()
-    # The seam lies at x = 20; the depth is that of the tip, whichever piece the tip is over.
+    # The seam is at x = 20. The depth is that of the tip, on whichever piece.
     tips = tips_at((20.5, 0, -1), (19.5, 0, -1), (5, 0, -1)) if RANK == 0 else vtkPolyData()
     probe = probe_of(body, tips)
     expect(probe)
@@ -167,7 +167,8 @@ def check_dent():
     expect(dent)
     moved = dent.GetOutput().GetPointData().GetArray("ContactDisplacement")
     deepest = -min(moved.GetComponent(i, 2) for i in range(moved.GetNumberOfTuples()))
-    # 1 mm under the tip; under a grid point at 0.5 mm less by r^2/(2R) = 0.025 mm, on both sides of the seam.
+    # 1 mm under the tip; at a grid point 0.5 mm away it is less by r^2/(2R) = 0.025 mm, on both
+    # sides of the seam.
     assert COUNT == 1 or RANK > 1 or abs(deepest - 0.975) < 0.002, (RANK, deepest)
     if COUNT > 1:
         dent.SetTipIndex(3)
@@ -200,7 +201,7 @@ def check_ghosts():
     if COUNT > 1:
         assert ghosts.GetOutput().GetNumberOfPoints() == 121 and ghosts.GetOutput().GetNumberOfCells() == 200
         for name in ("ResponseForce", "ResponseNormal", "ResponseValidity"):
-            # Taking ghosts out may number the points anew.
+            # Removing the ghosts may renumber the points.
             one, other = ({f.GetOutput().GetPoint(i): f.GetOutput().GetPointData().GetArray(name).GetTuple(i)
                            for i in range(121)} for f in (plain, ghosts))
             assert one == other, name

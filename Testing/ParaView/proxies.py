@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 YOUNG, POISSON = 0.05, 0.4                                  # MPa, -
 REDUCED = YOUNG / (1 - POISSON**2)
-FLOAT = 5e-7                                                # what storing a float may cost, relative
+FLOAT = 5e-7                                                # relative error of a stored float
 
 PROPERTIES = {                                              # of each proxy: label -> default
     ("contact_tools", "ContactTool"): {
@@ -162,7 +162,7 @@ def check_properties():
         if group != "contact_tools" and not hints.FindNestedElementByName("ReaderFactory"):
             assert hints.FindNestedElementByName("ShowInMenu").GetAttribute("category") == "Palpate", name
         made = proxy.GetClientSideObject()
-        # the class itself or, of the plugin's own vtkPV..., the one in the package that it is made of
+        # the class itself or, for the plugin's own vtkPV..., the corresponding class of the package
         assert type(made) is getattr(palpate, made.GetClassName().replace("vtkPV", "vtk")), type(made)
         found = {}
         keys = proxy.NewPropertyIterator()
@@ -226,7 +226,7 @@ def check_relaxation():
 
 def with_response(body):
     response = simple.ToolContactResponse(Input=body)
-    response.Tool.Shape = "Paraboloid"                      # whose law the samples store exactly
+    response.Tool.Shape = "Paraboloid"                      # the samples store its law exactly
     response.Tool.Radiusmm = 6.35
     response.YoungsModulusMPa = YOUNG
     response.PoissonsRatio = POISSON
@@ -252,7 +252,7 @@ def check_ball():
     probe = simple.ToolContactProbe(Body=response, Tips=press)
     assert type(probe.GetClientSideObject()) is palpate.vtkToolContactProbe
     depth = fetched(probe, "Deflection")
-    assert depth[0] == 0 and 1.6 < depth[-1] < 2, depth     # the facets lie a little within the ball
+    assert depth[0] == 0 and 1.6 < depth[-1] < 2, depth     # the facets are slightly inside the ball
     expected = [tool.GetForce(d, REDUCED) for d in depth]
     np.testing.assert_allclose(fetched(probe, "NormalForce"), expected, rtol=FLOAT, atol=1e-15)
     force = fetched(probe, "Force")
@@ -296,7 +296,7 @@ def check_friction():
     for form in ("Paper", "Normalized direction", "Energy-consistent"):
         for surface in ("Facets", "Smooth"):
             probe.ForceForm, probe.ContactSurface = form, surface
-            assert fetched(probe, "NormalForce").all()      # a plate is the same to all of them
+            assert fetched(probe, "NormalForce").all()      # a plate has the same force everywhere
 
 
 def check_plane():
@@ -394,7 +394,8 @@ def check_true_shape():
     assert smaller[top, -1] < force[top, -1] and made.GetNumberOfSolutions() == 0
     shaped.YoungsModulusMPa = 2 * YOUNG
     np.testing.assert_allclose(fetched(shaped, "ResponseForce")[top], 2 * smaller[top], rtol=1e-4)
-    # On a surface of its own, in the body's unit: the ball that was filled, which is smooth where voxels are not.
+    # On a separate surface, in the body's unit: the ball that was filled, which is smooth, unlike
+    # the voxels.
     shaped.Surface = ball
     felt = fetched(shaped, "ResponseForce")
     points = vtk_to_numpy(servermanager.Fetch(shaped).GetPoints().GetData())

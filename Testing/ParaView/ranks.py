@@ -69,6 +69,6 @@ def check_sums(pieces, serial):
     order n - 1: two are no farther apart than 2 (n + 20) eps times the sum of the terms' sizes."""
     for found, expected in zip(terms(pieces), terms(serial)):
         bound = 2 * (len(expected) + 20) * EPS * np.abs(expected).sum()
-        off = abs(np.cumsum(found)[-1] - np.cumsum(expected)[-1])               # cumsum: one after the other
+        off = abs(np.cumsum(found)[-1] - np.cumsum(expected)[-1])               # cumsum adds one by one
         assert off <= bound, (off, bound)
         assert abs(math.fsum(found) - math.fsum(expected)) <= 40 * EPS * np.abs(expected).sum()

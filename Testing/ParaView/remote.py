@@ -26,7 +26,7 @@ def start_server():
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    # Without the plugin; and this process may be one of MPI itself, which mpiexec does not take.
+    # Without the plugin. This process may itself belong to MPI, which mpiexec does not accept.
     environment = {k: v for k, v in os.environ.items()
                    if k != "PV_PLUGIN_PATH" and not k.startswith(("OMPI_", "PMIX_", "OPAL_", "ORTE_"))}
     server = subprocess.Popen(SERVER + ["--server-port=%d" % port, "--dr"], text=True,

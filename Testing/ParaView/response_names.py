@@ -22,27 +22,28 @@ both = simple.ToolContactResponse(Input=cone, ResponseName="Ball")
 both.UpdatePipeline()
 three = simple.ToolContactResponse(Input=both)
 three.UpdatePipeline()
-# What looks like a part of a response is none.
+# An array whose name resembles a part of a response is not a response.
 odd = simple.Calculator(Input=three, ResultArrayName="WrongRange", Function="coordsX")
 odd.UpdatePipeline()
 for reader in READERS:
-    # The default is the name that the body has; Response, if it has that.
+    # The default is the name of the body's response; Response if there is one of that name.
     assert name_and_choice(reader, cone) == ("Cone", ["Cone"]), reader
     name, choice = name_and_choice(reader, both)
     assert name in ("Ball", "Cone") and sorted(choice) == ["Ball", "Cone"], (reader, name, choice)
     name, choice = name_and_choice(reader, odd)
     assert name == "Response" and sorted(choice) == ["Ball", "Cone", "Response"], (reader, name, choice)
-    # Nothing to choose from: the name as it is.
+    # Without a choice the name stays as it is.
     assert name_and_choice(reader, ball) == ("Response", ["Response"]), reader
 
-# A name that the body has not yet, from a script, stays; and it is among the choices once the body changes.
+# A name from a script that the body does not have yet is kept. It is among the choices once the
+# body changes.
 regime = simple.ContactRegime(Input=cone)
 regime.ResponseName = "Later"
 regime.UpdateVTKObjects()
 regime.Input = both
 assert regime.ResponseName == "Later"
 assert sorted(regime.GetProperty("ResponseName").Available) == ["Ball", "Cone", "Later"]
-# It comes back from a state.
+# A state restores it.
 state = sys.argv[1] + "/response_names.pvsm"
 simple.RenameSource("regime", regime)
 regime.ResponseName = "Ball"

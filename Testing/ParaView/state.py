@@ -11,7 +11,7 @@ from pipeline import build, check_same, numbers             # noqa: E402
 from paraview import simple                                 # noqa: E402
 
 CHARTS = bool(os.environ.get("DISPLAY"))
-FOLDER = os.path.join(sys.argv[1], "state")                 # its own: tests run side by side
+FOLDER = os.path.join(sys.argv[1], "state")                 # a separate folder: tests run in parallel
 
 
 def show_charts():

@@ -89,7 +89,7 @@ whole = simple.ToolContactProbe(
     Tips=simple.PalpateTrajectoryReader(FileName=FOLDER + "/session.csv", WholePath=1))
 all_at_once = servermanager.Fetch(whole)
 
-# The whole path is what the session felt: the same kernel, the same tips.
+# The probe on the whole path reproduces the session: the same kernel, the same tips.
 for name in ("Deflection", "NormalForce", "FrictionForce"):
     np.testing.assert_allclose(array(all_at_once, name), array(felt, name), rtol=1e-12, atol=1e-13, err_msg=name)
 assert abs(array(felt, "FrictionForce")).max() > 0.5 * FRICTION * array(felt, "NormalForce").max()
@@ -121,14 +121,14 @@ def check_now(time):
     last = np.searchsorted(times, time + 1e-9, side="right")
     for view_at in (view, chart):
         simple.Render(view_at)
-    now = probe.GetClientSideObject().GetOutput()           # as the views have asked for it
+    now = probe.GetClientSideObject().GetOutput()           # in the state that the views have requested
     assert now.GetNumberOfPoints() == last, (time, now.GetNumberOfPoints(), last)
     for name in ("Deflection", "NormalForce", "FrictionForce", "Force"):
         np.testing.assert_array_equal(array(now, name), array(all_at_once, name)[:last], err_msg=name)
     deep = array(now, "Deflection")[-1]
     moved = array(dent.GetClientSideObject().GetOutput(), "ContactDisplacement")
-    # The point of the grid next to the contact lies no more than 0.36 mm off it, where the sphere's surface is
-    # 0.36^2/(2*5) mm higher and the dent's rim no steeper.
+    # The grid point nearest to the contact is at most 0.36 mm from it. There the sphere's surface
+    # is 0.36^2/(2*5) mm higher, and the dent's rim is no steeper.
     assert deep - 0.05 <= -moved[:, 2].min() + 1e-6 and -moved[:, 2].min() <= deep + 1e-6, (time, deep, moved.min())
     assert history.GetClientSideObject().GetOutput().GetNumberOfRows() == last
     return deep

@@ -7,12 +7,12 @@ from paraview import servermanager, simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 YOUNG, POISSON, RANGE = 0.05, 0.4, 3.0                      # MPa, -, mm
-FLOAT = 1e-6                                                # what storing floats may cost, relative
+FLOAT = 1e-6                                                # relative error of stored floats
 
 
 def tool():
     made = palpate.vtkContactTool()
-    made.SetShapeToParaboloid()                             # whose law the samples store exactly
+    made.SetShapeToParaboloid()                             # the samples store its law exactly
     made.SetRadius(6.35)
     return made
 
@@ -79,10 +79,10 @@ def check_start(folder):
         last = simple.Touch(Input=response)
         check(last, place)
     trace = smtrace.stop_trace()
-    assert trace.count(".TipPositionmm = [") == 3, trace    # not left to the view that the script finds
+    assert trace.count(".TipPositionmm = [") == 3, trace    # the script must not depend on the view that it finds
     kept = list(last.TipPositionmm)
     simple.RenameSource("begun", last)
-    view.CameraPosition = (200, 0, 0)                       # the state's own view is not looked through again
+    view.CameraPosition = (200, 0, 0)                       # the state must not apply the view's camera again
     simple.SaveState(folder + "/touch_start.pvsm")
     simple.ResetSession()
     simple.LoadState(folder + "/touch_start.pvsm")
@@ -145,7 +145,7 @@ def check_second_tip(response):
     places = vtk_to_numpy(servermanager.Fetch(response).GetPoints().GetData())
     for tip in tips:                                        # the surface meets both tools
         under = np.linalg.norm((places - tip)[:, :2], axis=1).argmin()
-        np.testing.assert_allclose(dent[under], RANGE / 2, rtol=0.02)    # a point law's C, a tenth of a mm aside
+        np.testing.assert_allclose(dent[under], RANGE / 2, rtol=0.02)    # C of a point law, a tenth of a mm away
     tools = servermanager.Fetch(touch, idx=1).GetBounds()
     assert tools[0] < 0 and tools[1] > 9.2, tools
     response.Coupling = 0

@@ -36,10 +36,10 @@ def check_units():
         found = arrays(response)
         assert found.keys() == usual.keys()
         for key, values in usual.items():
-            # Coordinates are floats: rounded once more, to 6e-8 of 50 mm; the bound on the curvature divides
-            # differences of them by the squares of edges of some mm.
+            # Coordinates are floats that are rounded once more, to 6e-8 of 50 mm. The bound on the
+            # curvature divides their differences by the squares of edges of some mm.
             np.testing.assert_allclose(found[key], values, rtol=2e-5, atol=2e-5, err_msg=f"{unit}: {key}")
-    # The same property where bodies enter elsewhere.
+    # The same property at other entry points of bodies.
     for name in ("BodySurface", "VoxelBody"):
         make = getattr(simple, name)
         made = make(Input=scaled(ball, 0.1), LengthUnit="cm", **({"Spacingmm": 10} if name == "VoxelBody" else {}))
@@ -55,7 +55,7 @@ def check_question():
         assert said.count(QUESTION) == asked, (radius, said)
         response.Tool.Radiusmm = 3
         assert QUESTION not in complaint(response)
-    response.LengthUnit = "cm"                              # another 26 m: asked again
+    response.LengthUnit = "cm"                              # 26 m across: the message must come again
     assert QUESTION in complaint(response)
 
 
@@ -68,7 +68,7 @@ def check_materials(make):
     assert names[0] == "Custom" and len(names) > 4
     cited = {}
     for name in names[1:]:
-        # its E, what was measured, and (author year, method)
+        # its E, the measured quantity, and (author year, method)
         line = re.search(re.escape(name) + r": (\d[\d.]*\d)\b[^()]*\([A-Z][^()]* (19|20)\d\d, [^()]*\)", text)
         assert line, name
         cited[name] = float(line.group(1))
@@ -82,7 +82,7 @@ def check_materials(make):
         assert (made.GetYoungsModulus(), made.GetPoissonRatio()) == expected, (name, made.GetYoungsModulus())
         assert (proxy.YoungsModulusMPa, proxy.PoissonsRatio) == (0.25, 0.3) # what the user has given stays
     proxy.Material = names[1]
-    proxy.YoungsModulusMPa = 0.5                            # not in force
+    proxy.YoungsModulusMPa = 0.5                            # not used
     proxy.UpdateVTKObjects()
     assert made.GetYoungsModulus() == cited[names[1]]
     return names, cited

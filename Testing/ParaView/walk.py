@@ -24,7 +24,7 @@ STEPS = ("body.png", "response.png", "touch.png")
 SIZE = (844, 527)
 BACKGROUND = (0.32, 0.34, 0.43)                             # ParaView's until 5.13; 6 has another
 SMALL = 200_000                                             # bytes of a picture in the repository
-YOUNG, POISSON, RADIUS, RANGE = 0.1, 0.45, 5.0, 2.0         # what Tool Contact Response has by itself
+YOUNG, POISSON, RADIUS, RANGE = 0.1, 0.45, 5.0, 2.0         # defaults of Tool Contact Response
 
 
 def force_on(curvatures, depth):
@@ -54,7 +54,8 @@ def check_numbers(state):
     field = arrow.GetFieldData()
     expected = force_on(organ.curvatures(field.GetArray("TipPosition").GetTuple3(0)), RANGE / 2)
     felt = field.GetArray("NormalForce").GetValue(0)
-    # The body takes 5 % off the force of a flat one, by curvatures that its mesh has to some per cent.
+    # The body's curvature reduces the force of a flat surface by 5 %. The mesh gives the curvature
+    # to some per cent.
     np.testing.assert_allclose(felt, expected, rtol=5e-3)
     error = field.GetArray("RelativeError").GetValue(0)
     assert 0.01 < error < 0.1, error

@@ -34,7 +34,7 @@ assert accepts("LayerThickness", ball) and accepts("LayerThickness", image, "Sca
 assert not accepts("LayerThickness", image) and not accepts("LayerThickness", ball, "Scan")
 assert accepts("ResponseCurves", response) and not accepts("ResponseCurves", image)
 
-# What has no surface: an error that names the filter to use before.
+# Data without a surface: an error that names the filter to apply first.
 cloud = simple.PointSource(NumberOfPoints=12)
 for make in (simple.BodySurface, simple.ToolContactResponse, simple.VoxelBody, simple.MeasuredContactResponse):
     check(make(Input=cloud), "no triangles", "12 points", "Delaunay 3D")

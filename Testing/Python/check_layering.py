@@ -85,7 +85,7 @@ TOP_LEVEL = {
     "CMakePresets.json", "run",
     ".ci", ".clang-format", ".clang-tidy", ".gitignore",
 }
-# What a build leaves behind (as in .gitignore), for a tree that git does not know.
+# Files that a build leaves behind (as in .gitignore), for a tree without git.
 TOP_LEVEL_UNTRACKED = {"build", "__pycache__", "CMakeUserPresets.json", "compile_commands.json"}
 
 HEADERS = {".h", ".hpp", ".hxx", ".txx"}
@@ -94,7 +94,8 @@ SOURCES = HEADERS | {".c", ".cc", ".cpp", ".cxx"}
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
 
-# vtkSMPTools.h and its kin are VTK's (symmetric multiprocessing), not ParaView's server manager.
+# vtkSMPTools.h and related headers belong to VTK (symmetric multiprocessing), not to ParaView's
+# server manager.
 PARAVIEW = re.compile(
     r"pq[A-Z]|vtkPV[A-Z]|vtkSM(?!P(\.h|Tools|ThreadLocal))[A-Z]|vtkSI[A-Z]|vtkClientServer")
 VTK = re.compile(r"vtk[A-Z_]|vtk/")
@@ -222,7 +223,7 @@ SOUND_TREE = {
     "Plugin/ParaView/pqPanel.h": '#include "pqView.h"\n#include <vtkSMProxy.h>\n',
 }
 
-# One file each that breaks the sound tree; the complaint must name it.
+# One file per case that breaks the valid tree; the complaint must name the file.
 BREAKS = [
     ("Filters/Mechanics/Wrong.h", '#include "Contact/Tick.h"\n'),
     ("Filters/Mechanics/Wrong.cxx", "  #  include <vtkMath.h>\n"),

@@ -18,10 +18,10 @@ from pathlib import Path
 
 from check_layering import HEADERS, code_files, main, room_of
 
-SAME_THING = {"palpate::makeContactBody",    # of a file's body, of a vtkPolyData
-              "palpate::specificationOf"}    # of a simulated plant, of a device that describes itself
+SAME_THING = {"palpate::makeContactBody",    # from a file's body, and from a vtkPolyData
+              "palpate::specificationOf"}    # for a simulated plant, and for a device that describes itself
 
-# What is no code, and preprocessor lines with what they go on to.
+# Text that is not code, and preprocessor lines with their continuation lines.
 SILENT = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|'
                     r"^[ \t]*#(?:\\\n|[^\n])*", re.DOTALL | re.MULTILINE)
 NAMESPACE = re.compile(r"\b(?:inline\s+)?namespace\s*([\w:]*)\s*$")

@@ -21,7 +21,7 @@ SETTABLE = 25
 ROOMS = ("Filters", "Interactors", "Plugin")
 SILENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 SETTER = re.compile(r"\bvtkSet\w*Macro\(\s*(\w+)|\bvoid Set([A-Z]\w*)\(|\bbool Set([A-Z]\w*)\(")
-INPUT = re.compile(r".+To[A-Z]\w*$|.*(Connection|Data)$")  # of an enumeration's value; of a pipeline's port
+INPUT = re.compile(r".+To[A-Z]\w*$|.*(Connection|Data)$")  # value of an enumeration; port of a pipeline
 
 
 def settable(text):

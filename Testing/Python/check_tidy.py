@@ -26,7 +26,8 @@ KERNELS = ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Stra
 PARALLEL = 2
 GROUP = 24 # files that are read as one: 0.9 GB
 
-# The flags are g++'s: clang need not know every warning, and its own warnings are not what is asked.
+# The flags are for g++: clang does not know every warning, and its own warnings are not wanted
+# here.
 CLANG_FLAGS = ("-Wno-unknown-warning-option", "-Wno-error")
 
 

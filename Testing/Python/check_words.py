@@ -19,7 +19,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-from check_layering import code_files, main
+from check_layering import SOURCES, code_files, main
 
 ODD = re.compile("|".join((
     r"\b(?:is|are|was|were) told\b|\btells\b|\btold\b",
@@ -76,8 +76,15 @@ def read_from(root):
     return lambda path: (root / path).read_text(encoding="utf-8", errors="replace")
 
 
+def all_sources(root):
+    yield from code_files(root)
+    for path in sorted((root / "Testing").rglob("*")):
+        if path.suffix in SOURCES and path.is_file():
+            yield path.relative_to(root)
+
+
 def check_tree(root):
-    return check(code_files(root), read_from(root))
+    return check(all_sources(root), read_from(root))
 
 
 def print_pages():
@@ -94,9 +101,8 @@ def print_pages():
 def print_sample(count, seed):
     blocks = []
     for path in code_files(SOURCE):
-        if path.parts[0] != "Testing":
-            blocks += [(path, line, block) for line, block in comment_blocks(read_from(SOURCE)(path))
-                       if sum(map(len, block)) >= 60 and "SPDX" not in block[0]]
+        blocks += [(path, line, block) for line, block in comment_blocks(read_from(SOURCE)(path))
+                   if sum(map(len, block)) >= 60 and "SPDX" not in block[0]]
     random.seed(seed)
     for path, line, block in random.sample(blocks, count):
         print(f"---- {path}:{line}", *block, sep="\n")
@@ -121,7 +127,7 @@ def self_test():
 
 def run(arguments):
     if arguments == ["--hits"]:
-        check(code_files(SOURCE), read_from(SOURCE), print)
+        check(all_sources(SOURCE), read_from(SOURCE), print)
         return 0
     if arguments == ["--pages"]:
         return print_pages()

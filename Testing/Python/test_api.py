@@ -31,7 +31,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 YOUNG, POISSON = 0.05, 0.45
 REDUCED = YOUNG / (1 - POISSON**2)
-# Curves are stored in floats: forces are off by half a unit in the last place of sample and slope.
+# Curves are stored as floats: the error of forces is half a unit in the last place of sample and
+# slope.
 STORED = 2e-7
 
 
@@ -133,7 +134,7 @@ class ClosedForms(unittest.TestCase):
         np.testing.assert_allclose(self.forces("flat:3", compliance=compliance), expected, rtol=STORED)
 
     def test_a_neo_hookean_cone_is_wrong_by_one_fraction(self):
-        # c of a 60 degree cone at nu = 0.3, by another code: 1.075 at every depth.
+        # c of a 60 degree cone at nu = 0.3, from another code: 1.075 at every depth.
         tips = np.array([[0.3, 0.7, -0.5], [0.3, 0.7, -2.0]])
         small, finite = (palpate.probe(palpate.response(plate(), tool="cone:60", poisson=0.3, strain=strain), tips)
                          .forces[:, 2] for strain in ("small", "neohooke"))
@@ -143,21 +144,23 @@ class ClosedForms(unittest.TestCase):
         body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3)
         depths = np.array([0.4, 1.0, 2.0])
         felt = palpate.probe(body, np.column_stack([0.3 + 0 * depths, 0.7 + 0 * depths, -depths]))
-        # K s of the mean pressure, s = 4/(3 pi) sqrt(d/R) (Hertz), and what that leaves over.
+        # K s of the mean pressure, s = 4/(3 pi) sqrt(d/R) (Hertz), and the remaining error.
         s = 4 / (3 * math.pi) * np.sqrt(depths / 5)
-        # Straight over sqrt(d) between samples, 0.0335 apart in s: the square is off by 0.1 * 0.0335**2 / 4.
+        # Linear interpolation over sqrt(d) between samples, 0.0335 apart in s: the error of the
+        # square is 0.1 * 0.0335**2 / 4.
         np.testing.assert_allclose(felt.error, (-0.148 + 0.61 * 4 / 7) * s + 0.1 * s**2, atol=2.9e-5)
-        np.testing.assert_allclose(palpate.curves(body, 220, depths).error, felt.error, atol=1e-7)  # amid the plate
+        np.testing.assert_allclose(palpate.curves(body, 220, depths).error, felt.error, atol=1e-7)  # mid-plate
         without = palpate.response(plate(), tool="paraboloid:5", error_tolerance=0)
         self.assertTrue(np.isnan(palpate.probe(without, [0.3, 0.7, -1.0]).error).all())
         self.assertTrue(np.isnan(palpate.curves(without, 60, 1.0).error).all())
 
     def test_a_curved_body_is_a_sharper_tool(self):
-        # Hertz: 1/R + 1/R_b; without the curvature the law of the tool alone.
+        # Hertz: 1/R + 1/R_b. Without the curvature correction the law of the tool alone.
         body = ball()
         for curvature, radius in ((True, 1 / (1 / 5 + 1 / 50)), (False, 5.0)):
             felt = palpate.curves(palpate.response(body, "paraboloid:5", YOUNG, POISSON, curvature=curvature), 60, 1.0)
-            # Hertz differs by 4.7 %; the curvature of the mesh by some per cent of that.
+            # Hertz without curvature differs by 4.7 %. The error of the mesh's curvature is some
+            # per cent of that.
             np.testing.assert_allclose(felt.force, 4 / 3 * REDUCED * math.sqrt(radius), rtol=0.005)
 
     def test_a_contact_leaves_over_a_sharp_edge(self):
@@ -183,13 +186,14 @@ class ClosedForms(unittest.TestCase):
         body = palpate.response(plate(), tool="paraboloid:5", relax=[(0.5, 0.1), (0.3, 2)])
         read = palpate.contract.relaxation(body)
         self.assertEqual((list(read["strength"]), list(read["time"]), read["elastic"]), ([0.5, 0.3], [0.1, 2.0], None))
-        # Without times, and for tips for themselves, the response is the slow one.
+        # Without times, and for single tips, the response is the slow one.
         tips = np.column_stack([np.full(9, 0.3), np.full(9, 0.7), np.linspace(0.1, -0.7, 9)])
         for path in (False, True):
             felt = palpate.probe(body, tips, path=path)
             np.testing.assert_array_equal(felt.memory, 0)
             np.testing.assert_array_equal(felt.forces, palpate.probe(still, tips, path=path).forces)
-        # A flat end pressed at a speed (Lee and Radok 1960); steps of a hundredth of the time.
+        # A flat end pressed at a constant speed (Lee and Radok 1960), in steps of a hundredth of
+        # the time.
         flat = palpate.response(plate(), tool="flat:2", relax=[(0.5, 0.1)])
         time = np.arange(0, 0.2505, 0.001)
         path = np.column_stack([np.full(time.size, 0.3), np.full(time.size, 0.7), -time])
@@ -217,13 +221,13 @@ class ClosedForms(unittest.TestCase):
         self.assertTrue((np.diff(error) > 0).all())
         depth = data.GetArray("ResponseValidity").GetTuple1(60)
         sampled = 2.0 * (np.arange(1, 9) / 8)**2
-        # The error is straight over the root of the depth between samples.
+        # The error is interpolated linearly over the square root of the depth.
         self.assertAlmostEqual(np.interp(math.sqrt(depth), np.sqrt(sampled), error), 0.03, delta=1e-6)
 
     def test_a_law_has_what_the_force_needs(self):
-        # c of a 60 degree cone at nu = 0.3 is 1.075, at 0.45 0.994 (another code).
+        # c of a 60 degree cone is 1.075 at nu = 0.3 and 0.994 at 0.45 (another code).
         tips = np.array([[0.3, 0.7, -0.5]])
-        # Small strain states an error of 1.9 % at 0.45, which is less than 5 % and more than 1 %.
+        # At 0.45 small strain states an error of 1.9 %, which is less than 5 % and more than 1 %.
         kept, spared = "Neo-Hooke\\) is in the law", "small strain suffices"
         for poisson, tolerance, words, expected, delta in ((0.3, 0.05, kept, 1.075, 0.005), (0.45, 0.05, spared, 1.0, 0.0),
                                                            (0.3, True, kept, 1.075, 0.005), (0.45, True, kept, 0.994, 0.005)):
@@ -245,7 +249,8 @@ class ClosedForms(unittest.TestCase):
             self.assertEqual(body.GetFieldData().GetArray("ResponseLayerStack").GetNumberOfTuples(), 1 + len(layers))
 
     def test_stacks_as_tabulated(self):
-        # Sphere, flat and cone on seven stacks by another code, two ways of its own agreeing to 2.2e-5.
+        # Sphere, flat and cone on seven stacks, from another code whose two methods agree to
+        # 2.2e-5.
         compared = 0
         for row, stack in tabulated_stacks():
             tool, depth, expected = row
@@ -257,7 +262,8 @@ class ClosedForms(unittest.TestCase):
         self.assertEqual(compared, 119)
 
     def test_maps_of_two_thicknesses_as_tabulated(self):
-        # What is asked of maps is 1e-3; here thicknesses vary by 2 and 2.7 around those of the table.
+        # The requirement for maps is 1e-3. Here the thicknesses vary by 2 and 2.7 around those of
+        # the table.
         spread = np.linspace(-1, 1, 9)
         for row, stack in list(tabulated_stacks("stiff_skin", "sphere"))[::3] + list(
                 tabulated_stacks("skin_slip", "cone"))[::2]:
@@ -278,11 +284,11 @@ class ClosedForms(unittest.TestCase):
             os.environ["PALPATE_CACHE"] = folder
             try:
                 for given in ({"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]},
-                              {"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]}):  # and from the cache
+                              {"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]}):  # the second time from the cache
                     stack = palpate.probe(palpate.response(plate(), strain="neohooke", **given), tips).forces[:, 2]
                     one = palpate.probe(palpate.response(plate(), strain="neohooke", layer=7.5), tips).forces[:, 2]
                     small = palpate.probe(palpate.response(plate(), layer=7.5), tips).forces[:, 2]
-                    np.testing.assert_allclose(stack, one, rtol=0.004)  # the table's 0.003, and the mesh
+                    np.testing.assert_allclose(stack, one, rtol=0.004)  # 0.003 from the table, plus the mesh
                     self.assertGreater(abs(one[1] / small[1] - 1), 0.005)
                 self.assertEqual(len(list(Path(folder).iterdir())), 1)
             finally:
@@ -321,7 +327,7 @@ class ClosedForms(unittest.TestCase):
         force = palpate.probe(body, [0.3, 0.7, -depth]).forces[0, 2]
         tool = vtkContactTool()
         tool.SetSpecification("sphere:6.35")
-        # Eight samples of an exact sphere: 2e-4 of it and less.
+        # Eight samples of an exact sphere: an error of at most 2e-4.
         self.assertAlmostEqual(force, tool.GetForce(depth, REDUCED), delta=2e-4 * force)
 
 
@@ -344,17 +350,18 @@ class Coupled(unittest.TestCase):
         forces, stiffness = felt
         np.testing.assert_array_equal(forces, felt.forces)
         np.testing.assert_array_equal(stiffness, felt.stiffness)
-        # Of linear springs the inverse of the compliances, and what a difference of presses shows.
+        # For linear springs: the inverse of the compliances, equal to the difference of two
+        # presses.
         np.testing.assert_allclose(stiffness, np.linalg.inv(self.compliances(6.0)), rtol=2e-6)
         deeper = palpate.probe(body, tips - [[0, 0, 0], [0, 0, 0.1]], coupled=True)
         np.testing.assert_allclose((deeper.normal_force - felt.normal_force) / 0.1, stiffness[:, 1], rtol=1e-5)
         again = pickle.loads(pickle.dumps(felt))
         np.testing.assert_array_equal(again.stiffness, stiffness)
         np.testing.assert_array_equal(again.normal_force, felt.normal_force)
-        # A tool in the air has none, and takes none.
+        # A tool in the air has no stiffness and does not change the other.
         lifted = palpate.probe(body, tips + [[0, 0, 0], [0, 0, 1.0]], coupled=True).stiffness
         np.testing.assert_allclose(lifted, [[2 * REDUCED * 2, 0], [0, 0]], rtol=2e-6)
-        # Pairs by their times, each for itself.
+        # Tips are paired by their times; each pair is independent.
         twice = palpate.probe(body, np.vstack([tips, tips - [0, 0, 0.1]]), coupled=True, time=[0, 0, 1, 1])
         np.testing.assert_array_equal(twice.forces[:2], felt.forces)
         np.testing.assert_allclose(twice.normal_force[2:], self.forces([0.6, 0.5], 6.0), rtol=2e-6)
@@ -392,7 +399,7 @@ class PerPoint(unittest.TestCase):
         points, triangles = plate()
         young = 0.02 + 0.001 * np.arange(len(points))
         body = palpate.response((points, triangles), tool="flat:3", young=young, poisson=0.3)
-        chosen = np.array([21 * 10 + 10, 21 * 5 + 7])      # over points, the curve is theirs
+        chosen = np.array([21 * 10 + 10, 21 * 5 + 7])      # for chosen points the curves are theirs
         felt = palpate.probe(body, points[chosen] - [0, 0, 0.8])
         np.testing.assert_allclose(felt.forces[:, 2], 2 * young[chosen] / (1 - 0.09) * 3 * 0.8, rtol=STORED)
 
@@ -412,7 +419,7 @@ class PerPoint(unittest.TestCase):
         for value in (5.0, 9.0):
             alone = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=value))
             here = thickness == value
-            # Laws of layers are taken from a table over thickness, whose ends differ: 1e-4.
+            # Laws of layers come from a table over thickness. The tables' ends differ: 1e-4.
             np.testing.assert_allclose(mixed.force[here], alone.force[here], rtol=1e-4)
         slip = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=5.0, base="slip"))
         self.assertTrue((slip.force[:, 1:] < alone.force[:, 1:] * 2).all())
@@ -450,7 +457,7 @@ class Bodies(unittest.TestCase):
         derived = Derived()
         derived.ShallowCopy(data)
         np.testing.assert_array_equal(self.felt(derived), expected)
-        # Without the source's normals they are angle-weighted: as for the same arrays.
+        # Without normals in the source they are angle-weighted, as for the same data as arrays.
         triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         points = vtk_to_numpy(data.GetPoints().GetData())
         bare = vtkPolyData()
@@ -476,7 +483,7 @@ class Bodies(unittest.TestCase):
             writer.SetFileName(stl)
             writer.SetFileTypeToBinary()
             writer.Write()
-            # An STL file has no normals, so that they are those of the facets: 1e-3.
+            # An STL file has no normals, so the normals come from the facets: 1e-3.
             np.testing.assert_allclose(self.felt(stl), self.felt(source), atol=2e-3)
 
     def test_raw_binary_data_is_read(self):
@@ -484,9 +491,9 @@ class Bodies(unittest.TestCase):
         writer = vtkXMLPolyDataWriter()
         writer.SetInputConnection(source.GetOutputPort())
         writer.SetDataModeToAppended()
-        writer.EncodeAppendedDataOff()          # as ParaView saves: VTK's own reader of Debian 12 may not read it back
+        writer.EncodeAppendedDataOff()          # as ParaView saves; VTK's reader in Debian 12 may fail on appended data
         with tempfile.TemporaryDirectory() as folder:
-            for blanks in range(0, 1000, 97):   # in the head, on whose length it depends
+            for blanks in range(0, 1000, 97):   # blanks in the header, on whose length the failure depends
                 name = os.path.join(folder, "ball.vtp")
                 writer.SetFileName(name)
                 writer.Write()
@@ -536,11 +543,11 @@ class Memory(unittest.TestCase):
         for _ in range(20):
             body = palpate.response(plate(), young=np.full(441, YOUNG))   # all arrays are temporary
             gc.collect()
-            junk = [np.full((441, 3), np.nan) for _ in range(20)]         # would take the place of freed ones
+            junk = [np.full((441, 3), np.nan) for _ in range(20)]         # would overwrite freed arrays
             forces = palpate.probe(body, np.array(tips)).forces
             del body, junk
             gc.collect()
-            palpate.probe(palpate.response(plate(3)), tips)               # another body is probed meanwhile
+            palpate.probe(palpate.response(plate(3)), tips)               # another body is probed in between
             np.testing.assert_allclose(forces, expected, rtol=1e-12)
 
     def test_the_search_structure_is_kept_and_let_go(self):
@@ -551,7 +558,7 @@ class Memory(unittest.TestCase):
         second = palpate.probe(body, scattered(7))
         self.assertIs(_probe._prepared._kept[0][2], kept)
         self.assertEqual((len(first.forces), len(second.forces)), (5, 7))
-        body.GetPointData().GetArray("ResponseForce").Fill(0.0)           # changed: to be read again
+        body.GetPointData().GetArray("ResponseForce").Fill(0.0)           # changed, so it must be read again
         body.GetPointData().GetArray("ResponseStiffness").Fill(0.0)
         body.Modified()
         self.assertEqual(palpate.probe(body, [0.3, 0.7, -0.5]).forces.tolist(), [[0, 0, 0]])
@@ -602,7 +609,7 @@ class Probing(unittest.TestCase):
         np.testing.assert_allclose(felt.friction[1:4, 0], -0.2 * tips[1:4, 0], atol=1e-12)  # it sticks
         self.assertAlmostEqual(felt.friction[40, 0], -0.5 * normal, delta=1e-6)             # it slides
         self.assertEqual([felt.contact_state[1], felt.contact_state[40]], [1, 2])
-        # The same as the filter on a polyline.
+        # The filter on a polyline gives the same.
         points, line, data = vtkPoints(), vtkCellArray(), vtkPolyData()
         points.SetDataTypeToDouble()
         line.InsertNextCell(41)

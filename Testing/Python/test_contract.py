@@ -73,7 +73,7 @@ def all_bodies():
 def random_tips(random, count, depths):
     directions = random.normal(size=(count, 3))
     directions /= np.linalg.norm(directions, axis=1)[:, None]
-    # Facets of the ball lie up to 2 mm below its radius.
+    # Facets of the ball are up to 2 mm below its radius.
     positions = directions * (RADIUS - random.uniform(*depths, count))[:, None]
     tips, points = vtkPolyData(), vtkPoints()
     points.SetData(numpy_to_vtk(positions, deep=1, array_type=VTK_DOUBLE))
@@ -185,7 +185,8 @@ class Coupling(unittest.TestCase):
         self.assertAlmostEqual(between, contract.coupling(body)(other, one), places=12)
         own = 0.2 / alone.normal_force
         expected = np.linalg.solve([[own[0], between], [between, own[1]]], [0.2, 0.2])
-        # A flat end's curve is a straight line, kept as floats; so are the normals of the points.
+        # The curve of a flat end is a straight line, stored as floats, like the normals of the
+        # points.
         np.testing.assert_allclose(together, expected, rtol=2e-6)
         return body, between
 
@@ -364,8 +365,8 @@ class ByDefinition(unittest.TestCase):
                 force, stiffness = contract.evaluate(response, points, depth)
                 np.testing.assert_allclose(force, response["force"], rtol=1e-12)
                 np.testing.assert_allclose(stiffness, response["stiffness"], rtol=1e-12)
-                # Central differences: error h² F'''/6 and 1e-16 F/h, with h = 1e-6 of the depth;
-                # between the samples, where the second derivative does not jump.
+                # Central differences: error h² F'''/6 and 1e-16 F/h, with h = 1e-6 of the depth.
+                # Only between the samples, since the second derivative jumps at samples.
                 middle = reach * ((np.arange(0, samples + 2) + 0.5) / samples) ** 2
                 step = 1e-6 * middle
                 above, _ = contract.evaluate(response, points, middle + step)
@@ -383,7 +384,7 @@ class ByDefinition(unittest.TestCase):
         self.assertEqual(force[2], response["force"][0, -1])
         self.assertAlmostEqual(force[3], force[2] + 0.5 * stiffness[2], delta=1e-14)
         self.assertTrue(math.isnan(force[4]))
-        response["force"][0, 0] = 0.0  # q = 0: nothing below the first sample
+        response["force"][0, 0] = 0.0  # q = 0: no force below the first sample
         force, stiffness = contract.evaluate(response, 0, reach / 100)
         self.assertEqual((float(force), float(stiffness)), (0.0, 0.0))
 
@@ -410,7 +411,7 @@ class ByDefinition(unittest.TestCase):
 
     def test_it_stays_short(self):
         with open(contract.__file__, encoding="utf-8") as file:
-            self.assertLessEqual(len(file.readlines()), 110)      # 80, and what tools that press at once share
+            self.assertLessEqual(len(file.readlines()), 110)  # 80, plus the lines for tools that press at the same time
 
 
 if __name__ == "__main__":

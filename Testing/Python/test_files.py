@@ -25,8 +25,8 @@ from bodies import lump, nifti  # noqa: E402
 CORNERS = np.array([[-10, -10, 0], [10, -10, 0], [0, 10, 0], [0, 0, 20]], dtype=float)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 VERTICES = "".join("v %g %g %g\n" % tuple(corner) for corner in CORNERS)
-DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))   # of each kind that VTK reads, in a process each
-OURS = (".stl", ".obj")                                       # read by Palpate, without one: ten times as many
+DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))   # of each kind that VTK reads, each in its own process
+OURS = (".stl", ".obj")                                       # read by Palpate in this process: ten times as many
 
 
 def skin_of(image, contour=50.0):
@@ -340,8 +340,8 @@ class Nifti(Files):
                 found = skin_of(self.image(gzip.compress(content) if file.endswith("gz") else content, file))
                 place = points_of(self.plain) @ matrix[:, :3].T + matrix[:, 3]
                 size = np.abs(np.linalg.det(matrix[:, :3])) ** (1 / 3)
-                # Where slices are reversed the smoothing takes other triangles: a fifth of a voxel at the creases.
-                # Other axes would be off by several.
+                # In reversed slices the smoothing uses other triangles: a difference of a fifth of
+                # a voxel at the creases. Wrong axes would give several voxels.
                 off = apart(place[::7], found) / size
                 self.assertLess(off.max(), 0.3)
                 self.assertLess(off.mean(), 0.05)
@@ -353,10 +353,10 @@ class Nifti(Files):
             if kind == 2:
                 stored = np.clip(stored, 0, 255)
             image = self.image(nifti(stored, kind=kind, scale=scale))
-            # Stored as whole numbers: off by one of them at most.
+            # Stored as integers: an error of at most 1.
             np.testing.assert_allclose(vtk_to_numpy(image.GetPointData().GetScalars()),
                                        (stored * scale[0] + scale[1]).ravel(order="F"), atol=1.01 * scale[0] + 1e-5)
-        image = self.image(nifti(lump(), scale=(0.0, 5.0)))         # a slope of 0 says that there is none
+        image = self.image(nifti(lump(), scale=(0.0, 5.0)))         # a slope of 0 means: not scaled
         np.testing.assert_array_equal(vtk_to_numpy(image.GetPointData().GetScalars()),
                                       lump().ravel(order="F").astype(np.float32))
 
@@ -375,7 +375,8 @@ class Nifti(Files):
             thickness.Update()
             found.append(vtk_to_numpy(thickness.GetOutput().GetPointData().GetArray("LayerThickness")))
         for each in found:
-            # Balls of 14 and 9 mm around one another; a tenth of a voxel, and what smoothing takes.
+            # Balls of 14 and 9 mm around one centre. Tolerance: a tenth of a voxel plus the effect
+            # of smoothing.
             self.assertAlmostEqual(np.median(each), 5.0, delta=0.25)
         labels = np.where(x + 0 * (y + z) < 12, 1.0, 2.0)
         grid = bodies.block()                                       # 30 x 30 x 20 mm from the origin

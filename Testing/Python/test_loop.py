@@ -43,7 +43,8 @@ class LiverSlab(unittest.TestCase):
     def check(self, radius, deflection, force, memory):
         peak, loss, end = expected(radius)
         found = loop(deflection, force, force - memory)
-        # A slow curve of sixteen samples, and sixteen elements: their errors are less than a hundredth of the peak.
+        # A slow curve of sixteen samples and sixteen elements: their errors are less than a
+        # hundredth of the peak.
         self.assertAlmostEqual(found[0], peak, delta=0.01 * peak)
         self.assertAlmostEqual(found[1], loss, delta=0.01)
         self.assertAlmostEqual(found[2], end, delta=0.005)

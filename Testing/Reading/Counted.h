@@ -7,13 +7,13 @@ extern "C" void __gcov_dump(void);
 
 namespace palpate::reading
 {
-/// Of all lines that a program executes those are counted that it executes in here.
+/// Only the lines that a program executes inside counted() are counted.
 template <class What>
 void counted(const What& what)
 {
   __gcov_reset();
   what();
-  __gcov_dump(); // once: what comes later, destructors too, is not added at the end of the program
+  __gcov_dump(); // once, so later lines and destructors are not added at the end of the program
 }
 } // namespace palpate::reading
 

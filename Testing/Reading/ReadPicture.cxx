@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture: from a session that has ticked to what is drawn of it. The ticks are made before.
+// A picture: from a session that has run its ticks to the drawn scene. The ticks run before.
 #include "Counted.h"
 #include "Picture.h"
 #include "SceneBodies.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A response: from RequestData to the arrays, on a half-space and on one layer, of each plain tool.
+// A response: from RequestData to the arrays, on a half-space and on one layer, for each plain
+// tool.
 #include "Counted.h"
 #include "Response/TestBodies.h"
 

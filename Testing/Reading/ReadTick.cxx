@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tick whole: every surface, force form and friction model, the safety chain of a device, the
+// A whole tick: every surface, force form and friction model, the safety chain of a device, the
 // clutch, a change of scene, lost readings, a border to slide off.
 #include "Counted.h"
 #include "SampleResponses.h"
@@ -52,10 +52,11 @@ struct Pressed
   ServoStep step;
   std::unique_ptr<ServoScene> next;
   double height; ///< of the surface, mm
-  double size;   ///< of what the tip slides over, mm
+  double size;   ///< of the region over which the tip slides, mm
 };
 
-/// From outside to 1 mm below the surface, along it and off its border, where it has one.
+/// Moves the tip from outside to 1 mm below the surface, along it, and off its border if it has
+/// one.
 void press(Pressed& pressed)
 {
   const double height = pressed.height;
@@ -73,7 +74,7 @@ void press(Pressed& pressed)
   {
     const double depth = std::min(0.01 * (i - 50), 1.0);
     const double along = std::max(0, i - 150) * 0.005 * pressed.size;
-    // A turn back on the way, for friction; and within the first contact a change of scene.
+    // A reversal on the path, for friction; a change of scene within the first contact.
     const double back = i > 250 && i < 280 ? -0.5 : 0.0;
     if (i == 200)
     {

@@ -82,7 +82,7 @@ def code_lines(path):
         if token.type not in (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT,
                               tokenize.ENDMARKER):
             used |= set(range(token.start[0], token.end[0] + 1))
-    for node in ast.walk(ast.parse(text)):  # a string that is a statement is a comment
+    for node in ast.walk(ast.parse(text)):  # a string statement counts as a comment
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
             used -= set(range(node.lineno, node.end_lineno + 1))
     return len(used)

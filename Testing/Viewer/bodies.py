@@ -102,7 +102,7 @@ def write(data, path, **settings):
     for name, value in settings.items():
         getattr(writer, f"Set{name}")(value)
     writer.SetInputData(data)
-    writer.Write()  # what it returns depends on the writer
+    writer.Write()  # the meaning of its result depends on the writer
     if writer.GetErrorCode() != 0 or path.stat().st_size == 0:
         raise OSError(f"cannot write {path}")
     return path

@@ -91,4 +91,4 @@ class BridgePeer:
             try:
                 self._socket.sendto(data, self._host)
             except OSError:
-                pass  # the host is gone, or does not read: as a device would not know either
+                pass  # the host is gone or does not read; a device would not know that either

@@ -23,8 +23,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import numpy
 
-FORGIVEN_LEVELS = 10  # of a pixel, red + green + blue; see Picture.h for the reasons of both numbers
-THRESHOLD = 5.0  # pixels that differ by full white
+FORGIVEN_LEVELS = 10  # per pixel, red + green + blue; Picture.h states the reasons of both numbers
+THRESHOLD = 5.0  # number of pixels with the largest possible difference
 CORNER = (slice(0, 300), slice(0, 400))  # rows from the bottom, columns: a part is faster to compare
 SKIPPED = 77
 
@@ -47,7 +47,7 @@ def difference(one, other, path=None):
     if one.GetDimensions() != other.GetDimensions():
         return float("inf")
     if numpy.array_equal(pixels(one), pixels(other)):
-        return 0.0  # the usual case, at once
+        return 0.0  # the usual case, decided fast
     compare = vtkImageDifference()
     compare.SetThreshold(FORGIVEN_LEVELS)
     compare.SetInputData(one)

@@ -22,5 +22,5 @@ class OwnDisplay:
         return shutil.which("Xvfb") is not None
 
     def kill(self):
-        self._server.terminate()  # it removes its lock
+        self._server.terminate()  # the server removes its lock
         self._server.wait()

@@ -7,7 +7,7 @@ one that may only be read. Needs root, or a system that gives users name spaces.
 import shutil
 import subprocess
 
-# $0: the folder, $1: options, $2: where its content is copied to at the end, "" for nowhere.
+# $0: the folder, $1: options, $2: folder for a copy of the content at the end, "" for none.
 SCRIPT = """mount -t tmpfs -o "$1" none "$0" || exit 77
 kept=$2; folder=$0; shift 2
 "$@"; code=$?

@@ -14,9 +14,9 @@ from pathlib import Path
 import bodies
 
 PALPATE = os.environ.get("PALPATE", "palpate")
-TIME_OUT = 800  # s: of a program that hangs; a little less than palpate_time_limit of Testing/CMakeLists.txt
+TIME_OUT = 800  # s, for a program that hangs; a little less than palpate_time_limit of Testing/CMakeLists.txt
 PICTURES = ("overview", "deflection", "curves")
-CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # not the user's
+CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # not the cache of the user
 
 
 def run(*arguments, environment=None, room=None, before=(), answers=None):

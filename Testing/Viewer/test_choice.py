@@ -23,7 +23,7 @@ class Choice(SessionCase):
         return rows["deflection_mm"], rows["normal_force_N"]
 
     def test_one_law_suffices_for_a_homogeneous_body_and_is_felt_as_before(self):
-        flat = "--no-curvature"                             # the mesh's differs in the last digits of a float
+        flat = "--no-curvature"  # the curvature of the mesh differs in the last digits of a float
         said = self.press(bodies.sphere(), "ball.vtp", flat)
         depth, force = self.trajectory()
         self.assertIn("one law suffices", choice(said))
@@ -49,7 +49,7 @@ class Choice(SessionCase):
         points = reader.GetOutput().GetNumberOfPoints()
         moduli = random.permutation(numpy.linspace(0.5, 2.0, points))[:, None]
         for factors, words in (
-                # Young's modulus varies alone; every sample of every point is off on its own.
+                # Only Young's modulus varies; or every sample of every point has its own error.
                 (lambda shape: moduli, ("one law suffices, times a number per point", "1 instead of 16")),
                 (lambda shape: random.uniform(0.9, 1.1, shape), ("a response per vertex is needed", "all 16 numbers"))):
             body = vtkPolyData()
@@ -63,7 +63,7 @@ class Choice(SessionCase):
             said = choice(self.succeed(path))
             for word in words:
                 self.assertIn(word, said)
-            # The strain under a sphere of 3 mm is small until 0.5 mm.
+            # The strain under a sphere of 3 mm is small up to 0.5 mm.
             self.assertIn("1 mm is beyond the validity of the law at 100 % of the points (mostly small strain)", said)
 
     def test_a_body_that_gives_way_is_asked_for_its_regime(self):

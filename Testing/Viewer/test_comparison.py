@@ -9,7 +9,7 @@ from session import SessionCase, run
 MODULUS = 3.45  # E*, MPa
 POISSON = 0.45
 YOUNG = MODULUS * (1 - POISSON ** 2)
-SPAN, WIDTH, THICKNESS, HEIGHT = 56.0, 20.0, 3.0, 20.0  # mm, strip between its rollers, block
+SPAN, WIDTH, THICKNESS, HEIGHT = 56.0, 20.0, 3.0, 20.0  # mm: strip between its rollers, block
 FLAT = 1.6  # radius of the flat tool
 
 
@@ -54,9 +54,9 @@ class Comparison(SessionCase):
         self.assertRegex(said, r"Strip.*\nA point force suffices")
         self.assertRegex(said, r"Block.*\nThe shape of the tool matters\.")
 
-        # The flat's law is linear, so its force gives the compliance. Of the strip: a beam on two
-        # supports, L^3/48EI, softer by shear (2 %: 6/5 F L/4GA); stiffer where it cannot curl across its
-        # width, at most as a plate, E/(1 - nu^2).
+        # The flat's law is linear, so its force gives the compliance. The strip is a beam on two
+        # supports, L^3/48EI. Shear makes it softer (2 %: 6/5 F L/4GA). If it cannot curl across its
+        # width, it is stiffer, at most like a plate, E/(1 - nu^2).
         force = strip["flat:1.6"][0]
         compliance = 1.0 / force - 1.0 / (2 * MODULUS * FLAT)
         inertia = WIDTH * THICKNESS ** 3 / 12
@@ -71,8 +71,9 @@ class Comparison(SessionCase):
             self.assertAlmostEqual(index, compliance * expected, delta=0.002)
             self.assertAlmostEqual(sensitivity, (1 - index) / (2 + index), delta=0.001)  # printed digits
 
-        # The block is stiffer than a half-space, but less than a bonded layer that goes on for ever:
-        # 1 - delta_hs/delta = M0 2a/(pi h) to first order, M0 = -1.63 (layer_bonded_moments.csv, nu 0.45).
+        # The block is stiffer than a half-space, but less stiff than an infinite bonded layer: 1 -
+        # delta_hs/delta = M0 2a/(pi h) to first order, M0 = -1.63 (layer_bonded_moments.csv, nu
+        # 0.45).
         force, index, _ = block["flat:1.6"]
         self.assertGreater(force, 2 * MODULUS * FLAT)
         self.assertLess(index, 0.0)
@@ -83,7 +84,7 @@ class Comparison(SessionCase):
         self.assertIn("E = 0.1 MPa, nu = 0.3 (given on the command line)", said)
         self.assertIn("At 0.50 mm", said)
         force, index, _ = tools(said, "Block")["flat:2"]
-        # Near the half-space: the block's own stiffening is below a tenth.
+        # Near the half-space: the block itself adds less than a tenth.
         self.assertAlmostEqual(force, 2 * 0.1 / (1 - 0.3 ** 2) * 2 * 0.5, delta=0.02)
         self.assertAlmostEqual(index, 0.0, delta=0.1)
 
@@ -111,7 +112,7 @@ class Map(SessionCase):
     def test_a_half_space_needs_the_shape_everywhere(self):
         said = self.map("--scene", "cylinder", "--tool", "paraboloid:3", "--depth", "0.5")
         self.assertIn("The shape of the tool matters on 100.0 % of the surface", said)
-        self.assertIn("Tool sensitivity: 0.50 to 0.50", said)  # 1/2: F goes with the root of R
+        self.assertIn("Tool sensitivity: 0.50 to 0.50", said)  # 1/2: F is proportional to the square root of R
         self.assertRegex(said, r"Regime index .lambda.: -?0.00 to -?0.00")
 
     def test_a_layer_stiffens(self):

@@ -17,7 +17,7 @@ class Device(SessionCase):
         self.assertEqual(record.read_bytes(), first)
         self.press(bodies.sphere(), "body.vtp", *arguments, "--device", f"replay:{record}")
         again = (self.output / "trajectory.csv").read_bytes()
-        # The replayed session ends with the last recorded tick, one period earlier.
+        # The replay ends with the last recorded tick, one period earlier.
         self.assertEqual(first.splitlines()[:-1], again.splitlines())
 
     def test_a_hand_of_a_script(self):
@@ -27,7 +27,7 @@ class Device(SessionCase):
         self.assertIn(" 1500 ticks", result.stdout)
         _, table = read(self.output / "trajectory.csv")
         self.assertAlmostEqual(table["deflection_mm"].max(), 1.0, delta=0.05)  # facets of the sphere
-        self.assertAlmostEqual(table["tip_z_mm"][500], 27.0, places=12)  # half-way in time
+        self.assertAlmostEqual(table["tip_z_mm"][500], 27.0, places=12)  # half of the time
 
     def test_a_plant_yields_to_the_force(self):
         path = bodies.write(bodies.sphere(), self.folder / "body.vtp")
@@ -44,7 +44,7 @@ class Device(SessionCase):
     def test_list_devices_needs_no_display_and_no_body(self):
         result = run("--list-devices", environment={"DISPLAY": None})
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertRegex(result.stdout, r"\S")  # what there is, or that there is nothing
+        self.assertRegex(result.stdout, r"\S")  # a list, or a message that there is no device
         self.assertNotIn("cannot be loaded", result.stdout)
         self.assertEqual(self.files(), {})
 

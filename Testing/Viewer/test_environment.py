@@ -41,7 +41,7 @@ class Environment(SessionCase):
         self.refuse(self.body(), words=(self.output,))
 
     def test_file_that_cannot_be_written(self):
-        # A folder stands where the file is to go: not even root can write it.
+        # A folder has the name of the file: not even root can write it.
         for name in ("trajectory.csv", "overview.png", "curves.png"):
             with self.subTest(name=name):
                 self.output = self.folder / f"out {name}"

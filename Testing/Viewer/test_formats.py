@@ -10,8 +10,8 @@ from session import SessionCase, peak_force, vertices
 
 class Formats(SessionCase):
     def test_surfaces(self):
-        # Hertz: 4/3 E* sqrt(R) d^1.5 with E* = 0.1/(1 - 0.45²), of a ball on a ball of 25 mm; the exact sphere is a
-        # little softer.
+        # Hertz: 4/3 E* sqrt(R) d^1.5 with E* = 0.1/(1 - 0.45²), a ball on a ball of 25 mm; the
+        # exact sphere is slightly softer.
         hertz = 4.0 / 3.0 * 0.1 / (1.0 - 0.45 ** 2) * (1 / (1 / 3.0 + 1 / 25.0)) ** 0.5
         for name, settings in (
                 ("ascii.stl", {"FileType": 1}), ("binary.stl", {"FileType": 2}),

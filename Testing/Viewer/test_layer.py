@@ -49,12 +49,12 @@ class Layer(SessionCase):
         self.assertIn("half-space at every vertex", plain.stdout)
         self.assertFalse(read(saved).GetPointData().HasArray("LayerThickness"))
         layered = self.succeed(path, *usual, "--layer", "scan", pictures=(*PICTURES, "thickness"))
-        # A tenth of a voxel, and as much again for the skin's own place.
+        # A tenth of a voxel, and the same again for the position of the skin.
         thickness = array(read(saved), "LayerThickness")
         numpy.testing.assert_allclose(thickness, THICKNESS, atol=0.2)
         self.assertIn("at the 100 % of the vertices", layered.stdout)
         self.assertRegex(layered.stdout, r"times the force on a half-space: sphere:3 1\.[1-9]\d at")
-        # The same in centimetres, and where nothing is dark enough to be bone.
+        # The same in centimetres, and with no value that counts as bone.
         self.succeed(path, *usual, "--layer", "scan", "--length-unit", "cm", "--closing", "0",
                      "--depth", "0.5", pictures=(*PICTURES, "thickness"))
         self.assertAlmostEqual(array(read(saved), "LayerThickness").max(), 0.0)  # 60 mm is too deep
@@ -71,7 +71,7 @@ class Layer(SessionCase):
 
         one = peak_force(press("--layer", "6", "--young", "0.05", "--poisson", "0.45"))
         equal = press("--layers", "1.5:0.05:0.45,4.5:0.05:0.45")
-        self.assertAlmostEqual(peak_force(equal) / one, 1.0, delta=2e-3)  # as it is printed, four digits
+        self.assertAlmostEqual(peak_force(equal) / one, 1.0, delta=2e-3)  # four printed digits
         self.assertIn("1.5 mm of 0.05 MPa, nu 0.45; 4.5 mm", equal.stdout)
         half_space = peak_force(press("--young", "0.05", "--poisson", "0.45"))
         on_equal = peak_force(press("--layers", "2:0.05:0.45,0:0.05:0.45"))
@@ -93,8 +93,8 @@ class Layer(SessionCase):
         stack = vtk_to_numpy(body.GetFieldData().GetArray("ResponseLayerStack"))
         numpy.testing.assert_allclose(stack[:, 1:3], [[0.2, 0.48], [0.03, 0.49]])
         self.assertIn("what is left of the soft tissue of 0.03 MPa", result.stdout)
-        self.assertIn("the first: sphere:3 0.", result.stdout)   # soft below: less than of the first alone
-        # More than half of it is never the layer of given thickness.
+        self.assertIn("the first: sphere:3 0.", result.stdout)   # soft base: less force than with the first layer alone
+        # At more than half of the points the layer is not that of the given thickness.
         self.succeed(path, *usual, "--layers", "scan:0.03:0.49,50:0.2:0.48", pictures=(*PICTURES, "thickness"))
         body = read(saved)
         numpy.testing.assert_allclose(array(body, "LayerThickness0"), array(body, "LayerThickness1"))
@@ -123,7 +123,7 @@ class Head(SessionCase):
         result = self.succeed("--resolution", "3", "--no-curvature", "--save", saved,
                               pictures=(*PICTURES, "thickness"))
         body = read(saved)
-        points = vtk_to_numpy(body.GetPoints().GetData()).astype(float) + (90, 125, 71)  # from the first voxel
+        points = vtk_to_numpy(body.GetPoints().GetData()).astype(float) + (90, 125, 71)  # relative to the first voxel
         normals = array(body, "ResponseNormal")
         thickness = array(body, "LayerThickness")
         self.assertTrue((thickness >= 0.0).all() and (thickness <= 20.0).all())
@@ -141,13 +141,13 @@ class Head(SessionCase):
                 self.assertGreater((thickness[region] > 0).mean(), 0.99)
                 self.assertTrue(low < numpy.median(thickness[region]) < high,
                                 numpy.median(thickness[region]))
-        for name, region in (("neck", neck), ("eyes", eyes)):  # soft all through, and no bone
+        for name, region in (("neck", neck), ("eyes", eyes)):  # soft tissue without bone
             with self.subTest(region=name):
                 self.assertGreater(region.sum(), 20)
                 self.assertLess((thickness[region] > 0).mean(), 0.1)
         share = float(re.search(r"at the (\d+) % of the vertices", result.stdout).group(1))
         self.assertAlmostEqual(share, 100 * (thickness > 0).mean(), delta=0.6)
-        # Stiffer where there is bone, the same elsewhere: the samples of one tool on one half-space.
+        # Stiffer over bone, equal elsewhere: the samples of one tool on one half-space.
         deepest = array(body, "ResponseForce")[:, -1]
         half_space = numpy.median(deepest[thickness == 0])
         numpy.testing.assert_allclose(deepest[thickness == 0], half_space, rtol=1e-5)

@@ -7,7 +7,7 @@ import bodies
 import own_mount
 from session import SessionCase, run
 
-TOO_LARGE = "File too large"  # of a limit of the file size
+TOO_LARGE = "File too large"  # message of the file size limit
 FULL = "No space left on device"
 MATERIAL = ("--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45")
 
@@ -49,7 +49,7 @@ class FullDisk(SessionCase):
         self.assertGreater(rows, 10)
         self.assertIn(f"the first {rows} of {whole.count(bytes([10])) - 1} rows are kept in "
                       f"'{part}'", result.stderr)
-        # A replay ends with the last row, at whose time it has no tick.
+        # A replay ends with the last row. At the time of that row there is no tick.
         self.assertIn(self.replay(part), (rows - 1, rows))
 
     def test_a_trajectory(self):
@@ -101,7 +101,7 @@ class FullDisk(SessionCase):
         whole = run(self.body, *trial, log, answers="1\n" * 10)
         self.assertEqual(whole.returncode, 0, whole.stderr)
         head = [line for line in log.read_text().splitlines() if line.startswith("#")]
-        size = sum(map(len, head)) + 200  # for the names of the columns and some answers
+        size = sum(map(len, head)) + 200  # room for the names of the columns and some answers
         short = self.folder / "short.csv"
         result = run(self.body, *trial, short, answers="1\n" * 10, room=size)
         self.assertEqual(result.returncode, 1, result.stderr)
@@ -112,7 +112,7 @@ class FullDisk(SessionCase):
         self.assertEqual([row.split(",")[0] for row in rows],
                          [str(i + 1) for i in range(len(rows))])
         self.assertTrue(2 <= len(rows) < 10, rows)
-        # Not even the head: nothing is in the way of another attempt.
+        # Not even the head fits: no file is left that would block another attempt.
         none = self.folder / "none.csv"
         result = run(self.body, *trial, none, answers="", room=50)
         self.assertEqual(result.returncode, 1, result.stderr)

@@ -17,7 +17,7 @@ from bridge_peer import BridgePeer
 from own_display import OwnDisplay
 from session import CACHE, PALPATE, TIME_OUT, SessionCase, run
 
-HOVER = 0.010  # m above the body: where a device begins that stands at 0
+HOVER = 0.010  # m above the body: start position of a device that is at 0
 GONE = "the X server of DISPLAY='{}' is gone"
 
 
@@ -72,7 +72,7 @@ class DisplayLoss(SessionCase):
             if peer.is_pushing():
                 return True
             presses = (time.monotonic() - begin) % 2.0 < 1.5
-            peer.position = (0.0, 0.0, -HOVER - 0.001 if presses else 0.0)  # z of the device is outward there
+            peer.position = (0.0, 0.0, -HOVER - 0.001 if presses else 0.0)  # the device's z points outward there
             return False
 
         self.wait_until(pushes, program, "the body pushes back")
@@ -88,7 +88,7 @@ class DisplayLoss(SessionCase):
             self.wait_until(lambda: "tool: " in self.said(), program, "the window is open")
             self.press(program, peer)
             yield program, peer
-            time.sleep(0.1)  # what is in the socket
+            time.sleep(0.1)  # the datagrams in the socket
         self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
 
     def test_the_hand_is_let_go_of_and_the_record_is_saved(self):
@@ -111,8 +111,8 @@ class DisplayLoss(SessionCase):
                      "--no-auto", "--site", "1,0,0", "--device", f"replay:{record}",
                      "--output", self.output)
         self.assertEqual(result.returncode, 0, result.stderr)
-        # The live session fits its force to the device, the ideal force knows nothing of it. Replay
-        # is at the times of the ticks, which a recorded loop may have been late for: 5 %.
+        # The live session limits its force to the device; the ideal force is not limited. The
+        # replay uses the times of the ticks, and a recorded tick may have been late: 5 %.
         peak = float(re.search(r"peak\s+force ([\d.e+-]+) N", result.stdout).group(1))
         self.assertAlmostEqual(peak, max(forces), delta=0.05 * peak)
 

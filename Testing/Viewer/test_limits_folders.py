@@ -67,7 +67,7 @@ class Folders(SessionCase):
         scan = self.folder / "ball.vti"
         if not scan.exists():
             image = bodies.image(bodies.ball_grey())
-            image.SetOrigin(-23.5, -15.0 - 23.5, 14.0 - 23.5)  # where the scene has its head
+            image.SetOrigin(-23.5, -15.0 - 23.5, 14.0 - 23.5)  # position of the head in the scene
             bodies.write(image, scan)
         result = run("--scan", scan, "--contour", "50", "--layer", "none", "--site", "1,0,0",
                      *MATERIAL, "--trial", "young=0.1,young=0.2", "--log", self.folder / "log.csv",

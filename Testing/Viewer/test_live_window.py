@@ -36,7 +36,7 @@ class LiveWindow(unittest.TestCase):
             self.program = subprocess.Popen(
                 [PROGRAM, "--window", *scene, "--screenshot", self.picture, *arguments],
                 stdout=log, stderr=subprocess.STDOUT)
-        while ready not in self.said():  # the window is open and the session runs
+        while ready not in self.said():  # until the window is open and the session runs
             self.assertIsNone(self.program.poll(), "the program ended early: " + self.said())
             time.sleep(0.1)
         time.sleep(FOLLOW)
@@ -44,7 +44,7 @@ class LiveWindow(unittest.TestCase):
     def tearDown(self):
         self.program.kill()
         self.program.wait()
-        xdotool("mouseup", 1)  # for the next test: a button that is down is not pressed again
+        xdotool("mouseup", 1)  # for the next test: a button that is already down cannot be pressed
 
     def said(self):
         with open(self.log, encoding="utf-8") as log:
@@ -74,12 +74,12 @@ class LiveWindow(unittest.TestCase):
         self.assertIn("choice: one law suffices", said)
         ticks = int(re.search(r"(\d+) ticks", said).group(1))
         self.assertGreater(ticks, 1000)
-        # Hertz: 4/3 E* sqrt(R) d^1.5 at d = 1.5 mm, less 2 % for the exact sphere. The hand presses along
-        # blended normals over facets, so that the depth is only nearly 1.5 mm.
+        # Hertz: 4/3 E* sqrt(R) d^1.5 at d = 1.5 mm, less 2 % for the exact sphere. The hand presses
+        # along blended normals over facets, so the depth is not exactly 1.5 mm.
         hertz = 4.0 / 3.0 * 3.45 * math.sqrt(6.35) * 1.5 ** 1.5
         self.assertAlmostEqual(self.strongest_force(said), 0.98 * hertz, delta=0.06 * hertz)
         self.assertTrue(self.shows_force_and_dent(), "see " + self.picture)
-        # Tools were changed under the hand: no restart, so all is in one count of ticks.
+        # Tools were changed during contact without a restart, so one count covers all ticks.
         self.assertRegex(said, r"\b1 changes? of scene")
         for word in ("device: ", "wake-up", "worst", "0 disconnections"):
             self.assertIn(word, said)
@@ -92,7 +92,7 @@ class LiveWindow(unittest.TestCase):
         self.open("panel", "--output", folder)
         xdotool("mousemove", 600, 330)
         time.sleep(FOLLOW)
-        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # the wheel alone presses, 0.1 mm a notch
+        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # only the wheel presses, 0.1 mm per notch
         time.sleep(FOLLOW)
         for key in ("k", "question", "p", "question", "p", "k"):
             xdotool("key", key)
@@ -106,7 +106,8 @@ class LiveWindow(unittest.TestCase):
         xdotool("mousemove", 1228, 260, "mousedown", 1)  # Young's modulus, from 2.59 MPa to the end: 10 MPa
         xdotool("mousemove", 1250, 262)
         xdotool("mousemove", 1270, 264, "mouseup", 1)
-        # The slider's frames come first, drawn in software; then the responses, in the background: 2 to 3 s alone.
+        # The frames of the slider come first, rendered in software. Then the responses are computed
+        # in the background: 2 to 3 s if nothing else runs.
         time.sleep(6 * FOLLOW)
         # Flat punch: 2 a E* d, 1 mm deep; blended normals over facets, as above.
         flat = 2.0 * 1.6 * 10.0 / (1.0 - 0.25)
@@ -127,7 +128,7 @@ class LiveWindow(unittest.TestCase):
             time.sleep(FOLLOW)
         self.quit()
         told = [self.hint(os.path.join(folder, f"palpate-{i}.png")) for i in (1, 2, 3, 4)]
-        self.assertGreater(told[0], 300, told)  # strokes of some 45 letters
+        self.assertGreater(told[0], 300, told)  # strokes of about 45 letters
         self.assertEqual(told, [told[0], told[0], told[0], 0])
 
     def test_a_recorded_session_can_be_replayed(self):
@@ -141,11 +142,11 @@ class LiveWindow(unittest.TestCase):
         with open(record, encoding="utf-8") as file:
             rows = file.read().splitlines()
         ticks = int(re.search(r"(\d+) ticks", said).group(1))
-        self.assertEqual(len(rows), ticks + 1)  # every tick, and the names of the columns
+        self.assertEqual(len(rows), ticks + 1)  # all ticks and the row of column names
         self.open("replay", "--device", "replay:" + record)
         time.sleep(float(rows[-1].split(",")[0]))
         again = self.strongest_force(self.quit())
-        self.assertEqual(self.hint(self.picture), 0)  # what presses by itself needs none
+        self.assertEqual(self.hint(self.picture), 0)  # a device that presses by itself needs no hint
         felt = max(float(row.split(",")[12]) for row in rows[1:])
         self.assertAlmostEqual(again, felt, delta=1e-3 * felt)  # printed with four digits
 
@@ -183,7 +184,8 @@ class LiveWindow(unittest.TestCase):
             xdotool("mouseup", 1)
             said = self.quit()
             felt = re.search(r"strongest force: strip (\S+) N, block (\S+) N", said)
-            # What the summary says of 1 mm there, of the vertex next to the contact: neighbours differ by 1 %.
+            # The summary's force at 1 mm there, at the vertex next to the contact. Neighbours
+            # differ by 1 %.
             told = re.findall(r"sphere:6.35\s+(\S+) N", said)
             for one, other in zip(felt.groups(), told):
                 self.assertAlmostEqual(float(one), float(other), delta=0.03 * float(other), msg=said)
@@ -202,7 +204,7 @@ class LiveWindow(unittest.TestCase):
         self.open("hands", "--hand", "simulated", "--record", record)
         xdotool("mousemove", 560, 330)
         time.sleep(FOLLOW)
-        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # 1 mm deep; the flat end stays there
+        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # 1 mm deep; the flat end stays at this depth
         time.sleep(FOLLOW)
         xdotool("key", "n")
         xdotool("mousemove", 600, 330)
@@ -213,10 +215,10 @@ class LiveWindow(unittest.TestCase):
         with open(record, encoding="utf-8") as file:
             ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
         alone, together = max(ticks, key=lambda tick: tick["ideal_force_N"]), ticks[-1]
-        for tick in (alone, together):  # 2 a E* of what is left of the depth; blended normals over facets, as above
+        for tick in (alone, together):  # 2 a E* of the remaining depth; blended normals over facets, as above
             flat = 2.0 * 1.6 * 3.45 * tick["deflection_mm"]
             self.assertAlmostEqual(tick["ideal_force_N"], flat, delta=0.06 * flat)
-        # The finger has not moved, and the other has let the surface down under it.
+        # The finger has not moved, and the other tool has lowered the surface under it.
         for axis in "xyz":
             self.assertAlmostEqual(alone[f"tip_{axis}_mm"], together[f"tip_{axis}_mm"], delta=1e-3)
         self.assertAlmostEqual(alone["deflection_mm"], 1.0, delta=0.05)
@@ -236,7 +238,7 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         xdotool("key", "bracketright", "key", "bracketright")  # 2.5 degrees each: its edge is deeper by a sin 5 degrees
         time.sleep(FOLLOW)
-        xdotool("click", "--repeat", 2, "--delay", 1000, 5)  # back, so that the edge passes 0.3 mm
+        xdotool("click", "--repeat", 2, "--delay", 1000, 5)  # back, until the edge passes 0.3 mm
         time.sleep(FOLLOW)
         said = self.quit()
         with open(record, encoding="utf-8") as file:
@@ -244,14 +246,15 @@ class LiveWindow(unittest.TestCase):
         axes = [tick["axis_x"] ** 2 + tick["axis_y"] ** 2 + tick["axis_z"] ** 2 for tick in ticks]
         upright = [tick for tick, axis in zip(ticks, axes) if axis == 0 and tick["ideal_force_N"] > 0][-1]
         deepest = max(index for index, tick in enumerate(ticks) if tick["deflection_mm"] > 0.335)
-        leaning = ticks[deepest:]  # it has turned long before, and comes up
+        leaning = ticks[deepest:]  # the turn was long before; the tool moves up
         same = min(leaning, key=lambda tick: abs(tick["deflection_mm"] - upright["deflection_mm"]))
         print("upright", upright["ideal_force_N"], "N at", upright["deflection_mm"], "mm, leaning",
               same["ideal_force_N"], "N at", same["deflection_mm"], "mm")
         self.assertAlmostEqual(upright["deflection_mm"], 0.3, delta=0.015)
         self.assertAlmostEqual(same["deflection_mm"], upright["deflection_mm"], delta=0.005)
-        # Of a half-space, 0.1875 radii deep, 0.555 (Data/Reference/tilt). The body is a cylinder, against whose blended
-        # normals the tool leans, a degree more or less from facet to facet, and the curve there is steep.
+        # 0.555 of the upright force on a half-space, 0.1875 radii deep (Data/Reference/tilt). The
+        # body is a cylinder. The tilt is relative to its blended normals, which differ by a degree
+        # from facet to facet, and the curve is steep there.
         self.assertAlmostEqual(same["ideal_force_N"] / upright["ideal_force_N"], 0.555, delta=0.08, msg=said)
         torque = math.hypot(*(same[f"torque_{axis}_Nmm"] for axis in "xyz"))
         self.assertGreater(torque, 0.1 * same["ideal_force_N"])

@@ -68,7 +68,8 @@ def main():
     assert code == 0, code
     ticks = int(re.search(r"(\d+) ticks", said).group(1))
     missed = int(re.search(r"(\d+) missed", said).group(1))
-    # Ticks and those missed account for the time, to what opening and closing the window takes.
+    # Ticks and missed ticks add up to the duration, except for the time to open and close the
+    # window.
     assert abs((ticks + missed) / RATE - lasted) < 0.1 * lasted + 5.0, (ticks, missed, lasted)
     assert float(re.search(r"strongest force (\S+) N", said).group(1)) > 1.0
     assert int(re.search(r"(\d+) changes of scene", said).group(1)) >= keys - 1

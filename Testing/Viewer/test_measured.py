@@ -34,7 +34,7 @@ class Measured(SessionCase):
     def check_flat(self, result):
         """A flat of 1 mm has felt 2 a E* δ at the depth it reached, both as printed, to four digits."""
         depth = float(re.search(r"peak\s+force \S+ N, deflection (\S+) mm", result.stdout).group(1))
-        self.assertAlmostEqual(depth, 0.5, delta=0.01)  # it lies on a facet
+        self.assertAlmostEqual(depth, 0.5, delta=0.01)  # the site is on a facet
         self.assertAlmostEqual(peak_force(result), 2 * 1 * MODULUS * depth, delta=2e-4 * 0.05)
 
     def test_example_of_the_cylinder(self):
@@ -64,7 +64,7 @@ class Measured(SessionCase):
         self.assertNotIn("synthetic", result.stdout)
 
     def test_registration(self):
-        body, curves = self.ball(("pole", RADIUS + 10, 0, 0))  # x of the curves is z of the body, and 10 mm off
+        body, curves = self.ball(("pole", RADIUS + 10, 0, 0))  # x of the curves is the body's z, shifted by 10 mm
         self.refuse(body, "--measured", curves, words=("'pole': lies 10", "mm from the surface"))
         matrix = self.folder / "matrix.txt"
         matrix.write_text("0 1 0 0\n0 0 1 0\n1 0 0 -10\n0 0 0 1\n")
@@ -82,12 +82,13 @@ class Measured(SessionCase):
 
     def test_the_largest_strain_is_an_option_and_named(self):
         body, curves = self.ball(("pole", 0, 0, RADIUS))
-        # A paraboloid's strain is √(δ/R): 0.4 at 0.48 mm. Of the readings, 0.02 mm apart to 1 mm, 26 are deeper, and one is as deep.
+        # The strain of a paraboloid is √(δ/R): 0.4 at 0.48 mm. Of the readings, 0.02 mm apart to 1
+        # mm, 26 are deeper and one is at this depth.
         result = self.succeed(body, "--measured", curves)
         self.assertRegex(result.stderr, "2[67] of 56 readings are not used: they lie deeper than the largest strain of 0.4 allows")
-        result = self.succeed(body, "--measured", curves, "--max-strain", "0.6")  # to 1.08 mm
+        result = self.succeed(body, "--measured", curves, "--max-strain", "0.6")  # up to 1.08 mm
         self.assertNotIn("readings are not used", result.stderr)
-        self.refuse(body, "--measured", curves, "--max-strain", "0.1",  # to 0.03 mm
+        self.refuse(body, "--measured", curves, "--max-strain", "0.1",  # up to 0.03 mm
                     words=("the largest strain of 0.1 leaves 7 of 56 readings; 8 are needed",))
         self.refuse(body, "--max-strain", "0.1", words=("--measured",))
         self.refuse(body, "--measured", curves, "--max-strain", "0", words=("--max-strain",))

@@ -8,7 +8,7 @@ from pathlib import Path
 import bodies
 from session import SessionCase, run
 
-MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its own folder
+MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its folder
 COMPARISON = Path(os.environ.get("PALPATE_COMPARISON", ""))  # the viewer's module of that name
 CURVES = Path(os.environ.get("PALPATE_DATA", "")) / "Examples" / "cylinder_sphere_curves.csv"
 

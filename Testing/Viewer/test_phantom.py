@@ -10,8 +10,8 @@ from pathlib import Path
 from session import CACHE, PALPATE, SessionCase, peak_force, run
 
 TABLE = Path(os.environ["PALPATE_DATA"]) / "Reference" / "shape" / "nodule_forces.csv"
-SOLVED = 800                                                # s: once, on a busy machine
-DEPTH = 0.8                                                 # mm, the deepest that the table has of this tool
+SOLVED = 800                                                # s, for one solution on a busy machine
+DEPTH = 0.8                                                 # mm, the largest depth in the table for this tool
 FELT = re.compile(r"X pushed back with up to (\S+) N, Y with up to (\S+) N")
 ROWS = re.compile(r"([\d.]+) mm, (\d) mm deep: ([+-][\d.]+) %")
 
@@ -28,7 +28,7 @@ def expected(radius, top):
 class Phantom(SessionCase):
     @classmethod
     def setUpClass(cls):
-        # Solved once for all; the cache is the tests' own.
+        # One solution for all tests; the cache is that of the tests.
         with subprocess.Popen([PALPATE, "--scene", "phantom", "--no-pictures", "--output", CACHE.name],
                               env={**os.environ, "XDG_CACHE_HOME": CACHE.name}, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True) as program:
@@ -41,14 +41,14 @@ class Phantom(SessionCase):
         return peak_force(self.succeed("--scene", "phantom", "--site", f"{x},{y},20", *arguments))
 
     def test_a_nodule_changes_the_force_as_the_table_says(self):
-        plain = self.press(-17.5, 23)                       # 8 mm from the next nodule's middle, of 1.5 mm
+        plain = self.press(-17.5, 23)                       # 8 mm from the centre of the next nodule, of 1.5 mm
         change = self.press(-2, 0) / plain - 1
         self.assertAlmostEqual(expected(3.0, 2.0), 0.24, delta=0.005)
         self.assertAlmostEqual(change, expected(3.0, 2.0), delta=0.02)
-        # As felt without a choice of the least form.
+        # The same without the choice of the smallest form.
         exact = self.press(-2, 0, "--no-auto") / self.press(-17.5, 23, "--no-auto") - 1
         self.assertAlmostEqual(exact, expected(3.0, 2.0), delta=0.02)
-        # Plain tissue is the same elsewhere, but for nodules and walls far away.
+        # Plain tissue gives the same force elsewhere, except for distant nodules and walls.
         self.assertAlmostEqual(self.press(-17.5, -23) / plain, 1.0, delta=0.02)
 
     def test_it_is_solved_once(self):
@@ -62,8 +62,9 @@ class Phantom(SessionCase):
         rows = {(float(radius), float(top)): float(change) / 100 for radius, top, change in ROWS.findall(result.stdout)}
         self.assertEqual(len(rows), 9)
         for (radius, top), change in rows.items():
-            # Of the force: 2 % by mixed cells where the nodule begins two cells and more deep, 5 % where one; all
-            # are largest at DEPTH or, 1 mm deep and 1.5 mm large, a little above what the table's depths show.
+            # Tolerance relative to the force: 2 % for mixed cells if the top of the nodule is two
+            # or more cells deep, 5 % for one cell. All changes are largest at DEPTH. An exception
+            # is the nodule of 1.5 mm at 1 mm, which slightly exceeds the values of the table.
             tolerance = (0.05 if top == 1 else 0.02) * (1 + expected(radius, top))
             self.assertAlmostEqual(change, expected(radius, top), delta=tolerance, msg=(radius, top))
         self.assertEqual(len(re.findall("not felt", result.stdout)), 2)
@@ -71,7 +72,7 @@ class Phantom(SessionCase):
     def observe(self, *arguments):
         """Says of each trial where more was felt; what was said and the log."""
         settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
-        settings.pop("DISPLAY", None)                       # nothing is drawn
+        settings.pop("DISPLAY", None)                       # draws nothing
         said = ""
         with subprocess.Popen([PALPATE, "--scene", "phantom", "--output", self.output, *arguments], env=settings,
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -91,7 +92,7 @@ class Phantom(SessionCase):
         self.assertIn("Under which one is the lump?", said)
         self.assertIn("right in 4 of 4, 100 %", said)
         lump, none = map(float, re.findall(r"# intensity \w: (\S+)", log))
-        self.assertAlmostEqual(lump / none - 1, expected(3.0, 2.0), delta=0.02)  # the first place, DEPTH deep
+        self.assertAlmostEqual(lump / none - 1, expected(3.0, 2.0), delta=0.02)  # the first place, at DEPTH
         for line in said.split("100 %")[0].splitlines()[:3]:
             self.assertNotIn("none", line)
 

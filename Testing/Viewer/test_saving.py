@@ -30,7 +30,7 @@ class Saving(SessionCase):
             field = body.GetFieldData()
             self.assertIn(tool, field.GetAbstractArray(f"{prefix}Tool").GetValue(0))
             self.assertEqual(field.GetAbstractArray(f"{prefix}Units").GetValue(0), "mm,N,MPa")
-        again = self.succeed(  # a body like any other
+        again = self.succeed(  # used like any other body
             saved, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45")
         self.assertAlmostEqual(peak_force(again), peak_force(first), delta=1e-3 * peak_force(first))
 
@@ -47,7 +47,7 @@ class Saving(SessionCase):
             body.GetPointData().RemoveArray(missing)
             broken = bodies.write(body, self.folder / "broken.vtp")
             self.refuse(broken, words=("broken.vtp", missing))
-            self.succeed(broken, "--tool", "sphere:3")  # a new response needs none of it
+            self.succeed(broken, "--tool", "sphere:3")  # a new response does not use the old one
 
 
 if __name__ == "__main__":

@@ -13,9 +13,9 @@ from palpate import vtkSkinSurface
 
 SIZE = 64
 RADIUS = 20.3
-CENTRE = numpy.array([31.2, 30.7, 31.5])  # off the voxels
+CENTRE = numpy.array([31.2, 30.7, 31.5])  # not on the voxel grid
 CONTOUR = 50.0
-SUB_VOXEL = 0.06  # mm, of voxels of 1 mm
+SUB_VOXEL = 0.06  # mm, for voxels of 1 mm
 
 
 def ball(centre=CENTRE):
@@ -134,7 +134,7 @@ class SkinSurface(unittest.TestCase):
         found = radii(closed)
         self.assertGreater(found.min(), RADIUS - 1.0)  # flat over the mouth of 4 mm, but closed
         away = points(closed)[:, 2] < CENTRE[2]
-        self.assertLess(abs(found[away] - RADIUS).max(), 2.0 * SUB_VOXEL)  # the rest has not moved
+        self.assertLess(abs(found[away] - RADIUS).max(), 2.0 * SUB_VOXEL)  # the rest is unchanged
         self.assertEqual(border_edges(closed).GetNumberOfCells(), 0)
 
     def test_island_is_left_out(self):
@@ -156,12 +156,13 @@ class SkinSurface(unittest.TestCase):
             height = 5.3 + 0.28 * numpy.cos(2.0 * numpy.pi * x / wave)     # within one layer of voxels
             grey = numpy.clip(50.0 + 50.0 * (height[:, None, None] - z), 0.0, 100.0)
             found = points(skin(numpy.broadcast_to(grey, (x.size, 80, z.size))))
-            # The border, which does not move, is felt 30 edges far, a neighbour per iteration.
+            # The border is fixed. Its influence reaches 30 edges far, one neighbour per iteration.
             inner = found[(found[:, 0] > 31) & (found[:, 0] < 31.5 + 66) & (abs(found[:, 1] - 39.5) < 6)]
             phase = 2.0 * numpy.pi * inner[:, 0] / wave
             design = numpy.stack([numpy.cos(phase), numpy.sin(phase), numpy.ones(len(phase))], axis=1)
             cosine, sine, _ = numpy.linalg.lstsq(design, inner[:, 2], rcond=None)[0]
-            # VTK ends its search for the edge as soon as f(pass band) > 0.999: where f falls most, it is 0.02 less.
+            # VTK ends its search for the edge once f(pass band) > 0.999: where f falls fastest, the
+            # value is 0.02 lower.
             self.assertAlmostEqual(cosine / 0.28, passed(wave), delta=0.025, msg=str(wave))
             self.assertAlmostEqual(sine, 0.0, delta=1e-3)
 
@@ -178,7 +179,7 @@ class SkinSurface(unittest.TestCase):
         self.assertAlmostEqual(abs(points(border)[:, 2]).max(), 0.0, delta=0.01)
         rim = numpy.linalg.norm(points(border)[:, :2] - centre[:2], axis=1)
         self.assertLess(abs(rim - numpy.sqrt(RADIUS ** 2 - centre[2] ** 2)).max(), 0.2)
-        # Not capped: nothing within the rim at the first slice.
+        # Not capped: no points inside the rim at the first slice.
         low = points(surface)[:, 2] < 0.5
         self.assertGreater(radii(surface, centre)[low].min(), RADIUS - 0.3)
         self.check_normals(surface, centre)

@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 RADIUS = 25.0
 BOTTOM = -15.0
 SPACING = 5.0  # a fifth of the radius
-COARSE = 8.0  # where no force is judged
+COARSE = 8.0  # where forces are not checked
 
 
 def dome():
@@ -65,7 +65,7 @@ class Solid(SolidCase):
         self.assertNotIn("filled with", self.result.stderr)
         for name, values in first.items():
             numpy.testing.assert_array_equal(values, again[name])
-        # Held otherwise, and from a file that ends in the middle, it is solved for again.
+        # With other held points, and with a truncated cache file, it is solved again.
         self.responses("--tool", "sphere:4", "--fixed", "z-:4", spacing=COARSE)
         self.assertIn("filled with", self.result.stderr)
         self.assertEqual(len(cached()), 2)
@@ -115,7 +115,8 @@ class SolidForces(SolidCase):
         away = places[:, 2] > 0.0
         self.assertTrue((found["Status"][away] == 0).all())
         self.assertTrue((found["Range"][away] == 2.0).all())
-        # The ball is one of revolution, its cells are not: 0.3 % of theirs, as much of carrying.
+        # The ball is a body of revolution, its cells are not: 0.3 % from the cells, the same from
+        # interpolation.
         deepest = found["Force"][:, -1]
         for latitude in {round(z, 3) for z in places[away, 2] if z < 24.9}:
             ring = deepest[numpy.abs(places[:, 2] - latitude) < 2e-3]
@@ -128,7 +129,8 @@ class SolidForces(SolidCase):
         """Another method on other elements: a half-space's law, curved, in series with voxels' compliance."""
         self.responses("--depth", "0.5")
         series = self.press(dome(), "dome.vtp", "--voxel", "2.5", "--depth", "0.5")
-        # Series takes the compliance of a point for that of the contact: some per cent.
+        # The series model uses the compliance of a point for that of the contact: an error of some
+        # per cent.
         self.assertLess(abs(peak_force(self.result) / peak_force(series) - 1.0), 0.06)
 
     def test_the_size_is_chosen_from_body_and_tool(self):
@@ -155,7 +157,7 @@ class SolidForces(SolidCase):
         reader.SetFileName(str(saved))
         reader.Update()
         between = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("ResponseSurfaceError"))
-        self.assertGreater((between > 0.05).mean(), 0.1)  # of which the filter warns
+        self.assertGreater((between > 0.05).mean(), 0.1)  # the filter warns of it
 
 
 if __name__ == "__main__":

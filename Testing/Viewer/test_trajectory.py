@@ -11,7 +11,7 @@ from session import SessionCase
 COLUMNS = ("time_s,tip_x_mm,tip_y_mm,tip_z_mm,contact_x_mm,contact_y_mm,contact_z_mm,deflection_mm,"
            "normal_force_N,friction_x_N,friction_y_N,friction_z_N,ideal_force_N,state").split(",")
 RADIUS = 25.0
-FACETS = 0.05  # mm: the facets lie up to this much within the sphere
+FACETS = 0.05  # mm; largest depth of the facets below the sphere
 
 
 def read(path):
@@ -59,7 +59,8 @@ class Trajectory(SessionCase):
         touching = state > 0
         self.assertEqual(set(state), {0.0, 2.0})
         self.assertEqual(number(r"(\d+) in contact", result.stdout), touching.sum())
-        # In contact exactly when the tip is inside; the deflection is its distance from the contact.
+        # There is contact exactly if the tip is inside. The deflection is its distance from the
+        # contact point.
         outside = numpy.linalg.norm(tip, axis=1) > RADIUS
         self.assertFalse((touching & outside).any())
         self.assertTrue(touching[numpy.linalg.norm(tip, axis=1) < RADIUS - FACETS].all())
@@ -71,7 +72,7 @@ class Trajectory(SessionCase):
         for axis in "xyz":
             self.assertTrue((table[f"friction_{axis}_N"] == 0.0).all())
         numpy.testing.assert_allclose(table["ideal_force_N"], force, rtol=1e-14)
-        # The summary tells the peaks, rounded to four digits.
+        # The summary states the peaks, rounded to four digits.
         self.assertAlmostEqual(number(r"force ([\d.e+-]+) N", result.stdout), force.max(), delta=1e-3)
         self.assertAlmostEqual(number(r"deflection ([\d.e+-]+) mm", result.stdout), depth.max(),
                                delta=1e-3)
@@ -94,7 +95,8 @@ class Trajectory(SessionCase):
                           said.stdout, re.MULTILINE)
         self.assertTrue(found, said.stdout)
         within, typical, largest = map(float, found.groups())
-        # A ball of 25 mm gives way by 0.46 a/R_b more than its law: 3 % at the depth of 1 mm. Strain adds 2 %.
+        # The global deflection of a ball of 25 mm adds 0.46 a/R_b to its law: 3 % at 1 mm. Strain
+        # adds 2 %.
         self.assertTrue(1 < typical <= largest < 10 and 0 < within <= 100, found.groups())
         plain, _ = self.press("--error-tolerance", "0")
         self.assertNotIn("  error  ", plain.stdout)
@@ -116,19 +118,20 @@ class Trajectory(SessionCase):
                 self.assertEqual(set(table["state"]), {0.0, 1.0, 2.0})
                 self.assertAlmostEqual(number(r"friction .*; peak ([\d.e+-]+) N", result.stdout),
                                        size.max(), delta=1e-3 * size.max())
-                # Coulomb's law, with the rounding of a vector's length.
+                # Coulomb's law, with the rounding error of a vector's length.
                 self.assertTrue((size <= coefficient * normal * (1 + 1e-9)).all())
-                # The total of the two, which are perpendicular.
+                # The resultant of the two, which are perpendicular.
                 numpy.testing.assert_allclose(table["ideal_force_N"], numpy.hypot(normal, size),
                                               rtol=1e-9, atol=1e-12)
-                # In the middle of the slide from +z towards +x: at the limit, against the motion.
+                # In the middle of the slide from +z towards +x: friction is at the limit, against
+                # the motion.
                 contact = self.points(table, "contact")
                 middle = numpy.argmin(numpy.abs(contact[:, 0] - 0.2 * RADIUS) + (normal == 0) * RADIUS)
                 motion = contact[middle + 5] - contact[middle - 5]
                 self.assertAlmostEqual(size[middle], coefficient * normal[middle],
                                        delta=1e-3 * normal[middle])
                 along = friction[middle] @ motion / (size[middle] * numpy.linalg.norm(motion))
-                self.assertLess(along, -0.99)  # but for the slant of the facets
+                self.assertLess(along, -0.99)  # except for the tilt of the facets
                 felt.append(size)
         for i, j in ((0, 1), (0, 2), (1, 2)):
             self.assertTrue((felt[i] != felt[j]).any())

@@ -17,7 +17,7 @@ class Trial(SessionCase):
         self.body = bodies.write(bodies.sphere(), self.folder / "body.vtp")
 
     def start(self, *arguments, young=0.1):
-        # No X server: nothing is drawn.
+        # No X server: the trial draws nothing.
         settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
         settings.pop("DISPLAY", None)
         return subprocess.Popen(
@@ -64,7 +64,7 @@ class Trial(SessionCase):
         self.assertEqual({row[5] for row in rows}, {"1"})
         self.assertEqual([head[f"alternative {letter}"] for letter in "ABC"],
                          ["sphere:3", "flat:3", "cone:60"])
-        # A flat punch of 3 mm feels 2 E* a d at 1 mm; facets and pole of the sphere: a few per cent.
+        # A flat punch of 3 mm has 2 E* a d at 1 mm. Facets and pole of the sphere: a few per cent.
         self.assertAlmostEqual(float(head["intensity B"]), 2 * 0.1 / (1 - 0.45 ** 2) * 3,
                                delta=0.05 * 0.75)
         self.assertEqual(len(re.findall("right in 4 of 4, 100 %", said)), 3)
@@ -131,18 +131,19 @@ class Trial(SessionCase):
         while "trial 2" not in program.stdout.readline():
             pass
         self.assertEqual(len(self.log()[1]), 1)
-        program.kill()  # as if the power had gone
+        program.kill()  # like a power failure
         program.communicate()
         self.assertEqual(len(self.log()[1]), 1)
 
     def test_materials_and_friction_are_alternatives_too(self):
-        # Twice the modulus pushes back twice as much, in the ratio that one factor leaves.
+        # Twice the modulus gives twice the force. The limit of the device scales both by one
+        # factor, so the ratio stays.
         self.observe(lambda x, y: 1 if x > y else 2, "--tool", "sphere:3",
                      "--trial", "young=0.1,young=0.2", "--rounds", 1)
         head, rows = self.log()
         self.assertEqual({row[5] for row in rows}, {"1"})
         self.assertAlmostEqual(float(head["intensity B"]) / float(head["intensity A"]), 2.0, places=5)
-        # Friction: equals in what is asked about, so nobody is right.
+        # Friction: both are equal in the property of the question, so no answer is correct.
         log = self.folder / "friction.csv"
         ratios = []
 
@@ -152,11 +153,11 @@ class Trial(SessionCase):
         self.observe(choose, "--slide-to", "0.5,0,1", "--trial", "friction=0,friction=0.5",
                      "--rounds", 1, "--log", log)
         self.assertEqual({row[5] for row in self.log(log)[1]}, {""})
-        # While it slides the total is sqrt(1 + 0.5^2) times the normal force; its peak is at a
-        # facet's lowest place, within a few per cent.
+        # During sliding the total is sqrt(1 + 0.5^2) times the normal force. Its peak is at the
+        # deepest place of a facet, within a few per cent.
         for ratio in ratios:
             self.assertAlmostEqual(ratio, 1.25 ** 0.5, delta=0.03)
-        # A layer against none, and a question of one's own.
+        # A layer against no layer, with a custom question.
         log = self.folder / "layer.csv"
         self.ask("11", "--trial", "sphere:3+layer=2,sphere:3+layer=none", "--rounds", 1, "--log", log,
                  "--question", "Which one is bonier?")
@@ -164,7 +165,7 @@ class Trial(SessionCase):
         self.assertEqual(head["question"], "Which one is bonier?")
         self.assertEqual({row[5] for row in rows}, {""})
         self.assertGreater(float(head["intensity A"]), 1.5 * float(head["intensity B"]))
-        # Two layers that are one, and one.
+        # Two equal layers against one.
         log = self.folder / "layers.csv"
         self.ask("11", "--trial", "sphere:3+layers=0.5:0.1:0.45,1.5:0.1:0.45,sphere:3+young=0.1+layer=2", "--rounds", 1,
                  "--log", log, "--no-curvature")
@@ -172,8 +173,8 @@ class Trial(SessionCase):
         self.assertAlmostEqual(float(head["intensity A"]) / float(head["intensity B"]), 1.0, delta=1e-3)
 
     def test_ratios_survive_a_device_too_weak(self):
-        # 400 N/mm of steel-like rubber: far above the 10 N of the simulated device. Clipped alike,
-        # both would push back with 10 N.
+        # 400 N/mm of stiff rubber: far above the 10 N of the simulated device. If each were
+        # clipped, both would push back with 10 N.
         forces = []
 
         def choose(x, y):
@@ -208,7 +209,7 @@ class Trial(SessionCase):
             with self.subTest(arguments=arguments):
                 self.refuse(self.body, "--trial", *arguments, words=(word,))
         self.refuse(self.body, "--rounds", "3", words=("--trial",))
-        # Commas within tools are no separators.
+        # Commas within tools do not separate tools.
         log = self.folder / "commas.csv"
         self.ask("11", "--trial", "blunted:1,30,truncated:1,45", "--rounds", 1, "--log", log)
         self.assertEqual(self.log(log)[0]["alternative A"], "blunted:1,30")

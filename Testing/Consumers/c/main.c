@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A plain C program: load a body, step, reset; slide with friction; press with mapping and safety,
- * and go over to another scene. */
+/*
+ * A plain C program: load a body, step, reset; slide with friction; press with mapping and safety,
+ * and change to another scene.
+ */
 #include <palpate.h>
 
 #include <math.h>
 #include <stdio.h>
 
-/* Slides 2 mm along the cylinder, 0.5 mm deep, with a friction of 0.5. */
+/* Slides 2 mm along the cylinder at a depth of 0.5 mm with a friction coefficient of 0.5. */
 static int slide(const palpate_body* body)
 {
   char reason[256];
@@ -36,12 +38,17 @@ static int slide(const palpate_body* body)
   }
   palpate_contact_free(contact);
   printf("normal force %.4g N, friction %.4g N\n", tick.normal_force, tick.friction[0]);
-  /* Coulomb's limit, against the motion: what is elastic, 2 N / 10 N/mm, was passed long ago. */
+  /*
+   * Coulomb's limit, against the motion. The elastic displacement, 2 N / 10 N/mm, was exceeded long
+   * before.
+   */
   return tick.state == PALPATE_SLIDE &&
     fabs(tick.friction[0] + 0.5 * tick.normal_force) < 1e-3 * tick.normal_force;
 }
 
-/* From 1 mm above the cylinder to 0.4 mm deep, at rest there; then another scene of half the force.
+/*
+ * Moves from 1 mm above the cylinder to a depth of 0.4 mm and rests there. Then changes to another
+ * scene with half the force.
  */
 static int exchange(const palpate_body* body)
 {
@@ -120,6 +127,9 @@ int main(int argc, char** argv)
     return 1;
   }
   palpate_body_free(body);
-  /* The exact sphere of 6.35 mm at 0.5 mm and E* = 3.45 MPa: 4.06596 N; the mesh sags a little. */
+  /*
+   * The exact sphere of 6.35 mm at 0.5 mm and E* = 3.45 MPa: 4.06596 N. The mesh is slightly below
+   * the true surface.
+   */
   return fabs(force - 4.06596) < 0.03 ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body of somebody else's making, without VTK and without a file: its response, then a tick.
+// A body that the program makes itself, without VTK and without a file: its response, then a tick.
 #include <Laws/BodyMaterial.h>
 #include <Contact/ContactBody.h>
 #include <Laws/ResponseFiller.h>
@@ -14,7 +14,7 @@
 
 int main()
 {
-  // A flat square of 200 mm that looks up, of 0.06 MPa.
+  // A flat square of 200 mm that faces up, of 0.06 MPa.
   const std::vector<double> points = { -100, -100, 0, 100, -100, 0, 100, 100, 0, -100, 100, 0 };
   const std::vector<std::int32_t> triangles = { 0, 1, 2, 0, 2, 3 };
   const std::vector<float> normals = { 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1 };
@@ -60,5 +60,5 @@ int main()
   const double felt = contact.update({ 10.0, 20.0, -1.0 }).normalForce;
   const double hertz = 4.0 / 3.0 * 0.06 / (1.0 - 0.45 * 0.45) * 2.0; // 4/3 E* √R δ^1.5
   std::printf("force %.6g N, by Hertz %.6g N\n", felt, hertz);
-  return std::abs(felt - hertz) < 1e-6 * hertz ? 0 : 1; // floats
+  return std::abs(felt - hertz) < 1e-6 * hertz ? 0 : 1; // tolerance for floats
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Somebody else's servo loop, without VTK: 1 kHz, its own clock, step(sample, time) in the middle.
-// ServoScene.h is a header of before, kept for programs that include it.
+// A servo loop of another program, without VTK: 1 kHz, its own clock, step(sample, time) in the
+// middle. ServoScene.h is an old header, kept for programs that include it.
 #include <FlatBodyFile.h>
 #include <Haptics/Servo/ServoScene.h>
 #include <ServoStep.h>
@@ -38,7 +38,7 @@ int main(int argc, char** argv)
     std::this_thread::sleep_until(deadline);
   }
   std::printf("strongest force %.4g N, last %.4g N\n", strongest, last.deviceForce.norm());
-  // The exact sphere of 6.35 mm at 1 mm and E* = 3.45 MPa: 11.4088 N; the mesh sags below its
-  // circle.
+  // The exact sphere of 6.35 mm at 1 mm and E* = 3.45 MPa: 11.4088 N. The mesh is below the circle
+  // of the cylinder.
   return std::abs(strongest - 11.4088) < 0.05 && last.deviceForce.norm() == 0.0 ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts that leave over sharp edges: the force of a quarter space beside and beyond one, no jump
-// and no energy gained on any way, whatever the form and the surface.
+// Contacts near sharp edges and beyond them: the force of a quarter space on both sides of the
+// edge. There is no jump and no gain of energy on any path, for every form and surface.
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
@@ -22,7 +22,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// Down on the face y = `top`, far inside, then sideways to `x`.
+/// Presses on the face y = `top` far from the edge, then moves sideways to `x`.
 Contact pressedBeside(
   const ContactBody& body, const ContactSettings& settings, double top, double x, double depth)
 {
@@ -42,11 +42,11 @@ Contact pressedBeside(
   return found;
 }
 
-/// Of a tip led along corners in steps of a micrometre, starting and ending outside.
+/// Results of a tip that moves along corners in steps of a micrometre. It starts and ends outside.
 struct Lap
 {
-  double jump = 0.0;  ///< largest |ΔF| over the force before it, where that is more than 1 N
-  double gain = 0.0;  ///< what the hand gets, mJ
+  double jump = 0.0;  ///< largest |ΔF| over the force before it, if that exceeds 1 N
+  double gain = 0.0;  ///< energy gained by the hand, mJ
   double scale = 0.0; ///< ∮|F||dx|, mJ
   double largest = 0.0;
   Vector3 where = Vector3::Zero();
@@ -85,7 +85,7 @@ Lap lap(const ContactBody& body, const ContactSettings& settings, const std::vec
   return found;
 }
 
-/// A wedge of an interior angle along z, its edge in the origin, opening towards +x.
+/// A wedge with an interior angle, along z. Its edge is at the origin, and it opens towards +x.
 Surface wedge(double degrees, int times)
 {
   const double half = 0.5 * degrees * Pi / 180.0;
@@ -94,8 +94,8 @@ Surface wedge(double degrees, int times)
     prism({ { 0.0, 0.0 }, { out.x(), -out.y() }, out }, { { 0, 1, 2 } }, 40.0), times);
 }
 
-/// Under one face `depth` deep, over the edge, around it outside and back; and around inside, along
-/// the other face.
+/// Two paths: `depth` under one face, over the edge and back around it outside; and around inside,
+/// along the other face.
 std::array<std::vector<Vector3>, 2> waysOver(double degrees, double depth)
 {
   const double half = 0.5 * degrees * Pi / 180.0;
@@ -114,7 +114,7 @@ std::array<std::vector<Vector3>, 2> waysOver(double degrees, double depth)
 
 TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
 {
-  // A metre of block, coarse (12 triangles) and fine, so that the other edges are out of reach.
+  // A block of one metre, coarse (12 triangles) and fine, so that the other edges are out of reach.
   const ReferenceTable table("edges/edge_law.csv");
   const Surface coarse = block(1000.0, 1000.0, 1000.0);
   const Surface fine = subdivided(coarse, 4);
@@ -135,7 +135,7 @@ TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
           const double u = table.number(row, "u=d/a0");
           const Contact found = pressedBeside(*body, settings, 1000.0, u * radius, depth);
           const double far = 10.0 * std::pow(depth, 1.5);
-          // 0.8 % of the force far inside: what the table states, and its spline.
+          // 0.8 % of the force far inside: the error stated by the table, and its spline.
           EXPECT_NEAR(found.force.y() / far, table.number(row, "Phi=F/F0"), 8e-3) << u;
           EXPECT_NEAR(-found.force.x() / far * radius / depth,
             table.number(row, "chi=F_side*a0/(F0*delta)"), u < -0.8 ? 2e-2 : 4e-3)
@@ -165,12 +165,12 @@ TEST(BodyEdges, LeavesWhereTheBodyLetsGo)
 
 TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
 {
-  // By differences of W itself: what a path there takes, over a corner of three sharp edges, a
-  // blunt one, and a corner of three of them.
+  // The work along a path to the tip is differentiated by finite differences. Paths: to a corner of
+  // three sharp edges, and to a blunt edge.
   struct Place
   {
     Surface body;
-    std::vector<Vector3> way; ///< the last is looked at
+    std::vector<Vector3> way; ///< the force is compared at the last point
   };
   const std::vector<Eigen::Vector2d> bevelled = { { 0, 0 }, { 20, 0 }, { 20, 16 }, { 16, 20 },
     { 0, 20 } };
@@ -200,7 +200,7 @@ TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
       }
       const Lap found = lap(*body, settings, place.way);
       ASSERT_GT(found.last.normalForce, 0.5);
-      // h² of a difference, floats of curves and normals.
+      // h² of the difference, and floats of curves and normals.
       EXPECT_LT((found.last.force + gradient).norm(), 1e-3 * found.last.force.norm());
     }
   }
@@ -208,7 +208,7 @@ TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
 
 TEST(BodyEdges, NeitherJumpsNorGivesEnergyOverAnyAngle)
 {
-  // Between two tips 1 µm apart no more than 1 %, down to the contact radius (5 mm here).
+  // At most 1 % between two tips 1 µm apart, for depths down to the contact radius (5 mm here).
   for (const double degrees : { 30.0, 60.0, 90.0, 104.0, 106.0, 150.0 })
   {
     const auto body = uniformBody(wedge(degrees, 5), sphereOverEdges());
@@ -222,7 +222,7 @@ TEST(BodyEdges, NeitherJumpsNorGivesEnergyOverAnyAngle)
           EXPECT_LE(found.jump, 0.01)
             << degrees << "°, " << depth << " mm at " << found.where.transpose();
           EXPECT_GT(found.largest, 0.3 * std::pow(depth, 1.5));
-          // Ticks of a micrometre: the trapezium's own error is 1e-7 of the work.
+          // Ticks of a micrometre: the trapezoidal rule has an error of 1e-7 of the work.
           EXPECT_LE(found.gain, 1e-6 * found.scale) << degrees << "°, " << depth << " mm";
           EXPECT_EQ(found.last.force, Vector3::Zero());
         }
@@ -259,7 +259,7 @@ TEST(BodyEdges, OverGroovesAndThroughASlab)
         EXPECT_LE(found.jump, 0.01) << found.where.transpose();
         EXPECT_LE(found.gain, 1e-6 * found.scale);
         EXPECT_GT(found.largest, 5.0);
-        // Pressed from below up through the slab, a contact has not ended.
+        // A contact that is pressed from below up through the slab has not ended.
         EXPECT_EQ(found.last.force.isZero(0.0), body == grooved.get() || !isBack);
       }
     }
@@ -278,7 +278,7 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
     {
       const auto near = [&]
       {
-        // 2 mm deep to 2 mm out, along one face.
+        // From 2 mm deep to 2 mm outside, along one face.
         Vector3 place(20.0 * unit(random), 15.0 * unit(random), 10.0 * unit(random));
         const auto axis = static_cast<Eigen::Index>(3.0 * unit(random));
         const double size = axis == 0 ? 20.0 : axis == 1 ? 15.0 : 10.0;
@@ -296,8 +296,8 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
       const ContactSettings settings{ ForceForm::EnergyConsistent,
         trial % 2 == 0 ? ContactSurface::Facets : ContactSurface::Smooth, {} };
       const Lap found = lap(*body, settings, path, 4e-3);
-      // What is lost is lost with a contact that ends under another face; nothing is gained but by
-      // ticks of 4 µm, 1e-6 of the work.
+      // Energy is lost if a contact ends under another face. The only gain is the error of ticks of
+      // 4 µm, 1e-6 of the work.
       EXPECT_LE(found.gain, 1e-5 * found.scale) << trial;
     }
   }
@@ -305,7 +305,8 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
 
 TEST(BodyEdges, TrianglesMuchLargerThanTheContact)
 {
-  // Two to a face of a metre: at the corner where their diagonal ends both are near both edges.
+  // Two triangles on a face of one metre. At the corner where their diagonal ends, both are near
+  // both edges.
   const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
   for (const double z : { 0.0, 1000.0 })
   {
@@ -330,7 +331,8 @@ TEST(BodyEdges, TrianglesMuchLargerThanTheContact)
 
 TEST(BodyEdges, NothingBeginsInTheDepth)
 {
-  // Let go over the rim of a slit narrower than the contact, the tip is under its other side.
+  // After an end beyond the rim of a slit narrower than the contact, the tip is under the other
+  // side of the slit.
   std::vector<Eigen::Vector2d> outline = { { -20, 0 }, { 20, 0 }, { 20, 10 }, { 0.5, 10 },
     { 0.5, 5 }, { -0.5, 5 }, { -0.5, 10 }, { -20, 10 } };
   const Surface slit = subdivided(
@@ -343,7 +345,7 @@ TEST(BodyEdges, NothingBeginsInTheDepth)
   const Lap found = lap(*body, {}, over);
   EXPECT_LE(found.jump, 0.01);
   EXPECT_LE(found.gain, 1e-6 * found.scale);
-  // Out and in again, there is a contact.
+  // After the tip moves out and in again, there is a contact.
   EXPECT_GT(found.largest, 5.0);
   ToolContact contact(*body);
   for (const Vector3& tip : { Vector3(8.0, 12.0, 20.0), Vector3(8.0, 9.0, 20.0) })
@@ -420,7 +422,7 @@ TEST(BodyEdges, CurvesThatKnowTheEdgeAreAsTheyAreInside)
   EXPECT_NEAR(contact.update(over[1]).normalForce, 10.0, 1e-4);
 }
 
-/// A base at a depth h holds what an edge lets go: finite elements of blocks, a flat end.
+/// A base at a depth h supports an edge: finite elements of blocks, a flat end.
 TEST(BodyEdges, ABaseHoldsTheEdge)
 {
   const ReferenceTable table("edges/held_edge.csv");
@@ -434,12 +436,13 @@ TEST(BodyEdges, ABaseHoldsTheEdge)
     const double distance = table.number(row, "u=d/a0");
     terms.extent = distance / table.number(row, "d/h");
     const auto body = uniformBody(half, terms);
-    // e^-2.75x is for what is 2.5 to 3.1 there; the law itself 0.5 %, the elements 0.3 %.
+    // The law uses e^-2.75x; the exponents here are 2.5 to 3.1. The law itself adds 0.5 %, the
+    // elements 0.3 %.
     EXPECT_NEAR(pressedBeside(*body, {}, 1000.0, distance, 1.0).normalForce / 10.0,
       table.number(row, "Phi=F/F_layer"), 0.015)
       << row;
   }
-  // Far beyond, nothing is left of it.
+  // Far from the edge it has no effect.
   EdgeTerms thin = sphereOverEdges();
   thin.extent = 5.0;
   EXPECT_NEAR(

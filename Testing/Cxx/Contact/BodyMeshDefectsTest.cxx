@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with a mesh is counted and left out; borders and volume.
+// Defects of a mesh are counted and left out; borders and volume.
 #include "BruteForce.h"
 #include "Contact/TriangleTree.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -28,7 +28,7 @@ TEST(BodyMeshDefects, SoundBodiesHaveNone)
 
 TEST(BodyMeshDefects, Volume)
 {
-  // Products of small integers: exact up to a few roundings of the sum.
+  // Products of small integers: exact except for a few roundings of the sum.
   EXPECT_NEAR(block(3, 4, 5).mesh().enclosedVolume(), 60.0, 1e-12);
   EXPECT_NEAR(angleBlock().mesh().enclosedVolume(), (20 * 20 - 12 * 12) * 10.0, 1e-10);
   EXPECT_NEAR(grooveBlock().mesh().enclosedVolume(), (40 * 10 - 25) * 40.0, 1e-9);
@@ -44,7 +44,7 @@ TEST(BodyMeshDefects, Volume)
   {
     p += Vector3(1e6, -1e6, 1e6);
   }
-  EXPECT_NEAR(far.mesh().enclosedVolume(), 60.0, 1e-7); // coordinates round at 1e-10
+  EXPECT_NEAR(far.mesh().enclosedVolume(), 60.0, 1e-7); // rounding of the coordinates: 1e-10
 }
 
 TEST(BodyMeshDefects, EmptyBodies)
@@ -89,8 +89,8 @@ TEST(BodyMeshDefects, CountedAndLeftOut)
     EXPECT_EQ(mesh.isUsable(t), t < sound) << t;
   }
   EXPECT_NEAR(mesh.enclosedVolume(), 1000.0, 1e-10);
-  EXPECT_EQ(mesh.pointNormal(n - 3), Vector3::Zero()); // no usable triangle meets there
-  // Next to the broken triangles, the block is what is found.
+  EXPECT_EQ(mesh.pointNormal(n - 3), Vector3::Zero()); // no usable triangle contains it
+  // The closest points are those of the block, not of the broken triangles next to it.
   const PackedMesh packed = body.packed();
   EXPECT_EQ(packed.defects().notFinite, 2u);
   EXPECT_EQ(packed.defects().badIndex, 3u);
@@ -132,7 +132,7 @@ TEST(BodyMeshDefects, NonManifoldEdges)
   EXPECT_EQ(finsMesh.defects().nonManifoldEdges, 1u);
   EXPECT_EQ(finsMesh.defects().borderEdges, 6u);
   EXPECT_FALSE(finsMesh.isClosed());
-  // Nothing is across such an edge: it counts as border.
+  // Such an edge has no neighbour across, so it counts as border.
   const PackedMesh packedFins = fins.packed();
   EXPECT_EQ(packedFins.defects().nonManifoldEdges, 1u);
   EXPECT_TRUE(TriangleTree(packedFins).closest(Vector3(0.0, 0.0, 0.5)).onBorder);
@@ -144,7 +144,7 @@ TEST(BodyMeshDefects, NonManifoldEdges)
   EXPECT_EQ(flipped.mesh().defects().nonManifoldEdges, 1u);
   EXPECT_EQ(flipped.mesh().defects().borderEdges, 4u);
 
-  // A triangle twice.
+  // The same triangle two times.
   Surface twice;
   twice.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   twice.triangles = { { 0, 1, 2 }, { 0, 1, 2 } };
@@ -153,7 +153,8 @@ TEST(BodyMeshDefects, NonManifoldEdges)
 
 TEST(BodyMeshDefects, TwoBodiesThatShareAPointAreClosed)
 {
-  // Two tetrahedra tip to tip: each edge has two triangles, though the point has two fans.
+  // Two tetrahedra that touch at one point: each edge has two triangles, but the point has two
+  // fans.
   Surface body;
   body.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
     { 0, 0, -1 } };
@@ -165,7 +166,7 @@ TEST(BodyMeshDefects, TwoBodiesThatShareAPointAreClosed)
 
 TEST(BodyMeshDefects, PointNormalsAreAngleWeighted)
 {
-  // At a corner of a block three right angles meet, whatever the diagonals of its faces.
+  // At a corner of a block three right angles meet, for any diagonals of its faces.
   const Surface body = block(2, 3, 4);
   const BodyMesh mesh = body.mesh();
   for (std::size_t i = 0; i < body.points.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip slides off an open border: contact is lost, the force fades with the place of the tip, and
-// nothing pulls it back; whatever the form, the surface and friction.
+// A tip slides off an open border: the contact is lost, the force fades with the position of the
+// tip, and no force pulls the tip back; for every form, surface and friction.
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
 
@@ -12,7 +12,8 @@ namespace palpate::testing
 {
 TEST(BorderContact, LostAndFading)
 {
-  // F = 10 N at 1 mm; beyond the border, l on, (1 - l)² (1 + 2 l) of it, straight up.
+  // F = 10 N at 1 mm. At a distance l beyond the border the force is (1 - l)² (1 + 2 l) of it,
+  // straight up.
   const auto body = uniformBody(openPlate(10.0, 10));
   for (const ContactSettings& settings : allFormsAndSurfaces())
   {
@@ -43,7 +44,7 @@ TEST(BorderContact, LostAndFading)
 
 TEST(BorderContact, OfTheTipsPlaceAlone)
 {
-  // In from beside, without having touched before: the same force.
+  // Entered from the side, without an earlier contact: the same force.
   const auto body = uniformBody(openPlate(10.0, 10));
   for (const ContactSettings& settings : allFormsAndSurfaces())
   {
@@ -61,7 +62,8 @@ TEST(BorderContact, OfTheTipsPlaceAlone)
 
 TEST(BorderContact, FrictionFadesToo)
 {
-  // μ = 0.5 as the tip slides out: never more than the faded force allows, and no step.
+  // μ = 0.5 while the tip slides out: friction never exceeds the limit of the faded force, and
+  // there is no step.
   const auto body = uniformBody(openPlate(10.0, 10));
   ContactSettings settings;
   settings.friction.coefficient = 0.5;
@@ -72,10 +74,10 @@ TEST(BorderContact, FrictionFadesToo)
   {
     const Contact found = contact.update(Vector3(9.0 + 0.005 * i, 5.3, -1.0));
     EXPECT_LE(found.friction.norm(), 0.5 * found.normalForce + 1e-9);
-    EXPECT_LE(found.friction.x(), 1e-9); // against the way
+    EXPECT_LE(found.friction.x(), 1e-9); // against the motion
     if (i > 0)
     {
-      // 1.5 per mm of 10 N, 0.005 mm per tick, and half as much of friction; at first 20 N/mm.
+      // 1.5 per mm of 10 N, 0.005 mm per tick, and half of that for friction; at first 20 N/mm.
       EXPECT_LE((found.force - last).norm(), std::hypot(0.075, 0.1) * 1.02) << i;
     }
     last = found.force;
@@ -85,7 +87,8 @@ TEST(BorderContact, FrictionFadesToo)
 
 TEST(BorderContact, BeyondItAnotherBodyIsFound)
 {
-  // A block beside the plate: the plate lets go where its force has faded, and the block is felt.
+  // A block next to the plate: the contact with the plate ends where its force has faded, then the
+  // contact with the block begins.
   Surface both = openPlate(10.0, 10);
   const Surface other = subdivided(block(10, 10, 10), 3);
   const auto shift = static_cast<std::int32_t>(both.points.size());

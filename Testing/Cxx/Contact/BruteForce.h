@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-/// Slow and plain: the geometry of contact by enumeration, in long double.
+/// Slow and simple geometry of contact: by enumeration, in long double.
 namespace palpate::testing
 {
 using Real = long double;
@@ -24,11 +24,12 @@ struct Nearest
 };
 
 /// Closest point of a triangle: the best of its corners, of the feet on its edges, and of the foot
-/// on its plane if that lies inside, by the signs of the areas it spans with the edges.
+/// on its plane if the foot is inside. The test is by the signs of the areas that the foot spans
+/// with the edges.
 Nearest nearestOfTriangle(
   const Vector3& tipGiven, const Vector3& aGiven, const Vector3& bGiven, const Vector3& cGiven);
 
-/// Over the listed triangles.
+/// Closest point of the listed triangles.
 Nearest nearestOf(
   const Surface& body, const Vector3& tip, const std::vector<std::int32_t>& triangles);
 
@@ -37,11 +38,11 @@ std::vector<std::int32_t> allTriangles(const Surface& body);
 /// The triangles that share a corner with one that shares a corner with `triangle`.
 std::vector<std::int32_t> twoRings(const Surface& body, std::int32_t triangle);
 
-/// How often the closed surface winds around the tip: 1 inside, 0 outside. Sum of the solid angles
-/// of its triangles (Van Oosterom and Strackee 1983).
+/// Winding number of the closed surface around the tip: 1 inside, 0 outside. Sum of the solid
+/// angles of its triangles (Van Oosterom and Strackee 1983).
 double windingNumber(const Surface& body, const Vector3& tip);
 
-/// Longest diagonal of the bounding box.
+/// Diagonal of the bounding box.
 double diagonal(const Surface& body);
 } // namespace palpate::testing
 

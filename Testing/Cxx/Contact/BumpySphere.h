@@ -8,11 +8,11 @@
 #include <vector>
 
 /**
- * A body of any number of triangles to slide over: a sphere of mean radius 100 mm with bumps,
- *   r(u) = 100 + sin 15x sin 15y cos 15z   (mm; u = (x, y, z) the unit direction),
- * up to 1 mm high and some 20 mm apart. It is not convex (curvatures from -1/73 mm), yet gentle:
- * its smallest convex radius of curvature is 30.2 mm, far above any depth of a tip, so that a tip
- * up to 5 mm deep is closest to the point it was let down from (but for the facets).
+ * A body with any number of triangles, for sliding tips: a sphere of mean radius 100 mm with bumps,
+ *   r(u) = 100 + sin 15x sin 15y cos 15z   (mm; u = (x, y, z) the unit direction), up to 1 mm high
+ *   and about 20 mm apart. It is not convex (curvatures from -1/73 mm) but gentle: its smallest
+ *   convex radius of curvature is 30.2 mm, far above any depth of a tip. So the closest point of a
+ *   tip up to 5 mm deep is the point straight above it (except for the facets).
  */
 namespace palpate::testing
 {
@@ -20,19 +20,19 @@ namespace palpate::testing
 Vector3 bumpyPoint(const Vector3& direction);
 Vector3 bumpyNormal(const Vector3& direction);
 
-/// An octahedron with each face cut in cuts² triangles, pushed out to the bumpy sphere: 8 cuts²
-/// triangles, 4 cuts² + 2 points, row by row as a mesher would leave them. Closed, wound outward.
-/// 4 million triangles take 0.15 s.
+/// An octahedron whose faces are cut into cuts² triangles each and projected onto the bumpy sphere:
+/// 8 cuts² triangles, 4 cuts² + 2 points, row by row as from a mesher. Closed, wound outward. 4
+/// million triangles take 0.15 s.
 Surface bumpySphere(int cuts);
 
-/// The number of cuts whose bumpy sphere comes closest to this many triangles, at least 1.
+/// The number of cuts for which the bumpy sphere has about this many triangles; at least 1.
 int bumpyCuts(double triangles);
 
 /// The outward unit normals of the smooth body at the points of a bumpy sphere.
 std::vector<Vector3> bumpyNormals(const Surface& body);
 
-/// Extreme principal curvatures of the smooth body, 1/mm, positive where it is convex; among
-/// `samples` directions spread evenly.
+/// Extreme principal curvatures of the smooth body, 1/mm, positive if convex; over `samples` evenly
+/// spread directions.
 struct CurvatureRange
 {
   double least;
@@ -40,19 +40,20 @@ struct CurvatureRange
 };
 CurvatureRange bumpyCurvatures(int samples);
 
-/// Direction of a path that winds around the sphere, a new great circle with each turn, tilted by
-/// 0.09 rad, `along` mm from its start and `across` mm beside it (arc length on the mean sphere).
-/// But for the two poles of the tilt it comes back to no place within 21 m.
+/// Direction of a path that winds around the sphere. Each turn is a new great circle, tilted by
+/// 0.09 rad. The direction is `along` mm from the start and `across` mm to the side (arc length on
+/// the mean sphere). Except at the two poles of the tilt, the path does not return to a place
+/// within 21 m.
 Vector3 windingDirection(double along, double across = 0.0);
 
-/// Tip `depth` mm under the smooth body, `along` mm down the winding path.
+/// Tip `depth` mm under the smooth body, `along` mm from the start of the winding path.
 Vector3 windingTip(double depth, double along, double across = 0.0);
 
 /// `count` tips `depth` mm deep, `step` mm apart along the winding path.
 std::vector<Vector3> windingTips(std::size_t count, double depth, double step);
 
-/// The same surface with its points and triangles in random order, and each triangle starting at
-/// any of its corners. `pointOf` and `triangleOf`, if given, receive the former ids.
+/// The same surface with its points and triangles in random order; each triangle starts at a random
+/// corner. `pointOf` and `triangleOf`, if given, receive the former numbers.
 Surface shuffled(const Surface& body, unsigned seed, std::vector<std::int32_t>* pointOf = nullptr,
   std::vector<std::int32_t>* triangleOf = nullptr);
 } // namespace palpate::testing

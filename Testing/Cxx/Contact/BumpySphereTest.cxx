@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of the tick's benchmark and of its exactness tests is what it is said to be.
+// The body of the tick benchmark and of its exactness tests has the stated properties.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Sanitized.h"
@@ -36,8 +36,8 @@ TEST(BumpySphere, IsClosedAndWoundOutward)
   {
     EXPECT_EQ(halfEdges.count({ to, from }), 1U);
   }
-  // The mean sphere's 4/3 π r³ but for facets (about the edge, 12 mm, squared over 4 r²: 0.4 %) and
-  // the bumps' mean square (at most 0.01 %).
+  // 4/3 π r³ of the mean sphere, except for facets (about the edge, 12 mm, squared over 4 r²: 0.4
+  // %) and the mean square of the bumps (at most 0.01 %).
   EXPECT_NEAR(volume / (4.0 / 3.0 * 3.14159265 * 1e6), 1.0, 0.01);
 }
 
@@ -62,16 +62,16 @@ TEST(BumpySphere, NormalIsAcrossTheSurface)
 TEST(BumpySphere, IsNotConvexAndGentlerThanFiveMillimetres)
 {
   // Height 1 mm, 15 waves: on the top of a bump 1/100 + 15²/100² per mm, in a trough 1/100 -
-  // 15²/100²; slopes and the bumps' own radius turn that by 3 %.
+  // 15²/100². Slopes and the radius of the bumps change that by 3 %.
   const CurvatureRange range = bumpyCurvatures(100000);
   EXPECT_NEAR(range.greatest, 0.0325, 0.0010);
   EXPECT_NEAR(range.least, -0.0125, 0.0015);
   EXPECT_GT(1.0 / range.greatest, 5.0);
 }
 
-// So the depth of a tip is its distance, by brute force over all facets, that is globally. A facet
-// lies below the smooth body where that is convex, above where it is concave, by at most c²κ/2:
-// c = 2.4 mm (circumradius of an equilateral triangle of the longest edge, 4.2 mm), κ = 0.033 / mm.
+// The depth of a tip is its global distance, by brute force over all facets. A facet is below the
+// smooth body where the body is convex, above it where it is concave, by at most c²κ/2: c = 2.4 mm
+// (circumradius of an equilateral triangle of the longest edge, 4.2 mm), κ = 0.033 / mm.
 TEST(BumpySphere, TipsAreAsDeepAsTheySay)
 {
   const Surface body = bumpySphere(60);

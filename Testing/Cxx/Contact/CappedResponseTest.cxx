@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A curve with its stiffness capped, against fine quadrature of the data contract (ContractCurve),
-// and against what the paper's three tools become.
+// A curve with capped stiffness, against fine quadrature of the data contract (ContractCurve), and
+// against the capped curves of the paper's three tools.
 #include "Contact/CappedResponse.h"
 
 #include "SampleResponses.h"
@@ -26,7 +26,7 @@ namespace
 {
 const palpate::TriangleCorners Corners{ 0, 1, 2 };
 
-/// Three points of one law each, F = scale δ^power.
+/// Three points with one law each, F = scale δ^power.
 ResponseStore powerLaws(const std::array<double, 3>& scales, double power,
   const std::array<float, 3>& ranges = { 2.0F, 2.0F, 2.0F })
 {
@@ -75,7 +75,7 @@ std::vector<double> quadrature(const ResponseStore& store, const Vector3& weight
   return sums;
 }
 
-/// The largest difference from quadrature, as a share of K_max δ.
+/// The largest difference from quadrature, relative to K_max δ.
 double worstShare(const ResponseStore& store, const Vector3& weights, double maximum)
 {
   const ResponseField field(store.arrays());
@@ -113,7 +113,7 @@ TEST(CappedResponse, ClosedFormOfTheSphere)
                                        : 10.0 * std::pow(depth, 1.5);
       const double stiffness = isCapped ? maximum : 15.0 * std::sqrt(depth);
       const ResponseValue value = capped.evaluate(depth);
-      // What the header promises, and float32 samples: 6e-8 of F.
+      // The accuracy stated in the header, and float32 samples: 6e-8 of F.
       EXPECT_NEAR(value.force, expected, 1e-7 * maximum * depth + 2e-7 * expected) << maximum;
       EXPECT_NEAR(value.stiffness, stiffness, 2e-7 * stiffness) << maximum << ' ' << depth;
       EXPECT_FALSE(value.beyondRange);
@@ -124,8 +124,8 @@ TEST(CappedResponse, ClosedFormOfTheSphere)
 
 TEST(CappedResponse, QuadratureOfMonotoneStiffness)
 {
-  // Three ranges and scales, powers on both sides of a straight line: with 0.8 the stiffness falls
-  // from infinity. The midpoint rule with its h = 5e-4 misses h²/(4 δ) of K_max δ at the turn:
+  // Three ranges and scales. The powers make the stiffness rise or fall; with 0.8 it falls from
+  // infinity. The midpoint rule with its h = 5e-4 has an error of h²/(4 δ) of K_max δ at the bend:
   // 3e-6.
   for (const double power : { 0.8, 1.0, 1.2, 1.5, 2.0, 3.0 })
   {
@@ -142,8 +142,9 @@ TEST(CappedResponse, QuadratureOfMonotoneStiffness)
 
 TEST(CappedResponse, QuadratureOfAnyStiffness)
 {
-  // Random samples of three random ranges: the stiffness rises and falls within every cell, below
-  // zero too. The worst stretches that hide between two nodes hold 2 % of K_max δ; most none.
+  // Random samples with three random ranges: the stiffness rises and falls within every cell, even
+  // below zero. In the worst case intervals above the cap between two nodes are missed, 2 % of
+  // K_max δ; mostly none.
   int exact = 0;
   int cases = 0;
   for (unsigned seed = 1; seed <= 10; ++seed)
@@ -175,8 +176,8 @@ TEST(CappedResponse, ContinuousAndNeverSteeper)
     {
       const ResponseValue value = capped.evaluate(depth);
       EXPECT_LE(value.stiffness, maximum);
-      // The end of a stretch is found to 1e-7 of K_max δ, and F_c steps by no more than that there;
-      // between nodes a hidden stretch is as steep as F, at most 10 N/mm here.
+      // The end of an interval is found to 1e-7 of K_max δ, so F_c has a step of at most that size
+      // there. Between nodes a missed interval is as steep as F, at most 10 N/mm here.
       ASSERT_LE(value.force - last, 10.0 * step + 1e-6 * maximum * depth) << depth;
       ASSERT_GE(value.force - last, -20.0 * step - 1e-6 * maximum * depth) << depth;
       last = value.force;
@@ -186,9 +187,9 @@ TEST(CappedResponse, ContinuousAndNeverSteeper)
 
 TEST(CappedResponse, ThePapersTools)
 {
-  // At 1 mm in rubber (E* = 3.45 MPa) three tools give 11.41, 11.04 and 5.45 N; capped at 2 N/mm
-  // 1.99, 2.00 and 1.96: F reaches that stiffness, 2 E* a, at 0.0132, 0 and 0.0529 mm (stiffness of
-  // a sphere's first touch as of a paraboloid), with 0.0176, 0 and 0.0706 N.
+  // At 1 mm in rubber (E* = 3.45 MPa) three tools have 11.41, 11.04 and 5.45 N; capped at 2 N/mm
+  // 1.99, 2.00 and 1.96. F reaches that stiffness, 2 E* a, at 0.0132, 0 and 0.0529 mm (a sphere at
+  // first contact is as stiff as a paraboloid), with 0.0176, 0 and 0.0706 N.
   constexpr double rubber = 3.45;
   const auto capped = [](const ResponseStore& store)
   {
@@ -228,7 +229,7 @@ TEST(CappedResponse, LimitsThatAreNone)
       EXPECT_LE(CappedResponse(response, none).evaluate(depth).force, 1e-12) << none;
     }
   }
-  // Higher than any stiffness there is: nothing is taken.
+  // A cap above every stiffness changes nothing.
   const ResponseField spheres(powerLaws({ 4.0, 10.0, 25.0 }, 1.5).arrays());
   const BlendedResponse sphere(spheres, Corners, Vector3(0.2, 0.3, 0.5));
   EXPECT_EQ(CappedResponse(sphere, 1e3).evaluate(1.9).force, sphere.evaluate(1.9).force);
@@ -245,7 +246,7 @@ TEST(CappedResponse, LimitsThatAreNone)
 
 TEST(CappedResponse, AStiffnessKnownToRiseIsCappedAsAnyOther)
 {
-  // The same curves in a field where a fourth point, which has no say, is known to fall.
+  // The same curves in a field with a fourth, unused point whose stiffness falls.
   for (const double power : { 1.5, 1.7, 2.0 })
   {
     const ResponseStore store = powerLaws({ 4.0, 10.0, 25.0 }, power, { 1.1F, 2.0F, 1.6F });
@@ -266,7 +267,7 @@ TEST(CappedResponse, AStiffnessKnownToRiseIsCappedAsAnyOther)
       for (double depth = 1e-5; depth < 12.0; depth *= 1.07)
       {
         const ResponseValue value = one.evaluate(depth);
-        // Both to what the header promises.
+        // Both to the accuracy stated in the header.
         EXPECT_NEAR(value.force, other.evaluate(depth).force, 2e-7 * maximum * depth)
           << power << ' ' << maximum << ' ' << depth;
         EXPECT_EQ(value.stiffness, other.evaluate(depth).stiffness);
@@ -278,7 +279,7 @@ TEST(CappedResponse, AStiffnessKnownToRiseIsCappedAsAnyOther)
 
 TEST(CappedResponse, NeverPulls)
 {
-  // Up 8 N at 16 N/mm and down again: capped at 1 N/mm the fall outweighs the rise.
+  // The force rises by 8 N at 16 N/mm and falls again. Capped at 1 N/mm, the fall exceeds the rise.
   ResponseStore store(3);
   for (std::size_t p = 0; p < 3; ++p)
   {
@@ -291,12 +292,13 @@ TEST(CappedResponse, NeverPulls)
   }
   const ResponseField field(store.arrays());
   const CappedResponse capped(BlendedResponse(field, Corners, Vector3(0.2, 0.3, 0.5)), 1.0);
-  // K > 1 up to 15/16 mm: F_c there 15/16 N; then 8 (1-δ)² less than F's top allows.
+  // K > 1 up to 15/16 mm: F_c is 15/16 N there; then it is 8 (1-δ)² lower than the top of F allows.
   for (const double depth : { 0.3, 0.9, 1.0, 1.2, 1.5, 1.9 })
   {
     const double turn = 15.0 / 16.0;
     const double rest = 16.0 * (depth - turn) - 8.0 * (depth * depth - turn * turn);
-    // The interpolant is of δ^1.5: 1e-4 of the 8 N from a parabola, halved by K at the turn.
+    // The interpolant is of δ^1.5: it differs by 1e-4 of 8 N from a parabola, halved by K at the
+    // bend.
     EXPECT_NEAR(
       capped.evaluate(depth).force, std::max(0.0, depth < turn ? depth : turn + rest), 2e-3);
   }

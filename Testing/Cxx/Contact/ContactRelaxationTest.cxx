@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tool on a body that relaxes, against closed forms (Lee and Radok, Ting) and the tables of the
-// reference sheet. Unless said otherwise: f = δ^m N to 1 mm, stored in float, which is good to
-// 1e-7.
+// reference sheet. Unless stated otherwise: f = δ^m N to 1 mm, stored as float, accurate to 1e-7.
 #include "Contact/Relaxation/ContactRelaxation.h"
 
 #include "ReferenceTable.h"
@@ -37,7 +36,7 @@ ContactSettings elements(int count)
   return settings;
 }
 
-/// The sheet's stop and go: a path that comes back to a dent twice.
+/// Stop and go of the reference sheet: a path that returns to a dent two times.
 double stopAndGo(double t)
 {
   constexpr std::array<double, 12> times = { 0, .05, .2, .25, .4, .42, .55, .6, .7, .75, .9, 1 };
@@ -54,7 +53,7 @@ const PronySeries ThreeBranches = relaxation({ { .5, .02 }, { .8, .2 }, { 1.2, 2
 const std::array<const char*, 3> OracleColumns = { "F_flat(m=1)", "F_paraboloid(m=1.5)",
   "F_cone(m=2); p=.5,.8,1.2 tau=.02,.2,2" };
 
-/// Largest difference from the sheet's oracle, of the largest force of the run.
+/// Largest difference from the sheet's reference, relative to the largest force of the run.
 double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillisecond)
 {
   const ReferenceTable table("rate/oracle_stop_and_go.csv");
@@ -78,8 +77,8 @@ double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillis
 }
 } // namespace
 
-// The sheet's own figures, met by this kernel through the whole tick: 0.11 % and 0.26 % with 16
-// elements, 0.50 and 1.08 with 8, 5.0 and 6.8 quasi-linear; a flat end exactly.
+// The numbers of the sheet, reproduced by this kernel in the whole tick: 0.11 % and 0.26 % with 16
+// elements, 0.50 and 1.08 with 8, 5.0 and 6.8 quasi-linear. A flat end is exact.
 TEST(ContactRelaxation, StopAndGo)
 {
   struct Case
@@ -127,13 +126,13 @@ TEST(ContactRelaxation, TingsPoints)
       force = contact.update(tipAt(depth), period).normalForce;
       largest = std::max(largest, force);
     }
-    // The sheet's worst cases of 16 elements.
+    // Worst cases of the sheet with 16 elements.
     const double limit = m == 1.0 ? 1e-4 : m == 1.5 ? 4e-3 : 9.1e-3;
     EXPECT_NEAR(force, table.number(row, "F"), limit * largest) << "row " << row;
   }
 }
 
-// Whatever the number of elements, and also of a curve that is not convex: Lee and Radok.
+// For any number of elements, and also for a curve that is not convex: Lee and Radok.
 TEST(ContactRelaxation, LoadingIsExact)
 {
   const PronySeries series = relaxation({ { 0.7, 0.05 }, { 1.5, 0.4 } });
@@ -153,7 +152,7 @@ TEST(ContactRelaxation, LoadingIsExact)
         {
           const double slow = std::pow(5.0 * t, m);
           // Second order in T/τ: (T/τ)²/12 of the force, 2e-6 here, more at the very start of a
-          // curve that begins steeply.
+          // curve with a steep start.
           EXPECT_NEAR(felt.normalForce, slow * palpate::rampFactor(series, m, t), 2e-5)
             << m << " " << count << " " << t;
           EXPECT_NEAR(felt.normalForce - felt.memory, slow, 1e-6);
@@ -163,7 +162,7 @@ TEST(ContactRelaxation, LoadingIsExact)
   }
 }
 
-// Contact ends when the flat law is zero, at the same depth for every tool.
+// The contact ends when the flat law is zero, at the same depth for every tool.
 TEST(ContactRelaxation, EveryToolLeavesAtTheSameDepth)
 {
   const ReferenceTable table("rate/triangle_ting.csv");
@@ -186,7 +185,7 @@ TEST(ContactRelaxation, EveryToolLeavesAtTheSameDepth)
         const Contact felt = contact.update(tipAt(depth), period);
         last = felt.state != ContactState::None ? depth : last;
       }
-      // A tick moves 0.00125 of the depth; the last one in touch is up to one before.
+      // A tick moves 0.00125 of the depth. The last tick in contact is up to one tick earlier.
       EXPECT_NEAR(last, table.number(row, "delta_liftoff/delta_max"), 2.6e-3) << row << " " << m;
     }
   }
@@ -211,7 +210,7 @@ TEST(ContactRelaxation, NothingRelaxesWithoutStrength)
   }
 }
 
-// A press that waits for long, from rest: what is found at the first tick is taken to have rested.
+// A press with a long hold, from rest. A contact found at the first tick counts as relaxed.
 TEST(ContactRelaxation, ComesToRest)
 {
   const PronySeries series = relaxation({ { 1.0, 0.01 } });
@@ -220,7 +219,7 @@ TEST(ContactRelaxation, ComesToRest)
   EXPECT_NEAR(contact.update(tipAt(0.5), 1e-3).normalForce, std::pow(0.5, 1.5), 1e-7);
   contact.update(tipAt(1.0), 0.0);
   EXPECT_NEAR(contact.update(tipAt(1.0), 0.0).normalForce,
-    1.0 + std::pow(1.0, 1.5) - std::pow(0.5, 1.5), 1e-6); // at once: (1 + p) of what is new
+    1.0 + std::pow(1.0, 1.5) - std::pow(0.5, 1.5), 1e-6); // at once: (1 + p) of the new part
   for (int i = 0; i < 1000; ++i)
   {
     contact.update(tipAt(1.0), 1e-3);
@@ -230,7 +229,7 @@ TEST(ContactRelaxation, ComesToRest)
   EXPECT_NEAR(rested.memory, 0.0, 1e-7);
 }
 
-// Curves that differ by a factor share one memory: the blend of a body is the blend of forces.
+// Curves that differ by a factor share one memory: the blended curve is the blend of the forces.
 TEST(ContactRelaxation, BlendsCurves)
 {
   const auto factor = [](const Vector3& at) { return 0.5 + 0.05 * at.x(); };
@@ -249,7 +248,7 @@ TEST(ContactRelaxation, BlendsCurves)
   }
 }
 
-// Unlike ranges take the way through evaluations: the same but for the float range.
+// Different ranges use evaluations instead: the same result except for rounding of the range.
 TEST(ContactRelaxation, UnlikeRanges)
 {
   RelaxingPlate plate(1.5, ThreeBranches);
@@ -264,11 +263,12 @@ TEST(ContactRelaxation, UnlikeRanges)
   }
   const auto body = plate.body();
   ToolContact contact(*body);
-  // The nodes are those of 1.25 mm: coarser by a fourth, and the error is of second order.
+  // The nodes are those of 1.25 mm, so they are coarser by a fourth. The error is of second order.
   EXPECT_LE(stopAndGoError(contact, 1, 1), 1.25 * 1.25 * 1.2e-3);
 }
 
-// A layer that relaxes on an elastic spring, flat: the standard linear solid of the two in series.
+// A layer that relaxes on an elastic spring, with a flat end: the standard linear solid of the two
+// in series.
 TEST(ContactRelaxation, ElasticComplianceInSeries)
 {
   constexpr double p = 1.0;
@@ -295,14 +295,14 @@ TEST(ContactRelaxation, ElasticComplianceInSeries)
     for (int i = -1; i < 1000; ++i)
     {
       const Vector3 tip = tipAt(i < 0 ? -0.1 : stopAndGo(i * 1e-3));
-      // Depths move evenly in a tick, the local one does not quite: second order.
+      // Depths change linearly in a tick, the local depth only nearly so: second order.
       EXPECT_NEAR(contact.update(tip, 1e-3).normalForce, oracle.update(tip, 1e-3).normalForce, 2e-3)
         << i;
     }
   }
 }
 
-// The sheet's figures of a rounded tool: the force of a contact that rests is the slow response's.
+// For a rounded tool: the force of a contact at rest is that of the slow response.
 TEST(ContactRelaxation, SeriesRestsAtTheSlowResponse)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.0, 0.01 } }));
@@ -320,13 +320,13 @@ TEST(ContactRelaxation, SeriesRestsAtTheSlowResponse)
       {
         contact.update(tipAt(depth), 1e-3);
       }
-      // The local curve is sampled anew, which is good to 1e-5 here.
+      // The local curve is sampled again, with an error of 1e-5 here.
       EXPECT_NEAR(contact.update(tipAt(depth), 1e-3).normalForce, std::pow(depth, 1.5), 5e-5);
     }
   }
 }
 
-// Strengths of two kinds of points, seen at both and between.
+// Two kinds of points with different strengths, checked at both and between them.
 TEST(ContactRelaxation, StrengthsOfPoints)
 {
   RelaxingPlate plate(1.5, relaxation({ { 9.0, 0.1 } }));
@@ -351,7 +351,7 @@ TEST(ContactRelaxation, StrengthsOfPoints)
   }
 }
 
-// What is lost is the contact: time goes on, and the dent comes back as it would have.
+// A lost reading ends the contact only. Time continues, and the dent recovers as without the loss.
 TEST(ContactRelaxation, KeepsItsMemoryWhereAReadingIsLost)
 {
   const auto body = RelaxingPlate(1.5, relaxation({ { 1.0, 0.1 } })).body();
@@ -382,7 +382,7 @@ TEST(ContactRelaxation, KeepsItsMemoryWhereAReadingIsLost)
   EXPECT_NEAR(gaps.update(tipAt(0.5), 1e-3).memory, 0.0, 1e-12);
 }
 
-// A second press beside the first finds new material, one in the same place a softer start.
+// A second press next to the first finds unrelaxed material; one at the same place starts softer.
 TEST(ContactRelaxation, ADentIsWhereItIs)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.5, 0.5 } }));
@@ -408,10 +408,10 @@ TEST(ContactRelaxation, ADentIsWhereItIs)
   const double again = press(contact, 20.0);
   const double beside = press(other, 40.0);
   EXPECT_LT(again, 0.9 * first);
-  EXPECT_NEAR(beside, first, 0.02 * first); // ten contact radii away: e^-5 of the dent is left
+  EXPECT_NEAR(beside, first, 0.02 * first); // ten contact radii away: e^-5 of the dent remains
 }
 
-// Led along the surface at rest: the force rises, within the exchange rule's stated error.
+// Moved along the surface from rest: the force rises, within the stated error of the exchange rule.
 TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
 {
   const ReferenceTable table("rate/slide_halfspace.csv");
@@ -441,7 +441,7 @@ TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
         felt = contact.update(tipAt(1.0, 15.0 + way), period);
       }
       const double error = (felt.normalForce - table.number(row, "F/f")) / (1.0 + strength);
-      // The rule's own error is -5.3 to 4.7 %; the start sticks until the drag is overcome.
+      // The error of the rule itself is -5.3 to 4.7 %. The start sticks until the drag is exceeded.
       EXPECT_GT(error, -0.065) << tool << " " << strength << " " << x << " " << way;
       EXPECT_LT(error, 0.048) << tool << " " << strength << " " << x << " " << way;
     }
@@ -450,8 +450,8 @@ TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
 
 namespace
 {
-/// The work a hand puts in along a path that ends outside, N mm, over f δ; ticks short enough to
-/// count by trapezoids.
+/// The work of a hand along a path that ends outside, N mm, over f δ. The ticks are short enough
+/// for the trapezoidal rule.
 double workAlong(ToolContact& contact, const std::vector<Vector3>& path, double period)
 {
   double work = 0.0;
@@ -475,8 +475,8 @@ void lineTo(std::vector<Vector3>& path, const Vector3& to, int ticks)
 }
 } // namespace
 
-// The sheet's cheat: press slowly, slide fast, let go fast. Without its drag the exchange would
-// give 0.586 of f δ.
+// The worst case of the sheet: press slowly, slide fast, release fast. Without drag the exchange
+// would return 0.586 of f δ.
 TEST(ContactRelaxation, SlidingGivesNoEnergy)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.5, 1.0 } }));
@@ -500,7 +500,7 @@ TEST(ContactRelaxation, SlidingGivesNoEnergy)
   }
 }
 
-// Random closed paths over unlike curves and strengths, with the form that has an energy.
+// Random closed paths over varying curves and strengths, with the form that has an energy.
 TEST(ContactRelaxation, NoPathGivesEnergy)
 {
   std::mt19937 random(20260125);
@@ -533,11 +533,11 @@ TEST(ContactRelaxation, NoPathGivesEnergy)
     lineTo(path, tipAt(-0.02, path.back().x(), path.back().y()), 200);
     least = std::min(least, workAlong(contact, path, 1e-3));
   }
-  // Trapezoids over up to 0.1 mm a tick, and what the energies jump by from facet to facet.
+  // Trapezoids over up to 0.1 mm a tick, and jumps of the energy from facet to facet.
   EXPECT_GT(least, -2e-3);
 }
 
-// The stiffness that counts in a loop is the instantaneous one: a capped share keeps it.
+// A loop needs the instantaneous stiffness: a capped share keeps it below the cap.
 TEST(ContactRelaxation, CappedStiffness)
 {
   const PronySeries series = relaxation({ { 1.0, 0.1 }, { 0.5, 1.0 } });
@@ -558,7 +558,7 @@ TEST(ContactRelaxation, CappedStiffness)
         ASSERT_GE(share, 0.0);
         ASSERT_LE(share, 1.0);
         const double force = share * felt.normalForce;
-        // Chords instead of the curve: 1 % more over one of them.
+        // Chords replace the curve: 1 % more over one of them.
         EXPECT_LE(force - before, 1.01 * cap * 1e-3) << m << " " << count << " " << i;
         before = force;
       }

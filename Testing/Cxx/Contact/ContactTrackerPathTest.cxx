@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip presses and slides; in every tick the contact is the nearest point of the triangles within
+// A tip presses and slides. In every tick the contact is the nearest point of the triangles within
 // two rings of the last contact, found here by plain loops.
 #include "BruteForce.h"
 #include "BumpySphere.h"
@@ -29,7 +29,7 @@ int followPath(const Surface& given, int ticks, const std::function<Vector3(doub
   const PackedMesh mesh = body.packed();
   const TriangleTree tree(mesh);
   ContactTracker tracker(mesh, tree);
-  const double tolerance = 1e-12 * diagonal(body); // roundings of the coordinates
+  const double tolerance = 1e-12 * diagonal(body); // rounding of the coordinates
   const std::vector<std::int32_t> all = allTriangles(body);
   std::int32_t last = -1;
   int inContact = 0;
@@ -58,7 +58,8 @@ int followPath(const Surface& given, int ticks, const std::function<Vector3(doub
 
 TEST(ContactTrackerPath, OverASphere)
 {
-  // Facets of 3 mm, pressed up to 1.5 mm deep, 0.13 mm per tick, twice out of contact on the way.
+  // Facets of 3 mm, pressed up to 1.5 mm deep, 0.13 mm per tick; the contact ends twice on the
+  // path.
   const int contacts = followPath(icosphere(20.0, 3), 800,
     [](double t)
     {
@@ -75,12 +76,13 @@ TEST(ContactTrackerPath, OverASphere)
 
 TEST(ContactTrackerPath, AroundATorus)
 {
-  // Through its hole, where the surface is saddle-shaped.
+  // Through the hole of the torus, where the surface is saddle-shaped.
   const int contacts = followPath(torus(20.0, 6.0, 60, 30), 600,
     [](double t)
     {
       const double u = 2.5 * t;
-      const double v = 0.4 + 2.0 * Pi * t; // off the plane of symmetry, where two facets tie
+      const double v =
+        0.4 + 2.0 * Pi * t; // away from the plane of symmetry, where two facets are equally near
       const double r = 6.0 - 0.3 - 0.5 * std::sin(10.0 * Pi * t);
       const double radius = 20.0 + r * std::cos(v);
       return Vector3(radius * std::cos(u), radius * std::sin(u), r * std::sin(v));
@@ -91,9 +93,9 @@ TEST(ContactTrackerPath, AroundATorus)
 
 TEST(ContactTrackerPath, OverAVGroove)
 {
-  // Under the bottom of the groove and up its other wall: at the re-entrant edge a whole fan of
-  // tips maps to one line. 0.6 mm under the surface; convex rims are passed by sheets of equal
-  // distance, which lie 0.6 mm off, within the two rings.
+  // Under the bottom of the groove and up its other wall: at the concave edge a whole fan of tips
+  // has the same closest line. 0.6 mm under the surface. At convex rims the tip crosses surfaces of
+  // equal distance, which are 0.6 mm away, within the two rings.
   const int contacts = followPath(subdivided(grooveBlock(), 3), 500,
     [](double t)
     {

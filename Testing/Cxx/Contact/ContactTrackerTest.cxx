@@ -35,7 +35,7 @@ struct Tracked
 
 TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
 {
-  // 4 mm thick, pressed from the top (z = 4) to 3.9 mm, with some sliding.
+  // 4 mm thick, pressed from the top (z = 4) to a depth of 3.9 mm, with some sliding.
   Tracked slab(subdivided(block(40, 40, 4), 4));
   for (int i = 0; i <= 390; ++i)
   {
@@ -47,11 +47,11 @@ TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
     EXPECT_NEAR(contact.place.signedDistance, -depth, 1e-14); // 4 - (4 - depth)
     if (depth > 2.01)
     {
-      // The nearest point of the whole body has long been on the other side.
+      // The global nearest point has been on the other side for long.
       EXPECT_EQ(slab.tree.closest(tip).projection.point.z(), 0.0);
     }
   }
-  // Without a history the same tip belongs to the bottom.
+  // Without a history the contact of the same tip is on the bottom.
   slab.tracker.reset();
   EXPECT_EQ(slab.tracker.update(Vector3(19.2, 17.1, 0.1)).place.projection.point.z(), 0.0);
 }
@@ -64,7 +64,7 @@ TEST(ContactTracker, LeavingEndsTheContact)
   const ContactTracker::Result left = ball.tracker.update(Vector3(0, 0, 20.5));
   EXPECT_EQ(left.outcome, Outcome::Outside);
   EXPECT_GT(left.place.signedDistance, 0.0);
-  // Entered anew from the other side: no memory of the first.
+  // A new entry from the other side does not remember the first contact.
   const ContactTracker::Result again = ball.tracker.update(Vector3(0, 0, -19));
   EXPECT_EQ(again.outcome, Outcome::Inside);
   EXPECT_LT(again.place.projection.point.z(), -18.0);
@@ -84,7 +84,7 @@ TEST(ContactTracker, OpenBorderLosesTheContact)
   EXPECT_EQ(plate.tracker.update(Vector3(9.5, 5.2, -0.5)).outcome, Outcome::Inside);
   EXPECT_EQ(plate.tracker.update(Vector3(10.5, 5.2, -0.5)).outcome, Outcome::Border);
   EXPECT_EQ(plate.tracker.update(Vector3(11.5, 11.2, -0.5)).outcome, Outcome::Border);
-  // Above the plane of the plate there is no contact, beside it or over it.
+  // Above the plane of the plate there is no contact, neither next to it nor over it.
   EXPECT_EQ(plate.tracker.update(Vector3(10.5, 5.2, 0.5)).outcome, Outcome::Outside);
   EXPECT_EQ(plate.tracker.update(Vector3(5.5, 5.2, 0.5)).outcome, Outcome::Outside);
   EXPECT_EQ(plate.tracker.update(Vector3(5.5, 5.2, -0.5)).outcome, Outcome::Inside);
@@ -98,12 +98,12 @@ TEST(ContactTracker, NaNForgetsTheContact)
   {
     slab.tracker.reset();
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 3.5)).outcome, Outcome::Inside);
-    // Past the middle but held to the top by its history ...
+    // The tip is below the middle, but its history keeps it at the top ...
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).place.projection.point.z(), 4.0);
     const ContactTracker::Result invalid = slab.tracker.update(bad);
     EXPECT_EQ(invalid.outcome, Outcome::Invalid);
     EXPECT_EQ(invalid.place.triangle, -1);
-    // ... which is gone.
+    // ... until the history is gone.
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).place.projection.point.z(), 0.0);
   }
 }
@@ -116,7 +116,8 @@ TEST(ContactTracker, BodyWithoutTriangles)
 
 TEST(ContactTracker, EntersAnotherWallInTheTickItLeavesOne)
 {
-  // Two blocks 2 mm apart: out of the first (through the side it was entered by) into the second.
+  // Two blocks 2 mm apart: the tip leaves the first (through the side where it entered) and enters
+  // the second.
   Surface both = subdivided(block(10, 10, 10), 2);
   const Surface other = both;
   const auto shift = static_cast<std::int32_t>(both.points.size());
@@ -144,6 +145,6 @@ TEST(ContactTracker, FollowsFurtherThanOneRingInOneTick)
   EXPECT_EQ(slab.tracker.update(Vector3(5, 20.1, 3.5)).outcome, Outcome::Inside);
   const ContactTracker::Result contact = slab.tracker.update(Vector3(35, 20.1, 1.0));
   EXPECT_EQ(contact.outcome, Outcome::Inside);
-  // Held to the top, though the bottom is nearer.
+  // The contact stays on the top although the bottom is nearer.
   EXPECT_LE((contact.place.projection.point - Vector3(35, 20.1, 4)).norm(), 1e-13);
 }

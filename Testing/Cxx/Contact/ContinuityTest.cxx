@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the force jumps from triangle to triangle, what closed paths gain, how far it is from that of
-// the smooth body: the formulas of polygons, and the orders in the size of the mesh.
+// Force jumps from triangle to triangle, energy gained on closed paths, and the difference from the
+// force of the smooth body: the formulas of polygons, and the orders in the size of the mesh.
 #include "ContinuityMeasures.h"
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
@@ -39,7 +39,7 @@ ContactSettings formOf(ForceForm form, ContactSurface surface)
 const std::vector<ForceForm> allForms = { ForceForm::Paper, ForceForm::NormalizedDirection,
   ForceForm::EnergyConsistent };
 
-/// Meshes of a sphere; the second with edges half as long.
+/// Meshes of a sphere; the second has edges of half the length.
 const MeshedBody& sphere(std::size_t fineness, bool isVaried)
 {
   static const std::vector<MeshedBody> equal = []
@@ -59,8 +59,8 @@ const MeshedBody& sphere(std::size_t fineness, bool isVaried)
   return (isVaried ? changing : equal)[fineness];
 }
 
-/// A prism over a polygon of N sides, 40 high, normals along the radii, and the jump of its force
-/// as a tip passes under its first edge, 1e-7 rad to either side.
+/// A prism over a polygon of N sides, 40 high, with radial normals, and the jump of its force as a
+/// tip passes under its first edge, from 1e-7 rad before to 1e-7 rad after it.
 struct PolygonJump
 {
   double force;        ///< |ΔF| over f
@@ -116,7 +116,7 @@ TEST(Continuity, JumpsUnderTheCornersOfPolygons)
     const double paper = table.number(row, "eq3_rel_jump");
     const double point = table.number(row, "contact_point_jump");
     const double facets = table.number(row, "flatnormal_jump");
-    // The table is what the geometry of polygons gives, but for the way of 2e-7 rad itself.
+    // The table contains the geometry of polygons, without the path of 2e-7 rad itself.
     EXPECT_NEAR(h, 2.0 * Radius * std::sin(Pi / sides), 1e-13);
     EXPECT_NEAR(paper, depth / Radius * std::sin(2.0 * Pi / sides), 4e-7);
     EXPECT_NEAR(point, depth * std::sin(2.0 * Pi / sides), 2e-7 * 2.0 * Radius);
@@ -128,15 +128,16 @@ TEST(Continuity, JumpsUnderTheCornersOfPolygons)
       polygonJump(sides, depth, formOf(ForceForm::Paper, ContactSurface::Facets));
     EXPECT_NEAR(ofPaper.contactPoint, point, 2.0 * depth * turned);
     EXPECT_NEAR(ofPaper.force, paper, 2.0 * turned * depth / h * (h / Radius) + 1e-7);
-    // Blending direction and magnitude apart changes the second order alone.
+    // Separate blending of direction and magnitude changes only the second order.
     const PolygonJump normalized =
       polygonJump(sides, depth, formOf(ForceForm::NormalizedDirection, ContactSurface::Facets));
     EXPECT_NEAR(normalized.force, paper, paper * h * h / (Radius * Radius) + 1e-6);
-    // Along the facets' own normal.
+    // Along the normal of the facets.
     const PolygonJump energy =
       polygonJump(sides, depth, formOf(ForceForm::EnergyConsistent, ContactSurface::Facets));
     EXPECT_NEAR(energy.force, facets, 2.0 * turned);
-    // On the smooth surface all turn by the way (the table's `phong`, 2e-7), over 1 - δ/R.
+    // On the smooth surface every form turns only by the path (`phong` in the table, 2e-7), over 1
+    // - δ/R.
     for (const ForceForm form : allForms)
     {
       const PolygonJump smooth = polygonJump(sides, depth, formOf(form, ContactSurface::Smooth));
@@ -155,13 +156,13 @@ TEST(Continuity, FacetsJumpInProportionToTheirSize)
       const ContactSettings settings = formOf(form, ContactSurface::Facets);
       const double coarse = forceJump(sphere(0, isVaried), settings, Depth, 100.0);
       const double fine = forceJump(sphere(1, isVaried), settings, Depth, 100.0);
-      // ΔF/f ≈ δh/R², for the edge that is crossed; responses that differ add up to as much.
+      // ΔF/f ≈ δh/R², for the crossed edge. Varying responses add the same amount.
       const double expected = Depth * sphere(0, isVaried).longestEdge / (Radius * Radius);
       EXPECT_GT(coarse, 0.4 * expected);
       EXPECT_LT(coarse, (isVaried ? 2.0 : 1.0) * expected);
       EXPECT_NEAR(coarse / fine, 2.0, 0.35);
     }
-    // The facets' own normal turns by the whole angle between them: an altitude over R.
+    // The normal of the facets turns by the whole angle between them: an altitude over R.
     const ContactSettings energy = formOf(ForceForm::EnergyConsistent, ContactSurface::Facets);
     const double coarse = forceJump(sphere(0, isVaried), energy, Depth, 100.0);
     EXPECT_GT(coarse, 0.5 * sphere(0, isVaried).longestEdge / Radius);
@@ -176,15 +177,16 @@ TEST(Continuity, SmoothSurfaceDoesNotJump)
   {
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      // Between tips 1e-9 mm apart, contact points to 1e-9 of an edge: times 1/R and 1/h.
+      // Between tips 1e-9 mm apart. Contact points are accurate to 1e-9 of an edge, times 1/R and
+      // 1/h.
       EXPECT_LE(
         forceJump(sphere(0, isVaried), formOf(form, ContactSurface::Smooth), Depth, 100.0), 1e-8);
     }
   }
   const ContactSettings energy = formOf(ForceForm::EnergyConsistent, ContactSurface::Smooth);
   EXPECT_LE(forceJump(sphere(0, false), energy, Depth, 100.0), 1e-8);
-  // Where responses differ, Σ e_i ∇n_i jumps as the slopes of a piecewise linear e do: by h e″,
-  // here e = 0.4 f δ times a factor whose second derivative is at most about 2/R².
+  // If responses differ, Σ e_i ∇n_i jumps like the slopes of a piecewise linear e: by h e″, where e
+  // = 0.4 f δ times a factor whose second derivative is at most about 2/R².
   const double coarse = forceJump(sphere(0, true), energy, Depth, 100.0);
   const double fine = forceJump(sphere(1, true), energy, Depth, 100.0);
   EXPECT_LT(coarse, 4.0 * 0.4 * Depth * sphere(0, true).longestEdge * 2.0 / (Radius * Radius));
@@ -197,7 +199,7 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
   const double floor = 1e-6; // of the quadrature, 4000 steps
   for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
   {
-    // O(h²/(Rδ)), relative to force times way; the mean of the jumps it crosses has many signs.
+    // O(h²/(Rδ)), relative to force times path. The jumps on the path have both signs.
     const ContactSettings settings = formOf(form, ContactSurface::Facets);
     const double coarse = loopEnergy(sphere(0, false), settings, Depth, 8);
     const double fine = loopEnergy(sphere(1, false), settings, Depth, 8);
@@ -213,7 +215,7 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
   {
     EXPECT_LT(loopEnergy(sphere(0, false), formOf(form, ContactSurface::Smooth), Depth, 8), floor);
   }
-  // Eq. 3 still loses by the length of its blended normal.
+  // Eq. 3 still loses energy, because its blended normal is shorter than 1.
   const ContactSettings paper = formOf(ForceForm::Paper, ContactSurface::Smooth);
   const double coarse = loopEnergy(sphere(0, false), paper, Depth, 8);
   EXPECT_GT(coarse, 10.0 * floor);
@@ -222,7 +224,7 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
 
 TEST(Continuity, ClosedPathsWithResponsesThatDiffer)
 {
-  // Pressing here and letting go there gains e_k - e_j: no mesh is fine enough.
+  // A press at one place and release at another gains e_k - e_j, however fine the mesh is.
   for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
   {
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
@@ -230,13 +232,13 @@ TEST(Continuity, ClosedPathsWithResponsesThatDiffer)
       EXPECT_GT(loopEnergy(sphere(1, true), formOf(form, surface), Depth, 8), 3e-3);
     }
   }
-  // With an energy there is none to gain but where that jumps itself: from facet to facet.
+  // With an energy the only gain is from jumps of the energy itself, from facet to facet.
   const double facets = loopEnergy(
     sphere(1, true), formOf(ForceForm::EnergyConsistent, ContactSurface::Facets), Depth, 8);
   EXPECT_LT(facets, 1e-3);
   EXPECT_LT(loopEnergy(sphere(1, true), formOf(ForceForm::EnergyConsistent, ContactSurface::Smooth),
               Depth, 8),
-    1e-6); // the quadrature's
+    1e-6); // error of the quadrature
 }
 
 TEST(Continuity, ErrorAgainstTheSmoothSphere)
@@ -247,8 +249,9 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
     const double h = body.longestEdge;
     for (const ForceForm form : allForms)
     {
-      // A facet lies up to h²/(6R) deep (h²/(8R) at its edges): so much less depth, of force
-      // δ^1.5. Its triangles are longer than wide: not all of that.
+      // A facet is up to h²/(6R) below the surface (h²/(8R) at its edges), which reduces the depth;
+      // the force is δ^1.5. Its triangles are longer than wide, so the reduction is smaller than
+      // that.
       const ForceError facets = forceError(body, formOf(form, ContactSurface::Facets), Depth, 2000);
       const double sag = h * h / (6.0 * Radius);
       EXPECT_LT(facets.size, 1.5 * sag / Depth + h * h / (6.0 * Radius * Radius));
@@ -256,12 +259,12 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
     }
     for (const ForceForm form : { ForceForm::NormalizedDirection, ForceForm::EnergyConsistent })
     {
-      // h⁴/R³ times 0.005 (SmoothTriangle), with float32 coordinates and normals.
+      // 0.005 h⁴/R³ (SmoothTriangle), with float32 coordinates and normals.
       const ForceError smooth = forceError(body, formOf(form, ContactSurface::Smooth), Depth, 2000);
       EXPECT_LT(smooth.size, 1.5 * 0.005 * std::pow(h, 4) / std::pow(Radius, 3) + 4e-6);
       EXPECT_LT(smooth.direction, 0.01 * std::pow(h / Radius, 3) + 1e-5);
     }
-    // Eq. 3 loses h²/(6R²) by its normals on any surface.
+    // In Eq. 3 the normals reduce the force by h²/(6R²) on any surface.
     const ForceError paper =
       forceError(body, formOf(ForceForm::Paper, ContactSurface::Smooth), Depth, 2000);
     EXPECT_LT(paper.size, 1.1 * h * h / (6.0 * Radius * Radius));

@@ -14,9 +14,9 @@ struct Response
 };
 
 /**
- * The data contract of the design, written out word by word as a second opinion on
- * ResponseSampling: F(δ) = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of
- * r_i = F_i/δ_i^m with slopes from the chain rule, in long double.
+ * A literal implementation of the data contract, as an independent check of ResponseSampling: F(δ)
+ * = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of r_i = F_i/δ_i^m with slopes from
+ * the chain rule, in long double.
  */
 struct ContractCurve
 {

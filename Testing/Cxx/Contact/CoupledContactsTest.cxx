@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What coupling must leave alone: one contact, contacts far apart, bodies without it; and what it
-// tells of two places.
+// Cases that coupling must not change: one contact, contacts far apart, bodies without coupling;
+// and the coupling of two places.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
@@ -21,7 +21,8 @@ using namespace palpate::testing;
 
 namespace
 {
-/// In and out of the plate, over its border and beyond its range, sometimes nowhere.
+/// A path in and out of the plate, over its border and beyond its range, sometimes without a valid
+/// position.
 Vector3 pathOf(int tick, double phase)
 {
   const double t = 1e-2 * tick + phase;
@@ -106,14 +107,14 @@ TEST(CoupledContacts, FarApartHardlyFeelEachOther)
   const auto poses = posesOf({ { 3.1, 4.0, 0.2 }, { 56.0, 57.0, 0.2 } });
   const double alone = ToolContact(*body).update(poses[0]).normalForce;
   const double coupled = two.settle(poses.data())[0].normalForce;
-  // 1.5 C F/δ to first order, C of Boussinesq at 74.6 mm; the next order is its square.
+  // 1.5 C F/δ to first order, with C of Boussinesq at 74.6 mm. The next order is the square of it.
   const double change =
     1.5 * alone / 0.2 / (3.14159265 * plate.terms.modulus * std::hypot(52.9, 53.0));
   EXPECT_NEAR(1.0 - coupled / alone, change, 2.0 * change * change);
   EXPECT_LT(change, 0.01);
 }
 
-// One that leaves takes its load with it, whether outside or not known.
+// A tool that leaves removes its load, whether it is outside or its position is invalid.
 TEST(CoupledContacts, WhoIsNotThereIsNotFelt)
 {
   const auto body = CoupledPlate().body();
@@ -131,8 +132,9 @@ TEST(CoupledContacts, WhoIsNotThereIsNotFelt)
   }
 }
 
-// In time each feels what a single tool does that is led less deep by what the others' slow forces
-// have let down; one that comes out faster than the body follows lets the others alone.
+// With relaxation each tool has the force of a single tool that is less deep by the amount by which
+// the others' slow forces lower the surface. A tool that leaves faster than the body recovers has
+// no effect on the others.
 TEST(CoupledContacts, OfABodyThatRelaxesFeelItInTime)
 {
   CoupledPlate plate;
@@ -149,7 +151,7 @@ TEST(CoupledContacts, OfABodyThatRelaxesFeelItInTime)
   {
     const double t = 5e-3 * tick;
     const double first = 0.4 + 0.3 * std::sin(5.0 * t);
-    // Comes out at once after a second, and in again.
+    // Leaves quickly after a second, then enters again.
     const double second = tick >= 200 && tick < 240 ? 0.5 - 0.4 * (tick - 199) / 40.0 : 0.5;
     const auto poses = posesOf({ { 25.1, 29.3, first }, { 31.2, 29.3, second } });
     const auto& felt = two.settle(poses.data(), 5e-3);
@@ -183,7 +185,7 @@ TEST(CoupledContacts, BeyondABorderFadeForTheOthersToo)
     CoupledContacts two(*body, {}, 2);
     const double x = 59.5 + 0.005 * i;
     const auto& felt = two.settle(posesOf({ { 55.0, 29.7, 0.5 }, { x, 29.7, 0.5 } }).data());
-    // No jump where it passes the border, at 60 mm, or where its force ends, at 60.5.
+    // No jump where the tip passes the border, at 60 mm, or where its force ends, at 60.5.
     EXPECT_TRUE(before < 0.0 || std::abs(felt[0].normalForce - before) < 0.02) << x;
     before = felt[0].normalForce;
   }
@@ -192,7 +194,7 @@ TEST(CoupledContacts, BeyondABorderFadeForTheOthersToo)
 
 TEST(BodyCoupling, IsSymmetricAndKnowsItsGradients)
 {
-  // A ball, every point of which is of another material and thickness, and moves in three modes.
+  // A ball on which every point has a different material and thickness and moves in three modes.
   const Surface ball = icosphere(20.0, 2);
   ResponseStore store(ball.points.size());
   store.normalsFromPoints(ball);
@@ -243,7 +245,7 @@ TEST(BodyCoupling, IsSymmetricAndKnowsItsGradients)
       step[2] = -1e-5;
       const double difference = coupling.compliance(coupling.at(one, weights + step, 0.1), away) -
         coupling.compliance(coupling.at(one, weights - step, 0.1), away);
-      // Rounding, over twice the step; the radius does not move with the place.
+      // Rounding, over twice the step. The radius does not depend on the place.
       EXPECT_NEAR(gradient[k] - gradient[2], difference / 2e-5, 1e-8) << one << " " << other;
     }
   }
@@ -258,7 +260,7 @@ TEST(BodyCoupling, OfOppositeSidesIsThatOfTheModes)
   std::vector<float> modes(slab.points.size());
   for (std::size_t i = 0; i < modes.size(); ++i)
   {
-    modes[i] = slab.points[i].z() > 1.0 ? 0.5F : -0.5F; // along z, seen from both sides
+    modes[i] = slab.points[i].z() > 1.0 ? 0.5F : -0.5F; // along z, on both sides
   }
   ResponseArrays arrays = store.arrays();
   arrays.coupling.modulus = 1.0;
@@ -319,8 +321,8 @@ TEST(BodyCoupling, NamesWhatIsWrong)
   says(terms, "0 to 16, but are 17");
 }
 
-// Two fingers pinch a slender body: alone each bends it, 24 times softer than its own dent,
-// together they only dent it. A round of Gauss and Seidel leaves 0.92 of what is wrong.
+// Two fingers pinch a slender body. Each finger alone bends it, which is 24 times softer than its
+// dent; together they only dent it. A Gauss-Seidel round leaves 0.92 of the residual.
 TEST(CoupledContacts, APinchOfASlenderBodyIsFoundAtOnceAndFollowed)
 {
   CoupledPlate plate(true); // F = 4 δ: 1/4 = 1/k + C
@@ -342,7 +344,7 @@ TEST(CoupledContacts, APinchOfASlenderBodyIsFoundAtOnceAndFollowed)
     // Modes are stored in floats: 6e-8 of 0.24 in 0.01.
     EXPECT_NEAR(felt.normalForce, 0.05 * dent, 1e-5 * 0.05 * dent);
   }
-  // A tick begins from nothing, and is there in one.
+  // A tick starts without a guess and converges at once.
   CoupledContacts ticked(*body, {}, 2);
   EXPECT_NEAR(ticked.update(poses.data())[1].normalForce, 0.05 * dent, 1e-5 * 0.05 * dent);
   // One finger alone bends the body.

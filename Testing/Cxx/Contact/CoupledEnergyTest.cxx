@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tools that feel one another gain or lose on closed paths.
+// Energy that coupled tools gain or lose on closed paths.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
@@ -28,7 +28,7 @@ ContactSettings energyConsistent()
 
 using Motion = std::function<Vector3(std::size_t tool, double angle)>;
 
-/// The work that the tools get in the last of `turns` along closed paths, N mm; by chords.
+/// The work of the tools in the last of `turns` along closed paths, N mm; by chords.
 double workOfATurn(CoupledContacts& contacts, const Motion& motion, int steps, int turns,
   bool isSettled, double* sideWork = nullptr)
 {
@@ -65,7 +65,7 @@ double workOfATurn(CoupledContacts& contacts, const Motion& motion, int steps, i
 }
 } // namespace
 
-// Two fingers that press up and down in place, a quarter of a turn apart, at 1 kHz: the sheet has
+// Two fingers press up and down in place with a phase of a quarter turn, at 1 kHz: the sheet has
 // 2e-6 F δ for two rounds, 7e-5 for one.
 TEST(CoupledEnergy, OfTwoFingersOutOfStepIsKept)
 {
@@ -79,12 +79,12 @@ TEST(CoupledEnergy, OfTwoFingersOutOfStepIsKept)
   CoupledContacts contacts(*body, energyConsistent(), 2);
   EXPECT_LT(std::abs(workOfATurn(contacts, motion, 1000, 2, false)), 2e-6 * scale);
   CoupledContacts settled(*body, energyConsistent(), 2);
-  // What chords leave of a smooth closed path: nothing but rounding.
+  // Chords have no error on a smooth closed path except rounding.
   EXPECT_LT(std::abs(workOfATurn(settled, motion, 1000, 2, true)), 1e-10 * scale);
 }
 
-// Tools that also circle around each other on a plate: what draws them together is a percent of the
-// force, and without it the loop would not close.
+// Tools that also circle around each other on a plate. Their attraction is a per cent of the force;
+// without it the energy of the loop would not be zero.
 TEST(CoupledEnergy, OfToolsThatMoveAboutIsKept)
 {
   const auto body = CoupledPlate().body();
@@ -107,7 +107,7 @@ TEST(CoupledEnergy, OfToolsThatMoveAboutIsKept)
 
 namespace
 {
-/// A body, each point of which is another in curve, modulus, thickness of the layer and modes.
+/// A body on which each point has a different curve, modulus, layer thickness and modes.
 struct VariedBody
 {
   explicit VariedBody(const Surface& given)
@@ -158,8 +158,8 @@ struct VariedBody
 };
 } // namespace
 
-// The facets of a plate and the smooth surface of a ball, which both lead a contact on without a
-// jump: every term of the gradient has its part.
+// The facets of a plate and the smooth surface of a ball. Both continue a contact without a jump,
+// so every term of the gradient is included.
 TEST(CoupledEnergy, OfABodyThatVariesIsKept)
 {
   const auto ball = VariedBody(icosphere(20.0, 2)).body();
@@ -185,7 +185,7 @@ TEST(CoupledEnergy, OfABodyThatVariesIsKept)
     CoupledContacts contacts(isSmooth ? *ball : *plate, settings, 2);
     double sideWork = 0.0;
     const double lost = workOfATurn(contacts, motion, 16000, 1, true, &sideWork);
-    // Chords over the kinks at the edges of triangles: to the second order of a step.
+    // Chords over the kinks at the edges of triangles: an error of second order in the step.
     EXPECT_LT(std::abs(lost), 1e-4 * sideWork) << isSmooth;
     EXPECT_GT(sideWork, 0.1);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Forces of several tools on a half-space: against a boundary-element solution of two, and against
-// the equations solved directly.
+// a direct solution of the equations.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
@@ -22,7 +22,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Tips on a grid of this spacing, moved about a little, with depths in a range.
+/// Tips on a grid of this spacing, shifted slightly at random, with depths in a range.
 std::vector<PressedTip> scattered(std::size_t count, double spacing, double least, double most)
 {
   std::mt19937 random(7);
@@ -37,7 +37,7 @@ std::vector<PressedTip> scattered(std::size_t count, double spacing, double leas
   return tips;
 }
 
-/// C of Boussinesq with a diagonal.
+/// C of Boussinesq with the given diagonal.
 Eigen::MatrixXd matrixOf(const std::vector<PressedTip>& tips, double modulus, double diagonal)
 {
   const auto n = static_cast<Eigen::Index>(tips.size());
@@ -90,13 +90,13 @@ TEST(CoupledForces, TwoBallsAgreeWithBoundaryElements)
     const bool isFirst = table.text(row, "quantity") == "F1/F01";
     const double ratio =
       felt[isFirst ? 0 : 1].normalForce / (10.0 * std::pow(isFirst ? deep : second, 1.5));
-    // The point law against two full contacts: 0.4 % of the force at most (the sheet's bound).
+    // The point law against two full contacts: at most 0.4 % of the force (bound of the sheet).
     EXPECT_NEAR(ratio / table.number(row, "BEM"), 1.0, 4e-3) << kind << " " << apart;
-    // And no more than is stated, but for floats; not ten times more either.
+    // The stated error covers it, except for the rounding of floats, and is not ten times larger.
     const double stated = contacts.pointForceError(isFirst ? 0 : 1);
     EXPECT_LE(std::abs(ratio / table.number(row, "BEM") - 1.0), stated + 3e-4) << kind << apart;
     EXPECT_LT(stated, 0.03);
-    // That law by another code, to its six digits and those of floats.
+    // The same law by another code, to its six digits and those of floats.
     EXPECT_NEAR(ratio, table.number(row, "point"), 3e-4) << kind << " " << apart;
     ++compared;
   }
@@ -121,16 +121,16 @@ TEST(CoupledForces, TwoFlatEndsAgreeWithBoundaryElements)
       posesOf({ { 20.0, 29.3, 0.5 }, { 20.0 + over * CoupledPlate::Flat, 29.3, 0.5 } });
     const auto& felt = contacts.settle(poses.data());
     const double alone = 2.0 * CoupledPlate::Flat * 0.5;
-    // In closed form; floats.
+    // Against the closed form; floats.
     EXPECT_NEAR(felt[0].normalForce / alone, 1.0 / (1.0 + 2.0 / (Pi * over)), 1e-6) << over;
     EXPECT_NEAR(felt[1].normalForce, felt[0].normalForce, 1e-6 * alone);
-    // 0.8 % of the point law at twice the radius, less farther, and the same again the other way,
-    // as the flat ends of the grid are 1.4 % small.
+    // The point law has an error of 0.8 % at twice the radius, less at larger distances. The flat
+    // ends of the grid are 1.4 % too small, an error of the same size and opposite sign.
     EXPECT_NEAR(felt[0].normalForce / alone, table.number(row, "BEM"), 0.01) << over;
     EXPECT_LE(std::abs(table.number(row, "point") / table.number(row, "BEM") - 1.0),
       contacts.pointForceError(0))
       << over;
-    // Opposite motion: exact for two.
+    // Opposite motion: exact for two tools.
     EXPECT_NEAR(contacts.stiffening(), 1.0 / (1.0 - 2.0 / (Pi * over)), 1e-5) << over;
     ++compared;
   }
@@ -189,8 +189,8 @@ TEST(CoupledForces, OfBallsSolveTheEquations)
   }
 }
 
-// Which tools are lifted off by the others: of all subsets the one that leaves no force negative
-// and no surface above a tool.
+// Finds the tools that the others lift off: of all subsets the one without a negative force and
+// without a surface above a tool.
 TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
 {
   const CoupledPlate plate(true);
@@ -240,7 +240,7 @@ TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
     EXPECT_NEAR(felt[i].normalForce, expected, 2e-6 * solutions[0].maxCoeff()) << i; // floats
     EXPECT_EQ(felt[i].state, expected > 0.0 ? ContactState::Slide : ContactState::None) << i;
   }
-  // The others come out: it is felt again at once, without having been outside.
+  // The others move out: the tool has a force again at once, without having been outside.
   for (const std::size_t i : { 0U, 2U, 4U })
   {
     tips[i].depth = -0.5;
@@ -248,8 +248,8 @@ TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
   EXPECT_NEAR(contacts.settle(posesOf(tips).data())[1].normalForce, 0.54, 0.1);
 }
 
-// At 200 mm/s and 1 kHz two rounds a tick leave a thousandth of the force of ten tools (the sheet:
-// 1e-3), of twenty five.
+// At 200 mm/s and 1 kHz two rounds per tick leave an error of a thousandth of the force for ten
+// tools (the sheet: 1e-3), of twenty five.
 TEST(CoupledForces, TwoRoundsFollowAFastHand)
 {
   const CoupledPlate plate;
@@ -264,7 +264,7 @@ TEST(CoupledForces, TwoRoundsFollowAFastHand)
       auto tips = scattered(count, 10.0, 0.9, 1.1);
       for (std::size_t i = 0; i < count; ++i)
       {
-        // 200 mm/s at most, up and down by 0.9 mm.
+        // At most 200 mm/s, up and down by 0.9 mm.
         tips[i].depth += 0.9 * std::sin(200.0 / 0.9 * 1e-3 * tick + static_cast<double>(i));
       }
       const auto poses = posesOf(tips);
@@ -281,8 +281,8 @@ TEST(CoupledForces, TwoRoundsFollowAFastHand)
   }
 }
 
-// However many flat ends stand together, they are no stiffer than 2.75 of one (charges on spheres
-// that touch); seven in a hexagon are 1.75 of it.
+// Any number of adjacent flat ends is at most 2.75 times as stiff as one (charges on touching
+// spheres); seven in a hexagon have 1.75.
 TEST(CoupledForces, OfAHexagonAreBounded)
 {
   const CoupledPlate plate(true);
@@ -297,7 +297,7 @@ TEST(CoupledForces, OfAHexagonAreBounded)
   const Eigen::MatrixXd matrix = matrixOf(tips, 1.0, 1.0 / (2.0 * CoupledPlate::Flat));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   const double largest = 1.0 / solver.eigenvalues()[0] / (2.0 * CoupledPlate::Flat);
-  EXPECT_NEAR(largest, 1.75, 0.01); // the sheet's
+  EXPECT_NEAR(largest, 1.75, 0.01); // value of the sheet
   tips[0].depth = 1.0;
   CoupledContacts contacts(*body, {}, 7);
   contacts.settle(posesOf(tips).data());

@@ -14,8 +14,8 @@
 
 namespace palpate::testing
 {
-/// A half-space as a plate at z = 0, 60 mm wide, on which a ball of 5 mm has F = 10 δ^1.5 (N, mm),
-/// as on E* of 3.35 MPa; or a flat end of 2 mm F = 4E* δ on 1 MPa. In the memory of the test.
+/// A half-space as a plate at z = 0, 60 mm wide. A ball of 5 mm has F = 10 δ^1.5 (N, mm) on it, as
+/// for E* of 3.35 MPa; or a flat end of 2 mm has F = 4E* δ on 1 MPa. The test owns its memory.
 struct CoupledPlate
 {
   static constexpr double Radius = 5.0;
@@ -36,7 +36,7 @@ struct CoupledPlate
     this->terms.modulus = isFlat ? 1.0 : 7.5 / std::sqrt(Radius);
   }
 
-  /// With coupling, or without.
+  /// The body with or without coupling.
   std::unique_ptr<ContactBody> body(bool isCoupled = true) const
   {
     ResponseArrays arrays = this->store.arrays();
@@ -52,7 +52,7 @@ struct CoupledPlate
   Surface surface;
   ResponseStore store;
   CouplingTerms terms;
-  RelaxationTerms relaxation; ///< none, unless set
+  RelaxationTerms relaxation; ///< none by default
   bool isLinear;
 };
 

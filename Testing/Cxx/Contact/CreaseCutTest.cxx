@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces cut along their sharp edges: which edges those are, what is cut, and what stays.
+// Surfaces cut along their sharp edges: the sharp edges, the cut points, and the unchanged parts.
 #include "SampleBodies.h"
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
@@ -20,7 +20,7 @@ PackedMesh cut(const Surface& body)
     body.triangles.size(), {}, BodyEdges::LeastTurn);
 }
 
-/// A prism over a regular polygon of radius 10, 10 high, each triangle in 4^times.
+/// A prism over a regular polygon of radius 10, 10 high, each triangle split into 4^times.
 Surface polygonPrism(int corners, int times)
 {
   std::vector<Eigen::Vector2d> polygon;
@@ -37,7 +37,7 @@ Surface polygonPrism(int corners, int times)
   return subdivided(prism(polygon, caps, 10.0), times);
 }
 
-/// Every triangle's corners anew, as files of facets have them.
+/// Separate corners for every triangle, as in facet files.
 Surface inFacets(const Surface& body)
 {
   Surface apart;
@@ -68,9 +68,9 @@ TEST(CreaseCut, ABlockFallsIntoItsSixSides)
 {
   const Surface body = subdivided(block(20.0, 15.0, 10.0), 3);
   const PackedMesh mesh = cut(body);
-  // 12 edges of 8 sides each, seen from both faces.
+  // 12 edges of 8 sides each, counted from both faces.
   EXPECT_EQ(mesh.creases().size(), 2U * 12U * 8U);
-  // A point inside an edge is two, a corner three.
+  // A point inside an edge becomes two, a corner three.
   EXPECT_EQ(mesh.pointCount(), body.points.size() + 12U * 7U + 8U * 2U);
   EXPECT_EQ(mesh.inputPointCount(), body.points.size());
   EXPECT_EQ(mesh.defects().borderEdges, 0U) << "a crease is no border";
@@ -81,7 +81,7 @@ TEST(CreaseCut, ABlockFallsIntoItsSixSides)
     EXPECT_EQ(mesh.neighbour(side.triangle, side.edge), PackedMesh::Crease);
     EXPECT_LT(mesh.faceNormal(side.triangle).dot(mesh.faceNormal(side.across)), 1e-6);
   }
-  // Each point has the normal of its face, and the triangles around it are of that face.
+  // Each point has the normal of its face, and the triangles around it belong to that face.
   for (std::int32_t point = 0; point < static_cast<std::int32_t>(mesh.pointCount()); ++point)
   {
     mesh.visitAround(point,
@@ -112,16 +112,16 @@ TEST(CreaseCut, ACoarseBallHasNoFaces)
   {
     const Surface ball = icosphere(10.0, times);
     const PackedMesh mesh = cut(ball);
-    EXPECT_TRUE(mesh.creases().empty()) << times; // facets of 42° and 21° too
+    EXPECT_TRUE(mesh.creases().empty()) << times; // also facets of 42° and 21°
     EXPECT_EQ(mesh.pointCount(), ball.points.size());
   }
 }
 
 TEST(CreaseCut, OnlyTheRimsOfACylinder)
 {
-  // Its sides turn by 5.6°, the rims by 90°.
+  // The sides meet at 5.6°, the rims at 90°.
   EXPECT_EQ(cut(polygonPrism(64, 1)).creases().size(), 2U * 2U * 128U);
-  // Those of a hexagonal prism by 60°.
+  // The sides of a hexagonal prism meet at 60°.
   EXPECT_EQ(cut(polygonPrism(6, 2)).creases().size(), 2U * (2U * 24U + 6U * 4U));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body built, reduced and felt with 1, 2 and 8 threads: the same bits. It has so many points that
-// each of eight threads gets a share.
+// A body built, reduced and pressed with 1, 2 and 8 threads gives identical bits. It has enough
+// points that each of eight threads gets a share.
 #include "BumpySphere.h"
 #include "Contact/Reduction/LeadingLaws.h"
 #include "Contact/ParallelRanges.h"
@@ -24,13 +24,13 @@ using namespace palpate::testing;
 namespace
 {
 #ifdef PALPATE_SANITIZED
-constexpr int Cuts = 64; // 16386 points: two threads at most, which is enough to be seen racing
+constexpr int Cuts = 64; // 16386 points: at most two threads, which is enough to show a race
 #else
 constexpr int Cuts = 136; // 73986 points, 147968 triangles
 #endif
 constexpr std::size_t Ticks = 4000;
 
-/// All that is compared, byte after byte.
+/// All compared results, byte after byte.
 class Bytes
 {
 public:
@@ -61,7 +61,7 @@ private:
   std::vector<unsigned char> Stored;
 };
 
-/// The same for 1, 2 and 8 threads, and there were as many.
+/// Expects the same bits for 1, 2 and 8 threads, and checks that this number of threads ran.
 template <class Work>
 void expectSameBits(const Work& work)
 {
@@ -77,8 +77,8 @@ void expectSameBits(const Work& work)
   }
 }
 
-/// Scattered points and triangles, so that the order along the curve is no copy of the input's, and
-/// curves that no few laws hold; or of few laws.
+/// Points and triangles in random order, so that the order along the curve differs from the
+/// input's. The curves do not fit a few laws, unless takeTwoLaws is called.
 struct Made
 {
   Surface surface = shuffled(bumpySphere(Cuts), 11);
@@ -90,7 +90,7 @@ struct Made
     this->store.randomizeCurves(12);
   }
 
-  /// F = 10 δ^1.5 (1 + share of it that grows faster), so that two laws span all; and a scale.
+  /// F = 10 δ^1.5 (1 + a part that grows faster), times a scale: two laws represent all curves.
   void takeTwoLaws()
   {
     const std::size_t n = this->store.force.size() / this->store.range.size();
@@ -135,7 +135,7 @@ void addSurface(Bytes& bytes, const PackedMesh& mesh)
   }
 }
 
-/// Cold queries, and a path in contact with friction.
+/// Queries without a history, and a path in contact with friction.
 void addContact(Bytes& bytes, const ContactBody& body)
 {
   for (const Vector3& tip : windingTips(Ticks, 1.3, 7.0))
@@ -200,7 +200,7 @@ TEST(Determinism, Reduction)
     {
       Bytes bytes;
       addReduction(bytes, made.store.arrays(), ReducedForm::Basis);
-      // Before they are rounded to float, which hides in what order was summed.
+      // Before they are rounded to float, which would hide the order of the sums.
       const Eigen::MatrixXd laws = leadingLaws(ReducibleCurves(made.store.arrays()), 4);
       bytes.add(laws.data(), static_cast<std::size_t>(laws.size()));
       return bytes;

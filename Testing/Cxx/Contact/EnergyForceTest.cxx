@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole tick's EnergyConsistent force, against differences of the energy Σ n_i e_i, on facets
-// and on the smooth surface, with responses that differ from point to point.
+// The EnergyConsistent force of the whole tick, against differences of the energy Σ n_i e_i, on
+// facets and on the smooth surface, with responses that differ from point to point.
 #include "SampleResponses.h"
 #include "Contact/SmoothContact.h"
 #include "Contact/ToolContact.h"
@@ -72,12 +72,12 @@ ContactSettings energyOn(ContactSurface surface)
   return settings;
 }
 
-/// Energy and triangle at a tip.
+/// Energy and triangle for a tip.
 struct Place
 {
   double energy;
   std::int32_t triangle;
-  double margin; ///< the least weight: near 0 at an edge
+  double margin; ///< the smallest weight: near 0 at an edge
 };
 
 Place placeOf(const Ball& ball, ContactSurface surface, const Vector3& tip)
@@ -133,7 +133,7 @@ void compareWithDifferences(ContactSurface surface)
     if (sameTriangle)
     {
       ++compared;
-      // Samples are float32, 6e-8 each, and 1e-12 of the smooth point over e.
+      // Samples are float32, 6e-8 each; the smooth point has an error of 1e-12, over e.
       EXPECT_LE((found.force - expected).norm(), 1e-6 * found.force.norm());
       const Vector3 aside = found.force - found.normal * found.normal.dot(found.force);
       greatestAlong = std::max(greatestAlong, aside.norm() / found.force.norm());
@@ -141,7 +141,7 @@ void compareWithDifferences(ContactSurface surface)
     }
   }
   EXPECT_GT(compared, 200);
-  EXPECT_GT(greatestAlong, 0.05); // the part that eq. 3 has not
+  EXPECT_GT(greatestAlong, 0.05); // the part that eq. 3 does not have
 }
 } // namespace
 
@@ -171,8 +171,8 @@ TEST(EnergyForce, EqualResponsesPushAlongTheNormal)
 
 TEST(EnergyForce, PointsWithoutResponseHaveNoSayAcrossAnEdge)
 {
-  // On the edge between (0,0) and (5,5), whichever triangle it is said to be of: the point opposite
-  // has no response.
+  // On the edge between (0,0) and (5,5), for either of its triangles. The opposite point has no
+  // response.
   const Surface surface = openPlate(10.0, 2);
   for (const std::size_t opposite : { 1, 3 })
   {
@@ -189,9 +189,9 @@ TEST(EnergyForce, PointsWithoutResponseHaveNoSayAcrossAnEdge)
       const Contact found = ToolContact(*body, energyOn(on)).update(Vector3(2.0, 2.0, -0.5));
       EXPECT_EQ(found.state, ContactState::Slide);
       EXPECT_TRUE(found.force.allFinite());
-      // e = 0.4 f δ, half as much at one end: over the 7.1 mm of the edge, blended 0.7 strong,
-      // 0.020 of the force; 0.029 if it is said to be of the triangle that has all its responses.
-      // Were the missing energy taken for 0, 0.06.
+      // e = 0.4 f δ, half of that at one end. Over the 7.1 mm of the edge, with a blend of 0.7, the
+      // force along the edge is 0.020 of the force. It is 0.029 if the contact is in the triangle
+      // that has all its responses. If the missing energy counted as 0, it would be 0.06.
       EXPECT_GT(found.force.head<2>().norm(), 0.019 * found.force.z());
       EXPECT_LT(found.force.head<2>().norm(), 0.029 * found.force.z());
     }

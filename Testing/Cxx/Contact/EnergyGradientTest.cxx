@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The force as the gradient of an energy: the closest point's area coordinates and the energy are
-// differentiated by differences of their own values.
+// The force as the gradient of an energy: compared with finite differences of the closest point's
+// area coordinates and of the energy.
 #include "Contact/EnergyGradient.h"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(EnergyGradient, ForceIsMinusTheGradientOfTheEnergy)
     }
     if (sameFeature)
     {
-      // Rounding of an energy over the offset, of a force: 1e-16 δ over the offset.
+      // Rounding of an energy over the offset, relative to the force: 1e-16 δ over the offset.
       EXPECT_LE((force - expected).norm(), 1e-8 * (1.0 + force.norm()));
     }
   }
@@ -123,5 +123,5 @@ TEST(EnergyGradient, EqualResponsesGiveTheNormalForceAlone)
     TriangleFeature::Face, FirstCorner, SecondCorner, ThirdCorner);
   const Vector3 force =
     EnergyGradient::force(7.0, normal, gradients, Vector3::Constant(1e6 + 1.0 / 3.0));
-  EXPECT_EQ(force, Vector3(7.0 * normal)); // to the last bit, however large the energies
+  EXPECT_EQ(force, Vector3(7.0 * normal)); // to the last bit, for any energies
 }

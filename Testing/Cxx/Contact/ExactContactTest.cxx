@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip slides under a bumpy sphere: in every tick the contact is the nearest point of the
-// triangles within two rings of the last one, by enumeration in long double; a plain descent is
-// not.
+// A tip slides under a bumpy sphere. In every tick the contact is the nearest point of the
+// triangles within two rings of the last one, by enumeration in long double. A plain descent does
+// not find it.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Contact/ContactTracker.h"
@@ -16,7 +16,7 @@ namespace
 {
 constexpr std::size_t Ticks = 4000;
 
-/// The triangles around points, of a surface with many: twoRings without looking at all of them.
+/// The triangles around points of a large surface: twoRings without a search over all of them.
 class Rings
 {
 public:
@@ -72,7 +72,7 @@ private:
   int Stamp = 0;
 };
 
-/// A bumpy sphere as the tick sees it, and its coordinates for the enumeration.
+/// A bumpy sphere in the form of the tick, and its coordinates for the enumeration.
 struct Track
 {
   explicit Track(double triangles)
@@ -88,7 +88,7 @@ struct Track
   Rings rings;
 };
 
-/// What is asked for: 1e-9 of the diagonal.
+/// The required accuracy: 1e-9 of the diagonal.
 double tolerance(const Track& track)
 {
   return 1e-9 * diagonal(track.body);
@@ -100,8 +100,8 @@ struct Moved
   double worst = 0.0; ///< distance of the tick's point from the enumerated one, mm
 };
 
-/// Follows a path; the enumeration starts from the last contact and is repeated from its own winner
-/// until that stands still, which takes one round unless the tip outran the two rings.
+/// Follows a path. The enumeration starts from the last contact and is repeated from its own result
+/// until the result no longer changes. One round is enough unless the tip left the two rings.
 Moved follow(Track& track, double depth, double step, std::size_t ticks)
 {
   ContactTracker tracker(track.mesh, track.tree);
@@ -134,8 +134,8 @@ Moved follow(Track& track, double depth, double step, std::size_t ticks)
   return moved;
 }
 
-/// What the tracker would be without its certificate: from a point on an edge or a corner across to
-/// a neighbour while that is nearer; at rest on a face.
+/// The tracker without its certificate: from a point on an edge or a corner it moves to a neighbour
+/// that is nearer, and it stops on a face.
 class PlainDescent
 {
 public:
@@ -145,7 +145,7 @@ public:
   {
   }
 
-  /// Distance from the tip, local, to the point it ends at.
+  /// Distance from the tip (local coordinates) to the final point.
   double update(const Vector3& tip)
   {
     TriangleProjection place = this->Mesh.project(tip, this->Triangle);
@@ -160,7 +160,7 @@ private:
   {
     for (int edge = 0; edge < 3; ++edge)
     {
-      // Edge i lies opposite of corner i + 2, whose weight is 0 there.
+      // Edge i is opposite corner i + 2, whose weight is 0 there.
       if (place.weights[(edge + 2) % 3] != 0.0)
       {
         continue;
@@ -192,7 +192,7 @@ TEST_P(ExactContact, TenthOfAMillimetrePerTick)
   for (const double depth : { 1.0, 5.0 })
   {
     const Moved moved = follow(track, depth, 0.1, Ticks);
-    EXPECT_EQ(moved.farther, 0) << depth; // the rule of two rings as it stands
+    EXPECT_EQ(moved.farther, 0) << depth; // the rule of two rings holds without exception
     EXPECT_LE(moved.worst, tolerance(track)) << depth;
   }
 }
@@ -200,7 +200,7 @@ TEST_P(ExactContact, TenthOfAMillimetrePerTick)
 TEST_P(ExactContact, OneMetrePerSecond)
 {
   // 1 mm per tick of a millisecond. Edges are 8 mm long with 20 thousand triangles, 1.1 mm with 200
-  // thousand: still within the two rings, or next to them.
+  // thousand: the tip stays within the two rings or next to them.
   Track track(GetParam());
   for (const double depth : { 1.0, 5.0 })
   {
@@ -221,9 +221,8 @@ TEST_P(ExactContact, TenMetresPerSecond)
 
 TEST_P(ExactContact, ADescentOverEdgesFails)
 {
-  // Why a triangle is left only on a certificate: each facet of a convex pair has a nearest point
-  // of its own. Such a descent stops at the wrong one in 1 to 3 % of these ticks 1 mm deep, in 9 to
-  // 10 % of those 5 mm deep.
+  // The reason for the certificate: each facet of a convex pair has its own nearest point. A plain
+  // descent stops at the wrong one in 1 to 3 % of these ticks at 1 mm, in 9 to 10 % at 5 mm.
   const Track track(GetParam());
   ContactTracker tracker(track.mesh, track.tree);
   for (const double depth : { 1.0, 5.0 })

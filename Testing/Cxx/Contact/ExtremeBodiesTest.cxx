@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact on bodies at the ends of what there is: one triangle, a hundred thousand pieces, a place
-// a kilometre from the origin.
+// Contact on extreme bodies: one triangle, a hundred thousand pieces, a position a kilometre from
+// the origin.
 #include "BruteForce.h"
 #include "Contact/ContactBody.h"
 #include "SampleResponses.h"
@@ -17,14 +17,14 @@ namespace palpate::testing
 {
 namespace
 {
-/// F = 10 δ^1.5, as uniformBody gives it (N, mm).
+/// F = 10 δ^1.5 as in uniformBody (N, mm).
 double law(double depth)
 {
   return 10.0 * std::pow(depth, 1.5);
 }
 
-/// `side`³ tetrahedra of 4 to 8 mm with a centre on each point of a lattice of 12 mm, each turned
-/// and sized on its own: none touches another.
+/// `side`³ tetrahedra of 4 to 8 mm, each centred at a point of a lattice of 12 mm, with random
+/// rotation and size. No two touch.
 constexpr double Lattice = 12.0;
 Surface scatteredTetrahedra(int side, unsigned seed)
 {
@@ -58,7 +58,7 @@ Surface scatteredTetrahedra(int side, unsigned seed)
   return body;
 }
 
-/// The triangles of the tetrahedra around the lattice's cell of a tip: any other is farther.
+/// The triangles of the tetrahedra around a tip's lattice cell. All others are farther away.
 std::vector<std::int32_t> trianglesNear(const Vector3& tip, int side)
 {
   std::vector<std::int32_t> near;
@@ -79,7 +79,7 @@ std::vector<std::int32_t> trianglesNear(const Vector3& tip, int side)
   return near;
 }
 
-/// Behind all four faces of a tetrahedron.
+/// True if the tip is behind all four faces of a tetrahedron.
 bool isInside(const Surface& body, std::int32_t piece, const Vector3& tip)
 {
   for (std::int32_t t = 4 * piece; t < 4 * piece + 4; ++t)
@@ -120,11 +120,11 @@ std::vector<Vector3> tipsUnderSphere(int count)
   return tips;
 }
 
-/// The largest differences of what is felt in a body far away and at the origin.
+/// Largest differences between the contact on a distant body and on the same body at the origin.
 struct FarError
 {
   double depth = 0.0; ///< mm
-  double force = 0.0; ///< relative, of tips 1 mm deep and more
+  double force = 0.0; ///< relative, for tips at least 1 mm deep
 };
 
 FarError farError(const Surface& near, const Surface& far, const Vector3& away)
@@ -199,7 +199,7 @@ TEST(ExtremeBodies, AHundredThousandPieces)
   for (int i = 0; i < 2000; ++i)
   {
     Vector3 tip(inBox(random), inBox(random), inBox(random));
-    if (i % 2 == 0) // into a piece, between its middle and a corner
+    if (i % 2 == 0) // inside a piece, between its centre and a corner
     {
       const std::int32_t piece = anyPiece(random);
       Vector3 middle = Vector3::Zero();
@@ -212,7 +212,7 @@ TEST(ExtremeBodies, AHundredThousandPieces)
     }
     contact.reset();
     const Contact felt = contact.update(tip);
-    // Every fiftieth among all 415 thousand triangles.
+    // Every fiftieth tip is compared with all 415 thousand triangles.
     const Nearest nearest =
       nearestOf(rounded, tip, i % 50 == 0 ? allTriangles(rounded) : trianglesNear(tip, Side));
     const bool inside = nearest.triangle >= 0 && isInside(rounded, nearest.triangle / 4, tip);
@@ -239,7 +239,7 @@ TEST(ExtremeBodies, MemoryPerPieceDoesNotDependOnTheirNumber)
       (side * side * side);
   };
   const double many = bytesPerPiece(47);
-  EXPECT_LT(many, 1.05 * bytesPerPiece(10)); // what a body has once
+  EXPECT_LT(many, 1.05 * bytesPerPiece(10)); // the part that a body has once
   // 4 triangles of 105 bytes, 4 records of 80.
   EXPECT_LT(many, 4.0 * (115.0 + 80.0));
 }
@@ -248,8 +248,8 @@ TEST(ExtremeBodies, AKilometreAwayInDoubleAsAtTheOrigin)
 {
   const Surface near = icosphere(20.0, 4);
   const Vector3 away(1e6, -1e6, 1e6);
-  // The kernel's own floats are about the body's centre: half an ulp at 20 mm, 1e-6 mm, on each of
-  // the three coordinates, in both bodies.
+  // The kernel's own floats are relative to the body's centre: half an ulp at 20 mm, 1e-6 mm, for
+  // each of the three coordinates, in both bodies.
   const double corner = std::sqrt(3.0) * 0.96e-6;
   const FarError error = farError(near, moved(near, away), away);
   EXPECT_LE(error.depth, 2.0 * corner);
@@ -270,10 +270,11 @@ TEST(ExtremeBodies, AKilometreAwayInFloatOnAGridOfASixteenth)
   }
   EXPECT_GT(largest, 0.030);
   EXPECT_LE(largest, 0.03125); // half of 0.0625 mm
-  // No point of the surface moves by more than √3/32 mm, so the distance from it does not either.
+  // No point of the surface moves by more than √3/32 mm, so the distance from it changes by at most
+  // that.
   const double corner = std::sqrt(3.0) / 32.0 + 2e-6;
   const FarError error = farError(near, far, away);
-  EXPECT_GT(error.depth, 0.01); // it is there
+  EXPECT_GT(error.depth, 0.01); // the error is present
   EXPECT_LE(error.depth, corner);
   EXPECT_GT(error.force, 0.01);
   EXPECT_LE(error.force, std::pow(1.0 + corner, 1.5) - 1.0); // 8.2 % at 1 mm

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body file says of relaxation and tilts, and the formats before, which had less in their
-// header.
+// Relaxation and tilts in a body file, and the older formats, which have a shorter header.
 #include "Contact/FlatBodyFile.h"
 
 #include "FlatBodyFixture.h"
@@ -20,7 +19,7 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr std::size_t ChecksumAt = 24; // places of the header's numbers, see FlatBodyHeader.h
+constexpr std::size_t ChecksumAt = 24; // offsets of the header's numbers, see FlatBodyHeader.h
 constexpr std::size_t EdgesAt = 416;
 constexpr std::size_t BranchesAt = 456;
 constexpr std::size_t TimesAt = 496;
@@ -57,8 +56,7 @@ protected:
     return body;
   }
 
-  /// Writes the checksum that a file of this header and these sections must have: FNV-1a over
-  /// words.
+  /// Writes the checksum for this header and these sections: FNV-1a over words.
   void mend(
     std::vector<char>& file, std::size_t header, std::size_t branches, bool isCoupled = false) const
   {
@@ -106,7 +104,7 @@ protected:
     return word;
   }
 
-  /// What is said of a file in which a number of the header, or at another place, is another.
+  /// Error message for a file in which one number is changed, in the header or elsewhere.
   template <class Number>
   std::string errorWith(std::size_t place, Number number) const
   {
@@ -122,7 +120,7 @@ protected:
   std::vector<float> Elastic;
 };
 
-/// How contacts on a layer feel one another, with all that may vary.
+/// Coupling on a layer, with all parts that may vary.
 struct Coupled
 {
   explicit Coupled(std::size_t points)
@@ -193,7 +191,8 @@ TEST_F(FlatBodyFormatsTest, WithoutRelaxationThereIsNone)
   EXPECT_FALSE(read.areFelt());
 }
 
-// A file of before has something else where the header is longer now: here what nobody may read.
+// In an older file other data follow where the header is longer now. Here these data must not be
+// read.
 TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
 {
   FlatBody body = this->flat();
@@ -312,7 +311,7 @@ TEST_F(FlatBodyFormatsTest, WrongCouplingIsRefused)
 
 namespace
 {
-/// Two laws, and what of each there is at a point.
+/// Two laws and their share at each point.
 struct Tilts
 {
   explicit Tilts(std::size_t points)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Equation 3 of Mahvash and Hayward 2002 adds unit normals of different directions; blending
-// magnitude and direction apart does not lose what that loses.
+// Equation 3 of Mahvash and Hayward 2002 adds unit normals of different directions, which makes the
+// force too small. Magnitude and direction that are blended separately do not have this error.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
@@ -58,16 +58,16 @@ TEST(ForceForm, LossAtTheCentreOfAFacet)
       // Normals are float32: 6e-8 each.
       EXPECT_NEAR(whole.normalForce, force, 1e-12 * force);
       EXPECT_NEAR(whole.force.norm(), force, 1e-12 * force);
-      // Three unit vectors from the centre to the corners of a triangle: the length of their mean
-      // is √(1 - Σ edge²/9R²).
+      // For three unit vectors from the centre to the corners of a triangle the length of their
+      // mean is √(1 - Σ edge²/9R²).
       const double kept = std::sqrt(1.0 - facet.squaredEdges / (9.0 * R * R));
       EXPECT_NEAR(paper.normalForce / whole.normalForce, kept, 2e-7);
       EXPECT_NEAR(paper.force.norm() / whole.force.norm(), kept, 2e-7);
-      // Which is h²/(6R²) to first order; the next is half its square.
+      // This is h²/(6R²) to first order; the next term is half its square.
       const double h2 = facet.squaredEdges / 3.0;
       const double first = h2 / (6.0 * R * R);
       EXPECT_NEAR(1.0 - paper.normalForce / whole.normalForce, first, first * first + 2e-7);
-      EXPECT_LE((paper.normal - whole.normal).norm(), 1e-12); // one law: one direction
+      EXPECT_LE((paper.normal - whole.normal).norm(), 1e-12); // one law: the same direction
     }
   }
 }
@@ -81,11 +81,11 @@ TEST(ForceForm, AgreeAtAPoint)
   const auto body = contactBody(sphere, store);
   for (std::size_t i = 0; i < sphere.points.size(); i += 7)
   {
-    // A tip under a convex corner is nearer to a facet; 2e-6 below, it projects 1e-6 beside it.
+    // A tip under a convex corner is nearer to a facet; 2e-6 below, its projection is 1e-6 away.
     const Vector3 tip = sphere.points[i] * (1.0 - 1e-7);
     const auto whole = ToolContact(*body, { ForceForm::NormalizedDirection }).update(tip);
     const auto paper = ToolContact(*body, { ForceForm::Paper }).update(tip);
-    // The loss is weight·h²/R², and the weight of the others 1e-7.
+    // The loss is weight·h²/R², and the weight of the other corners is 1e-7.
     EXPECT_NEAR(paper.normalForce, whole.normalForce, 1e-6 * whole.normalForce);
     EXPECT_LE((whole.normal - store.normalOf(i)).norm(), 1e-6);
   }
@@ -93,7 +93,7 @@ TEST(ForceForm, AgreeAtAPoint)
 
 TEST(ForceForm, DirectionsDifferWhenResponsesDo)
 {
-  // One stiff corner pulls the paper's force towards its own normal, but not the blended normal.
+  // One stiff corner turns the paper's force towards its own normal, but not the blended normal.
   Surface sphere = icosphere(20.0, 1);
   ResponseStore store(sphere.points.size());
   store.normalsFromPoints(sphere);
@@ -116,7 +116,7 @@ TEST(ForceForm, DirectionsDifferWhenResponsesDo)
   EXPECT_NEAR(whole.normalForce, 4.0 * single.curveOf(0).evaluate(0.5).force, 1e-5);
 }
 
-/// On a fin whose vertex normals point away from its faces, and under normals that point inward, no
+/// On a fin whose vertex normals point away from its faces, and with normals that point inward, no
 /// form presses the tool into the body.
 TEST(ForceForm, NoneIsDirectedIntoTheBody)
 {
@@ -149,8 +149,8 @@ TEST(ForceForm, NoneIsDirectedIntoTheBody)
   }
 }
 
-/// Nor beyond open borders, in hollows, or where edges are felt: force · (contact point - tip) >= 0
-/// along paths over open fans and rough bodies, whose curves differ from point to point.
+/// The same beyond open borders, in concave places, and near edges: force · (contact point - tip)
+/// >= 0 along paths over open fans and rough bodies, whose curves differ from point to point.
 TEST(ForceForm, NoneLeadsAwayFromTheContactPoint)
 {
   std::mt19937 random(11);

@@ -14,7 +14,7 @@ namespace palpate::testing
 inline constexpr FrictionModel FrictionModels[] = { FrictionModel::ElastoPlastic,
   FrictionModel::Dahl, FrictionModel::ShapeDerived };
 
-/// Friction of a coefficient μ and a stiffness in N/mm, all else by default.
+/// Friction with a coefficient μ and a stiffness in N/mm; the rest is default.
 inline FrictionSettings frictionOf(FrictionModel model, double coefficient, double stiffness)
 {
   FrictionSettings settings;
@@ -24,12 +24,12 @@ inline FrictionSettings frictionOf(FrictionModel model, double coefficient, doub
   return settings;
 }
 
-/// k δ^q, the response of flat, paraboloid and cone on a half-space, evaluated itself.
+/// k δ^q, the response of flat, paraboloid and cone on a half-space, evaluated directly.
 struct PowerCurve
 {
   double factor = 10.0;
   double exponent = 1.5;
-  double depth = 2.0; ///< its range
+  double depth = 2.0; ///< range
 
   ResponseValue evaluate(double deflection) const
   {
@@ -44,7 +44,7 @@ struct PowerCurve
   double range() const { return this->depth; }
 };
 
-/// The same stored in 8 samples as a body holds it.
+/// The same stored in 8 samples, as in a body.
 class StoredCurve
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction in the loop: a mass on a plane, held by friction against a force that swings within the
-// limit, and the stiffness a sampled loop can hold.
+// Friction in the loop: a mass on a plane, held by friction against a force that oscillates within
+// the limit, and the stiffness that a sampled loop can hold.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
@@ -35,7 +35,7 @@ public:
     , Decay(std::exp(-damping * Period / Mass))
   {
   }
-  /// mm.
+  /// Position in mm.
   double position() const { return 1e3 * this->X; }
   void push(double force)
   {
@@ -57,10 +57,9 @@ double tangentialForce(Friction& friction, double x)
   return friction.update({ x, 0.0, 0.0 }, Vector3::UnitZ(), NormalForce, 1.0, Curve).force.x();
 }
 
-/// z_max = 1 mm under 1 N.
-/// How far (mm) 0.1 kg goes in 8 s under 0.5 + 0.2 sin(2π 2 t) N, friction's limit being 1 N: from
-/// mean position to mean position of a cycle. The load is put on slowly, and the swing too, so that
-/// nothing rings.
+/// z_max = 1 mm under 1 N. Drift in mm of 0.1 kg in 8 s under 0.5 + 0.2 sin(2π 2 t) N, with a
+/// friction limit of 1 N: from the mean position of one cycle to that of another. Load and
+/// oscillation are raised slowly, so that no ringing remains.
 double drift(const FrictionSettings& settings, double damping)
 {
   Friction friction(settings);
@@ -90,7 +89,7 @@ double drift(const FrictionSettings& settings, double damping)
   return last - first;
 }
 
-/// ln of how the amplitude of a stuck mass grows in 200 s.
+/// ln of the growth of a stuck mass's amplitude in 200 s.
 double growth(double stiffness, double damping)
 {
   FrictionSettings settings = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
@@ -99,7 +98,7 @@ double growth(double stiffness, double damping)
   Friction friction(settings);
   HeldMass mass(damping);
   tangentialForce(friction, 0.0);
-  mass.push(1e-3); // a nudge
+  mass.push(1e-3); // small initial push
   const auto amplitude = [&]
   {
     double largest = 0.0;
@@ -137,7 +136,7 @@ TEST(FrictionDrift, DahlPerCycle)
     x -= std::log(1.7 / 1.3);
     EXPECT_TRUE(agrees(tangentialForce(friction, x), -0.3, 1e-13));
   }
-  EXPECT_TRUE(agrees((x - start) / cycles, 0.5790338738, 1e-10)); // its ten digits
+  EXPECT_TRUE(agrees((x - start) / cycles, 0.5790338738, 1e-10)); // the reference has ten digits
 }
 
 TEST(FrictionDrift, UnderASwingingLoad)
@@ -146,18 +145,18 @@ TEST(FrictionDrift, UnderASwingingLoad)
   {
     const double dahl = drift(frictionOf(FrictionModel::Dahl, 1.0, 1.0), damping);
     // 16 cycles of the closed form. Inertia and damping (0.006 and 0.008 N per N·s/m) change the
-    // swing of 0.2 N that friction sees by 3 %, and the drift grows with its square.
+    // oscillation of 0.2 N at the contact by 3 %, and the drift grows with its square.
     EXPECT_NEAR(dahl, 16.0 * 0.5790338738, 0.08 * 9.26) << damping;
 
     FrictionSettings eight = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
     eight.breakaway = 0.0;
     const double smooth = drift(eight, damping);
     EXPECT_GT(dahl, 20.0 * smooth) << damping;
-    EXPECT_GT(smooth, 0.05); // mm: it does creep, about 6 µm per cycle
+    EXPECT_GT(smooth, 0.05); // mm: it creeps by about 6 µm per cycle
     eight.stickRadius = 0.5;
     EXPECT_GT(drift(eight, damping), 2.0);
 
-    // As it comes, and as stick and slide: not at all, but for what is left of the ringing.
+    // With default settings, and as stick and slide: no drift except for the remaining ringing.
     EXPECT_LT(std::abs(drift(frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0), damping)), 1e-6);
     FrictionSettings hard = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
     hard.breakaway = 1.0;
@@ -168,16 +167,16 @@ TEST(FrictionDrift, UnderASwingingLoad)
 
 TEST(FrictionDrift, ShapeDerivedStopsDrifting)
 {
-  // Masing's loops are closed: after the first loading nothing moves on.
+  // Masing's loops are closed: after the first loading there is no further drift.
   FrictionSettings settings = frictionOf(FrictionModel::ShapeDerived, 1.0, 1.0);
   EXPECT_LT(std::abs(drift(settings, 1.0)), 1e-3);
 }
 
 TEST(FrictionDrift, StickStiffnessLimit)
 {
-  // Of a mass with damping, the force held for a period (reference: the poles of the discrete
-  // loop): K = b(1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m); 2003.33889 N/m for b = 1 N·s/m, where
-  // passivity asks 2b/T = 2000.
+  // Limit for a mass with damping and a force held for a period (reference: the poles of the
+  // discrete loop): K = b(1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m); 2003.33889 N/m for b = 1 N·s/m.
+  // Passivity requires 2b/T = 2000.
   const struct
   {
     double damping;
@@ -189,7 +188,7 @@ TEST(FrictionDrift, StickStiffnessLimit)
     const double e = std::exp(-one.damping * Period / Mass);
     EXPECT_TRUE(agrees(
       one.damping * (1.0 - e) / (Mass / one.damping * (1.0 - e) - e * Period), one.limit, 1e-9));
-    // The larger pole has magnitude² e + K/b (...) linear in K: growth per tick (K/K* - 1) bT/2m.
+    // The larger pole has magnitude² e + K/b (...), linear in K: growth per tick (K/K* - 1) bT/2m.
     for (const double share : { -2e-3, -1e-3, 1e-3, 2e-3 })
     {
       const double expected = share * 0.5 * one.damping * Period / Mass * 199000.0;

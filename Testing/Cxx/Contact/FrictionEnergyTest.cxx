@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From first touch on, friction never gives back more energy than it took, however point and depth
-// move and responses differ: the work of the tool against friction is >= 0 at all times.
+// From the first contact on, friction never returns more energy than it took, for any motion of
+// point and depth and for responses that differ: the work of the tool against friction is always >=
+// 0.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
@@ -25,14 +26,13 @@ struct PressedContact
 {
   Vector2 point;
   double depth;
-  double factor; ///< of the response there
+  double factor; ///< of the response at the point
 };
 using Path = std::function<PressedContact(double)>;
-/// Tangential force on the tool at a contact.
+/// Tangential force on the tool in a contact.
 using Answer = std::function<Vector2(const PressedContact&)>;
 
-/// The least and the last work done so far, N mm, along the path from t = 0 to the end, by
-/// trapezoids.
+/// The smallest and the final work, N mm, along the path from t = 0 to the end, by trapezoids.
 struct Work
 {
   double least = 0.0;
@@ -75,7 +75,7 @@ Answer answerOf(Friction& friction)
   };
 }
 
-/// Pre-sliding with σ₀ = μ f_n/z_max, as Hayward and Armstrong have it, stick and slide.
+/// Pre-sliding with σ₀ = μ f_n/z_max as in Hayward and Armstrong; stick and slide.
 Answer proportionalStiffness(Vector2& z, Vector2& last)
 {
   return [&z, &last](const PressedContact& contact) -> Vector2
@@ -87,7 +87,8 @@ Answer proportionalStiffness(Vector2& z, Vector2& last)
   };
 }
 
-/// Point and depth of three incommensurable swings each, within `reach` mm and 0.05 … 1.95 mm.
+/// Point and depth, each a sum of three incommensurable oscillations, within `reach` mm and 0.05 …
+/// 1.95 mm.
 Path wandering(unsigned seed, double reach, double variation)
 {
   std::mt19937 random(seed);
@@ -112,8 +113,8 @@ Path wandering(unsigned seed, double reach, double variation)
   };
 }
 
-/// Push at a small depth, press, come back at a great depth, lift: the cycle that gains most from a
-/// stiffness that grows with the normal force.
+/// Push at a small depth, press, return at a large depth, lift: the cycle that gains most energy
+/// from a stiffness that grows with the normal force.
 Path pressAndReturn(double reach)
 {
   return [=](double t) -> PressedContact
@@ -142,8 +143,9 @@ TEST(FrictionEnergy, NeverGivenBackMoreThanTaken)
       Friction friction(frictionOf(model, 0.5, 5.0));
       const Work work =
         workAlong(wandering(seed, reach, variation), 40.0, 40000, answerOf(friction));
-      // Trapezoids over a kink of the force err by σ₀ dx²/8 each, dx < 0.01 mm at worst: 4e-5
-      // once, a part of what 10 N over a hundredth of a millimetre take at the very start.
+      // Trapezoids over a kink of the force have an error of σ₀ dx²/8 each, dx < 0.01 mm at worst:
+      // 4e-5 once. This is a part of the work of 10 N over a hundredth of a millimetre at the
+      // start.
       EXPECT_GE(work.least, -1e-5) << static_cast<int>(model) << ' ' << seed;
       EXPECT_GT(work.last, 0.0);
     }
@@ -159,12 +161,12 @@ TEST(FrictionEnergy, PressAndReturn)
       Friction friction(frictionOf(model, 0.5, 5.0));
       const Work work = workAlong(pressAndReturn(reach), 40.0, 40000, answerOf(friction));
       EXPECT_GE(work.least, -1e-9) << static_cast<int>(model) << ' ' << reach;
-      // Ten cycles; and one more from there takes energy too.
+      // Ten cycles. One more cycle from there dissipates energy too.
       const Work next = workAlong(pressAndReturn(reach), 4.0, 4000, answerOf(friction));
       EXPECT_GE(next.last, -1e-9) << static_cast<int>(model) << ' ' << reach;
     }
   }
-  // What this test is there to find: ½ (μ/z_max) z² ΔF_n per cycle with a stiffness that follows
+  // The fault that this test must find: ½ (μ/z_max) z² ΔF_n per cycle with a stiffness that follows
   // the normal force.
   Vector2 z = Vector2::Zero();
   Vector2 last = Vector2::Zero();
@@ -177,7 +179,7 @@ TEST(FrictionEnergy, PressAndReturn)
 
 TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
 {
-  // As long as the clip is not met, a constant stiffness takes and gives the same.
+  // As long as the clip does not act, a constant stiffness stores and returns the same energy.
   Friction friction(frictionOf(FrictionModel::ElastoPlastic, 0.5, 5.0));
   const Work work = workAlong(pressAndReturn(0.2), 40.0, 4000, answerOf(friction));
   EXPECT_NEAR(work.last, 0.0, 1e-14);
@@ -186,7 +188,7 @@ TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
 
 TEST(FrictionEnergy, ShapeDerivedInAStiffeningBody)
 {
-  // Out where it is soft, back where it is stiff, at constant depth and stuck throughout.
+  // Out at a soft place, back at a stiff one, at constant depth and stuck throughout.
   const Path loop = [](double t) -> PressedContact
   {
     const Vector2 point(0.1 * std::sin(t) * std::cos(t), 0.1 * (1.0 - std::cos(t)));

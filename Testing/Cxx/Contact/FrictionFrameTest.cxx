@@ -24,14 +24,14 @@ Vector3 onSphere(double colatitude, double longitude)
     std::cos(colatitude) };
 }
 
-/// From a to b about the axis, counter-clockwise, in (-π, π].
+/// Angle from a to b about the axis, counter-clockwise, in (-π, π].
 double angleAbout(const Vector3& axis, const Vector3& a, const Vector3& b)
 {
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
 
-/// By how much a tangent vector is turned that is carried once around a circle of latitude in n
-/// ticks, at a point that stays.
+/// Rotation of a tangent vector that is transported once around a circle of latitude in n ticks, at
+/// a fixed point.
 double turnAround(double colatitude, int n)
 {
   FrictionFrame frame;
@@ -54,8 +54,8 @@ TEST(FrictionFrame, AroundALatitudeCircleItTurnsByTheSolidAngle)
   {
     for (const int n : { 3, 7, 100, 5000 })
     {
-      // Ticks are arcs of great circles: a polygon of n triangles at the pole, of angles 2π/n, β, β
-      // with cot β = cos(colatitude) tan(π/n); the excess of its angles is its area.
+      // Ticks are arcs of great circles: a polygon of n triangles at the pole, with angles 2π/n, β,
+      // β and cot β = cos(colatitude) tan(π/n). The excess of its angles is its area.
       const double cotangent = std::cos(colatitude) * std::tan(Pi / n);
       const double beta = 0.5 * Pi - std::atan(cotangent);
       const double area = 2.0 * Pi + n * (2.0 * beta - Pi);
@@ -64,7 +64,7 @@ TEST(FrictionFrame, AroundALatitudeCircleItTurnsByTheSolidAngle)
         std::remainder(turnAround(colatitude, n) - area, 2.0 * Pi), 0.0, 1e-15 * n + 1e-14)
         << colatitude << " in " << n;
     }
-    // The circle itself; the polygon lacks 2π³/3 cos sin² / n² <= 8/n².
+    // The circle itself; the area of the polygon is smaller by 2π³/3 cos sin² / n² <= 8/n².
     const int n = 20000;
     EXPECT_NEAR(
       std::remainder(turnAround(colatitude, n) - 2.0 * Pi * (1.0 - std::cos(colatitude)), 2.0 * Pi),
@@ -96,7 +96,7 @@ TEST(FrictionFrame, GoingBackUndoes)
   for (std::size_t i = directions.size() - 1; i-- > 0;)
   {
     ASSERT_TRUE(frame.advance(R * directions[i], directions[i]));
-    // Roundings of 20 mm, of 500 rotations.
+    // Rounding of 20 mm over 500 rotations.
     EXPECT_LE((frame.step().displacement() + out[i]).norm(), 1e-12);
   }
   EXPECT_LE((frame.toSpace({ 1.0, 0.0 }) - first).norm(), 1e-13);
@@ -105,7 +105,7 @@ TEST(FrictionFrame, GoingBackUndoes)
 TEST(FrictionFrame, DisplacementIsTheArc)
 {
   const double R = 20.0;
-  // The next term of the series, 5/112 sin⁶(φ/2), and a half of it for the rest.
+  // The next term of the series is 5/112 sin⁶(φ/2); half of it is added for the rest.
   for (const double turn : { 1e-6, 0.01, 0.1, 0.3, 1.0, 0.5 * Pi })
   {
     FrictionFrame frame;
@@ -152,13 +152,13 @@ TEST(FrictionFrame, OnAPlaneItIsTheChord)
 
 TEST(FrictionFrame, AChordOutOfThePlaneIsTurnedIntoIt)
 {
-  // A facet that leans by 0.1 rad against the blended normal, as on a coarse mesh.
+  // A facet tilted by 0.1 rad against the blended normal, as on a coarse mesh.
   const Vector3 chord(std::cos(0.1), 0.0, std::sin(0.1));
   FrictionFrame frame;
   frame.advance(Vector3::Zero(), Vector3::UnitZ());
   frame.advance(chord, Vector3::UnitZ());
   EXPECT_LE((frame.toSpace(frame.step().displacement()) - Vector3::UnitX()).norm(), 1e-15);
-  // Along the normal there is no direction to turn it to.
+  // A chord along the normal has no tangential direction.
   frame.advance(chord + 3.0 * Vector3::UnitZ(), Vector3::UnitZ());
   EXPECT_EQ(frame.step().displacement(), Vector2::Zero());
   frame.advance(chord + 6.0 * Vector3::UnitZ() + 0.01 * Vector3::UnitX(), Vector3::UnitZ());
@@ -176,7 +176,7 @@ TEST(FrictionFrame, OppositeNormalsStartAnew)
     EXPECT_EQ(carried, std::cos(angle) > -0.999); // 177.4 degrees
     const Vector3 first = frame.toSpace({ 1.0, 0.0 });
     const Vector3 second = frame.toSpace({ 0.0, 1.0 });
-    // Of what is divided by 1 + cos >= 1e-3.
+    // Error of a division by 1 + cos >= 1e-3.
     EXPECT_NEAR(first.norm(), 1.0, 1e-12);
     EXPECT_NEAR(second.norm(), 1.0, 1e-12);
     EXPECT_NEAR(first.dot(normal), 0.0, 1e-12);
@@ -187,7 +187,7 @@ TEST(FrictionFrame, OppositeNormalsStartAnew)
 
 TEST(StraightStep, DecayIsTheExponential)
 {
-  // 1.5 units in the last place, in the polynomial and beyond it.
+  // 1.5 units in the last place, inside the polynomial's range and beyond it.
   for (double x = 0.0; x < 2.0; x += 1e-3)
   {
     EXPECT_NEAR(palpate::StraightStep::decay(x) / std::exp(-x), 1.0, 3.4e-16) << x;
@@ -210,7 +210,7 @@ TEST(FrictionFrame, StaysAFrame)
   }
   const Vector3 first = frame.toSpace({ 1.0, 0.0 });
   const Vector3 second = frame.toSpace({ 0.0, 1.0 });
-  // Corrected every tick: one tick's rounding.
+  // Corrected in every tick: the rounding of one tick.
   EXPECT_NEAR(first.norm(), 1.0, 2e-15);
   EXPECT_NEAR(second.norm(), 1.0, 2e-15);
   EXPECT_NEAR(first.dot(normal), 0.0, 2e-15);

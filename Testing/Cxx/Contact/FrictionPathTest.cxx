@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three friction models along given paths on a plane: the number of ticks does not matter, and
-// on a circle they do what their differential equations, finely integrated here, say.
+// The three friction models along given paths on a plane. The number of ticks does not matter. On a
+// circle they agree with their differential equations, which are integrated finely here.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Sanitized.h"
@@ -67,8 +67,8 @@ Vector2 direction(double angle)
   return { std::cos(angle), std::sin(angle) };
 }
 
-/// z' = rate(z, d) along the circle of radius rho from its lowest point, by Runge-Kutta. The clip
-/// makes it first order, hence the number of steps.
+/// Solves z' = rate(z, d) along the circle of radius rho from its lowest point, by Runge-Kutta. The
+/// clip reduces the order to one, hence the number of steps.
 Vector2 onCircle(const std::function<Vector2(const Vector2&, const Vector2&)>& rate, double rho,
   double angle, int steps, bool clipped)
 {
@@ -91,7 +91,7 @@ Vector2 onCircle(const std::function<Vector2(const Vector2&, const Vector2&)>& r
   return z;
 }
 
-/// The law of ElastoPlasticFriction, as its header states it.
+/// The law of ElastoPlasticFriction as stated in its header.
 std::function<Vector2(const Vector2&, const Vector2&)> elastoPlastic(double b, double s)
 {
   return [=](const Vector2& z, const Vector2& d) -> Vector2
@@ -108,7 +108,8 @@ TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
 {
   for (const FrictionModel model : FrictionModels)
   {
-    // Exact but for the creep of ElastoPlastic: Runge-Kutta in steps of 1/8 z_max, 2e-5 measured.
+    // Exact except for the creep of ElastoPlastic: Runge-Kutta in steps of 1/8 z_max, measured
+    // error 2e-5.
     const double tolerance = model == FrictionModel::ElastoPlastic ? 3e-5 * Limit : 1e-12;
     for (const double before : { 0.0, 0.4, 1.9, 2.2, 10.0 })
     {
@@ -153,7 +154,7 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
   EXPECT_TRUE(dahl.sliding());
 
   Slider shape(frictionOf(FrictionModel::ShapeDerived, 0.5, 2.0));
-  // μcδ = 0.75 at ν = 0.5; the first of the springs touches at 7e-4 mm instead of 0.
+  // μcδ = 0.75 at ν = 0.5. The first of the springs touches at 7e-4 mm instead of 0.
   shape.move({ 0.749, 0.0 }, 3);
   EXPECT_FALSE(shape.sliding());
   shape.move({ 0.001, 0.0 }, 1);
@@ -184,7 +185,7 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
 
 TEST(FrictionPath, StuckIsASpring)
 {
-  // Below breakaway (4 N) any way there and back: exactly σ₀, and nothing left at its start.
+  // Below breakaway (4 N), on any path back and forth: exactly σ₀, and no force at its start point.
   Slider slider(frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0));
   for (int i = 1; i < 400; ++i)
   {
@@ -197,7 +198,8 @@ TEST(FrictionPath, StuckIsASpring)
 
 TEST(FrictionPath, SlopeAtReversal)
 {
-  // Elastic for ElastoPlastic; Dahl's is σ₀(1 + z/z_max) there, twice what the loop is stable for.
+  // Elastic for ElastoPlastic. For Dahl the stiffness is σ₀(1 + z/z_max) there, twice the stable
+  // limit of the loop.
   const double h = 1e-6;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
   {
@@ -243,8 +245,9 @@ TEST(FrictionPath, CircleAgainstTheEquations)
         }
         errors[k] = (force - expected).norm();
       }
-      // Chords are shorter than arcs by φ²/24 and turn off by as much; each tick's error decays
-      // over z_max. Where the limit is met within a tick adds 2e-5 of Runge-Kutta.
+      // Chords are shorter than arcs by φ²/24, and their directions differ by the same. The error
+      // of each tick decays over z_max. A tick in which the limit is reached adds 2e-5 of
+      // Runge-Kutta.
       for (int k = 0; k < 3; ++k)
       {
         const double chord = angle / ticks[k];
@@ -254,8 +257,8 @@ TEST(FrictionPath, CircleAgainstTheEquations)
   }
 }
 
-// Sliding in a gentle curve while the limit rises and falls: in every tick the load is another.
-// Against the law above, integrated in pieces of 1e-4 mm.
+// Sliding in a gentle curve while the limit rises and falls: the load differs in every tick.
+// Compared with the law above, integrated in pieces of 1e-4 mm.
 TEST(FrictionPath, TheLoadChangesWhileItSlides)
 {
   for (const double stickRadius : { 0.85, 0.9, 1.3 })
@@ -270,7 +273,7 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
     for (int tick = 0; tick < 3000; ++tick)
     {
       const double longest = Longest * (1.0 + 0.3 * std::sin(0.005 * tick));
-      const double scale = Longest / longest; // the law is of z over Longest
+      const double scale = Longest / longest; // the law is for z over Longest
       const Vector2 along = direction(2e-4 * tick);
       const double length = 0.05;
       z *= scale;
@@ -286,7 +289,7 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
       worst = std::max(worst, (felt.force + 2.0 * z).norm() / (2.0 * longest));
       sliding += felt.sliding;
     }
-    // Of the limit: Euler's pieces are 4e-5 of it long.
+    // Relative to the limit. Euler's pieces are 4e-5 of it long.
     EXPECT_LT(worst, 1e-4) << stickRadius;
     EXPECT_GT(sliding, 2000) << stickRadius;
   }
@@ -294,8 +297,8 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
 
 TEST(FrictionPath, SteadyOnACircle)
 {
-  // Coulomb's force against the direction of motion but for the lag: asin(z_max/ρ) of a stone on a
-  // string; atan(z_max/ρ) for Dahl, and cos of that of the limit.
+  // Coulomb's force is against the direction of motion except for a lag: asin(z_max/ρ), as of a
+  // stone pulled on a string; atan(z_max/ρ) for Dahl, with a force of cos of it times the limit.
   const double rho = 10.0;
   const int perTurn = 20000;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
@@ -311,12 +314,12 @@ TEST(FrictionPath, SteadyOnACircle)
     const bool isDahl = model == FrictionModel::Dahl;
     const double lag = isDahl ? std::atan(Longest / rho) : std::asin(Longest / rho);
     const Vector2 expected = -Limit * (isDahl ? std::cos(lag) : 1.0) * direction(phi - lag);
-    EXPECT_LE((force - expected).norm(), 1e-6 * Limit); // the square of the 3e-4 a tick turns by
+    EXPECT_LE((force - expected).norm(), 1e-6 * Limit); // the square of 3e-4, the turn per tick
     EXPECT_TRUE(slider.sliding() || isDahl);
     EXPECT_NEAR(force.norm(), isDahl ? Limit * std::cos(lag) : Limit, 1e-6);
   }
-  // Each spring of ShapeDerived lags by its own asin(limit/ρ), the longest by asin(0.75/ρ): the sum
-  // Σ limit_j (sin, cos) with the load density of f = 10 δ^1.5, by the midpoint rule.
+  // Each spring of ShapeDerived lags by its own asin(limit/ρ), the longest by asin(0.75/ρ). The sum
+  // is Σ limit_j (sin, cos) with the load density of f = 10 δ^1.5, by the midpoint rule.
   Slider slider(frictionOf(FrictionModel::ShapeDerived, 0.5, 2.0));
   Vector2 force = Vector2::Zero();
   double phi = 0.0;
@@ -333,7 +336,8 @@ TEST(FrictionPath, SteadyOnACircle)
     const double unloaded = 1.0 - root * root;
     expected -= 0.5 * 15.0 / n * unloaded * direction(phi - std::asin(0.75 * unloaded / rho));
   }
-  // The lag of the lumped springs: their limits within a cell differ by 1/64, of second order.
+  // The lag of the lumped springs: their limits within a cell differ by 1/64, an error of second
+  // order.
   EXPECT_LE((force - expected).norm(), 1e-5 * Limit);
   EXPECT_TRUE(slider.sliding());
 }

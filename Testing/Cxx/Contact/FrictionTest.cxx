@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface of Friction: what goes in and out, limits, bad input, curved bodies.
+// The interface of Friction: inputs and outputs, limits, invalid input, curved bodies.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -153,7 +153,7 @@ TEST(Friction, AStandingContactKeepsItsForce)
       for (int i = 0; i < 1000; ++i)
       {
         const auto standing = press(friction, { way, 0.0, 0.0 });
-        EXPECT_NEAR(standing.force.x(), moved.force.x(), 1e-12); // roundings of the frame
+        EXPECT_NEAR(standing.force.x(), moved.force.x(), 1e-12); // rounding of the frame
         EXPECT_EQ(standing.sliding, moved.sliding);
       }
     }
@@ -217,8 +217,8 @@ TEST(Friction, OppositeNormalsEndTheHistory)
 
 TEST(Friction, IsCarriedOverACurvedBody)
 {
-  // Stuck at a point that stays while the normal goes once around a circle of latitude: turned by
-  // the solid angle, 2π(1 - cos), as large as before.
+  // Stuck at a fixed point while the normal moves once around a circle of latitude: the force turns
+  // by the solid angle, 2π(1 - cos), with the same magnitude.
   const double colatitude = 0.6;
   const int n = 40000;
   const auto normalAt = [&](int i)
@@ -240,15 +240,15 @@ TEST(Friction, IsCarriedOverACurvedBody)
     }
     const Vector3 turned =
       Eigen::AngleAxisd(2.0 * Pi * (1.0 - std::cos(colatitude)), normalAt(0)) * before;
-    // The polygon of n sides lacks at most 8/n²; roundings of n ticks.
+    // The polygon of n sides differs by at most 8/n²; plus rounding of n ticks.
     EXPECT_LE((after - turned).norm(), (8.0 / n / n + 1e-10) * before.norm());
   }
 }
 
 TEST(Friction, SlidesAroundASphere)
 {
-  // Along a circle of latitude, whose geodesic curvature is cot(colatitude)/R: on the surface it is
-  // a circle of radius R tan(colatitude), and the force lags as on one.
+  // Along a circle of latitude, whose geodesic curvature is cot(colatitude)/R. On the surface it is
+  // a circle of radius R tan(colatitude), and the force lags as on a plane circle of that radius.
   const double R = 20.0;
   const double colatitude = 0.5;
   const double rho = R * std::tan(colatitude);
@@ -271,8 +271,8 @@ TEST(Friction, SlidesAroundASphere)
     const bool isDahl = model == FrictionModel::Dahl;
     const double lag = isDahl ? std::atan(longest / rho) : std::asin(longest / rho);
     const double size = 0.5 * 10.0 * (isDahl ? std::cos(lag) : 1.0);
-    // Left of the motion is towards the pole, where the path turns to.
+    // Left of the motion is towards the pole, to which the path turns.
     const Vector3 expected = -size * (std::cos(lag) * along - std::sin(lag) * normal.cross(along));
-    EXPECT_LE((force - expected).norm(), 1e-6 * size); // the square of the 3e-4 a tick turns by
+    EXPECT_LE((force - expected).norm(), 1e-6 * size); // the square of 3e-4, the turn per tick
   }
 }

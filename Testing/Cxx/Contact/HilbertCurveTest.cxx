@@ -44,7 +44,8 @@ int stepsApart(const Cell& a, const Cell& b)
   return steps;
 }
 
-/// The keys of an aligned cube of a power of two follow one another, each one step from the last.
+/// The keys of an aligned cube whose side is a power of two are consecutive, and each cell is next
+/// to the previous one.
 void expectOneStretch(std::uint32_t side, const Cell& corner)
 {
   const auto cells = alongCurve(side, corner);
@@ -80,7 +81,7 @@ TEST(HilbertCurve, EveryAlignedCubeIsOneStretch)
 
 TEST(HilbertCurve, EndsAtTheFarEndOfOneAxis)
 {
-  // From one corner of the cube to a neighbouring one: 2^48 cells.
+  // From one corner of the cube to an adjacent one: 2^48 cells.
   const std::uint32_t far = 65535;
   std::vector<std::uint64_t> keys;
   for (const Cell& corner : { Cell{ far, 0, 0 }, Cell{ 0, far, 0 }, Cell{ 0, 0, far },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// That a body's memory is in large pages is seen in no result, only in /proc/self/smaps (proc(5)).
+// A body's memory in large pages changes no result. It is visible only in /proc/self/smaps
+// (proc(5)).
 #include "BumpySphere.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
@@ -24,7 +25,8 @@ using namespace palpate::testing;
 
 TEST(LargePages, AreSharedByWhatIsSmaller)
 {
-  // As vectors come and go, each holds what was put in, whoever lived in its page before.
+  // Vectors are created and destroyed. Each keeps its content, whichever vector used its page
+  // before.
   std::mt19937 random(1);
   std::vector<LargeVector<std::uint32_t>> held(40);
   for (int turn = 0; turn < 4000; ++turn)
@@ -40,13 +42,14 @@ TEST(LargePages, AreSharedByWhatIsSmaller)
   }
 }
 
-// A sanitizer has a malloc of its own, of ordinary pages, and may keep what is given back.
+// A sanitizer has its own malloc with ordinary pages and may keep freed memory.
 #ifndef PALPATE_SANITIZED
 namespace
 {
 constexpr std::size_t Page = std::size_t{ 1 } << 21;
 
-/// Bytes in large pages of the mapping that holds an address; -1 where the system does not tell.
+/// Bytes in large pages of the mapping that contains an address; -1 if the system does not report
+/// it.
 double largeBytesAround(const void* address)
 {
   const auto place = reinterpret_cast<std::uintptr_t>(address);
@@ -70,7 +73,7 @@ double largeBytesAround(const void* address)
   return -1.0;
 }
 
-/// What the system gives who asks for large pages as plainly as can be.
+/// Bytes in large pages that the system gives for the plainest possible request.
 double granted()
 {
   constexpr std::size_t bytes = 8 * Page;
@@ -97,7 +100,7 @@ std::string wordsOfTheSystem()
 
 TEST(LargePages, HoldABodyWhereTheSystemHasThem)
 {
-  // Of 204800 triangles, in pages of its own, and of 12800, in pages that its arrays share.
+  // 204800 triangles use pages of their own; the arrays of 12800 triangles share pages.
   for (const int cuts : { 160, 40 })
   {
     const Surface surface = bumpySphere(cuts);
@@ -110,7 +113,7 @@ TEST(LargePages, HoldABodyWhereTheSystemHasThem)
                 << " bytes\n";
       return;
     }
-    // 64 bytes per triangle; one page may have been short.
+    // 64 bytes per triangle; one page may be missing.
     const double whole = 64.0 * static_cast<double>(mesh.triangleCount());
     EXPECT_GE(large, std::max(whole - 2.0 * static_cast<double>(Page), static_cast<double>(Page)));
   }
@@ -122,10 +125,10 @@ TEST(LargePages, GoBackWhenNobodyIsLeft)
   for (int turn = 0; turn < 200; ++turn)
   {
     LargeVector<char> first(1500000, 'a');
-    LargeVector<char> second(1500000, 'b'); // another page
+    LargeVector<char> second(1500000, 'b'); // a different page
     LargeVector<char> third(400000, 'c');
     first = LargeVector<char>();
   }
-  EXPECT_LT(residentMemory() - before, 2e7); // of 200 turns with two pages each
+  EXPECT_LT(residentMemory() - before, 2e7); // after 200 turns with two pages each
 }
 #endif // PALPATE_SANITIZED

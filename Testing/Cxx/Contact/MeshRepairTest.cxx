@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// A band of `n` squares, its end joined to its start with or without half a turn.
+/// A strip of `n` squares with its ends joined, with or without half a turn.
 std::vector<TriangleCorners> band(std::int32_t n, bool twisted)
 {
   std::vector<TriangleCorners> triangles;
@@ -94,8 +94,8 @@ TEST(MeshRepair, TheFewerAreTurned)
 
 TEST(MeshRepair, MoreThanHalfTurnsTheRest)
 {
-  // A majority cannot know which way is out: 200 of 320 turned leave the body inside out, but of
-  // one piece.
+  // A majority does not determine the outside: with 200 of 320 triangles turned the body is inside
+  // out, but consistent.
   const Surface body = icosphere(20.0, 2);
   std::vector<TriangleCorners> triangles = body.triangles;
   std::transform(triangles.begin(), triangles.begin() + 200, triangles.begin(), turned);
@@ -105,8 +105,8 @@ TEST(MeshRepair, MoreThanHalfTurnsTheRest)
 
 TEST(MeshRepair, EachPartByItself)
 {
-  // A box of which one triangle is turned, and another one that is inside out as a whole: that one
-  // agrees with itself and is left.
+  // A box with one turned triangle, and another box that is inside out as a whole. The second is
+  // consistent and stays unchanged.
   Surface body = block(3, 4, 5);
   const std::size_t half = body.triangles.size();
   const auto shift = static_cast<std::int32_t>(body.points.size());
@@ -131,7 +131,7 @@ TEST(MeshRepair, AMoebiusBandIsLeftAlone)
   const std::vector<TriangleCorners> given = moebius;
   EXPECT_EQ(makeWindingConsistent(moebius), 0U);
   EXPECT_EQ(moebius, given);
-  // The same with a triangle turned: of a ring it is turned back, of a band nothing is touched.
+  // The same with one triangle turned: in a ring it is turned back, a twisted band stays unchanged.
   ring[4] = turned(ring[4]);
   moebius[4] = turned(moebius[4]);
   EXPECT_EQ(makeWindingConsistent(ring), 1U);
@@ -142,7 +142,8 @@ TEST(MeshRepair, AMoebiusBandIsLeftAlone)
 
 TEST(MeshRepair, NotAcrossEdgesOfThree)
 {
-  // A fin on a plate: which of the three belong together nobody knows, so the fin keeps its side.
+  // A fin on a plate: it is unknown which of the three triangles belong together, so the fin keeps
+  // its orientation.
   std::vector<TriangleCorners> triangles{ { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 }, { 1, 5, 4 } };
   const std::vector<TriangleCorners> given = triangles;
   EXPECT_EQ(makeWindingConsistent(triangles), 0U);
@@ -166,7 +167,7 @@ TEST(MeshRepair, ASoupIsJoined)
 
 TEST(MeshRepair, OnlyBordersAreJoined)
 {
-  // Two closed boxes face to face share four places, but each is whole.
+  // Two closed boxes face to face share four positions, but each is complete.
   Surface boxes = block(3, 4, 5);
   const Surface other = boxes;
   const auto shift = static_cast<std::int32_t>(boxes.points.size());
@@ -179,7 +180,7 @@ TEST(MeshRepair, OnlyBordersAreJoined)
     boxes.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
   }
   EXPECT_EQ(joined(twinsOf(boxes)), 0U);
-  // Of a plate cut in two only the cut is joined; a point of no triangle never is.
+  // In a plate cut in two only the cut is joined. A point without a triangle is never joined.
   Surface halves = openPlate(10.0, 2);
   const auto middle = static_cast<std::int32_t>(halves.points.size());
   for (int j = 0; j <= 2; ++j)
@@ -215,8 +216,8 @@ TEST(MeshRepair, PointsApartByLessThanAFloatAreOne)
 
 TEST(MeshRepair, EndsOfEmptyEdgesAreJoined)
 {
-  // Six points at two places; triangles without area tie 0 to 2 and 2 to 4, and 1 to 5. Nothing
-  // ties 3, nor 6, which is elsewhere.
+  // Six points at two positions. Triangles without area connect 0 to 2 and 2 to 4, and 1 to 5.
+  // Nothing connects 3, nor 6, which is elsewhere.
   const std::vector<float> at{ 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0 };
   const std::vector<TriangleCorners> empty{ { 4, 2, 3 }, { 2, 0, 6 }, { 5, 1, 6 } };
   const auto joinAll = [&](std::vector<std::int32_t> first)
@@ -229,7 +230,7 @@ TEST(MeshRepair, EndsOfEmptyEdgesAreJoined)
     return first;
   };
   EXPECT_EQ(joinAll({ 0, 1, 2, 3, 4, 5, 6 }), (std::vector<std::int32_t>{ 0, 1, 0, 3, 0, 1, 6 }));
-  // On top of what was joined before.
+  // In addition to the points joined before.
   EXPECT_EQ(joinAll({ 0, 1, 2, 1, 4, 5, 6 }), (std::vector<std::int32_t>{ 0, 1, 0, 1, 0, 1, 6 }));
 }
 } // namespace palpate::testing

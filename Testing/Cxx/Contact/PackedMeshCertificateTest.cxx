@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where isCertainlyNearest says yes, no triangle that shares a corner is nearer: on bodies that are
-// bumpy, convex, saddle-shaped, notched, sharp, and crumpled.
+// If isCertainlyNearest returns true, no triangle that shares a corner is nearer: on bodies that
+// are bumpy, convex, saddle-shaped, notched, sharp, and crumpled.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Sanitized.h"
@@ -15,7 +15,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// A ball with its points moved at random: spikes and pits, folds up to and past a right angle.
+/// A ball with points moved at random: spikes and pits, folds up to and beyond a right angle.
 Surface crumpledBall(double roughness, unsigned seed)
 {
   Surface body = icosphere(20.0, 3);
@@ -32,10 +32,10 @@ struct Counts
 {
   int certified = 0;
   int wronglyCertified = 0;
-  int nearerAround = 0; ///< tips that a triangle around is nearer to
+  int nearerAround = 0; ///< tips that are nearer to a triangle around
 };
 
-/// Tips under random points of random faces, at any depth from a thousandth of `deepest` to it.
+/// Tips under random points of random faces, at depths from a thousandth of `deepest` to `deepest`.
 Counts countCertificates(const Surface& given, double deepest, int tips)
 {
   const Surface body = given.rounded();
@@ -55,7 +55,7 @@ Counts countCertificates(const Surface& given, double deepest, int tips)
     const TriangleProjection projection = mesh.project(tip, triangle);
     if (projection.feature != TriangleFeature::Face)
     {
-      continue; // rounding, at the rim of the face
+      continue; // rounding at the rim of the face
     }
     std::vector<std::int32_t> around;
     for (const std::int32_t corner : mesh.corners(triangle))
@@ -64,7 +64,7 @@ Counts countCertificates(const Surface& given, double deepest, int tips)
         corner, [&](std::int32_t other) { around.push_back(mesh.inputTriangle(other)); });
     }
     const Nearest nearest = nearestOf(body, mesh.centre() + tip, around);
-    // 1e-12 of the diagonal: roundings of the coordinates, here and there.
+    // 1e-12 of the diagonal: rounding of the coordinates.
     const bool isNearer =
       nearest.distance < std::sqrt(projection.squaredDistance) - 1e-12 * diagonal(body);
     const bool certified = mesh.isCertainlyNearest(tip, triangle, projection);
@@ -94,14 +94,14 @@ TEST(PackedMeshCertificate, IsNeverWrong)
     certified += counts.certified;
     nearerAround += counts.nearerAround;
   }
-  // Not for want of occasions: of 39000 tips, thousands of either kind.
+  // The test needs enough cases: of 39000 tips, thousands of either kind.
   EXPECT_GT(certified, casesOf(5000));
   EXPECT_GT(nearerAround, casesOf(3000));
 }
 
 TEST(PackedMeshCertificate, WhereAllNeighboursRiseItNeedsNoMargin)
 {
-  // Nothing lies under a face of a flat top: the least margin is enough, at any depth.
+  // Nothing is under a face of a flat top: the smallest margin is enough at any depth.
   const PackedMesh mesh = openPlate(10.0, 4).packed();
   for (const double depth : { 1e-6, 1.0, 1e6 })
   {
@@ -119,9 +119,9 @@ TEST(PackedMeshCertificate, WhereAllNeighboursRiseItNeedsNoMargin)
 
 TEST(PackedMeshCertificate, MarginOfAConvexEdge)
 {
-  // Two facets that meet at a right angle: the other is nearer once the foot is closer to the edge
-  // than the tip is deep, m < d. Every corner of this block has a face at a right angle, whose
-  // slope under the first has no bound: never certain, however far the edge.
+  // Two facets that meet at a right angle: the other one is nearer if the foot is closer to the
+  // edge than the depth of the tip, m < d. Every corner of this block has a face at a right angle,
+  // whose slope under the first is unbounded. So the result is never certain, however far the edge.
   const PackedMesh box = block(40, 40, 40).packed();
   const Vector3 tip(0.0, 1.0, 19.9);
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(box.triangleCount()); ++t)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inside or outside, by the pseudonormal of the closest feature, against tests that know better.
+// Inside or outside, by the pseudonormal of the closest feature, against independent tests.
 #include "BruteForce.h"
 #include "Contact/TriangleTree.h"
 
@@ -26,7 +26,7 @@ Vector3 randomIn(std::mt19937& random, const Vector3& low, const Vector3& high)
   return p;
 }
 
-/// `side` gives > 0 inside, < 0 outside, 0 where it cannot tell.
+/// `side` returns > 0 inside, < 0 outside, 0 if unknown.
 void compareSides(const Surface& body, const Vector3& low, const Vector3& high, int tips,
   const std::function<int(const Vector3&)>& side)
 {
@@ -66,7 +66,7 @@ TEST(PackedMeshSide, Icosphere)
 {
   const double R = 20.0;
   const Surface body = icosphere(R, 2).rounded();
-  // The facets lie between the radius and their sag below it, h²/8R = 0.6 for h <= 10.
+  // The facets are between the radius and their sag below it, h²/8R = 0.6 for h <= 10.
   compareSides(body, Vector3::Constant(-25.0), Vector3::Constant(25.0), 20000,
     [&](const Vector3& tip) { return tip.norm() > R    ? -1
                                 : tip.norm() < R - 0.7 ? 1
@@ -77,7 +77,7 @@ TEST(PackedMeshSide, Icosphere)
 TEST(PackedMeshSide, Torus)
 {
   const Surface body = torus(20.0, 6.0, 48, 24).rounded();
-  // Chords lie within r(1-cos(π/24)) + (R+r)(1-cos(π/48)) = 0.11 of the torus.
+  // Chords are within r(1-cos(π/24)) + (R+r)(1-cos(π/48)) = 0.11 of the torus.
   compareSides(body, Vector3(-28, -28, -8), Vector3(28, 28, 8), 20000,
     [](const Vector3& tip)
     {
@@ -89,7 +89,7 @@ TEST(PackedMeshSide, Torus)
 
 TEST(PackedMeshSide, AngleBlock)
 {
-  // Coarse and fine: on the coarse one almost every closest feature is an edge or a corner.
+  // Coarse and fine: on the coarse body almost every closest feature is an edge or a corner.
   for (const int times : { 0, 2 })
   {
     const Surface body = subdivided(angleBlock(), times);
@@ -117,7 +117,7 @@ TEST(PackedMeshSide, GrooveBlock)
 
 namespace
 {
-/// Tips 1e-6 beside every point and every edge's middle, in random directions.
+/// Tips 1e-6 from every point and from the middle of every edge, in random directions.
 void compareNextToEdgesAndCorners(const Surface& given)
 {
   const Surface body = given.rounded();
@@ -160,8 +160,8 @@ TEST(PackedMeshSide, RightNextToEdgesAndCorners)
 
 TEST(PackedMeshSide, RightNextToAKnifeEdge)
 {
-  // 11° sharp, and the same as a notch: beside such an edge the normal of one face alone is wrong
-  // for most tips.
+  // An edge of 11°, and the same as a notch: near such an edge the normal of one face alone is
+  // wrong for most tips.
   compareNextToEdgesAndCorners(prism({ { 0, 0 }, { 20, 0 }, { 20, 4 } }, { { 0, 1, 2 } }, 10.0));
   compareNextToEdgesAndCorners(
     prism({ { -10, -10 }, { 20, -10 }, { 20, 0 }, { 0, 0 }, { 20, 4 }, { 20, 14 }, { -10, 14 } },

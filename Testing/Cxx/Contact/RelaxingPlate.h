@@ -15,8 +15,8 @@
 
 namespace palpate::testing
 {
-/// A plate at z = 0, 60 mm wide, whose slow response is factor · δ^exponent (N, mm), the factor
-/// another at each point if wanted, and which relaxes. In the memory of the test.
+/// A plate at z = 0, 60 mm wide, that relaxes. Its slow response is factor · δ^exponent (N, mm),
+/// optionally with a different factor at each point. The test owns its memory.
 struct RelaxingPlate
 {
   explicit RelaxingPlate(double exponent, const PronySeries& series, double range = 1.0,
@@ -57,7 +57,7 @@ struct RelaxingPlate
   double curveExponent;
 };
 
-/// Away from edges and corners of the plate's triangles.
+/// A tip away from edges and corners of the plate's triangles.
 inline Vector3 tipAt(double depth, double x = 31.3, double y = 29.1)
 {
   return { x, y, -depth };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The data contract: its codes as saved files number them, their words, its names.
+// The data contract: its codes as in saved files, its words and its names.
 #include "Contact/Contact.h"
 #include "Contact/ResponseContract.h"
 
@@ -105,7 +105,7 @@ TEST(ResponseContract, WidthsFollowSamplesAndLaws)
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::TiltWeight), 8, 3, 2, 6, 5), 5);
 }
 
-// The texts that were written before there were parts.
+// Texts from the time before model parts.
 TEST(ModelParts, OfOldTexts)
 {
   EXPECT_EQ(modelPartsOfText("half-space"), HalfSpacePart);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Responses whose fewest numbers are known, reduced; errors against the contract's own evaluation.
+// Reduced responses whose smallest number of values is known; errors against the contract's own
+// evaluation.
 #include "Contact/Reduction/ResponseReduction.h"
 
 #include "SampleResponses.h"
@@ -25,7 +26,7 @@ namespace
 {
 constexpr std::size_t Samples = 8;
 constexpr double Range = 2.0; // mm, of ResponseStore
-// A float is off by 6e-8; a cubic between samples magnifies that by up to 10.
+// The error of a float is 6e-8; a cubic between samples amplifies it by up to 10.
 constexpr double Storage = 1e-6;
 
 /// Force and stiffness of point p at depth δ.
@@ -89,7 +90,7 @@ ResponseArrays arraysOf(const ResponseStore& store, const ReducedResponse& reduc
   return arrays;
 }
 
-/// The largest relative error at depths of which there are five times as many as were looked at.
+/// The largest relative error at five times as many depths as the reduction checks.
 double largestError(
   const ResponseStore& store, const ReducedResponse& reduced, std::size_t stride = 1)
 {
@@ -115,9 +116,9 @@ double largestError(
   return largest;
 }
 
-/// `tolerance` is kept at all depths, and what is reported is what brute force finds. Between the
-/// depths that were looked at an error may be a tenth larger: of a cubic's bump over two thirds of
-/// an interval, a parabola of half-width 1/3, sampled 1/8 to the side of its top, misses 14 % at
+/// `tolerance` must hold at all depths, and the reported error must be that of brute force. Between
+/// the checked depths an error may be a tenth larger: a cubic's bump over two thirds of an
+/// interval, a parabola of half-width 1/3, is sampled at most 1/8 from its top. This misses 14 % at
 /// worst and usually half of that.
 void expectKept(const ResponseStore& store, const ReducedResponse& reduced, double tolerance)
 {
@@ -145,13 +146,13 @@ TEST(ResponseReduction, OneLawForAHomogeneousBody)
   expectKept(store, reduced, Storage);
   EXPECT_TRUE(std::all_of(
     reduced.coefficient.begin(), reduced.coefficient.end(), [](float c) { return c == 1.0F; }));
-  // The kernel's records then hold range and normal alone.
+  // The kernel's records then contain only range and normal.
   EXPECT_EQ(ResponseField(arraysOf(store, reduced)).memory(), 50u * 4 * sizeof(float));
 }
 
 TEST(ResponseReduction, OneLawWhereTheSpreadIsWithinTheTolerance)
 {
-  // 3 % to either side of the law in the middle.
+  // 3 % above and below the law in the middle.
   const ResponseStore store = storeOf(61,
     [](std::size_t p, double depth)
     {
@@ -178,7 +179,7 @@ TEST(ResponseReduction, AsManyLawsAsTheCurvesAreMadeOf)
     EXPECT_EQ(reduced.laws, terms);
     EXPECT_EQ(reduced.numbersPerPoint, terms);
     expectKept(store, reduced, 10.0 * Storage); // sums of laws that nearly cancel
-    EXPECT_LT(reduced.largestSlopeError, 1e-4); // n times worse than the force
+    EXPECT_LT(reduced.largestSlopeError, 1e-4); // n times larger than the error of the force
   }
 }
 
@@ -204,7 +205,7 @@ TEST(ResponseReduction, FewerSamplesWhereNoLawsAreAllowed)
   EXPECT_LT(reduced.samples, 8);
   EXPECT_EQ(reduced.numbersPerPoint, 2 * reduced.samples);
   expectKept(store, reduced, 0.02);
-  // and one fewer would not have done
+  // One number fewer would not suffice.
   EXPECT_GT(reduceResponse(store.arrays(), within(0.5 * reduced.largestError, 1)).numbersPerPoint,
     reduced.numbersPerPoint);
 }
@@ -261,7 +262,8 @@ TEST(ResponseReduction, ACompactResponseIsReducedFurther)
 
 TEST(ResponseReduction, ManyPoints)
 {
-  // Above some thousand points forms are tried on a part first, and sums go over several threads.
+  // With more than a few thousand points, forms are first tried on a part, and sums use several
+  // threads.
   const ResponseStore store = powers(20000, 2);
   const ReducedResponse reduced = reduceResponse(store.arrays(), within(1e-5));
   EXPECT_EQ(reduced.laws, 2);

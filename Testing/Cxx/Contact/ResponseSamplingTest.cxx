@@ -38,7 +38,7 @@ ManySamples powerLaw(const ResponseSampling& sampling, double range, double expo
   return samples;
 }
 
-/// Random forces that grow, with random stiffness.
+/// Random increasing forces with random stiffness.
 ManySamples monotone(std::mt19937& random, int n, double range)
 {
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -75,7 +75,7 @@ TEST(ResponseSampling, ExactForItsOwnPower)
     {
       const double depth = 1e-3 * i * range;
       const ResponseValue value = sampling.evaluate(samples, range, depth);
-      // Roundings of pow and of the interpolation only.
+      // Only rounding of pow and of the interpolation.
       EXPECT_TRUE(agrees(value.force, 2.5 * std::pow(depth, exponent), 2e-15));
       EXPECT_TRUE(agrees(value.stiffness, 2.5 * exponent * std::pow(depth, exponent - 1.0), 2e-14));
       EXPECT_FALSE(value.beyondRange);
@@ -100,7 +100,8 @@ TEST(ResponseSampling, PassesThroughItsSamplesWithTheirSlopes)
       for (const double side : { 1.0 - 1e-12, 1.0, 1.0 + 1e-12 })
       {
         const ResponseValue value = sampling.evaluate(samples, range, side * knot);
-        // 1e-12 to the side: F moves by K δ 1e-12, K by F'' δ 1e-12 with F'' <= 50 n F/δ² here.
+        // The depth is off by 1e-12: F changes by K δ 1e-12, K by F'' δ 1e-12 with F'' <= 50 n F/δ²
+        // here.
         EXPECT_NEAR(value.force, samples.force(i), 1e-10 * samples.forces.back());
         EXPECT_NEAR(value.stiffness, samples.stiffness(i), (steep ? 1e-6 : 1e-8) * n * n * scale);
       }
@@ -178,7 +179,7 @@ TEST(ResponseSampling, TheContractWrittenOutAgain)
       const double depth = share(random) * range;
       const ResponseValue value = sampling.evaluate(samples, range, depth);
       const Response expected = contract.evaluate(depth);
-      // Interpolants swing between a few times the largest force (stiffness: times n²/δ_max);
+      // Interpolants oscillate between a few times the largest force (stiffness: times n²/δ_max);
       // 1e-12 of that is rounding.
       const double force = samples.forces.back();
       EXPECT_NEAR(value.force, expected.force, 1e-12 * force);
@@ -200,7 +201,7 @@ TEST(ResponseSampling, StiffnessIsTheSlopeOfTheForce)
     const ManySamples samples = monotone(random, n, range);
     for (int k = 0; k < 3 * n; ++k)
     {
-      // A third, a half and two thirds of the way between knots in s.
+      // At a third, a half and two thirds between knots in s.
       const double s = (k / 3 + (2 + k % 3) / 6.0) / n;
       const double depth = range * s * s;
       const double h = 1e-4 * depth;
@@ -208,8 +209,8 @@ TEST(ResponseSampling, StiffnessIsTheSlopeOfTheForce)
       const double slope = (8.0 * (force(depth + h) - force(depth - h)) -
                              (force(depth + 2.0 * h) - force(depth - 2.0 * h))) /
         (12.0 * h);
-      // Fourth order: truncation (h/δ)⁴ n⁴ F/δ = 1e-12, rounding 1e-16 F/h = 1e-12 F/δ, and with
-      // q up to 50 in the power start 1e-16·50⁴.
+      // Fourth order: truncation (h/δ)⁴ n⁴ F/δ = 1e-12, rounding 1e-16 F/h = 1e-12 F/δ, and in the
+      // power start with q up to 50 1e-16·50⁴.
       EXPECT_NEAR(sampling.evaluate(samples, range, depth).stiffness, slope,
         1e-9 * (std::abs(slope) + samples.forces.back() / depth));
     }

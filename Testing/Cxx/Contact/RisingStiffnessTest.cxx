@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which curves are told to rise in stiffness all the way: closed forms, and random ones against a
-// dense walk along them.
+// Curves whose stiffness is reported to rise over the whole range: closed forms, and random ones
+// against a dense scan.
 #include "Contact/RisingStiffness.h"
 
 #include "Contact/ResponseSampling.h"
@@ -47,7 +47,7 @@ Stored powerLaw(double scale, double power)
   return stored;
 }
 
-/// By how much the stiffness ever falls below what it was, as a share of the largest.
+/// Largest drop of the stiffness below an earlier value, relative to the largest stiffness.
 double largestFall(const ResponseSampling& sampling, const FloatCurve& curve)
 {
   double largest = 0.0;
@@ -98,8 +98,8 @@ TEST(RisingStiffness, OneSampleOfManyThatIsLessStiff)
   EXPECT_TRUE(rising.isOf(nothing.curve(), RisingRange));
 }
 
-// Sums of power laws disturbed more and more: no curve that falls is told to rise, and those that
-// hardly are disturbed are told so.
+// Sums of power laws with increasing disturbance. No curve with a falling stiffness is reported as
+// rising, and curves with hardly any disturbance are reported as rising.
 TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
 {
   const ResponseSampling sampling(SampleCount, 1.5);
@@ -123,7 +123,7 @@ TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
     }
     const double fall = largestFall(sampling, stored.curve());
     const bool isTold = rising.isOf(stored.curve(), RisingRange);
-    // The rounding of floats, over 8 cells.
+    // Rounding of floats over 8 cells.
     EXPECT_TRUE(!isTold || fall < 1e-6) << trial << ' ' << fall;
     told += isTold;
     fell += fall > 1e-6;

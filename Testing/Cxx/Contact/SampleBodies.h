@@ -21,7 +21,8 @@ struct Surface
 
   BodyMesh mesh() const;
   PackedMesh packed() const;
-  /// With its coordinates as the PackedMesh keeps them: those that an exact oracle must see.
+  /// The surface with the coordinates that the PackedMesh stores. An exact reference must use
+  /// these.
   Surface rounded() const;
   Vector3 corner(std::int32_t triangle, std::size_t k) const
   {
@@ -30,7 +31,7 @@ struct Surface
   }
 };
 
-/// Each triangle in four, through the middles of its edges; `times` over.
+/// Splits each triangle into four at the middles of its edges, `times` times.
 Surface subdivided(Surface body, int times);
 
 /// Sphere of 20·4^times triangles about the origin, its points on the radius. Convex.
@@ -54,13 +55,13 @@ Surface angleBlock();
 /// slope by 45°, so that the groove is a right angle open towards +y.
 Surface grooveBlock();
 
-/// The body with corners of its own for each triangle, as in a file of stereolithography.
+/// The body with separate corners for each triangle, as in an STL file.
 Surface triangleSoup(const Surface& body);
 
-/// Two bodies, the other one moved; they share no points.
+/// Two bodies, the second one moved by `by`; they share no points.
 Surface together(Surface one, const Surface& other, const Vector3& by);
 
-/// Open plate [0,size]² at z = 0, its normals along +z.
+/// Open plate [0,size]² at z = 0 with normals along +z.
 Surface openPlate(double size, int cells);
 } // namespace palpate::testing
 

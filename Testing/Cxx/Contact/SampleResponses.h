@@ -20,17 +20,17 @@ struct ContactBody;
 namespace palpate::testing
 {
 /**
- * Response arrays of a body, in the memory of the test: 8 samples, exponent 1.5. At first the same
- * law F = 10 δ^1.5 (N, mm) up to 2 mm at every point, normals along z.
+ * Response arrays of a body, owned by the test: 8 samples, exponent 1.5. Initially the same law F =
+ * 10 δ^1.5 (N, mm) up to 2 mm at every point, with normals along z.
  */
 struct ResponseStore
 {
   explicit ResponseStore(std::size_t points);
   /// Radial normals, for spheres about the origin.
   void normalsFromPoints(const Surface& body);
-  /// Another monotone curve, range (1 … 2 mm) and normal at each point.
+  /// A random monotone curve, range (1 … 2 mm) and normal for each point.
   void randomize(unsigned seed);
-  /// As randomize, but keeping the normals.
+  /// Like randomize, but keeps the normals.
   void randomizeCurves(unsigned seed);
 
   ResponseArrays arrays() const;
@@ -42,7 +42,7 @@ struct ResponseStore
   std::vector<float> normal;
   std::vector<float> range;
   std::vector<std::uint8_t> status;
-  EdgeTerms edges; ///< not felt, unless set
+  EdgeTerms edges; ///< no edge law by default
 };
 
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseArrays& responses);
@@ -51,13 +51,13 @@ std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseS
 /// Every force form on every surface, without friction.
 std::vector<ContactSettings> allFormsAndSurfaces();
 
-/// How a sphere of 5 mm, which has the law of a ResponseStore, leaves over edges. ν is 0.45.
+/// Edge law for a sphere of 5 mm, which has the law of a ResponseStore. ν is 0.45.
 EdgeTerms sphereOverEdges();
 
-/// The surface with F = 10 δ^1.5 everywhere, and its own point normals.
+/// The surface with F = 10 δ^1.5 everywhere and with its own point normals.
 std::unique_ptr<ContactBody> uniformBody(const Surface& surface, const EdgeTerms& edges = {});
 
-/// The point normals of the surface's mesh, in the store.
+/// Copies the point normals of the surface's mesh to the store.
 void takeMeshNormals(ResponseStore& store, const Surface& surface);
 } // namespace palpate::testing
 

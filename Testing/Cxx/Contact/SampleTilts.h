@@ -10,13 +10,13 @@
 
 namespace palpate::testing
 {
-/// The numbers of a TiltTable made from functions, in the memory of the test.
+/// The numbers of a TiltTable made from functions, owned by the test.
 struct TiltStore
 {
   using Factor = std::function<double(double depth, double angle)>;
   using Drop = std::function<double(double angle)>;
 
-  /// y = θ/θ_m: a table of tools without a flat end, one law per factor.
+  /// y = θ/θ_m: a table for tools without a flat end, with one law per factor.
   TiltStore(const std::vector<Factor>& factors, const Drop& drop, double range, double largest)
   {
     constexpr int count = 17;
@@ -59,7 +59,7 @@ struct TiltStore
   TiltViews views;
 };
 
-/// A sphere: tilting it about its tip moves its deepest point, and nothing else.
+/// A sphere: a tilt about its tip only moves its deepest point.
 inline TiltStore::Drop dropOfSphere(double radius)
 {
   return [radius](double angle) { return radius * (1.0 - std::cos(angle)); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings from outside: every range has both its ends, and a fault names what is wrong.
+// Settings given as text: every range is checked at both ends, and a fault names the wrong setting.
 #include "Contact/SettingTable.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -84,7 +84,7 @@ TEST(SettingTable, FaultsAreWords)
     palpate::faultOfContact(given).remark, "must be no less than the breakaway, but is 0.5");
 }
 
-// Each row is of a member of its own, and the defaults are in the ranges.
+// Each row sets its own member, and the defaults are within the ranges.
 TEST(SettingTable, EachReachesItsPlace)
 {
   ContactSettings given;

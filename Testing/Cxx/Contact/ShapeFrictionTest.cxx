@@ -96,8 +96,9 @@ TEST(ShapeFriction, PreSlidingOfTheReferenceTable)
       friction.update(Vector2::Zero(), force, depth, stored);
       const TangentialForce result =
         friction.update({ table.number(row, "u_t"), 0.0 }, force, depth, stored);
-      // 64 springs when the depth is the range, half as many at a quarter of it: 2.5e-4 and 9e-4 of
-      // μ f_n, see ErrorByDepth. A flat is one spring; sliding does not depend on their number.
+      // 64 springs if the depth is the range, half of them at a quarter of it: 2.5e-4 and 9e-4 of μ
+      // f_n, see ErrorByDepth. A flat is one spring. Sliding does not depend on the number of
+      // springs.
       const bool exact = tool.exponent == 1.0 || row % 4 == 3;
       const double tolerance = exact ? 1e-12 : (range > 1.0 ? 9e-4 : range > depth ? 4e-4 : 2.5e-4);
       EXPECT_NEAR(-result.force.x(), expected, tolerance * mu * force)
@@ -109,9 +110,10 @@ TEST(ShapeFriction, PreSlidingOfTheReferenceTable)
 
 TEST(ShapeFriction, ErrorByDepth)
 {
-  // A spring of stiffness k for those of a cell of width w errs by f'' w²/8: with 4 springs per
-  // cell of the 16 cells range·(j/16)² it falls with the square of the depth's share of the range.
-  // Measured; a chord of the curve would give the cone (2/64)² = 1e-3 of f at the full range.
+  // One spring of stiffness k for all springs in a cell of width w has an error of f'' w²/8. With 4
+  // springs in each of the 16 cells range·(j/16)² the error falls with the square of the depth over
+  // the range. Measured. A chord of the curve would give the cone (2/64)² = 1e-3 of f at the full
+  // range.
   const PowerCurve sphere = toolOf("sphere6.35");
   const PowerCurve cone = toolOf("cone60");
   const struct
@@ -124,7 +126,7 @@ TEST(ShapeFriction, ErrorByDepth)
     EXPECT_LE(largestError(sphere, bound.share), bound.sphere) << bound.share;
     EXPECT_LE(largestError(cone, bound.share), bound.cone) << bound.share;
   }
-  // Below 1/256 of the range, 0.02 % of the force, is one cell.
+  // Depths below 1/256 of the range, 0.02 % of the force, are one cell.
   EXPECT_LE(largestError(sphere, 0.002), 0.1);
 }
 
@@ -147,18 +149,18 @@ TEST(ShapeFriction, MasingLoop)
   }
   for (int i = 1; i <= 100; ++i)
   {
-    // Twice the virgin curve, of the same springs: but for rounding.
+    // Twice the virgin curve of the same springs, except for rounding.
     const double Q = -friction.update(-step, force, depth, stored).force.x();
     if (i % 2 == 0)
     {
       EXPECT_NEAR(Q, virgin[50] - 2.0 * virgin[static_cast<std::size_t>(i / 2)], 1e-13 * force);
     }
     const double u = 0.5 * um * i / 50.0;
-    // 1.2e-4 of the virgin curve, twice.
+    // Twice 1.2e-4 of the virgin curve.
     EXPECT_NEAR(Q, closedForm(tool, mu, c, depth, um) - 2.0 * closedForm(tool, mu, c, depth, u),
       3.6e-4 * mu * force);
   }
-  // Reloading closes the loop, and goes on along the virgin curve.
+  // Reloading closes the loop and continues along the virgin curve.
   double Q = 0.0;
   for (int i = 0; i < 100; ++i)
   {
@@ -173,7 +175,7 @@ TEST(ShapeFriction, MasingLoop)
 
 TEST(ShapeFriction, EnergyOfALoopIsTheClosedForm)
 {
-  // Of a displacement ±um at constant depth, with Q(u) the virgin curve: ∮ = 8 ∫Q - 4 um Q(um).
+  // For a displacement ±um at constant depth, with Q(u) the virgin curve: ∮ = 8 ∫Q - 4 um Q(um).
   const PowerCurve tool = toolOf("cone60");
   const StoredCurve stored(tool);
   const double mu = 0.5;
@@ -205,8 +207,8 @@ TEST(ShapeFriction, EnergyOfALoopIsTheClosedForm)
 
 TEST(ShapeFriction, CarriesTheLoadAtAnyDepth)
 {
-  // Sliding, the springs together carry μ f(δ) to rounding: within cells, at their ends, beyond the
-  // range; also a load that is not the curve's own.
+  // During sliding the springs together carry μ f(δ) to rounding: within cells, at their ends,
+  // beyond the range, and for a load that is not on the curve.
   const StoredCurve stored(toolOf("sphere6.35"));
   for (const double depth : { 1e-6, 1e-3, 0.0078125, 0.1, 0.5, 0.777, 1.999, 2.0, 2.001, 5.0 })
   {
@@ -238,21 +240,21 @@ TEST(ShapeFriction, SpringsComeAndGoWithTheDepth)
     deeper = press(friction, 0.0, 0.5 + 1e-3 * i);
   }
   EXPECT_NEAR(deeper, loaded, 1e-12); // 1000 roundings
-  // Back up: those springs go without having carried anything, but what the others carry is limited
-  // by their shrinking limits as before: nothing is lost down to 0.5.
+  // Back up: the new springs leave without a load. The limits of the others shrink as before, so
+  // nothing is lost down to 0.5.
   EXPECT_NEAR(press(friction, 0.0, 0.5), loaded, 1e-3 * loaded);
-  // Up to where it slides, μ f(δ), and out.
+  // Up until it slides, with μ f(δ), and out.
   const double shallow = press(friction, 0.0, 0.05);
   EXPECT_NEAR(shallow, 0.5 * stored.evaluate(0.05).force, 1e-14);
   EXPECT_EQ(press(friction, 0.0, 0.0), 0.0);
-  // What is lost does not come back.
+  // The lost force does not return.
   EXPECT_EQ(press(friction, 0.0, 1.0), 0.0);
 }
 
 TEST(ShapeFriction, LikeThousandsOfSprings)
 {
-  // The method of dimensionality reduction itself: 1000 springs of 7.5 η^-½ dη, touching from their
-  // levels η on, along paths that turn while the depth swings.
+  // The method of dimensionality reduction itself: 1000 springs of 7.5 η^-½ dη that touch from
+  // their levels η on, along paths that turn while the depth oscillates.
   const PowerCurve curve;
   const StoredCurve stored(curve);
   const double mu = 0.5;
@@ -290,16 +292,16 @@ TEST(ShapeFriction, LikeThousandsOfSprings)
       EXPECT_LE(result.force.norm(), mu * force * (1.0 + 1e-14));
       last = point;
     }
-    // Of the limit at 1 mm; measured 1.3e-3 to 1.5e-3, and 6.7e-3 where the depth swings from 0.1
-    // to 1.9 mm. What touches and leaves within the last cell (1 % of the force) is one; twice the
-    // cells halve the error.
+    // Relative to the limit at 1 mm: measured 1.3e-3 to 1.5e-3, and 6.7e-3 if the depth oscillates
+    // from 0.1 to 1.9 mm. All springs that touch and leave within the last cell (1 % of the force)
+    // are one spring. Twice the number of cells halves the error.
     EXPECT_LE(largest, path < 3 ? 2e-3 : 8e-3) << path;
   }
 }
 
 TEST(ShapeFriction, ResponsesThatAreNotConvex)
 {
-  // Falling stiffness: no springs there, the others carry the load; the limit holds.
+  // Falling stiffness: no springs there, the others carry the load, and the limit holds.
   struct Bent
   {
     palpate::ResponseValue evaluate(double d) const

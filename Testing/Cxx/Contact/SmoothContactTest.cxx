@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closest point of the smooth surface: found, followed, continuous, differentiated, refused.
+// The closest point of the smooth surface: found, followed, continuous, differentiated, rejected.
 #include "Contact/ContactBody.h"
 #include "Contact/ContactTracker.h"
 #include "Contact/SmoothContact.h"
@@ -29,7 +29,7 @@ using palpate::Vector3;
 namespace
 {
 
-/// A torus of very unequal triangles, its points moved about: not convex, no symmetry.
+/// A torus with very unequal triangles and randomly moved points: not convex, no symmetry.
 std::unique_ptr<ContactBody> crookedBody()
 {
   Surface body = torus(20.0, 8.0, 25, 11);
@@ -59,8 +59,8 @@ SmoothPoint onset(const ContactBody& body, SmoothContact& contact, const Vector3
   return contact.follow(tip, near.triangle, near.projection.weights);
 }
 
-/// The least distance of a tip from a dense cloud of points of the patches around a triangle, one
-/// and two rings.
+/// The smallest distance of a tip from a dense cloud of points on the patches within two rings of a
+/// triangle.
 double cloudDistance(const ContactBody& body, const Vector3& tip, std::int32_t triangle)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ double cloudDistance(const ContactBody& body, const Vector3& tip, std::int32_t t
   return least;
 }
 
-/// A tip at random under (or over) a random facet of the body.
+/// A tip at random under or over a random facet of the body.
 struct Start
 {
   std::int32_t triangle;
@@ -131,10 +131,10 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
     EXPECT_GE(place.projection.weights.minCoeff(), 0.0);
     EXPECT_NEAR(place.projection.weights.sum(), 1.0, 1e-15);
     EXPECT_NEAR(place.normal.norm(), 1.0, 1e-15);
-    // Newton's last step is below 1e-6 of a triangle 5 mm wide: its square.
+    // Newton's last step is below 1e-6 of a triangle 5 mm wide; the error is the square of it.
     const Vector3 offset = start.tip - place.projection.point;
     EXPECT_LE((offset - place.signedDistance * place.normal).norm(), 1e-10);
-    // A cloud point is up to 5 mm/40 off the foot: (0.06)²/2δ farther at most, and never nearer.
+    // A cloud point is up to 5 mm/40 from the foot: at most (0.06)²/2δ farther, and never nearer.
     const double cloud = cloudDistance(*body, start.tip, place.triangle);
     EXPECT_LE(std::abs(place.signedDistance), cloud + 1e-10);
     EXPECT_GT(std::abs(place.signedDistance), cloud - 0.15);
@@ -144,7 +144,7 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
 
 TEST(SmoothContact, TheSameFromAnyTriangleNearby)
 {
-  // Also one that is several triangles away: the way there crosses edges.
+  // Also from a start several triangles away: the search crosses edges.
   const auto body = ball(3);
   SmoothContact contact(body->surface, body->response);
   std::mt19937 random(2);
@@ -182,11 +182,11 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
       ASSERT_EQ(next.outcome, SmoothPoint::Outcome::Found);
       if (next.place.signedDistance < -1.5)
       {
-        break; // the crooked body's sharpest radius is little above 2 mm
+        break; // the smallest radius of the irregular body is little above 2 mm
       }
       if (next.place.triangle != last.place.triangle)
       {
-        // Close in on the crossing.
+        // Bisection of the crossing.
         double low = s;
         double high = s + 0.05;
         SmoothPoint before = last;
@@ -201,12 +201,13 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
           (same ? before : after) = there;
         }
         ++crossings;
-        // Point and normal move by the step over 1 - δ/R of the surface, less than 20.
+        // Point and normal move by the step over 1 - δ/R of the surface, by less than a factor of
+        // 20.
         EXPECT_LE(
           (after.place.projection.point - before.place.projection.point).norm(), 20.0 * step);
         EXPECT_LE((after.place.normal - before.place.normal).norm(), 20.0 * step);
         EXPECT_NEAR(after.place.signedDistance, before.place.signedDistance, 2.0 * step);
-        // On the shared edge: the corner opposite has no say, on either side.
+        // On the shared edge: the opposite corner has no weight on either side.
         EXPECT_LE(before.place.projection.weights.minCoeff(), 20.0 * step);
         EXPECT_LE(after.place.projection.weights.minCoeff(), 20.0 * step);
       }
@@ -229,7 +230,8 @@ TEST(SmoothContact, WeightGradients)
     const SmoothPoint here = contact.follow(start.tip, start.triangle, start.weights);
     ASSERT_EQ(here.outcome, SmoothPoint::Outcome::Found);
     const ContactPlace& place = here.place;
-    if (place.projection.weights.minCoeff() < 0.02) // away from corners and edges, where they jump
+    if (place.projection.weights.minCoeff() <
+      0.02) // away from corners and edges, where the gradients jump
     {
       continue;
     }
@@ -244,7 +246,7 @@ TEST(SmoothContact, WeightGradients)
                             .place.projection.weights) /
         (2.0 * e);
     }
-    // e² of third derivatives and 1e-12 over e; the Hessian is that of 1e-6 before the end.
+    // e² of third derivatives and 1e-12 over e. The Hessian is that of 1e-6 before the end.
     EXPECT_LE((place.weightGradients - expected).norm(), 3e-6 * (1.0 + expected.norm()));
     EXPECT_LE((place.weightGradients.transpose() * place.normal).norm(), 1e-9);
   }
@@ -253,7 +255,7 @@ TEST(SmoothContact, WeightGradients)
 
 TEST(SmoothContact, DepthOfASphere)
 {
-  // 1280 triangles 2.8 mm wide: h⁴/R³ times 0.005 (SmoothTriangleTest), where facets sag 0.07 mm.
+  // 1280 triangles 2.8 mm wide: h⁴/R³ times 0.005 (SmoothTriangleTest); facets sag by 0.07 mm.
   const auto body = ball(3);
   SmoothContact contact(body->surface, body->response);
   std::mt19937 random(6);
@@ -265,7 +267,7 @@ TEST(SmoothContact, DepthOfASphere)
       const SmoothPoint point = onset(*body, contact, tip);
       ASSERT_EQ(point.outcome, SmoothPoint::Outcome::Found);
       EXPECT_NEAR(-point.place.signedDistance, depth, 5e-5);
-      // The normal of the patch is off by 3e-5; beneath it, by that times R/(R - δ).
+      // The normal of the patch has an error of 3e-5; below the surface, times R/(R - δ).
       EXPECT_LE((point.place.normal - tip.normalized()).norm(), 1e-4 * 20.0 / (20.0 - depth));
     }
   }
@@ -280,7 +282,7 @@ TEST(SmoothContact, NotFoundBeyondTheCentreOfCurvature)
   const auto at = [&](double depth)
   { return contact.follow((20.0 - depth) * n, side.triangle, side.projection.weights).outcome; };
   EXPECT_EQ(at(15.0), SmoothPoint::Outcome::Found);
-  // Either not found, or the far side's own point, which is not deeper than the centre.
+  // Either no point is found, or one of the far side, which is not deeper than the centre.
   for (double depth = 19.99; depth < 21.0; depth += 0.01)
   {
     const SmoothPoint point =
@@ -302,7 +304,7 @@ TEST(SmoothContact, EndsAtAnOpenBorder)
     const SurfacePoint near = body->tree.closestLocal(from);
     return contact.follow(tip, near.triangle, near.projection.weights);
   };
-  const Vector3 inside(4.4, 0.2, -0.5); // local: the plate's centre is the origin
+  const Vector3 inside(4.4, 0.2, -0.5); // in local coordinates: the plate's centre is the origin
   EXPECT_EQ(follow(inside, inside).outcome, SmoothPoint::Outcome::Found);
   for (const double beyond : { 5.001, 5.2, 7.0 })
   {
@@ -320,7 +322,7 @@ TEST(SmoothContact, NotFoundAtCreasesAndForTipsThatAreNotFinite)
   const Surface surface = subdivided(block(40, 40, 40), 3);
   ResponseStore store(surface.points.size());
   takeMeshNormals(store, surface);
-  for (std::size_t k = 0; k < 3; ++k) // one normal along a face of the block
+  for (std::size_t k = 0; k < 3; ++k) // the same normal along a face of the block
   {
     store.normal[k] = k == 0 ? 1.0F : 0.0F;
   }

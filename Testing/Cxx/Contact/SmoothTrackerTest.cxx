@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smooth contact from tick to tick: where it begins, what it stays with, when the facets step
-// in.
+// The smooth contact from tick to tick: where it begins, which contact it keeps, and when the
+// facets replace it.
 #include "Contact/ContactBody.h"
 #include "Contact/ContactTracker.h"
 
@@ -29,8 +29,8 @@ ContactTracker trackerOn(const palpate::ContactBody& body)
 
 TEST(SmoothTracker, BeginsAtTheSmoothSurface)
 {
-  // A ball of 80 triangles, 20 mm in radius: in the middle of a facet the smooth surface is 1.3 mm
-  // above.
+  // A ball of 80 triangles with a radius of 20 mm: in the middle of a facet the smooth surface is
+  // 1.3 mm higher.
   const Surface surface = icosphere(20.0, 1);
   ResponseStore store(surface.points.size());
   store.normalsFromPoints(surface);
@@ -42,7 +42,7 @@ TEST(SmoothTracker, BeginsAtTheSmoothSurface)
       (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3.0;
     const Vector3 out = middle.normalized();
     EXPECT_LT(middle.norm(), 19.0);
-    // The patch comes to the sphere within 0.03 mm: triangles half as wide as its radius.
+    // The patch is within 0.03 mm of the sphere; its triangles are half as wide as the radius.
     tracker.reset();
     EXPECT_EQ(tracker.update(20.1 * out).outcome, Outcome::Outside);
     EXPECT_EQ(tracker.triangle(), -1);
@@ -58,12 +58,13 @@ TEST(SmoothTracker, BeginsAtTheSmoothSurface)
 
 TEST(SmoothTracker, KeepsToTheSideItEntered)
 {
-  // A flat cushion, 40 mm wide and 6 thick: no pop-through at half its thickness.
+  // A flat cushion, 40 mm wide and 6 thick: the contact does not change sides at half its
+  // thickness.
   Surface surface = icosphere(20.0, 3);
   for (Vector3& p : surface.points)
   {
     p.z() *= 0.15;
-    p += Vector3(100.0, -50.0, 30.0); // the body's frame is not the mesh's
+    p += Vector3(100.0, -50.0, 30.0); // the body's frame differs from the mesh's
   }
   const auto body = uniformBody(surface);
   ContactTracker tracker = trackerOn(*body);
@@ -83,7 +84,7 @@ TEST(SmoothTracker, KeepsToTheSideItEntered)
 
 TEST(SmoothTracker, FollowsFastTips)
 {
-  // 10 m/s at 1 kHz over triangles of 1.4 mm: ten or so at once.
+  // 10 m/s at 1 kHz over triangles of 1.4 mm: about ten triangles per tick.
   const auto body = [&]
   {
     const Surface surface = icosphere(20.0, 4);
@@ -106,7 +107,8 @@ TEST(SmoothTracker, FollowsFastTips)
 
 TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
 {
-  // The top of a block is smooth, and flat; one normal that lies in it is a crease.
+  // The top of a block is smooth and flat. A single normal that is parallel to the top makes a
+  // crease.
   const Surface surface = subdivided(block(40, 40, 40), 3);
   ResponseStore store(surface.points.size());
   takeMeshNormals(store, surface);
@@ -127,7 +129,7 @@ TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
   {
     const auto contact = tracker.update(Vector3(x, 20.7, 39.0));
     ASSERT_EQ(contact.outcome, Outcome::Inside);
-    // Beside the crease the surface is flat: either way the same point.
+    // Next to the crease the surface is flat: both surfaces have the same point.
     EXPECT_LE((contact.place.projection.point - Vector3(x, 20.7, 40.0)).norm(), 1e-9);
     EXPECT_LE((contact.place.normal - Vector3(0, 0, 1)).norm(), 1e-9);
     EXPECT_NEAR(contact.place.weightGradients.sum(), 0.0, 1e-12);
@@ -143,7 +145,8 @@ TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
 
 TEST(SmoothTracker, BoxesStayBoxes)
 {
-  // Twelve triangles whose corner normals lean 55° from the faces: no cushion is made of them.
+  // Twelve triangles whose corner normals are tilted by 55° against the faces: they do not become a
+  // smooth cushion.
   const auto body = uniformBody(block(40, 40, 40));
   ContactTracker tracker = trackerOn(*body);
   for (double x = 3.0; x < 38.0; x += 1.0)
@@ -176,7 +179,8 @@ TEST(SmoothTracker, OpenBordersAndWrongTips)
 
 TEST(SmoothTracker, FindsAContactWhereverTheTipAppears)
 {
-  // A torus, not convex; tips anywhere inside, each after the last: never invalid, always inside.
+  // A torus, not convex. Tips at random places inside, each after the last: never invalid, always
+  // inside.
   const auto body = uniformBody(torus(20.0, 6.0, 60, 30));
   ContactTracker tracker = trackerOn(*body);
   std::mt19937 random(5);
@@ -191,7 +195,7 @@ TEST(SmoothTracker, FindsAContactWhereverTheTipAppears)
     const Vector3 tip(across * std::cos(u), across * std::sin(u), r * std::sin(v));
     const auto contact = tracker.update(tip);
     ASSERT_EQ(contact.outcome, Outcome::Inside) << i;
-    EXPECT_GT(-contact.place.signedDistance, 0.2); // at least 0.3, less the sag of the facets
+    EXPECT_GT(-contact.place.signedDistance, 0.2); // at least 0.3, minus the sag of the facets
     EXPECT_TRUE(contact.place.projection.point.allFinite());
     EXPECT_NEAR(contact.place.projection.weights.sum(), 1.0, 1e-12);
   }

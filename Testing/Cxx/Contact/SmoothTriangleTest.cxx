@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One patch by itself: what it interpolates, what it shares with its neighbour, and how close it
-// comes to a sphere.
+// One patch alone: the values it interpolates, the values it shares with its neighbour, and its
+// distance from a sphere.
 #include "Contact/SmoothTriangle.h"
 
 #include <Eigen/Geometry>
@@ -53,7 +53,8 @@ Vector3 facetNormal(const Three& p)
   return (p[1] - p[0]).cross(p[2] - p[0]).normalized();
 }
 
-/// Of two triangles abc and bad, of any shape, their normals some 20° off those of the facets.
+/// Two triangles abc and bad of any shape; their normals differ by about 20° from those of the
+/// facets.
 struct Pair
 {
   Three first, second;
@@ -91,7 +92,7 @@ TEST(SmoothTriangle, FlatDataGiveTheFlatTriangle)
   for (int i = 0; i < 100; ++i)
   {
     const Three p = { chance.vector(), chance.vector(), chance.vector() };
-    const Vector3 n = 3.0 * facetNormal(p); // need not be unit
+    const Vector3 n = 3.0 * facetNormal(p); // not necessarily unit
     SmoothTriangle patch;
     ASSERT_TRUE(patch.build(p, { n, n, n }));
     const Vector3 u = chance.weights();
@@ -99,7 +100,7 @@ TEST(SmoothTriangle, FlatDataGiveTheFlatTriangle)
     flat.point = u[0] * p[0] + u[1] * p[1] + u[2] * p[2];
     flat.dv = p[1] - p[0];
     flat.dw = p[2] - p[0];
-    // Rounding, by the shape of the triangle: 12 differences of control points.
+    // Rounding, depending on the shape of the triangle: 12 differences of control points.
     EXPECT_LE(greatest(patch.evaluate(u), flat), 1e-11);
   }
 }
@@ -150,7 +151,7 @@ TEST(SmoothTriangle, NeighboursShareCurveAndTangentPlanes)
       const SurfaceJet there = second.evaluate({ t, 1.0 - t, 0.0 });
       EXPECT_LE((here.point - there.point).norm(), 1e-14);
       const Vector3 n = here.across().normalized();
-      // Rounding, over the angle between the derivatives, which random corners may make small.
+      // Rounding over the angle between the derivatives, which may be small for random corners.
       EXPECT_LE(n.cross(there.across().normalized()).norm(), 1e-11);
       EXPECT_GT(n.dot(there.across()), 0.0);
     }
@@ -184,8 +185,8 @@ TEST(SmoothTriangle, DerivativesAreThoseOfThePoints)
     differences.dvv = (at(e, 0) - 2 * o + at(-e, 0)) / (e * e);
     differences.dww = (at(0, e) - 2 * o + at(0, -e)) / (e * e);
     differences.dvw = (at(e, e) - at(e, -e) - at(-e, e) + at(-e, -e)) / (4 * e * e);
-    // e² times a fourth derivative (24 control points of order 1, Gregory's part near corners
-    // more), and rounding over e²: 1e-7 each.
+    // e² times a fourth derivative (24 control points of order 1; more from Gregory's part near
+    // corners), and rounding over e²: 1e-7 each.
     EXPECT_LE(greatest(patch.evaluate(u), differences), 1e-5);
   }
   EXPECT_GT(built, 50);
@@ -199,7 +200,7 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
   std::vector<double> normals;
   for (const double size : { 8.0, 4.0, 2.0, 1.0 })
   {
-    Chance chance(5); // the same shapes at each size
+    Chance chance(5); // the same shapes for each size
     double face = 0.0;
     double edge = 0.0;
     double turned = 0.0;
@@ -216,7 +217,7 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
         p[k] = R * (middle + r * (std::cos(angle) * x + std::sin(angle) * y)).normalized();
       }
       SmoothTriangle patch;
-      ASSERT_TRUE(patch.build(p, p)); // normals need not be unit
+      ASSERT_TRUE(patch.build(p, p)); // normals are not necessarily unit
       const SurfaceJet inside = patch.evaluate(chance.weights());
       const double t = chance.share();
       face = std::max(face, std::abs(inside.point.norm() - R));
@@ -227,18 +228,18 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
     faces.push_back(face);
     edges.push_back(edge);
     normals.push_back(turned);
-    // The facet's sag is size²/6R (equilateral, circumradius size/√3).
+    // The sag of the facet is size²/6R (equilateral, circumradius size/√3).
     EXPECT_LT(face, 0.01 * size * size / (6.0 * R));
   }
-  // Orders 4, 6 and 3: halving the size divides by 16, 64 and 8; half of that is asked for, as the
-  // shapes at their coarsest are a third of the radius wide.
+  // Orders 4, 6 and 3: half the size divides the error by 16, 64 and 8. The test requires half of
+  // that, since the coarsest shapes are a third of the radius wide.
   for (std::size_t i = 1; i < faces.size(); ++i)
   {
     EXPECT_LT(faces[i], faces[i - 1] / 8.0);
     EXPECT_LT(normals[i], normals[i - 1] / 4.0);
   }
   EXPECT_LT(edges[1], edges[0] / 32.0);
-  EXPECT_LT(edges[2], edges[1] / 32.0); // the finest is at rounding
+  EXPECT_LT(edges[2], edges[1] / 32.0); // the finest is at rounding level
 }
 
 TEST(SmoothTriangle, RefusesWhatHasNoSmoothSurface)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which side of each part is outside, cavities, second bodies, sheets and repeats; and random
-// breakage, after which the distances are those of the sound body.
+// The outside of each part, cavities, second bodies, sheets and repeats; and random damage, after
+// which the distances are those of the sound body.
 #include "BumpySphere.h"
 #include "Contact/SoundMesh.h"
 #include "Contact/TriangleTree.h"
@@ -34,7 +34,7 @@ Surface reversed(Surface body)
   return body;
 }
 
-/// Without the triangles whose corners all lie above a height.
+/// The body without the triangles whose corners are all above a height.
 Surface cutAbove(Surface body, double height)
 {
   const Surface given = body;
@@ -70,7 +70,7 @@ TEST(SoundMesh, ASoundBodyStaysAsItIs)
 TEST(SoundMesh, PartsWindOutward)
 {
   const Surface ball = icosphere(10.0, 3);
-  // A ball inside out, next to a sound one; and one with a hole of 45 degrees.
+  // A ball that is inside out, next to a sound one; and a ball with a hole of 45 degrees.
   const Surface pair = together(ball, reversed(ball), { 30, 0, 0 });
   EXPECT_EQ(repaired(pair).defects().turnedTriangles, ball.triangles.size());
   EXPECT_NEAR(signedDistance(pair, { 30, 0, 9 }), -1.0, 0.1); // facets: 0.06 mm below the ball
@@ -78,7 +78,7 @@ TEST(SoundMesh, PartsWindOutward)
   const Surface open = cutAbove(reversed(ball), 7.1);
   EXPECT_EQ(repaired(open).defects().turnedTriangles, open.triangles.size());
   EXPECT_NEAR(signedDistance(open, { 9, 0, 0 }), -1.0, 0.1);
-  // Half a ball may be a bowl: it stays as it is.
+  // Half a ball may be a bowl, so it stays unchanged.
   EXPECT_EQ(repaired(cutAbove(reversed(ball), -0.5)).defects().turnedTriangles, 0U);
   EXPECT_EQ(repaired(openPlate(10.0, 4)).defects().turnedTriangles, 0U);
 }
@@ -90,9 +90,9 @@ TEST(SoundMesh, CavitiesAndSecondBodies)
   const Surface hollow = together(outer, reversed(inner), { 0.3, 0.2, 0.1 });
   EXPECT_EQ(repaired(hollow).fault(), "");
   EXPECT_EQ(repaired(hollow).defects().turnedTriangles, 0U);
-  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // in the cavity: outside
+  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // the cavity is outside
   EXPECT_NEAR(signedDistance(hollow, { 6.3, 0.2, 0.1 }), -1.0, 0.2);
-  // A grain in the cavity winds outward, and one that winds inward is turned.
+  // A grain in the cavity with outward winding stays; one with inward winding is turned.
   for (const bool turn : { false, true })
   {
     const Surface grain = turn ? reversed(icosphere(1.0, 1)) : icosphere(1.0, 1);
@@ -105,7 +105,7 @@ TEST(SoundMesh, CavitiesAndSecondBodies)
       ::testing::HasSubstr("inside part 1 of 2"), ::testing::HasSubstr("second body")));
   EXPECT_THAT(repaired(together(outer, inner, { 19, 0, 0 })).fault(),
     ::testing::AllOf(::testing::HasSubstr("part 2 of 2"), ::testing::HasSubstr("overlap")));
-  // In the box of a ring, but not in the ring.
+  // Inside the bounding box of a ring, but not in the ring.
   EXPECT_EQ(repaired(together(torus(20, 4, 30, 12), icosphere(2.0, 1), { 0, 0, 0 })).fault(), "");
 }
 
@@ -114,18 +114,18 @@ TEST(SoundMesh, SheetsWithTwoSidesAreRefused)
   const Surface sheet = openPlate(10.0, 6);
   const auto refuses = [](const Surface& body, const char* words)
   { EXPECT_THAT(repaired(body).fault(), ::testing::HasSubstr(words)); };
-  // On points of their own, on the same points, and with corners of their own.
+  // With its own points, with the same points, and with separate corners.
   refuses(together(sheet, reversed(sheet), { 0, 0, 0 }), "encloses no volume");
   Surface shared = sheet;
   const Surface back = reversed(sheet);
   shared.triangles.insert(shared.triangles.end(), back.triangles.begin(), back.triangles.end());
   refuses(shared, "occur with their reverse");
   refuses(triangleSoup(shared), "occur with their reverse");
-  // Next to a ball of 35 times as many triangles it is a scrap.
+  // Next to a ball with 35 times as many triangles it counts as a scrap.
   EXPECT_EQ(repaired(together(icosphere(20.0, 4), shared, { 30, 0, 0 })).fault(), "");
 }
 
-/// Copies with points of their own, whatever comes first: the body is felt as without them.
+/// Copies with their own points, in any order: the body is as without them.
 TEST(SoundMesh, CopiesAtOnePlaceAreLeftOut)
 {
   const Surface ball = icosphere(10.0, 2);
@@ -156,7 +156,7 @@ TEST(SoundMesh, CopiesAtOnePlaceAreLeftOut)
 /// Blocks that share walls are one body.
 TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
 {
-  // Opposite faces are cut alike.
+  // Opposite faces are triangulated equally.
   Surface cube;
   for (int i = 0; i < 8; ++i)
   {
@@ -175,7 +175,7 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
   EXPECT_EQ(all.packed().defects().borderEdges, 0U);
   EXPECT_NEAR(signedDistance(all, { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
   EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // at a wall
-  for (const Surface& each : { all, reversed(all) }) // with corners of its own for each triangle
+  for (const Surface& each : { all, reversed(all) }) // also with separate corners for each triangle
   {
     EXPECT_EQ(repaired(triangleSoup(each)).fault(), "");
     EXPECT_NEAR(signedDistance(triangleSoup(each), { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
@@ -190,12 +190,12 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
   EXPECT_EQ(repaired(notched).fault(), "");
   EXPECT_NEAR(signedDistance(notched, { 19.0, 15.0, 15.0 }), -1.0, 1e-5);
   EXPECT_NEAR(signedDistance(notched, { 26.0, 15.0, 15.0 }), 5.0, 1e-5);
-  // Walls that are cut in another way are refused.
+  // Walls with a different triangulation are rejected.
   EXPECT_THAT(repaired(together(block(10, 10, 20), cube, { 10, 0, 0 })).fault(),
     ::testing::HasSubstr("overlap or touch"));
 }
 
-/// However the parts are turned and cut, and though a triangle is missing.
+/// However the parts are rotated and cut, and even with a missing triangle.
 TEST(SoundMesh, PartsThatOverlapOrTouchAreRefused)
 {
   std::mt19937 random(6);
@@ -248,7 +248,7 @@ TEST(SoundMesh, SheetsInsideASolidAreLeftOut)
   pierced.triangles.pop_back();
   EXPECT_EQ(repaired(together(pierced, sheet, { -4, -4, 17 })).defects().hiddenTriangles,
     sheet.triangles.size());
-  // One that comes out of the ball stays, as does one in an open bowl.
+  // A sheet that extends out of the ball stays; so does one in an open bowl.
   EXPECT_EQ(repaired(together(ball, sheet, { 15, -4, 0 })).defects().hiddenTriangles, 0U);
   EXPECT_EQ(
     repaired(together(cutAbove(ball, -0.5), sheet, { -4, -4, -10 })).defects().hiddenTriangles, 0U);
@@ -262,7 +262,7 @@ TEST(SoundMesh, CopiesAreLeftOut)
     copied.triangles.end(), ball.triangles.begin(), ball.triangles.begin() + 50);
   EXPECT_EQ(repaired(copied).defects().repeatedTriangles, 50U);
   EXPECT_EQ(repaired(copied).defects().nonManifoldEdges, 0U);
-  // With their reverse: they fill holes of the ball, and stay.
+  // Together with their reverse: they fill holes of the ball, so they stay.
   Surface doubled = ball;
   for (std::size_t t = 0; t < 20; ++t)
   {
@@ -284,7 +284,7 @@ TEST(SoundMesh, CopiesAreLeftOut)
   EXPECT_EQ(repaired(flapped).defects().nonManifoldEdges, 0U);
 }
 
-/// Flips, splits, copies, reversed copies and scraps at random.
+/// Random flips, splits, copies, reversed copies and scraps.
 TEST(SoundMesh, RandomBreakageChangesNothing)
 {
   std::mt19937 random(3);
@@ -301,7 +301,7 @@ TEST(SoundMesh, RandomBreakageChangesNothing)
       for (std::size_t t = 0; t < sound.triangles.size(); ++t)
       {
         auto& corners = broken.triangles[t];
-        if (trial > 3 && chance(0.3)) // corners of its own
+        if (trial > 3 && chance(0.3)) // separate corners
         {
           for (std::int32_t& corner : corners)
           {
@@ -341,7 +341,7 @@ TEST(SoundMesh, RandomBreakageChangesNothing)
       for (int i = 0; i < 200; ++i)
       {
         const Vector3 tip = whole.centre() + Vector3(place(random), place(random), place(random));
-        // Corners in another order round otherwise: 1e-13 of the distances.
+        // Corners in another order round differently: 1e-13 of the distances.
         ASSERT_NEAR(tree.closest(tip).signedDistance, wholeTree.closest(tip).signedDistance, 1e-11);
       }
     }

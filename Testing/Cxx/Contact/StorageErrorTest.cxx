@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well 8 float32 samples hold a response: the closed forms of the reference sheet in series
-// with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
+// The error of a response stored in 8 float32 samples: the closed forms of the reference sheet in
+// series with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
 #include "Contact/ResponseField.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -22,12 +22,12 @@ struct Local
   double depth, force, stiffness; ///< mm, N, N/mm
 };
 
-/// A tool's law by a parameter p >= 0 that grows with depth. E* = 3.45 MPa.
+/// The law of a tool over a parameter p >= 0 that grows with depth. E* = 3.45 MPa.
 struct Tool
 {
   std::string name;
   double exponent;
-  double parameterEnd; ///< p at some depth beyond 2 mm
+  double parameterEnd; ///< p at a depth beyond 2 mm
   std::function<Local(double p)> law;
 };
 
@@ -138,8 +138,8 @@ TEST(StorageError, WithinTheBoundsOfTheReferenceSheet)
       std::replace_if(
         key.begin(), key.end(), [](char character) { return std::isalnum(character) == 0; }, '_');
       RecordProperty(key, std::to_string(1e6 * error) + "e-6");
-      // Reference sheet, section 7: 5e-4 in general, 1.4e-2 for a sphere in series with 10 mm/N.
-      // It states no bound for a cone in series, whose exponent is furthest from 1: 2e-2 here.
+      // Reference sheet, section 7: 5e-4 in general, 1.4e-2 for a sphere in series with 10 mm/N. It
+      // states no bound for a cone in series, whose exponent is furthest from 1: 2e-2 here.
       const double inSeries = tool.exponent == 2.0 ? 2e-2 : 1.4e-2;
       const double bound = compliance > 0.0 ? inSeries : 5e-4;
       EXPECT_LE(error, bound) << tool.name << ", C_g = " << compliance;
@@ -150,8 +150,8 @@ TEST(StorageError, WithinTheBoundsOfTheReferenceSheet)
 
 TEST(StorageError, TableOneIsExactToSinglePrecision)
 {
-  // Flat, paraboloid and cone follow their power exactly: only float32 is lost, 6e-8 in each F and
-  // K; the slope of r enters with 2m s n/4 times the interval.
+  // Flat, paraboloid and cone follow their power exactly. The only error is that of float32, 6e-8
+  // in each F and K; the slope of r adds 2m s n/4 times the interval.
   for (const Tool& tool : tools())
   {
     if (tool.name.substr(0, 6) != "sphere")

@@ -54,7 +54,7 @@ TEST(ToolContactStates, NoneOutside)
 
 TEST(ToolContactStates, BeyondRange)
 {
-  // Plates 5 mm of which the curves know 2 mm: F = 10·2^1.5, K = 15·√2 there.
+  // A plate pressed 5 mm deep with curves that end at 2 mm: F = 10·2^1.5, K = 15·√2 there.
   const auto body = uniformBody(subdivided(block(40, 40, 40), 3));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(20.3, 21.1, 38.01)).state, ContactState::Slide);
@@ -78,8 +78,8 @@ TEST(ToolContactStates, BeyondRangeOfOneOfThreeVertices)
 
 TEST(ToolContactStates, CornersWithoutAShareHaveNoSay)
 {
-  // The contact lies on the edge between (0,0) and (5,5): whichever of its two triangles is found,
-  // the points opposite do not matter.
+  // The contact is on the edge between (0,0) and (5,5). For either of its two triangles the
+  // opposite point has no effect.
   const Surface surface = openPlate(10.0, 2);
   for (const std::size_t opposite : { 1, 3 })
   {
@@ -119,7 +119,7 @@ TEST(ToolContactStates, VertexWithoutResponse)
     EXPECT_EQ(contact.update(Vector3(7.2, 5.1, -0.5)).state, ContactState::Slide);
   }
   ResponseStore store(surface.points.size());
-  store.status[60] = 5; // Edge: interpolated, usable
+  store.status[60] = 5; // status Edge: interpolated and usable
   const auto body = contactBody(surface, store);
   EXPECT_EQ(ToolContact(*body).update(Vector3(5.2, 5.1, -0.5)).state, ContactState::Slide);
 }
@@ -131,11 +131,12 @@ TEST(ToolContactStates, TipThatIsNotFinite)
   {
     ToolContact contact(*body);
     EXPECT_GT(contact.update(Vector3(20.3, 18.7, 2.0)).force.z(), 0.0);
-    EXPECT_GT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // held to the top
+    EXPECT_GT(
+      contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // its history keeps it at the top
     const Contact found = contact.update(Vector3(20.3, bad, 1.2));
     EXPECT_EQ(found.state, ContactState::Invalid);
     expectNoForce(found);
-    EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // forgotten
+    EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // without the history
   }
 }
 
@@ -192,7 +193,8 @@ TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
 
 TEST(ToolContactStates, ForeseeingChangesNothing)
 {
-  // Over a plate, past its border, beyond the range, out, and with tips that are no numbers or far.
+  // Over a plate, past its border, beyond the range, out, and with tips that are not finite or far
+  // away.
   const auto body = uniformBody(openPlate(10.0, 20));
   palpate::ContactSettings settings;
   settings.friction.coefficient = 0.5;
@@ -201,7 +203,7 @@ TEST(ToolContactStates, ForeseeingChangesNothing)
     settings.surface = surface;
     ToolContact usual(*body, settings);
     ToolContact foreseeing(*body, settings);
-    foreseeing.foresee(); // before there is any tip
+    foreseeing.foresee(); // before any tip
     std::array<int, 6> met{};
     for (int tick = 0; tick < 5000; ++tick)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A first contact anywhere, against the same tick written again: closest point over all triangles,
-// weights by areas (Mahvash and Hayward 2002, eq. 4), curves by the words of the contract.
+// A first contact at any place, against a second implementation of the tick: closest point over all
+// triangles, weights by areas (Mahvash and Hayward 2002, eq. 4), curves as defined by the contract.
 #include "Contact/ToolContact.h"
 
 #include "BruteForce.h"
@@ -47,7 +47,7 @@ Expected blend(
     const Point& c = corner[(k + 2) % 3];
     const auto weight =
       static_cast<double>((b - nearest.point).cross(c - nearest.point).norm() / whole);
-    if (weight < 1e-12) // on an edge or a corner, the opposite corners have no say
+    if (weight < 1e-12) // on an edge or a corner, the opposite corners have no effect
     {
       continue;
     }
@@ -80,7 +80,7 @@ void compareWithBruteForce(const Surface& given, double deepest, int tips)
   int beyond = 0;
   for (int i = 0; i < tips; ++i)
   {
-    // Around a random point of the body, up to `deepest` off it.
+    // Around a random point of the body, at most `deepest` from it.
     const auto& t =
       body.triangles[static_cast<std::size_t>(share(random) * static_cast<double>(all.size()))];
     Vector3 tip = body.points[static_cast<std::size_t>(t[0])];
@@ -105,7 +105,8 @@ void compareWithBruteForce(const Surface& given, double deepest, int tips)
       beyond += expected.beyondRange;
       EXPECT_EQ(
         found.state, expected.beyondRange ? ContactState::BeyondRange : ContactState::Slide);
-      // 1e-12 of the body's size in the contact point, over the facets' height: 1e-11 in weights.
+      // 1e-12 of the body's size in the contact point, over the height of the facets: 1e-11 in
+      // weights.
       const double scale = 1e-10 * (1.0 + expected.force.norm());
       EXPECT_LE((found.force - expected.force).norm(), scale);
       EXPECT_LE((found.normal - expected.normal).norm(), 1e-10);
@@ -134,7 +135,8 @@ TEST(ToolContact, BruteForceOnConcaveBodies)
 
 TEST(ToolContact, ContinuesWithTheSameHistoryAsItsTracker)
 {
-  // Held to the top of a slab beyond its middle: force of the top at the full depth.
+  // The history keeps the contact at the top of a slab beyond its middle: force of the top at the
+  // full depth.
   const Surface slab = subdivided(block(40, 40, 3), 4);
   const auto body = uniformBody(slab);
   ToolContact contact(*body);
@@ -144,7 +146,7 @@ TEST(ToolContact, ContinuesWithTheSameHistoryAsItsTracker)
     const Contact found = contact.update(Vector3(20.3, 18.7, 3.0 - depth));
     ASSERT_EQ(found.state, ContactState::Slide);
     EXPECT_NEAR(found.deflection, depth, 1e-14);
-    // Samples are float32: 6e-8, the interpolation a few times that.
+    // Samples are float32: 6e-8; the interpolation gives a few times that.
     EXPECT_LE(
       (found.force - Vector3(0, 0, 10.0 * std::pow(depth, 1.5))).norm(), 1e-6 * depth * 10.0);
   }

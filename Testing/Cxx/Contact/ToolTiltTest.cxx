@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tilted tools in the tick: against closed forms on a plate, against the work along paths on a
-// ball. The tables are made of functions, so that what is tested is the tick and not a tool.
+// Tilted tools in the tick: against closed forms on a plate, and against the work along paths on a
+// ball. The tables come from functions, so that the test checks the tick and not a tool.
 #include "Contact/ToolContact.h"
 #include "SampleResponses.h"
 #include "SampleSeries.h"
@@ -30,7 +30,7 @@ constexpr double Radius = 5.0;
 constexpr double Largest = 0.6;
 constexpr double TiltRange = 2.0;
 
-/// The axis of a tool that leans by an angle towards a direction in the plane.
+/// The axis of a tool that is tilted by an angle towards a direction in the plane.
 Vector3 leaning(double angle, double towards)
 {
   return { std::sin(angle) * std::cos(towards), std::sin(angle) * std::sin(towards),
@@ -60,7 +60,7 @@ struct Plate
   std::unique_ptr<ContactBody> body;
 };
 
-/// Pressed so deep, in the middle.
+/// A tip at this depth in the middle of the plate.
 Vector3 tipAt(double depth)
 {
   return { 31.3, 29.1, -depth };
@@ -79,7 +79,7 @@ ContactSettings energyOn(ContactSurface surface)
   return settings;
 }
 
-/// A work that depends on depth and tilt alike, and on neither alone.
+/// A work that depends on both depth and tilt.
 double leaningFactor(double depth, double angle)
 {
   return 1.0 + angle * angle * (0.8 + 0.5 * depth);
@@ -89,7 +89,7 @@ double softFactor(double depth, double angle)
   return 1.0 - angle * angle * (0.4 - 0.1 * depth);
 }
 
-/// A ball of 20 mm whose points have unlike curves, smooth.
+/// A ball of 20 mm with smoothly varying curves.
 struct Ball
 {
   explicit Ball(const TiltStore& tilts, const std::vector<float>& weight = {})
@@ -105,7 +105,7 @@ struct Ball
   std::unique_ptr<ContactBody> body;
 };
 
-/// Of a closed path over part of the ball, with the tool leaning this way and that.
+/// A pose on a closed path over part of the ball, with the tool tilted in varying directions.
 ToolPose poseAt(double turn)
 {
   const double polar = 0.5 + 0.2 * std::sin(turn);
@@ -119,22 +119,23 @@ ToolPose poseAt(double turn)
 struct Work
 {
   double net = 0.0;
-  double taken = 0.0; ///< of what was put in
+  double taken = 0.0; ///< part of the energy that was put in
 };
 
-/// Taken by a tool that goes round once, by the trapezoidal rule.
+/// Work of a tool that moves around once, by the trapezoidal rule.
 Work workAround(const ContactBody& body, const ContactSettings& settings, int steps)
 {
   ToolContact contact(body, settings);
   ToolPose before = poseAt(0.0);
   contact.update(before);
-  Contact last = contact.update(before); // now it is followed from where it was found
+  Contact last =
+    contact.update(before); // from here on the contact is followed from where it was found
   Work work;
   for (int i = 1; i <= steps; ++i)
   {
     const ToolPose pose = poseAt(2.0 * M_PI * i / steps);
     const Contact now = contact.update(pose);
-    const Vector3 turned = before.axis.cross(pose.axis); // of a small angle
+    const Vector3 turned = before.axis.cross(pose.axis); // a small angle
     const double step = -0.5 *
       ((last.force + now.force).dot(pose.tip - before.tip) +
         (last.torque + now.torque).dot(turned));
@@ -160,7 +161,7 @@ TEST(ToolTilt, ASphereThatLeansIsASphereThatIsDeeper)
       contact.update(ToolPose(tipAt(depth), axis));
       const Contact felt = contact.update(ToolPose(tipAt(depth), axis));
       const double force = pressed(depth + Radius * (1.0 - std::cos(angle)));
-      // The curve is stored in floats, and the drop between nodes 2 degrees apart.
+      // The curve is stored as floats, the drop at nodes 2 degrees apart.
       EXPECT_NEAR(felt.normalForce, force, 1e-5 * (1.0 + force)) << angle << ' ' << depth;
       const Vector3 torque = force * Radius * axis.cross(Vector3::UnitZ());
       EXPECT_LT((felt.torque - torque).norm(), 1e-4 * (1.0 + torque.norm())) << angle;
@@ -201,7 +202,7 @@ TEST(ToolTilt, ForceTorqueAndStiffnessAreThoseOfTheWork)
   const double stiffness =
     (work(depth + h, angle) - 2.0 * work(depth, angle) + work(depth - h, angle)) / (h * h);
   const double moment = (work(depth, angle + h) - work(depth, angle - h)) / (2.0 * h);
-  // Curves in floats of 8 samples, and a table of 17 by 17 nodes of a polynomial in x² and y².
+  // Curves as floats in 8 samples, and a table of 17 by 17 nodes of a polynomial in x² and y².
   EXPECT_NEAR(felt.normalForce, force, 1e-5 * force);
   EXPECT_NEAR(felt.stiffness, stiffness, 1e-3 * stiffness);
   EXPECT_NEAR(felt.torque.dot(axis.cross(Vector3::UnitZ()).normalized()), moment, 1e-4 * moment);
@@ -220,7 +221,7 @@ TEST(ToolTilt, WithoutAnAxisEveryBitIsAsBefore)
     {
       const Vector3 tip = poseAt(0.05 * i).tip;
       const Contact a = tilted.update(tip);
-      const Contact b = plain.update(ToolPose(tip, leaning(0.3, 1.0))); // who knows of no tilts
+      const Contact b = plain.update(ToolPose(tip, leaning(0.3, 1.0))); // without tilts
       ASSERT_EQ(a.force, b.force) << i;
       ASSERT_EQ(a.torque, Vector3::Zero());
       ASSERT_EQ(b.torque, Vector3::Zero());
@@ -275,9 +276,9 @@ TEST(ToolTilt, NothingIsGainedOnAClosedPath)
   const Work coarse = workAround(*ball.body, settings, 4000);
   const Work fine = workAround(*ball.body, settings, 8000);
   ASSERT_GT(fine.taken, 1.0);
-  // The point that is followed lies under the last tick's normal: what that is late by, and the
-  // rule's own error, fall with the step (7e-5 and 4e-5 here); the patch's normal and the blended
-  // one, from which the tilt is measured, differ by less.
+  // The followed point is below the normal of the last tick. This delay and the error of the rule
+  // fall with the step (7e-5 and 4e-5 here). The normal of the patch and the blended one, from
+  // which the tilt is measured, differ by less.
   EXPECT_LT(std::abs(fine.net), 2e-4 * fine.taken) << coarse.net;
 }
 
@@ -310,7 +311,7 @@ TEST(ToolTilt, ABodyThatRelaxesRestsAtTheTiltedForce)
   contact.update(ToolPose(tipAt(-3.0), pose.axis), 0.001);
   contact.update(pose, 1e-6);
   Contact felt = contact.update(pose, 1e-6);
-  // Pressed at once it is 1 + p times as stiff, and so is what turns it.
+  // A fast press is 1 + p times as stiff, and so is the torque.
   EXPECT_NEAR(felt.normalForce, 1.5 * slow.normalForce, 1e-3 * slow.normalForce);
   EXPECT_NEAR(felt.torque.norm(), 1.5 * slow.torque.norm(), 1e-2 * slow.torque.norm());
   felt = contact.update(pose, 10.0);

@@ -18,7 +18,7 @@ std::vector<std::int32_t> ringOf(const TriangleLinks& topology, std::int32_t poi
   return { ends[0], ends[1] };
 }
 
-/// By enumeration of half edges: the triangle that runs along each.
+/// By enumeration of half edges: the triangle along each.
 std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> halfEdgesOf(const Surface& body)
 {
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> halfEdges;
@@ -68,7 +68,7 @@ TEST(TriangleLinks, TwoTriangles)
 
 TEST(TriangleLinks, TwoTrianglesThatWindApart)
 {
-  // Both run from 1 to 2: not neighbours, but turning one over would mend it.
+  // Both run from 1 to 2: they are not neighbours, but a flip of one would repair that.
   const TriangleLinks topology({ { 0, 1, 2 }, { 1, 2, 3 } }, 4);
   EXPECT_EQ(topology.neighbours(0)[1], TriangleLinks::NonManifold);
   EXPECT_EQ(topology.neighbours(1)[0], TriangleLinks::NonManifold);
@@ -85,9 +85,9 @@ TEST(TriangleLinks, EdgesOfMoreThanTwoTriangles)
     EXPECT_EQ(fins.neighbours(t)[0], TriangleLinks::NonManifold);
   }
   EXPECT_EQ(fins.nonManifoldEdges(), 1U);
-  EXPECT_EQ(fins.twistedEdges(), 0U); // turning one over mends nothing
+  EXPECT_EQ(fins.twistedEdges(), 0U); // a flip of one does not repair it
   EXPECT_EQ(fins.borderEdges(), 6U);
-  // A triangle twice, and back to back: the latter closes it.
+  // The same triangle two times; and back to back, which closes it.
   EXPECT_EQ(TriangleLinks({ { 0, 1, 2 }, { 0, 1, 2 } }, 3).nonManifoldEdges(), 3U);
   const TriangleLinks leaf({ { 0, 1, 2 }, { 0, 2, 1 } }, 3);
   EXPECT_EQ(leaf.nonManifoldEdges() + leaf.borderEdges(), 0U);
@@ -107,7 +107,7 @@ TEST(TriangleLinks, LargerSurfaces)
 {
   expectNeighboursByHalfEdges(torus(20.0, 6.0, 12, 8));
   expectNeighboursByHalfEdges(openPlate(10.0, 7));
-  // 34 thousand triangles: on as many threads as there are cores.
+  // 34 thousand triangles, with all cores.
   expectNeighboursByHalfEdges(shuffled(bumpySphere(65), 4));
   const Surface plate = openPlate(10.0, 7);
   const TriangleLinks topology(plate.triangles, plate.points.size());

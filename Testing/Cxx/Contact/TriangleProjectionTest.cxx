@@ -35,7 +35,7 @@ double areaOf(const Vector3& a, const Vector3& b, const Vector3& c)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/// Weights are area coordinates: >= 0, their sum 1, and the point is where they say.
+/// Weights are area coordinates: >= 0, their sum is 1, and they give the point.
 void expectWeights(
   const TriangleProjection& found, const Vector3& a, const Vector3& b, const Vector3& c)
 {
@@ -61,13 +61,13 @@ TEST(TriangleProjection, BruteForceOnRandomTriangles)
     const double height = 2.0 * areaOf(a, b, c) / longest;
     if (height < 1e-2 * longest)
     {
-      continue; // slivers have their own test
+      continue; // slivers have a separate test
     }
     const TriangleProjection found = projectOnTriangle(tip, a, b, c);
     const Nearest nearest = nearestOfTriangle(tip, a, b, c);
     ++features[static_cast<std::size_t>(found.feature)];
     expectWeights(found, a, b, c);
-    // Rounding at 1e-16 of the tip's distance, magnified by longest/height <= 100.
+    // Rounding at 1e-16 of the tip's distance, amplified by longest/height <= 100.
     EXPECT_LE((found.point.cast<long double>() - nearest.point).norm(), 2e-13L);
     EXPECT_NEAR(std::sqrt(found.squaredDistance), static_cast<double>(nearest.distance), 2e-14);
   }
@@ -93,7 +93,7 @@ TEST(TriangleProjection, WeightsAreAreas)
       continue;
     }
     ++onFace;
-    // Equation 4: the area opposite to a corner over the whole.
+    // Equation 4: the area opposite a corner over the whole.
     EXPECT_NEAR(found.weights[0], areaOf(found.point, b, c) / area, 1e-14);
     EXPECT_NEAR(found.weights[1], areaOf(found.point, c, a) / area, 1e-14);
     EXPECT_NEAR(found.weights[2], areaOf(found.point, a, b) / area, 1e-14);
@@ -119,7 +119,7 @@ TEST(TriangleProjection, OnTheTriangleItself)
     for (const Vector3& corner : { a, b, c })
     {
       const TriangleProjection at = projectOnTriangle(corner, a, b, c);
-      EXPECT_LE((at.point - corner).norm(), 1e-15); // a + (b - a) rounds
+      EXPECT_LE((at.point - corner).norm(), 1e-15); // a + (b - a) is rounded
       EXPECT_LT(static_cast<int>(at.feature), 3);
     }
   }
@@ -147,7 +147,7 @@ TEST(TriangleProjection, NamesTheFeature)
 
 TEST(TriangleProjection, Slivers)
 {
-  // Needles and caps whose height is `thin` of their length, in any order of their corners, tips
+  // Needles and caps whose height is `thin` times their length, with any order of corners, and tips
   // near and far.
   std::mt19937 random(4);
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -176,7 +176,7 @@ TEST(TriangleProjection, Slivers)
       worst = std::max(
         worst, std::abs(std::sqrt(found.squaredDistance) - static_cast<double>(nearest.distance)));
     }
-    // A sliver of height h is a segment to within h; above that, rounding of cross products moves
+    // A sliver of height h is a segment to within h. Above that, rounding of cross products moves
     // the foot by 1e-16/h.
     EXPECT_LE(worst, std::min(thin, 1e-14 / thin) + 1e-14) << thin;
   }
@@ -190,7 +190,7 @@ TEST(TriangleProjection, OnAFaceInlineIsTheSameToTheBit)
   {
     const Vector3 a = randomPoint(random, 1.0);
     const Vector3 b = randomPoint(random, 1.0);
-    // One in four a sliver.
+    // One in four is a sliver.
     const Vector3 c =
       i % 4 == 0 ? Vector3(b + 1e-6 * randomPoint(random, 1.0)) : randomPoint(random, 1.0);
     const Vector3 tip = randomPoint(random, 1.0);
@@ -211,7 +211,7 @@ TEST(TriangleProjection, OnAFaceInlineIsTheSameToTheBit)
       ASSERT_EQ(found.feature, TriangleFeature::Face);
       continue;
     }
-    // The foot on the plane lies beyond that edge.
+    // The foot on the plane is beyond that edge.
     const std::array<Vector3, 3> corner{ a, b, c };
     const auto edge = static_cast<std::size_t>(foot);
     const Vector3 along = corner[(edge + 1) % 3] - corner[edge];

@@ -32,7 +32,7 @@ void expectSame(const SurfacePoint& found, const SurfacePoint& expected)
   EXPECT_EQ(found.projection.weights, expected.projection.weights);
 }
 
-/// Tips that wander, leap, and stand where several triangles are equally near, to the last bit.
+/// Tips that move in small steps, jump, or are equally near to several triangles, to the last bit.
 void compareWithTree(const Surface& body, double size, double grid)
 {
   const PackedMesh mesh = body.packed();
@@ -47,7 +47,7 @@ void compareWithTree(const Surface& body, double size, double grid)
     const Vector3 step(share(random), share(random), share(random));
     switch (i % 400 == 0 ? 3 : i / casesOf(1000) % 3)
     {
-      case 0: // wanders, in and out
+      case 0: // small steps, in and out
         tip += 0.02 * size * step;
         break;
       case 1: // under and above corners and edges
@@ -97,7 +97,8 @@ TEST(TriangleSearch, SurvivesAnyTip)
   EXPECT_EQ(TriangleSearch(empty).closestLocal(inside).triangle, -1);
 }
 
-/// No bound is larger than the distance, by more than it says; and it is no idle bound.
+/// No bound exceeds the distance by more than its stated tolerance, and the bounds are useful, not
+/// trivially small.
 TEST(TriangleBound, IsABound)
 {
   std::mt19937 random(5);
@@ -106,7 +107,7 @@ TEST(TriangleBound, IsABound)
   double sumOfDistances = 0.0;
   for (int i = 0; i < 100000; ++i)
   {
-    // From triangles as large as their distance from the origin to slivers and specks.
+    // From triangles as large as their distance from the origin to slivers and tiny ones.
     const float offset = i % 2 ? 100.0F : 0.0F;
     const float size = std::pow(10.0F, 1.0F + 2.5F * share(random));
     const float thin = i % 5 ? 1.0F : std::pow(10.0F, -3.0F - 3.0F * share(random));

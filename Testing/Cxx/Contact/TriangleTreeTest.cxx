@@ -23,7 +23,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
   const PackedMesh mesh = body.packed();
   const TriangleTree tree(mesh);
   const std::vector<std::int32_t> all = allTriangles(body);
-  // Roundings of the coordinates.
+  // Rounding of the coordinates.
   const double tolerance = 1e-12 * diagonal(body);
   Eigen::AlignedBox3d box;
   for (const Vector3& p : body.points)
@@ -39,7 +39,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
     {
       tip[k] = box.min()[k] + share(random) * box.sizes()[k];
     }
-    if (i % 10 == 0) // a point of the body itself, and hence its distance zero
+    if (i % 10 == 0) // a point of the body itself, at distance zero
     {
       tip = body.points[static_cast<std::size_t>(i) % body.points.size()];
     }
@@ -47,7 +47,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
     const Nearest nearest = nearestOf(body, tip, all);
     ASSERT_GE(found.triangle, 0);
     EXPECT_NEAR(std::abs(found.signedDistance), static_cast<double>(nearest.distance), tolerance);
-    // The point it names is on the triangle it names, and at that distance.
+    // The returned point is on the returned triangle and at that distance.
     const Nearest there =
       nearestOf(body, found.projection.point, { mesh.inputTriangle(found.triangle) });
     EXPECT_LE(static_cast<double>(there.distance), tolerance);
@@ -78,7 +78,7 @@ TEST(TriangleTree, FewTriangles)
 
 TEST(TriangleTree, ManyTrianglesAtOnePlace)
 {
-  // Centres that coincide cannot be split by place; the tree must still end.
+  // Equal centres cannot be split by position; the construction must still end.
   Surface pile;
   for (std::int32_t i = 0; i < 300; ++i)
   {
@@ -102,8 +102,7 @@ TEST(TriangleTree, TipsThatAreNotFinite)
 
 TEST(TriangleTree, ATriangleForEveryFiniteTip)
 {
-  // Squared distances of so far off that a float would not hold them, and differences of so near
-  // that their squares vanish.
+  // From distances whose squares exceed a float, to differences so small that their squares vanish.
   constexpr double far = palpate::SoundMesh::LargestCoordinate;
   for (const double size : { 1e-40, 1e-20, 1.0, 1e10, 0.9 * far })
   {
@@ -115,7 +114,7 @@ TEST(TriangleTree, ATriangleForEveryFiniteTip)
     {
       const SurfacePoint found = tree.closest(Vector3(-distance, distance, 0.5 * distance));
       EXPECT_GE(found.triangle, 0) << size << ' ' << distance;
-      // Half the body's size: the sphere is one of 80 facets, and is seen as a point from far off.
+      // Tolerance: half the body's size. The sphere has 80 facets, and from far away it is a point.
       EXPECT_NEAR(found.signedDistance, 1.5 * distance - size, 0.5 * size + 1e-9 * distance)
         << size << ' ' << distance;
     }
@@ -140,8 +139,8 @@ TEST(TriangleTree, OnePointBeyondAllDoesNotSpoilTheBody)
 
 TEST(TriangleTree, ABodyWhoseBoundsDoNotFitAFloat)
 {
-  // Sixth powers of these lengths overflow: a bound that is infinite must not hide the long
-  // triangle, one edge of which is the y axis, behind the other. Either may be looked at first.
+  // Sixth powers of these lengths overflow. An infinite bound must not hide the long triangle, one
+  // edge of which is the y axis, behind the other. Either may be visited first.
   for (const double length : { 4e9, -4e9 })
   {
     Surface body;
@@ -151,7 +150,7 @@ TEST(TriangleTree, ABodyWhoseBoundsDoNotFitAFloat)
     const PackedMesh mesh = body.packed();
     const SurfacePoint found = TriangleTree(mesh).closest(Vector3(-1.0, 0.5, 2.0));
     EXPECT_EQ(mesh.inputTriangle(found.triangle), 1);
-    // 1e-12: the mesh's centre is a float near the body's; all else is exact.
+    // 1e-12: the mesh's centre is a float near the body's centre; the rest is exact.
     EXPECT_NEAR(std::abs(found.signedDistance), std::sqrt(5.0), 1e-12) << length;
   }
 }

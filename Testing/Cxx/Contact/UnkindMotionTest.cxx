@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip that is very far, very fast, or nowhere: each tick gives a sane force, and the next one
-// knows nothing of it.
+// A tip that is very far, very fast, or has no valid position: each tick gives a valid force, and
+// the next one is not affected.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "SampleResponses.h"
@@ -15,8 +15,8 @@ namespace palpate::testing
 {
 namespace
 {
-/// A closed strip, 3 mm by 1 mm, `length` long in cells of 0.1 mm by 1 mm. In the middle row of its
-/// top no triangle shares a corner with one of a side.
+/// A closed strip, 3 mm by 1 mm, `length` long, in cells of 0.1 mm by 1 mm. In the middle row of
+/// its top no triangle shares a corner with one of a side.
 Surface longStrip(double length)
 {
   const int cells = static_cast<int>(std::lround(10.0 * length));
@@ -44,7 +44,7 @@ Surface longStrip(double length)
     body.triangles.push_back({ last + k, last + 7 - k, last + k + 1 });
     body.triangles.push_back({ last + k + 1, last + 7 - k, last + 6 - k });
   }
-  if (body.mesh().enclosedVolume() < 0.0) // whichever way the above runs
+  if (body.mesh().enclosedVolume() < 0.0) // for either winding of the code above
   {
     for (auto& t : body.triangles)
     {
@@ -81,7 +81,7 @@ TEST(UnkindMotion, FarOutsideThenAnywhereInContact)
       EXPECT_TRUE(sameForce(found, ToolContact(*body).update(tip))); // as without a history
     }
   }
-  // Where squares of distances leave the range of a double: no force, and no harm.
+  // If squares of distances exceed the range of a double there is no force and no damage.
   for (const double far : { 1e155, 1e200, std::numeric_limits<double>::max() })
   {
     EXPECT_EQ(contact.update(Vector3(-far, far, far)).force, Vector3::Zero());
@@ -91,8 +91,8 @@ TEST(UnkindMotion, FarOutsideThenAnywhereInContact)
 
 TEST(UnkindMotion, TenMetresPerSecondIsFollowed)
 {
-  // 10 mm per tick across facets of 1.6 mm: the contact of each tick is that of a tip let down
-  // there, for the bumps are gentle (see BumpySphere.h).
+  // 10 mm per tick across facets of 1.6 mm: the contact of each tick is that of a new tip at the
+  // same place, because the bumps are gentle (see BumpySphere.h).
   const auto body = uniformBody(bumpySphere(100));
   ToolContact contact(*body);
   for (const Vector3& tip : windingTips(500, 1.0, 10.0))
@@ -106,8 +106,8 @@ TEST(UnkindMotion, TenMetresPerSecondIsFollowed)
 
 TEST(UnkindMotion, AFastTipKeepsItsSideOfASlab)
 {
-  // 1 mm thick, entered at the top, 0.7 mm deep: in jumps of 20 mm, 200 cells each, it stays with
-  // the top, as MaximumSteps allows.
+  // 1 mm thick, entered at the top, 0.7 mm deep. In jumps of 20 mm, 200 cells each, the contact
+  // stays at the top, since MaximumSteps is large enough.
   static_assert(ContactTracker::MaximumSteps >= 256, "what the header says of the speed");
   const auto body = uniformBody(longStrip(100.0));
   ASSERT_EQ(body->surface.defects().borderEdges + body->surface.defects().nonManifoldEdges, 0U);
@@ -123,9 +123,10 @@ TEST(UnkindMotion, AFastTipKeepsItsSideOfASlab)
 
 TEST(UnkindMotion, ATipThatOutrunsTheStepsIsSearchedAnew)
 {
-  // 90 mm in a tick is 900 cells, more than MaximumSteps. Half-way there the distance would be tens
-  // of millimetres, no deflection; what is felt is a new contact: the nearest surface, here still
-  // the top at 0.3 mm, and the bottom at 0.7 mm, which a slower tip would not have felt.
+  // 90 mm in a tick is 900 cells, more than MaximumSteps. At the place reached by the steps the
+  // distance would be tens of millimetres, which is not a deflection. So a new contact starts at
+  // the nearest surface: still the top at 0.3 mm, and the bottom at 0.7 mm, where a slower tip
+  // would have stayed with the top.
   const auto body = uniformBody(longStrip(100.0));
   for (const double depth : { 0.3, 0.7 })
   {
@@ -135,16 +136,15 @@ TEST(UnkindMotion, ATipThatOutrunsTheStepsIsSearchedAnew)
     EXPECT_NEAR(found.deflection, 0.3, 1e-5);
     EXPECT_NEAR(found.contactPoint.x(), 95.03, 1e-5);
     EXPECT_EQ(found.force.z() > 0.0, depth < 0.5);
-    // Settled: the next tick at the same place gives the same bits.
+    // The next tick at the same place gives the same bits.
     EXPECT_TRUE(sameForce(contact.update(Vector3(95.03, 1.47, 1.0 - depth)), found));
   }
 }
 
 TEST(UnkindMotion, ThrownThroughTheBodyIsOutside)
 {
-  // From the top of a fine sphere to 1 m below it: the way around, 300 rows of triangles, is longer
-  // than the steps allow,
-  // and the place they end at no contact.
+  // From the top of a fine sphere to 1 m below it: the path around it, 300 rows of triangles,
+  // exceeds the steps, and the place where they end is no contact.
   const auto body = uniformBody(bumpySphere(150));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(0.3, 0.2, 99.0)).state, ContactState::Slide);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slab, groove, edge, cone and saddle: which side holds the tip, how hard and which way. The tip is
-// moved by hand, the force is F = 10 δ^1.5 N of the deflection up to 2 mm.
+// Slab, groove, edge, cone and saddle: the side that holds the tip, and the magnitude and direction
+// of the force. The tip is moved by hand. The force is F = 10 δ^1.5 N of the deflection up to 2 mm.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
@@ -24,13 +24,13 @@ double law(double depth)
 void expectForce(const Contact& found, double depth, const Vector3& normal)
 {
   EXPECT_NEAR(found.deflection, depth, 1e-5);       // float32 coordinates of 40 mm
-  EXPECT_NEAR(found.normalForce, law(depth), 3e-4); // 22 N/mm of that, and float32 samples
+  EXPECT_NEAR(found.normalForce, law(depth), 3e-4); // 22 N/mm times 1e-5 mm, and float32 samples
   EXPECT_LE((found.normal - normal).norm(), 1e-6);  // float32 normals
   EXPECT_LE((found.force - found.normalForce * found.normal).norm(), 1e-12 * found.normalForce);
 }
 
-/// A cone of given half angle with its apex at the origin, pointing up, `height` high, closed by a
-/// flat bottom; `around` facets in `rings` rings of equal height.
+/// A cone with a given half angle, its apex at the origin, pointing up, `height` high, closed by a
+/// flat bottom. It has `around` facets in `rings` rings of equal height.
 Surface cone(double halfAngle, double height, int around, int rings)
 {
   Surface body;
@@ -66,7 +66,8 @@ Surface cone(double halfAngle, double height, int around, int rings)
 
 TEST(UnkindShapes, ThinSlabPushesBackAllTheWay)
 {
-  // 2 mm thick: no pop-through at half of it, nor at all of it; out by the way it came in.
+  // 2 mm thick: the contact does not change sides at half of it, nor at the whole thickness. The
+  // tip leaves where it entered.
   const auto body = uniformBody(subdivided(block(40, 40, 2), 4));
   ToolContact contact(*body);
   for (int i = 1; i <= 400; ++i)
@@ -83,8 +84,8 @@ TEST(UnkindShapes, ThinSlabPushesBackAllTheWay)
 
 TEST(UnkindShapes, BottomOfAGroove)
 {
-  // Under the bottom line a whole quarter of tips belongs to it: distance from the line, and the
-  // line's own normal, half-way between the walls.
+  // A whole quarter of the directions under the bottom line belongs to it: distance from the line,
+  // and the normal of the line, half-way between the walls.
   const auto body = uniformBody(subdivided(grooveBlock(), 3));
   ToolContact contact(*body);
   for (int i = -99; i <= 99; ++i)
@@ -106,8 +107,8 @@ TEST(UnkindShapes, WallsOfAGroove)
     ToolContact contact(*body);
     const Vector3 normal(-side * s, s, 0.0);
     const Vector3 along(side * s, s, 0.0);
-    // Up the wall, 7.07 mm long in 8 rows, 1 mm under it: its own normal but for the first and the
-    // last row, whose points at the edges have the mean of two faces.
+    // Up the wall, 7.07 mm long in 8 rows, 1 mm under it. The normal is that of the wall, except in
+    // the first and the last row, whose points at the edges have the mean of two faces.
     double lastForce = 0.0;
     for (int i = -100; i <= 600; ++i)
     {
@@ -118,7 +119,7 @@ TEST(UnkindShapes, WallsOfAGroove)
       {
         expectForce(found, 1.0, normal);
       }
-      // Without a step: 0.01 mm at 15 N/mm from the bottom line on, then constant.
+      // No step: 0.01 mm at 15 N/mm from the bottom line on, then constant.
       EXPECT_NEAR(found.normalForce, i == -100 ? found.normalForce : lastForce, 0.16);
       EXPECT_GT(found.force.y(), 0.0);
       lastForce = found.normalForce;
@@ -128,9 +129,9 @@ TEST(UnkindShapes, WallsOfAGroove)
 
 TEST(UnkindShapes, AConvexEdgeIsPassedWhereTheSidesAreEquallyNear)
 {
-  // Facets of 5 mm: the edge is in reach of the triangle's ring, so the contact changes sides where
-  // the other becomes nearer. The force turns by a right angle, its size is the same: there is no
-  // work in it but that of turning.
+  // Facets of 5 mm: the edge is within the ring of the triangle, so the contact changes to the
+  // other face once that is nearer. The force turns by a right angle with equal magnitude. The only
+  // work is that of the turn.
   const auto body = uniformBody(subdivided(block(40, 40, 40), 3));
   ToolContact contact(*body);
   const double depth = 1.0;
@@ -151,9 +152,9 @@ TEST(UnkindShapes, AConvexEdgeIsPassedWhereTheSidesAreEquallyNear)
 
 TEST(UnkindShapes, AFineConvexEdgeHoldsOnLonger)
 {
-  // Facets of 0.625 mm and 2 mm deep: the face that was entered holds the tip, though the other is
-  // nearer from x = 2 on, until the edge is in the ring of its triangle. Never the other way: once
-  // over, coming back, the side holds it just as long.
+  // Facets of 0.625 mm and 2 mm deep: the first face keeps the tip, although the other is nearer
+  // from x = 2 on, until the edge is in the ring of its triangle. The reverse is the same: on the
+  // way back the side keeps the tip just as long.
   const Surface given = subdivided(block(10, 10, 10), 4);
   const double facet = 10.0 / 16.0;
   const auto body = uniformBody(given);
@@ -177,13 +178,13 @@ TEST(UnkindShapes, AFineConvexEdgeHoldsOnLonger)
 
 TEST(UnkindShapes, ConeTip)
 {
-  // Half angle 30°: pressed d down beside the axis, the tip is d sin 30° (nearly: facets) under the
-  // flank, pushed out across it: sideways more than up. The foot lies d cos 30° down the flank.
+  // Half angle 30°. A tip d deep next to the axis is d sin 30° (nearly: facets) under the flank and
+  // is pushed out normal to it: sideways more than up. The foot is d cos 30° down the flank.
   const double half = Pi / 6.0;
   const int around = 48;
   const auto body = uniformBody(cone(half, 20.0, around, 40));
   ToolContact contact(*body);
-  // In the middle of a facet the flank is this steep.
+  // Slope of the flank in the middle of a facet.
   const double facet = std::atan(std::tan(half) * std::cos(Pi / around));
   const Vector3 outward(std::cos(Pi / around), std::sin(Pi / around), 0.0);
   for (int i = 1; i <= 300; ++i)
@@ -199,13 +200,13 @@ TEST(UnkindShapes, ConeTip)
     const double depth = d * std::sin(facet) - 1e-3 * std::cos(facet);
     EXPECT_NEAR(found.deflection, depth, 1e-5);
     EXPECT_NEAR(found.normalForce, law(depth), 3e-4);
-    if (d * std::cos(facet) > 0.6) // past the first ring, which shares the apex's normal
+    if (d * std::cos(facet) > 0.6) // past the first ring, which shares the normal of the apex
     {
       const Vector3 flank = std::cos(facet) * outward + std::sin(facet) * Vector3::UnitZ();
       EXPECT_LE((found.normal - flank).norm(), 0.066);
     }
   }
-  // Across the axis it changes flanks: the sideways force turns round, the upward one stays.
+  // Across the axis the contact changes flanks: the sideways force reverses, the upward one stays.
   const Contact before = contact.update(-3.0 * Vector3::UnitZ() + 0.01 * outward);
   const Contact after = contact.update(-3.0 * Vector3::UnitZ() - 0.01 * outward);
   EXPECT_LE((before.force - 2.0 * before.force.z() * Vector3::UnitZ() + after.force).norm(), 0.01);
@@ -214,7 +215,7 @@ TEST(UnkindShapes, ConeTip)
 
 TEST(UnkindShapes, Saddle)
 {
-  // The inner side of a torus: curved 1/14 one way, -1/6 the other. 1 mm deep along and across.
+  // The inner side of a torus: curvature 1/14 one way, -1/6 the other. 1 mm deep along and across.
   const double R = 20.0;
   const double r = 6.0;
   const Surface given = torus(R, r, 120, 60);
@@ -235,11 +236,11 @@ TEST(UnkindShapes, Saddle)
       };
       const Vector3 normal = at(r + 0.5) - at(r - 0.5);
       const Contact found = contact.update(at(r - 1.0));
-      // Facets: 1.05 mm along the hole, 0.63 mm around the tube; within h²/8R = 0.008 and 0.0082 of
-      // the torus, on the outer side in one direction and the inner in the other.
+      // Facets: 1.05 mm along the hole, 0.63 mm around the tube. They are within h²/8R = 0.008 and
+      // 0.0082 of the torus, outside in one direction and inside in the other.
       EXPECT_NEAR(found.deflection, 1.0, 0.017);
       EXPECT_NEAR(found.normalForce, law(found.deflection), 3e-4);
-      // Normals: half a facet's turn, 0.37/14 and 0.32/6 at most, and second order blends.
+      // Normals: half the turn of a facet, at most 0.37/14 and 0.32/6, plus second-order blends.
       EXPECT_LE((found.normal - normal).norm(), 0.06);
       EXPECT_NEAR(found.normalForce, last < 0.0 ? found.normalForce : last, 0.05);
       last = found.normalForce;

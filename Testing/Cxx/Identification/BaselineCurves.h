@@ -10,8 +10,8 @@
 
 namespace palpate::testing
 {
-/// Hertz's paraboloid of 3 mm on a half-space, pressed in by 0.4 mm after an approach. Noise is 0.1
-/// % of the largest force, offset and drift are fractions of it (per mm).
+/// Hertz's paraboloid of 3 mm on a half-space, pressed in by 0.4 mm after an approach. The noise is
+/// 0.1 % of the largest force; offset and drift are fractions of it (per mm).
 struct Approach
 {
   static constexpr double Modulus = 0.05; ///< E*, MPa

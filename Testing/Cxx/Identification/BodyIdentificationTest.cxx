@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies found again from curves of independent formulas, and what is refused.
+// Bodies identified from curves of independent formulas, and curves that are rejected.
 #include "Identification/BodyIdentification.h"
 
 #include "Identification/ForceNoise.h"
@@ -39,9 +39,10 @@ TEST(BodyIdentification, FindsAHalfSpaceAndItsContactPointExactly)
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::HalfSpace);
   EXPECT_TRUE(body.withinNoise);
-  EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-8)); // Levenberg and Marquardt's end
+  EXPECT_TRUE(
+    agrees(body.reducedModulus.value, Modulus, 1e-8)); // end criterion of Levenberg and Marquardt
   EXPECT_NEAR(body.contactOffset[0].value, 0.37, 1e-8);
-  // The data end at the last reading within small strain, a/R <= 0.4, that is δ <= 0.16 R.
+  // The data end at the last reading within small strain, a/R <= 0.4, which is δ <= 0.16 R.
   const double step = readings.depth / readings.count / 0.85;
   const double end = (std::floor(0.16 * R / step - 0.5) + 0.5) * step;
   EXPECT_TRUE(agrees(body.endForce, 4.0 / 3.0 * Modulus * std::sqrt(R) * std::pow(end, 1.5), 1e-7));
@@ -57,7 +58,7 @@ TEST(BodyIdentification, FindsTheGlobalCompliance)
       BodyIdentification({}).identify({ series(*tip, compliance, Readings{}) });
     ASSERT_EQ(body.refusal, "") << compliance;
     EXPECT_EQ(body.body.model, BodyModel::GlobalCompliance);
-    // The fit ends at 1e-11 of a step; E* and C_g compensate each other by a factor of about 100.
+    // The fit ends at 1e-11 of a step. E* and C_g compensate each other by a factor of about 100.
     EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-6));
     EXPECT_TRUE(agrees(body.compliance.value, compliance, 1e-6));
     EXPECT_NEAR(body.contactOffset[0].value, 0.0, 1e-7);
@@ -110,7 +111,7 @@ TEST(BodyIdentification, RefusesAFlatAlone)
     EXPECT_EQ(body2.refusal, "");
     EXPECT_NEAR(body2.reducedModulus.value, Modulus, 0.02 * Modulus); // 0.001 N of 0.24 N, 60 times
   }
-  // Two loads with the same punch are as blind as one.
+  // Two loads with the same punch give no more information than one.
   const IndentationCurve again = makeCurve(*flat, law, readings, random);
   const IdentifiedBody twice = BodyIdentification({}).identify({ again, again });
   EXPECT_NE(twice.refusal.find("flat punch"), std::string::npos) << twice.refusal;
@@ -141,7 +142,7 @@ TEST(BodyIdentification, RefusesWhatNoBodyGives)
 {
   const auto tip = tool("paraboloid:6.35");
   std::mt19937 random(9);
-  // Softer the deeper, as no elastic body is under a rounded tip.
+  // Softer with depth, which is impossible for an elastic body under a rounded tip.
   const IndentationCurve yielding = makeCurve(
     *tip, [](double d) { return std::sqrt(d); }, Readings{}, random);
   const IdentifiedBody body = BodyIdentification({}).identify({ yielding });
@@ -163,8 +164,8 @@ TEST(BodyIdentification, RefusesWhatNoBodyGives)
 
 TEST(BodyIdentification, RefusesWhatNoiseHides)
 {
-  // 40 readings, noise of a tenth of the largest force: E* beside an unknown C_g is anybody's
-  // guess.
+  // 40 readings with noise of a tenth of the largest force: with an unknown C_g, E* cannot be
+  // determined.
   const auto tip = tool("paraboloid:6.35");
   Readings readings;
   readings.count = 40;
@@ -184,8 +185,8 @@ TEST(BodyIdentification, ManyReadingsAreGrouped)
   const IdentifiedBody body = BodyIdentification({}).identify({ series(*tip, 3.0, readings) });
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::GlobalCompliance);
-  EXPECT_NEAR(body.noise, 0.003, 0.03 * 0.003);  // a median of 20000: 1 %
-  EXPECT_NEAR(body.misfit, 0.003, 0.15 * 0.003); // of 200 groups: 5 %
+  EXPECT_NEAR(body.noise, 0.003, 0.03 * 0.003);  // median of 20000: 1 %
+  EXPECT_NEAR(body.misfit, 0.003, 0.15 * 0.003); // from 200 groups: 5 %
   EXPECT_LT(body.compliance.lower, 3.0);
   EXPECT_GT(body.compliance.upper, 3.0);
 }
@@ -204,7 +205,7 @@ TEST(ForceNoise, IsFoundUnderTheCurve)
     EXPECT_EQ(noise.degreesOfFreedom, 15.0);
     sum += noise.deviation / readings.noise;
   }
-  // Mean of 200 values that spread by √(1/2·15) = 18 %: 1.3 %, three times; the median of 57 itself
-  // is 1 to 2 % off.
+  // Mean of 200 values with a spread of √(1/2·15) = 18 %: 1.3 %, three times; the median of 57
+  // itself has an error of 1 to 2 %.
   EXPECT_NEAR(sum / repeats, 1.0, 0.06);
 }

@@ -26,7 +26,7 @@ inline double kummerByQuadrature(double m, double x)
   return sum / (3.0 * steps);
 }
 
-/// A press at constant speed to `depth` in `ramp` s, then held, of a slow curve c δ^m (Lee and
+/// A press at constant speed to `depth` in `ramp` s with a hold, for a slow curve c δ^m (Lee and
 /// Radok 1960).
 struct RampAndHold
 {
@@ -52,7 +52,7 @@ struct RampAndHold
 };
 
 /// Pressed and released at one speed, `up` s each way, one branch: t1 by Lambert's function, then
-/// the ramp's form (Ting 1966).
+/// the form of the ramp (Ting 1966).
 struct Triangle
 {
   double p = 1.0;
@@ -92,7 +92,7 @@ struct Triangle
   }
 };
 
-/// ∫ψ(t-s) df(δ(s)) of a press at constant speed and a hold, of any slow curve: by the midpoint of
+/// ∫ψ(t-s) df(δ(s)) for a press at constant speed with a hold, for any slow curve: midpoint rule of
 /// f over steps of the press.
 template <class Law>
 double rampAndHold(const Law& law, const PronySeries& series, double depth, double ramp, double t)
@@ -111,7 +111,7 @@ double rampAndHold(const Law& law, const PronySeries& series, double depth, doub
   return sum;
 }
 
-/// When readings are taken: evenly over so many seconds.
+/// Times of readings, evenly spaced over a duration in seconds.
 inline std::vector<double> evenTimes(double seconds, int count)
 {
   std::vector<double> times;
@@ -122,7 +122,7 @@ inline std::vector<double> evenTimes(double seconds, int count)
   return times;
 }
 
-/// Evenly while it is pressed, then ever less often.
+/// Evenly spaced during the press, then with growing intervals.
 inline std::vector<double> rampAndHoldTimes(double ramp, double hold, int onRamp, int onHold)
 {
   std::vector<double> times = evenTimes(ramp, onRamp);
@@ -134,8 +134,8 @@ inline std::vector<double> rampAndHoldTimes(double ramp, double hold, int onRamp
   return times;
 }
 
-/// A curve as an instrument takes it, which shows `offset` mm at first contact, where it came from
-/// a tenth of the depth before.
+/// A curve as an instrument records it. It reads `offset` mm at first contact, after an approach
+/// from a tenth of the depth before.
 template <class Deflection, class Force>
 MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& deflection,
   const Force& force, double offset, double noise, std::mt19937& random)
@@ -143,7 +143,7 @@ MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& def
   std::normal_distribution<double> normal;
   MeasuredCurve curve;
   const double start = times.front();
-  for (int i = 10; i >= 0; --i) // on the way to it
+  for (int i = 10; i >= 0; --i) // during the approach
   {
     curve.time.push_back(-start * i);
     curve.deflection.push_back(offset - i * deflection(start));
@@ -158,7 +158,7 @@ MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& def
   return curve;
 }
 
-/// Of a RampAndHold or a Triangle.
+/// The curve of a RampAndHold or a Triangle.
 template <class Press>
 MeasuredCurve timedCurve(const std::vector<double>& times, const Press& press, double offset,
   double noise, std::mt19937& random)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves whose energies are known in closed form: F = k δ loading, so that W = k δ²/2.
+// Curves whose energies are known in closed form: F = k δ in loading, so W = k δ²/2.
 #include "Identification/CurvePreparation.h"
 
 #include "Agreement.h"
@@ -19,8 +19,8 @@ namespace
 constexpr int Steps = 100;
 constexpr double Depth = 2.0; // mm
 
-/// Appends a straight run from (from) to (to) with the given slope, `speed` mm/s; the last reading
-/// included, the first not.
+/// Appends a straight run between two depths with the given slope and `speed`, mm/s; with the last
+/// reading, without the first.
 void run(MeasuredCurve& curve, double from, double to, double stiffness, double speed = 1.0)
 {
   const double start = curve.time.empty() ? 0.0 : curve.time.back();
@@ -33,8 +33,8 @@ void run(MeasuredCurve& curve, double from, double to, double stiffness, double 
   }
 }
 
-/// Unloading with the loop of a share of the energy: F = k δ²/Depth (1 + ...) would be longer; a
-/// straight line below the loading, F = k' δ, k' = (1 - share) k, loses just that share.
+/// A loop that loses `share` of the energy. The unloading is a straight line below the loading: F =
+/// k' δ with k' = (1 - share) k.
 MeasuredCurve cycle(double share, double stiffness = 3.0)
 {
   MeasuredCurve curve;
@@ -53,7 +53,7 @@ TEST(CurvePreparation, SeparatesTheLoadingAndMeasuresHysteresis)
     ASSERT_EQ(prepared.loads.size(), 1U);
     EXPECT_EQ(prepared.loads[0].deflection.size(), static_cast<std::size_t>(Steps));
     EXPECT_EQ(prepared.loads[0].deflection.back(), Depth);
-    // Both branches are straight, but for the step from one to the other at the turning point,
+    // Both branches are straight, except for the step from one to the other at the turning point,
     // which belongs to neither: 1 % of the depth.
     EXPECT_NEAR(prepared.hysteresis, share, 2e-3);
     EXPECT_TRUE(agrees(prepared.loads[0].speed, 1.0, 1e-12));
@@ -69,14 +69,15 @@ TEST(CurvePreparation, RefusesWhatIsNotElastic)
   EXPECT_NEAR(prepared.hysteresis, 0.3, 4e-3); // as above
   EXPECT_EQ(prepared.loads.size(), 1U);
   EXPECT_EQ(prepareCurve(cycle(0.3), { 0.4, 0.1 }, prepared), "");
-  const std::string gains = prepareCurve(cycle(-0.3), {}, prepared); // gives back more than it got
+  const std::string gains =
+    prepareCurve(cycle(-0.3), {}, prepared); // returns more energy than it received
   EXPECT_NE(gains.find("hysteresis"), std::string::npos) << gains;
 }
 
 TEST(CurvePreparation, ComparesSpeeds)
 {
-  // Two loads of one site, ten times as fast the second one, and stiffer by a factor s: the
-  // relative difference of k δ²/2 about its mean is 2 (s-1)/(s+1).
+  // Two loads at one site. The second is ten times as fast and stiffer by a factor s: the relative
+  // difference of k δ²/2 from its mean is 2 (s-1)/(s+1).
   for (const double stiffer : { 1.0, 1.05, 1.3 })
   {
     MeasuredCurve curve;
@@ -95,7 +96,7 @@ TEST(CurvePreparation, ComparesSpeeds)
   run(same, 0.0, Depth, 4.0);
   PreparedCurve prepared;
   prepareCurve(same, {}, prepared);
-  EXPECT_TRUE(std::isnan(prepared.rateEffect)); // one speed says nothing
+  EXPECT_TRUE(std::isnan(prepared.rateEffect)); // unknown from one speed
   same.time.clear();
   prepareCurve(same, {}, prepared);
   EXPECT_TRUE(std::isnan(prepared.rateEffect));
@@ -127,7 +128,7 @@ TEST(CurvePreparation, FindsBranchesThroughNoiseAndHold)
     EXPECT_NEAR(static_cast<double>(load.force.size()), Steps, 3.0);
     for (std::size_t i = 0; i < load.force.size(); ++i)
     {
-      // The relaxed forces lie up to 2 N lower; 0.03 N is 5 standard deviations of the deflection.
+      // The relaxed forces are up to 2 N lower; 0.03 N is 5 standard deviations of the deflection.
       EXPECT_NEAR(load.force[i], 3.0 * load.deflection[i], 0.03);
     }
   }

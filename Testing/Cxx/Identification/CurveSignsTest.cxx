@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signs and units that are not the file's: refused with what was found, never identified.
+// Wrong signs and units: the curves are rejected with a message, never identified.
 #include "Identification/CurveSigns.h"
 #include "Identification/MeasuredSite.h"
 
@@ -55,7 +55,7 @@ MeasuredCurve times(MeasuredCurve curve, double deflection, double force)
   return curve;
 }
 
-/// Refused in words that hold all of these.
+/// Expects a refusal that contains all these words.
 void refuse(const MeasuredCurve& curve, std::initializer_list<const char*> words)
 {
   const std::string refusal = identified(curve).refusal;
@@ -87,8 +87,8 @@ TEST(CurveSigns, CompressionThatIsNegativeIsAsked)
     refuse(times(curve, -1.0, 1.0), { "deflection falls", "forces rise", "negative: deflection" });
     refuse(times(curve, -1.0, -1.0), { "both negative", "negative: deflection, force" });
   }
-  // The numbers are those of the readings: 4/3 0.05 √3 0.4^1.5 = 0.0292 N, but for the two that may
-  // be astray, 0.01 mm each.
+  // The message contains the numbers of the readings: 4/3 0.05 √3 0.4^1.5 = 0.0292 N, without the
+  // two readings that may be outliers, 0.01 mm each.
   refuse(times(press(false, 0.0), 1.0, -1.0), { "from 0 to -0.027", "from 1 to 1.58 mm" });
 }
 

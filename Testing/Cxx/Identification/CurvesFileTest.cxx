@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves files: what is read, and that whatever is wrong is named with file and line, with nothing
-// half-loaded.
+// Curves files: the data that are read. A fault is reported with file and line, and no part of the
+// file is loaded.
 #include "Identification/CurvesFile.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::string read(const std::string& text, MeasuredCurves& curves)
   return readCurves(stream, "press.csv", curves);
 }
 
-/// The text must be refused with this error, and leave what was there.
+/// Expects that the text is rejected with this error and that the old content stays.
 void refuse(const std::string& text, const std::string& error)
 {
   MeasuredCurves curves;
@@ -215,7 +215,7 @@ TEST(CurvesFile, ReadsTablesAsItReadsFiles)
   const auto refuse = [&curves](const palpate::CurvesTable& wrong, const std::string& error)
   {
     EXPECT_EQ(readCurves(wrong, curves), error);
-    EXPECT_EQ(curves.curves.size(), 1U); // as it was
+    EXPECT_EQ(curves.curves.size(), 1U); // unchanged
   };
   palpate::CurvesTable wrong = table;
   wrong.field = [&rows](std::size_t row, std::size_t column)

@@ -6,7 +6,7 @@
 
 namespace palpate::testing
 {
-/// Whether the truth lies in an interval.
+/// True if the interval contains the true value.
 inline bool holds(const Estimate& estimate, double truth)
 {
   return estimate.lower <= truth && truth <= estimate.upper;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of the kinds that instruments record and no model fits: each is refused in words, and a
-// fit that failed is never used. Holds are those of Lee and Radok.
+// Curves of kinds that instruments record and that no model fits: each is rejected with a message,
+// and a failed fit is never used. Holds are those of Lee and Radok.
 #include "Identification/MeasuredSite.h"
 
 #include "ClosedRelaxation.h"
@@ -21,7 +21,7 @@ using palpate::testing::tool;
 
 namespace
 {
-/// A sphere of 5 mm, pressed 4 mm into matter of this exponent and held.
+/// A sphere of 5 mm, pressed 4 mm into a material with this exponent and held.
 MeasuredCurve pressAndHold(double exponent, double noise = 0.002, unsigned seed = 1)
 {
   RampAndHold press;
@@ -59,7 +59,7 @@ MeasuredCurve from(const MeasuredCurve& curve, std::size_t first)
 
 TEST(FailedFit, HoldsAreRefusedInWords)
 {
-  for (const double exponent : { 1.0, 2.5, 3.5 }) // a sphere's is 1.5: no half-space
+  for (const double exponent : { 1.0, 2.5, 3.5 }) // a sphere on a half-space has 1.5
   {
     for (const unsigned seed : { 1U, 2U })
     {
@@ -70,7 +70,7 @@ TEST(FailedFit, HoldsAreRefusedInWords)
   }
 }
 
-/// A hold at 0.9 of the tool's radius is none of small strain.
+/// A hold at a depth of 0.9 of the tool's radius exceeds small strain.
 TEST(FailedFit, AHoldThatIsTooDeepIsNamed)
 {
   const std::string refusal = identified(pressAndHold(1.5)).refusal;
@@ -78,7 +78,7 @@ TEST(FailedFit, AHoldThatIsTooDeepIsNamed)
     << refusal;
 }
 
-/// With a load before the first reading, much noise, few readings, a drift.
+/// With a load before the first reading, strong noise, few readings, a drift.
 TEST(FailedFit, WhateverComesIsIdentifiedOrRefused)
 {
   std::vector<MeasuredCurve> curves;
@@ -103,7 +103,7 @@ TEST(FailedFit, WhateverComesIsIdentifiedOrRefused)
   }
 }
 
-/// Stiffer with the depth than a half-space: C_g would be below 0.
+/// The stiffness grows faster with depth than on a half-space: C_g would be negative.
 TEST(FailedFit, ANegativeComplianceIsNoBody)
 {
   MeasuredCurve stiffening;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What precedes the contact: long, shifted, drifting, crooked. The truth is Hertz's closed form.
+// The part of a curve before the contact: long, shifted, drifting, curved. The reference is Hertz's
+// closed form.
 #include "Identification/ArrangedReadings.h"
 #include "Identification/BodyIdentification.h"
 #include "Identification/MeasuredSite.h"
@@ -48,8 +49,8 @@ double halfWidth(const palpate::Estimate& estimate)
 }
 } // namespace
 
-/// 95 % intervals hold the truth 95 times in 100: of 200 repeats within three standard deviations
-/// of the binomial, 3 √(0.95 0.05/200) = 4.6 %. Of 2000: IdentificationCoverage.
+/// 95 % intervals contain the true value 95 times in 100: for 200 repeats within three standard
+/// deviations of the binomial, 3 √(0.95 0.05/200) = 4.6 %. For 2000 see IdentificationCoverage.
 TEST(ForceBaseline, IntervalsHoldTheTruth)
 {
   constexpr int repeats = 200;
@@ -70,7 +71,7 @@ TEST(ForceBaseline, IntervalsHoldTheTruth)
       const double unit = Approach::force(Approach::Depth);
       modulus += holds(body.reducedModulus, Approach::Modulus) ? 1 : 0;
       contact += holds(body.contactOffset[0], made.length) ? 1 : 0;
-      // Told at the contact that was estimated.
+      // The offset is stated at the estimated contact.
       offset +=
         holds(body.forceOffset[0], unit * (made.offset + made.drift * body.baseline[0].reference))
         ? 1
@@ -103,23 +104,24 @@ TEST(ForceBaseline, ChangesTheModulusByLessThanItsInterval)
   {
     const IdentifiedBody body = identify(made);
     ASSERT_EQ(body.refusal, "") << made.offset << " " << made.drift << " " << made.length;
-    EXPECT_EQ(body.body.model, BodyModel::HalfSpace); // no layer is invented
+    EXPECT_EQ(body.body.model, BodyModel::HalfSpace); // no layer is found
     EXPECT_TRUE(body.withinNoise);
     EXPECT_TRUE(holds(body.reducedModulus, Approach::Modulus));
     EXPECT_LT(std::abs(body.reducedModulus.value - plain.reducedModulus.value),
       halfWidth(plain.reducedModulus));
-    // Without a baseline to find, E* is known to 0.2 %; with it no worse than twice that.
+    // Without a baseline fit the uncertainty of E* is 0.2 %; with it at most twice that.
     EXPECT_LT(halfWidth(body.reducedModulus), 2.0 * halfWidth(plain.reducedModulus));
   }
 }
 
-/// Averaged over equal depths: however many readings precede the contact, and where they lie.
+/// Readings are averaged over equal depths, for any number and position of readings before the
+/// contact.
 TEST(ForceBaseline, ReadingsAreGroupedByDepth)
 {
   const auto tip = tool("paraboloid:3");
   std::mt19937 random(3);
   IndentationCurve curve = approach(5.0, 5000, 0.0, 0.0).measure(*tip, random);
-  curve.deflection.insert(curve.deflection.begin(), 50000, 0.0); // waits
+  curve.deflection.insert(curve.deflection.begin(), 50000, 0.0); // a wait before the approach
   curve.force.insert(curve.force.begin(), 50000, 0.0);
   const IndentationCurve arranged = arrangeReadings(curve, true);
   EXPECT_NEAR(arranged.start.depth, 5.0, 0.05);
@@ -131,8 +133,8 @@ TEST(ForceBaseline, ReadingsAreGroupedByDepth)
     inContact += arranged.deflection[i] >= 5.0 ? 1 : 0;
     readings += arranged.readings[i];
   }
-  // Each alone, as they lie 1/80 of the depth apart and a group is 1/145; the first with those
-  // before.
+  // Each reading in contact is a group: they are 1/80 of the depth apart and a group is 1/145. The
+  // first one is grouped with those before.
   EXPECT_EQ(inContact, 80);
   EXPECT_LE(arranged.force.size(), 200U);
   EXPECT_NEAR(readings, 81 + 1600, 100); // over four times the depth of contact, 0.001 mm apart
@@ -151,7 +153,8 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
   const BodyIdentification identification = halfSpace();
   const std::string refusal = identification.identify({ crooked }).refusal;
   EXPECT_NE(refusal.find("no model fits"), std::string::npos) << refusal;
-  // A tenth of the largest force over the depth of contact is the most: 0.25 of it per mm.
+  // The largest accepted drift is a tenth of the largest force over the depth of contact: 0.25 of
+  // it per mm.
   for (const double drift : { 0.2, 0.4 })
   {
     const IdentifiedBody body =
@@ -160,7 +163,8 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
   }
 }
 
-/// The energy of a loop is that of the net force: one that keeps 5 % is elastic at any offset.
+/// The energy of a loop is that of the net force: a loop that loses 5 % counts as elastic for any
+/// offset.
 TEST(ForceBaseline, DoesNotCountAsALoop)
 {
   for (const double offset : { 0.0, -0.5, 0.5 })
@@ -181,13 +185,13 @@ TEST(ForceBaseline, DoesNotCountAsALoop)
     site.curves.push_back({ "paraboloid:3", tool("paraboloid:3"), curve, {} });
     palpate::identifySite({}, halfSpace(), site);
     ASSERT_EQ(site.refusal, "") << offset;
-    // The offset is known to 0.01 % of the largest force; a branch ends within 1 % of the turn.
+    // The offset is accurate to 0.01 % of the largest force; a branch ends within 1 % of the turn.
     EXPECT_NEAR(site.curves[0].prepared.hysteresis, 0.05, 0.005) << offset;
     EXPECT_TRUE(holds(site.body.reducedModulus, Approach::Modulus));
   }
 }
 
-/// Too few readings before contact: the drift counts as 0, and the remark says so.
+/// Too few readings before the contact: the drift counts as 0, and the remark states that.
 TEST(ForceBaseline, SaysWhatItDoesNotTell)
 {
   const auto tip = tool("paraboloid:3");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured with one tool, felt with another, where the measurements are those of a finite-element
-// code that knows nothing of our laws (Data/Studies/calculix): one sphere identifies, the tools
-// that were held out are predicted. To the identifying curve noise is added, and an offset it does
-// not know. Testing/Studies/measured/run.py makes the whole table, where it fails included.
+// Identification with one tool and prediction for others. The measurements come from a
+// finite-element code that is independent of our laws (Data/Studies/calculix): one sphere
+// identifies, the held-out tools are predicted. Noise and an unknown offset are added to the
+// identifying curve. Testing/Studies/measured/run.py makes the whole table, including the cases
+// that fail.
 #include "Identification/BodyIdentification.h"
 #include "Identification/CurvesFile.h"
 
@@ -28,7 +29,7 @@ constexpr int Count = 120;                            // readings
 constexpr double Offset = 0.15;                       // mm
 constexpr double Noise = 0.002;                       // of the largest force
 
-/// A computed curve, at any depth: between its points F/δ^1.5 is nearly straight over √δ.
+/// A computed curve at any depth: between its points F/δ^1.5 is nearly linear over √δ.
 class ComputedCurve
 {
 public:
@@ -121,7 +122,8 @@ TEST(HeldOutTool, HalfSpace)
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::HalfSpace);
   EXPECT_NEAR(body.contactOffset[0].value, Offset, 0.01);
-  // The mesh is good to 0.5 % of force (mesh_error.csv); Neo-Hookean strain and noise to 1 % each.
+  // The mesh has an error of 0.5 % of the force (mesh_error.csv); Neo-Hookean strain and noise add
+  // 1 % each.
   EXPECT_TRUE(palpate::testing::agrees(body.reducedModulus.value, Modulus, 0.02));
   EXPECT_NEAR(error(identification, body, "block-sphere1.6-neohooke", 0.25), 0.0, 0.025);
   EXPECT_NEAR(error(identification, body, "block-flat1.6-neohooke", 0.3), 0.0, 0.025);
@@ -137,8 +139,8 @@ TEST(HeldOutTool, Layer)
   EXPECT_GE(body.thickness.upper, 10.0);
   EXPECT_LE(body.reducedModulus.lower, Modulus);
   EXPECT_GE(body.reducedModulus.upper, Modulus);
-  // E* and h compensate each other under the tool that measured them, less so under others: the
-  // prediction is as uncertain as E*. Model and mesh take 3 % more.
+  // E* and h compensate each other for the tool that measured them, but less for other tools: the
+  // prediction is as uncertain as E*. Model and mesh add 3 %.
   const double uncertain = body.reducedModulus.upper / body.reducedModulus.value - 1.0;
   EXPECT_LT(uncertain, 0.25);
   const double small = error(identification, body, "layer10-sphere1.6-neohooke", 0.25);
@@ -158,15 +160,16 @@ TEST(HeldOutTool, LayerWithoutNoise)
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::Layer);
   EXPECT_TRUE(palpate::testing::agrees(body.thickness.value, 10.0, 0.05));
-  // 0.5 % of mesh, 1 % of Neo-Hookean strain, as above.
+  // 0.5 % from the mesh, 1 % from Neo-Hookean strain, as above.
   EXPECT_NEAR(error(identification, body, "layer10-sphere1.6-neohooke", 0.25), 0.0, 0.02);
   EXPECT_NEAR(error(identification, body, "layer10-flat1.6-neohooke", 0.3), 0.0, 0.02);
 }
 
 TEST(HeldOutTool, FailsOnAPlateNoThickerThanTheContact)
 {
-  // A plate of 4 mm that bends under a contact radius up to 2.5 mm: neither local nor global alone.
-  // The compliance takes what is the contact's; a smaller tool is felt too soft.
+  // A plate of 4 mm that bends under a contact radius up to 2.5 mm: neither purely local nor purely
+  // global. The compliance absorbs a part of the contact's deflection, so a smaller tool is
+  // predicted too soft.
   IdentificationOptions options;
   options.poissonsRatio = 0.3;
   const BodyIdentification identification(options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Do 95 % confidence intervals hold the truth 95 times in 100? Repeated experiments with noise of 1
-// % of the largest force and an unknown contact point, fixed seeds. Also: how often the right model
-// is chosen, and whether the interval of what another tool will feel holds.
+// Do 95 % confidence intervals contain the true value 95 times in 100? Repeated experiments with
+// noise of 1 % of the largest force and an unknown contact point, fixed seeds. Also: how often the
+// right model is chosen, and whether the interval of another tool's predicted force is valid.
 #include "Identification/PredictedForceError.h"
 
 #include "Mechanics/Layers/LayerContact.h"
@@ -22,7 +22,7 @@ namespace
 {
 constexpr double Modulus = 0.05;   // MPa
 constexpr double Offset = 0.2;     // mm
-constexpr double OtherDepth = 1.0; // mm, of the tool that is felt
+constexpr double OtherDepth = 1.0; // mm, of the other tool
 
 struct Truth
 {
@@ -35,7 +35,7 @@ struct Tally
   int modulus = 0;
   int second = 0;
   int offset = 0;
-  int felt = 0; ///< by another tool
+  int felt = 0; ///< predicted for another tool
   int chosen = 0;
 };
 
@@ -43,8 +43,8 @@ Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repea
   bool noiseGiven, bool modelGiven)
 {
   IdentificationOptions options;
-  options.largestUncertainty = 10.0; // every interval is to be judged
-  options.largestStrain = 100.0;     // the truth is linear at every depth
+  options.largestUncertainty = 10.0; // every interval is checked
+  options.largestStrain = 100.0;     // the true law is linear at every depth
   if (modelGiven)
   {
     options.model = truth.model;
@@ -85,8 +85,8 @@ Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repea
   return tally;
 }
 
-/// 95 % of `count`, within three standard deviations of the binomial and 2 % for what the
-/// linearised problem leaves out.
+/// 95 % of `count`, within three standard deviations of the binomial and 2 % for the error of the
+/// linearised problem.
 void expectNinetyFive(int held, int count, const char* what)
 {
   const double share = static_cast<double>(held) / count;
@@ -107,7 +107,8 @@ void check(const char* specification, const Truth& truth, int repeats, int choic
     expectNinetyFive(tally.offset, repeats, "offset");
     expectNinetyFive(tally.felt, repeats, "felt");
   }
-  // Left to choose: the two tests at 1 % and three standard deviations reject the truth rarely.
+  // With free choice: the two tests at 1 % and three standard deviations rarely reject the true
+  // model.
   const Tally free = repeat(*tip, truth, choices, 80, false, false);
   std::printf("  chosen     %d of %d\n", free.chosen, choices);
   EXPECT_GE(free.chosen, 0.9 * choices);
@@ -124,9 +125,8 @@ TEST(IdentificationCoverage, GlobalCompliance)
   check("paraboloid:6.35", { BodyModel::GlobalCompliance, 6.0 }, 400, 40);
 }
 
-/// With what precedes the contact, of 2000 repeats: 93 to 97 %, four standard deviations of the
-/// binomial, 0.49 %. Left to choose, the two tests at 1 % take the half-space for another body
-/// rarely.
+/// With readings before the contact, 2000 repeats: 93 to 97 %, four standard deviations of the
+/// binomial, 0.49 %. With free choice the two tests at 1 % rarely reject the half-space.
 TEST(IdentificationCoverage, Baselines)
 {
   constexpr int repeats = 2000;

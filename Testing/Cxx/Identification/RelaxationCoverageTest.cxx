@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Do 95 % confidence intervals of bodies that relax hold the truth 95 times in 100? Repeated tests
-// with noise of 1 % of the largest force and an unknown contact point, fixed seeds; the forces are
-// those of Lee and Radok for a ramp and a hold, and of Ting for a triangle.
+// Do 95 % confidence intervals of bodies that relax contain the true value 95 times in 100?
+// Repeated tests with noise of 1 % of the largest force and an unknown contact point, fixed seeds.
+// The forces are those of Lee and Radok for a ramp and a hold, and of Ting for a triangle.
 #include "Identification/RelaxingIdentification.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -32,10 +32,10 @@ struct Tally
   int offset = 0;
   std::array<int, PronySeries::LargestCount> strength{};
   std::array<int, PronySeries::LargestCount> time{};
-  std::vector<double> worst; ///< relative error of E* ψ over the window, of each repeat
+  std::vector<double> worst; ///< relative error of E* ψ over the window, for each repeat
 };
 
-/// `clean` is taken again and again, with noise of a hundredth of its largest force.
+/// Repeats the measurement of `clean` with noise of a hundredth of its largest force.
 Tally repeat(const char* specification, double modulus, const PronySeries& truth,
   const MeasuredCurve& clean, bool isNoiseGiven, int repeats)
 {
@@ -43,8 +43,8 @@ Tally repeat(const char* specification, double modulus, const PronySeries& truth
   const double noise = 0.01 * *std::max_element(clean.force.begin(), clean.force.end());
   IdentificationOptions options;
   options.model = palpate::BodyModel::HalfSpace;
-  options.largestUncertainty = 10.0; // every interval is to be judged
-  options.largestStrain = 100.0;     // the truth is linear at every depth
+  options.largestUncertainty = 10.0; // every interval is checked
+  options.largestStrain = 100.0;     // the true law is linear at every depth
   options.noise = isNoiseGiven ? noise : 0.0;
   const BodyIdentification identification(options);
   std::mt19937 random(1966);
@@ -86,8 +86,7 @@ Tally repeat(const char* specification, double modulus, const PronySeries& truth
   return tally;
 }
 
-/// 95 % of `count`, within three standard deviations of the binomial (4.6 % of
-/// 200).
+/// 95 % of `count`, within three standard deviations of the binomial (4.6 % for 200).
 void expectNinetyFive(int held, int count, const std::string& what)
 {
   const double share = static_cast<double>(held) / count;
@@ -99,7 +98,7 @@ void check(const char* specification, double modulus, const PronySeries& truth,
   const MeasuredCurve& clean, bool isNoiseGiven, int repeats)
 {
   Tally tally = repeat(specification, modulus, truth, clean, isNoiseGiven, repeats);
-  // A likelihood ratio at 1 %, and the elements of the choice are few.
+  // A likelihood ratio at 1 %; the choice uses few elements.
   EXPECT_GE(tally.chosen, 0.95 * repeats);
   int all = tally.modulus + tally.offset;
   expectNinetyFive(tally.modulus, tally.chosen, "E*");
@@ -111,8 +110,8 @@ void check(const char* specification, double modulus, const PronySeries& truth,
     expectNinetyFive(tally.time[k], tally.chosen, "time " + branch);
     all += tally.strength[k] + tally.time[k];
   }
-  // All parameters together: 93 to 97 %, and a standard deviation of the binomial, 1.5 % of 200
-  // (they hang on each other).
+  // All parameters together: 93 to 97 %, plus a standard deviation of the binomial, 1.5 % for 200
+  // (the parameters are correlated).
   const double share =
     static_cast<double>(all) / (tally.chosen * static_cast<double>(2 + 2 * truth.count));
   std::nth_element(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation found again from loops and holds: from the tables of the reference sheet, and from the
+// Relaxation identified from loops and holds: from the tables of the reference sheet, and from the
 // closed forms of Lee, Radok and Ting.
 #include "Identification/CommonRelaxation.h"
 #include "Identification/MeasuredSite.h"
@@ -58,11 +58,11 @@ IdentificationOptions halfSpace()
 {
   IdentificationOptions options;
   options.model = BodyModel::HalfSpace;
-  options.largestStrain = 100.0; // the truth is linear at every depth
+  options.largestStrain = 100.0; // the true law is linear at every depth
   return options;
 }
 
-/// The largest relative difference of E* ψ from the truth over the window that is told.
+/// The largest relative difference of E* ψ from the true value over the reported window.
 double worstRelaxation(const IdentifiedBody& body, double modulus, const PronySeries& truth)
 {
   double worst = 0.0;
@@ -79,7 +79,7 @@ bool holds(const palpate::Estimate& estimate, double truth)
   return estimate.lower <= truth && truth <= estimate.upper;
 }
 
-/// f = δ^1.5 of the paraboloid of 6.35 mm.
+/// The modulus for which the paraboloid of 6.35 mm has f = δ^1.5.
 const double UnitModulus = 0.75 / std::sqrt(R);
 } // namespace
 
@@ -87,7 +87,7 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
 {
   std::ifstream file(PALPATE_DATA_DIR "/Reference/rate/ident_ramp_hold_noisy.csv");
   std::string line;
-  std::getline(file, line); // what it is
+  std::getline(file, line); // description of the file
   std::getline(file, line); // t_s,F_clean_N,F_noisy_N
   MeasuredCurve curve;
   for (double t = 0.0, clean = 0.0, noisy = 0.0; std::getline(file, line);)
@@ -106,7 +106,7 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
   const double worst = worstRelaxation(body, UnitModulus, SheetSeries);
   std::printf(
     "  %s: %.2f %%; %s\n", textOf(body.relaxation).c_str(), 100.0 * worst, body.remark.c_str());
-  // The sheet's own fits stay within 1.0 % (the median of the worst).
+  // The sheet's own fits are within 1.0 % (the median of the worst).
   EXPECT_LT(worst, 0.01);
   EXPECT_TRUE(holds(body.reducedModulus, UnitModulus));
   for (std::size_t i = 0; i < 2; ++i)
@@ -114,13 +114,13 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
     EXPECT_TRUE(holds(body.relaxationStrength[i], SheetSeries.strength[i])) << i;
     EXPECT_TRUE(holds(body.relaxationTime[i], SheetSeries.time[i])) << i;
   }
-  EXPECT_NEAR(body.noise, 0.0189143, 2e-3);          // of 500 readings: a tenth
+  EXPECT_NEAR(body.noise, 0.0189143, 2e-3);          // from 500 readings: a tenth
   EXPECT_NEAR(body.shortestTime, 0.05 / 15.0, 2e-4); // 2 % of the depth is noise
   EXPECT_NEAR(body.longestTime, 10.0, 0.1);
 }
 
-/// Standard errors against the sheet's bounds of Cramér and Rao, 1 % of the peak, at the times of
-/// its 500 readings.
+/// Standard errors against the Cramér-Rao bounds of the sheet, for noise of 1 % of the peak, at the
+/// times of its 500 readings.
 TEST(RelaxationIdentification, IntervalsAreThoseOfCramerAndRao)
 {
   std::vector<double> times;
@@ -161,12 +161,12 @@ TEST(RelaxationIdentification, IntervalsAreThoseOfCramerAndRao)
     ASSERT_EQ(body.relaxation.count, 1U);
     const auto error = [](const palpate::Estimate& estimate)
     { return 0.5 * std::log(estimate.upper / estimate.lower) / palpate::Normal95; };
-    // 5 %: where the sheet takes its peak between two readings.
+    // 5 %, because the sheet takes its peak between two readings.
     EXPECT_TRUE(agrees(error(body.reducedModulus), at("sd_ln_f"), 0.05)) << at("tau1_s");
     EXPECT_TRUE(agrees(error(body.relaxationStrength[0]), at("sd_ln_p1"), 0.05)) << at("tau1_s");
     EXPECT_TRUE(agrees(error(body.relaxationTime[0]), at("sd_ln_tau1(or tau1)"), 0.05))
       << at("tau1_s");
-    EXPECT_TRUE(agrees(body.reducedModulus.value, UnitModulus, 1e-3)); // the elements
+    EXPECT_TRUE(agrees(body.reducedModulus.value, UnitModulus, 1e-3)); // error of the elements
   }
   EXPECT_EQ(checked, 6);
 }
@@ -191,8 +191,8 @@ TEST(RelaxationIdentification, TrianglesOfTheSheet)
   ASSERT_EQ(curves.size(), 3U);
   IdentificationOptions options = halfSpace();
   options.findContact = false;
-  const IdentifiedBody body =
-    identified("paraboloid:6.35", curves, options, { 0.05, 0.05 }).body; // small loops count
+  const IdentifiedBody body = identified("paraboloid:6.35", curves, options, { 0.05, 0.05 })
+                                .body; // small loops count as relaxation
   ASSERT_EQ(body.refusal, "");
   ASSERT_EQ(body.relaxation.count, 2U);
   const double worst = worstRelaxation(body, UnitModulus, SheetSeries);
@@ -208,13 +208,14 @@ TEST(RelaxationIdentification, TrianglesOfTheSheet)
 
 namespace
 {
-/// Half of an interval over the value: of its logarithm.
+/// Half the width of an interval over the value: that of its logarithm.
 double halfWidth(const palpate::Estimate& estimate)
 {
   return 0.5 * std::log(estimate.upper / estimate.lower);
 }
 
-/// Twice the 95 % interval: with fixed seeds, so that a few estimates may lie outside once.
+/// Within twice the 95 % interval: with fixed seeds a few estimates may be outside the interval
+/// itself.
 void expectNear(const palpate::Estimate& found, double truth, const char* what)
 {
   EXPECT_LT(std::abs(std::log(found.value / truth)), 2.0 * halfWidth(found) + 1e-12)
@@ -231,7 +232,7 @@ void expectSeries(const IdentifiedBody& body, const PronySeries& truth)
   }
 }
 
-/// Pressed at constant speed and held, of any slow curve; 200 readings.
+/// A press at constant speed with a hold, for any slow curve; 200 readings.
 template <class Law>
 MeasuredCurve pressAndHold(const Law& law, const PronySeries& truth, double depth, double ramp,
   double hold, double offset, double noise, unsigned seed)
@@ -261,9 +262,9 @@ TEST(RelaxationIdentification, AnyToolFromAnyOffset)
     EXPECT_NEAR(body.contactOffset[0].value, 0.37,
       body.contactOffset[0].upper - body.contactOffset[0].lower); // twice its interval
     expectSeries(body, truth);
-    // 200 readings where the sheet has 500, and an offset: twice its 1 %.
+    // 200 readings, where the sheet has 500, and an offset: twice the 1 % of the sheet.
     EXPECT_LT(worstRelaxation(body, modulus, truth), 0.02) << specification;
-    // The data end where it was deepest, by the slow curve.
+    // The data end at the largest depth, on the slow curve.
     EXPECT_TRUE(agrees(body.endForce,
       body.reducedModulus.value / modulus * law(1.5 + 0.37 - body.contactOffset[0].value), 1e-9));
     EXPECT_LT(halfWidth(body.reducedModulus), 0.05);
@@ -295,7 +296,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
   const auto kernel = std::make_shared<const palpate::LayerKernel>(0.5, palpate::LayerBase::Bonded);
   const palpate::LayerContact layer(*tip, kernel, thickness);
   const auto force = [&](double d) { return d > 0.0 ? layer.evaluate(d, modulus).force : 0.0; };
-  std::vector<double> table; // 0.005 mm apart: the oracle asks for 500 depths at every reading
+  std::vector<double> table; // 0.005 mm apart: the reference evaluates 500 depths per reading
   for (int i = 0; i <= 300; ++i)
   {
     table.push_back(force(0.005 * i));
@@ -318,7 +319,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
   expectSeries(body, truth);
 }
 
-/// A loop alone: loading and unloading of a cone and a sphere, by Ting.
+/// Only a loop: loading and unloading of a cone and a sphere, by Ting.
 TEST(RelaxationIdentification, ALoopAlone)
 {
   for (const auto& [specification, m] : { std::pair{ "paraboloid:6.35", 1.5 }, { "cone:45", 2.0 } })
@@ -342,8 +343,8 @@ TEST(RelaxationIdentification, ALoopAlone)
   }
 }
 
-/// The rubber of Mahvash and Hayward at 1 mm/s, if it relaxes as rubber does: by the sheet 4 to 5 %
-/// stiffer than it is slowly.
+/// The rubber of Mahvash and Hayward at 1 mm/s, if it relaxes like rubber: by the sheet 4 to 5 %
+/// stiffer than the slow curve.
 TEST(RelaxationIdentification, ThePressOfAPaperIsNotTheSlowOne)
 {
   const PronySeries rubber = relaxation({ { 0.05, 0.1 }, { 0.05, 3.0 } });
@@ -368,11 +369,11 @@ TEST(RelaxationIdentification, ThePressOfAPaperIsNotTheSlowOne)
   EXPECT_TRUE(agrees(site.body.reducedModulus.value, slow, 2e-4)); // 99 elements, 100 steps
   EXPECT_EQ(textOf(site.body.relaxation), textOf(rubber));
   EXPECT_NE(site.body.remark.find("given"), std::string::npos);
-  // With the contact to be found as well.
+  // The same with an unknown contact point.
   options.findContact = true;
   EXPECT_TRUE(agrees(
     identified("paraboloid:6.35", { curve }, options).body.reducedModulus.value, slow, 1e-3));
-  // Without times it is taken for a slow one, and that is said.
+  // Without times the curve counts as slow, and the remark states that.
   MeasuredCurve timeless = curve;
   timeless.time.clear();
   const IdentifiedBody body = identified("paraboloid:6.35", { timeless }, options).body;
@@ -390,17 +391,17 @@ TEST(RelaxationIdentification, SaysWhatTheTestDoesNotTell)
     return identified(
       "paraboloid:6.35", { pressAndHold(law, truth, 1.0, 0.1, hold, 0.0, 0.005, 3) }, halfSpace());
   };
-  // Slower than the hold by three: E* is open, and it is said that the hold is too short.
+  // Three times slower than the hold: E* is undetermined, and the message asks for a longer hold.
   const MeasuredSite tooSlow = found(relaxation({ { 1.0, 0.3 }, { 1.0, 30.0 } }), 5.0);
   EXPECT_NE(tooSlow.refusal.find("hold longer"), std::string::npos)
     << tooSlow.refusal << tooSlow.body.remark;
-  // As slow as it is: the interval is wide.
+  // As slow as the hold: the interval is wide.
   const MeasuredSite slow = found(relaxation({ { 1.0, 0.3 }, { 0.4, 12.0 } }), 10.0);
   ASSERT_EQ(slow.refusal, "");
   EXPECT_NE(slow.body.remark.find("goes on beyond"), std::string::npos) << slow.body.remark;
   EXPECT_TRUE(holds(slow.body.reducedModulus, modulus));
   EXPECT_GT(halfWidth(slow.body.reducedModulus), 0.04);
-  // Faster than the ramp can show: the rest is found, the window is said.
+  // Faster than the ramp can resolve: the rest is found, and the window is stated.
   const MeasuredSite fast = found(relaxation({ { 0.5, 0.0005 }, { 1.0, 0.5 } }), 10.0);
   ASSERT_EQ(fast.refusal, "");
   EXPECT_NE(fast.body.remark.find("times from 0.006"), std::string::npos) << fast.body.remark;
@@ -411,8 +412,8 @@ TEST(RelaxationIdentification, SaysWhatTheTestDoesNotTell)
     fast.body.remark.c_str());
 }
 
-/// Pressed and held deeper than small strain allows, 0.16 R: the hold is not compared, and that is
-/// said; with more strain it is.
+/// Pressed and held beyond small strain, 0.16 R: the hold is not used, and the message states that.
+/// With a larger strain limit it is.
 TEST(RelaxationIdentification, SaysThatAHoldIsTooDeep)
 {
   const auto tip = tool("paraboloid:6.35");
@@ -430,7 +431,7 @@ TEST(RelaxationIdentification, SaysThatAHoldIsTooDeep)
   expectSeries(site.body, truth);
 }
 
-/// A third of a percent of the depth as noise of the deflection: an instrument's.
+/// Noise of the deflection, a third of a per cent of the depth, as of an instrument.
 TEST(RelaxationIdentification, NoiseOfTheDeflection)
 {
   const auto tip = tool("paraboloid:6.35");
@@ -446,7 +447,7 @@ TEST(RelaxationIdentification, NoiseOfTheDeflection)
   const IdentifiedBody body = identified("paraboloid:6.35", { curve }, halfSpace()).body;
   ASSERT_EQ(body.refusal, "");
   std::printf("  %s, E* %g\n", textOf(body.relaxation).c_str(), body.reducedModulus.value);
-  // Not what the fit takes noise for: three times its 1 %.
+  // Not the noise that the fit assumes: three times its 1 %.
   EXPECT_LT(worstRelaxation(body, 0.02, truth), 0.03);
 }
 
@@ -466,7 +467,7 @@ TEST(RelaxationIdentification, SitesShareTimes)
     return palpate::commonRelaxation(sites);
   };
   EXPECT_EQ(textOf(all(1).mean), textOf(bodies[0].relaxation));
-  // Of the same times: exactly, a site that does not relax among them.
+  // Equal times: exact, even with a site that does not relax.
   const palpate::CommonRelaxation same = all(3);
   ASSERT_EQ(same.mean.count, 2U);
   EXPECT_LT(same.worst, 1e-9);
@@ -480,7 +481,7 @@ TEST(RelaxationIdentification, SitesShareTimes)
   EXPECT_EQ(same.strength[2][0], 0.0);
   EXPECT_NEAR(same.mean.strength[0], 0.6, 1e-9); // (0.6 + 1.2 + 0)/3
   EXPECT_NEAR(same.mean.time[0], 0.1, 1e-15);
-  // Times that differ by noise are one; those that differ by more are few enough to be kept.
+  // Times that differ by noise are merged. Times that differ more are kept, since they are few.
   bodies[1].relaxation = relaxation({ { 0.63, 0.105 }, { 0.38, 2.1 } });
   bodies[2].relaxation = relaxation({ { 0.5, 0.01 }, { 0.5, 20.0 } });
   const palpate::CommonRelaxation other = all(3);
@@ -495,7 +496,8 @@ TEST(RelaxationIdentification, SitesShareTimes)
   EXPECT_EQ(all(3).mean.count, 0U);
 }
 
-/// Lawson and Hanson: no step along the edges of the feasible region helps (Karush, Kuhn, Tucker).
+/// Lawson and Hanson: no step along the edges of the feasible region reduces the sum (Karush, Kuhn,
+/// Tucker).
 TEST(RelaxationIdentification, NonNegativeLeastSquaresIsTheMinimum)
 {
   std::mt19937 random(5);
@@ -541,7 +543,7 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
   {
     EXPECT_NE(site.refusal.find(words), std::string::npos) << site.refusal;
   }
-  // A loop that no relaxation gives: as much force on the way back as a spring of half the
+  // A loop that no relaxation can explain: on the way back the force of a spring of half the
   // stiffness, at any speed.
   MeasuredCurve plastic;
   for (int i = 0; i <= 200; ++i)
@@ -553,7 +555,7 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
   }
   const MeasuredSite refused = identified("paraboloid:6.35", { plastic }, halfSpace());
   EXPECT_NE(refused.refusal.find("no model fits"), std::string::npos) << refused.refusal;
-  // One that gives back more than it got is none either.
+  // A curve that returns more energy than it received cannot relax either.
   for (int i = 101; i <= 200; ++i)
   {
     plastic.force[static_cast<std::size_t>(i)] *= 6.0;
@@ -562,7 +564,7 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
   EXPECT_NE(gains.refusal.find("not the curve of an elastic body"), std::string::npos);
 }
 
-/// Within the limits a body is elastic as before, to the bit, times or not.
+/// Within the limits a body is identified as elastic as before, to the bit, with or without times.
 TEST(RelaxationIdentification, ElasticCurvesAreIdentifiedAsBefore)
 {
   std::mt19937 random(2);
@@ -605,7 +607,8 @@ TEST(RelaxationIdentification, ManyReadings)
   ASSERT_EQ(body.refusal, "");
   expectNear(body.reducedModulus, UnitModulus, "E*");
   expectSeries(body, press.series);
-  // The eleven readings before contact tell the offset of the force to 1 % of the slow force.
+  // The eleven readings before the contact determine the offset of the force to 1 % of the slow
+  // force.
   EXPECT_LT(worstRelaxation(body, UnitModulus, press.series), 0.02);
 }
 } // namespace relaxation_identification

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a relaxing body gives over a history, against Ting's integrals and tables made of them.
+// Forces of a relaxing body over a history, against Ting's integrals and tables made from them.
 #include "Identification/RelaxationFit.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -19,7 +19,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A tool and a modulus for which f = δ^m.
+/// A tool with the modulus for which f = δ^m.
 struct Unit
 {
   const char* tool;
@@ -76,8 +76,8 @@ TEST(RelaxingFoundation, MeetsTheStopAndGoOfTing)
       worst = std::max(worst, std::abs(found[i] - table.number(row, column)));
     }
     std::printf("  m = %g: %.1e of the largest force\n", m, worst / largest);
-    // Gaps of 99 elements, second order: 16 of them give 0.26 % of a cone, so 99 give 7e-5; ticks
-    // of 1 ms while it lifts, as much.
+    // Gaps of 99 elements, second order: 16 elements have an error of 0.26 % for a cone, so 99 have
+    // 7e-5. Ticks of 1 ms during lift-off add the same.
     EXPECT_LT(worst, 1.5e-4 * largest);
   }
 }
@@ -103,12 +103,12 @@ TEST(RelaxingFoundation, MeetsTingInTables)
     ASSERT_NEAR(history.deflection.back(), at("delta"), 1e-9);
     const double m = at("m(f=delta^m)");
     const double found = forces(m, history, series).back();
-    // As above, of the largest force, which is at least that of the slow curve.
+    // As above, relative to the largest force, which is at least that of the slow curve.
     EXPECT_NEAR(found, at("F"), 1.5e-4 * std::pow(at("v_up") * up, m)) << row;
   }
 }
 
-/// The forms that the fits are tested with meet the same table.
+/// The closed forms used in the tests of the fits agree with the same table.
 TEST(RelaxingFoundation, ClosedFormsOfTheTestsMeetTheTable)
 {
   const ReferenceTable table("rate/ting_golden.csv");

@@ -9,17 +9,17 @@
 
 namespace palpate::testing
 {
-/// How a made-up curve is taken: readings, where the instrument counts from, noise of the force.
+/// Parameters of a synthetic curve: number of readings, zero of the instrument, noise of the force.
 struct Readings
 {
   int count = 60;
   double depth = 1.5;   ///< mm below first contact of the last reading
-  double offset = 0.0;  ///< mm the instrument shows at first contact
+  double offset = 0.0;  ///< reading of the instrument at first contact, mm
   double before = 0.15; ///< share of the readings before first contact
   double noise = 0.0;   ///< N
 };
 
-/// A curve of a law F(δ), any callable.
+/// A curve for a law F(δ), which may be any callable.
 template <class Law>
 IndentationCurve makeCurve(
   const AxisymmetricTool& tool, const Law& law, const Readings& readings, std::mt19937& random)

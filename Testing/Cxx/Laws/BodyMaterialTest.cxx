@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body is made of: constants and values, and which of them make no sense.
+// The material of a body: constants and values, and invalid combinations.
 #include "Laws/BodyMaterial.h"
 
 #include "Paraboloid.h"
@@ -108,7 +108,7 @@ TEST(BodyMaterial, TheExponentIsTheTipsUntilTheBodyIsSoft)
   EXPECT_EQ(hard.bestExponent(*tool, law), 1.5);
   BodyMaterial soft(Usual);
   BodyMaterial::Values values;
-  values.compliance = { "C", { 1000.0 } }; // nearly a spring
+  values.compliance = { "C", { 1000.0 } }; // almost a spring
   ASSERT_EQ(soft.take(std::move(values), 1), "");
   EXPECT_EQ(soft.bestExponent(*tool, law), 1.0);
 }

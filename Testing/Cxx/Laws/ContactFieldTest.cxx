@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a surface moves around a contact: a paraboloid on a plane by its closed form, modes by hand.
+// The motion of a surface around a contact: a paraboloid on a plane by its closed form, modes by
+// hand.
 #include "Laws/ContactField.h"
 
 #include "Paraboloid.h"
@@ -18,9 +19,9 @@ using palpate::testing::Paraboloid;
 namespace
 {
 constexpr double Depth = 1.0;  // mm
-constexpr double Float = 2e-7; // of a displacement of about 1 mm
+constexpr double Float = 2e-7; // rounding of a displacement of about 1 mm
 
-/// Johnson 1985, eq. 3.42: of a paraboloid, at r.
+/// Displacement at r of a paraboloid (Johnson 1985, eq. 3.42).
 double normalDisplacement(const Paraboloid& shape, double r)
 {
   const double a = std::sqrt(shape.radius * Depth);
@@ -29,7 +30,7 @@ double normalDisplacement(const Paraboloid& shape, double r)
       (Pi * shape.radius);
 }
 
-/// The plane z = 0, triangles facing +z, a point at the origin.
+/// The plane z = 0, triangles facing +z, with a point at the origin.
 BodyMesh makePlane(int half, double spacing)
 {
   std::vector<double> points;
@@ -92,7 +93,7 @@ TEST_F(Field, AParaboloidOnAPlane)
     const Vector3 x = mesh.point(static_cast<std::int32_t>(i));
     const Vector3 moved(u[3 * i], u[3 * i + 1], u[3 * i + 2]);
     EXPECT_NEAR(moved.z(), -normalDisplacement(Shape, x.norm()), Float) << i;
-    // Incompressible, a half-space does not move sideways outside of the contact or in it.
+    // An incompressible half-space has no tangential motion, inside or outside the contact.
     EXPECT_NEAR(moved.head<2>().norm(), 0.0, Float) << i;
   }
 }
@@ -101,7 +102,7 @@ TEST_F(Field, EndsAtItsReachWithoutAnEdge)
 {
   const ContactField field = this->make(unitTriangle(), contactAt(Vector3::Zero()), 8.0);
   EXPECT_EQ(field.fade(6.0, 1.0), 1.0);
-  EXPECT_NEAR(field.fade(7.0, 1.0), 0.5, 1e-12); // half of the way of a step that is symmetric
+  EXPECT_NEAR(field.fade(7.0, 1.0), 0.5, 1e-12); // half-way in a symmetric step
   EXPECT_EQ(field.fade(8.0, 1.0), 0.0);
   EXPECT_EQ(field.fade(0.0, std::cos(Pi / 3.0) - 1e-9), 0.0);
   EXPECT_NEAR(field.fade(0.0, std::cos(Pi / 3.6)), 1.0, 1e-12);
@@ -146,7 +147,7 @@ TEST_F(Field, ModesMoveAllPointsAlikeInFloatsAndDoubles)
   }
   const FieldContact contact = contactAt(Vector3::Zero());
   const ContactField field = this->make(triangle, contact);
-  EXPECT_TRUE(field.isEmpty()); // nothing is left of the depth
+  EXPECT_TRUE(field.isEmpty()); // no depth remains for the field
   std::vector<float> floats(3 * count);
   std::vector<double> doubles(3 * count);
   for (std::size_t i = 0; i < floats.size(); ++i)
@@ -200,22 +201,22 @@ TEST_F(Field, ANearFieldIsDrawnBesideTheDentOfItsForce)
   corner.reducedModulus = 0.2;
   triangle.near = { corner, corner, corner };
   FieldContact contact = contactAt(Vector3(0.25, 0.25, 0.0));
-  const double local = 0.7; // mm, of 1: this much of a half-space has the force
+  const double local = 0.7; // mm; deflection at which a half-space has this force
   contact.force = this->Tool->force(local, corner.reducedModulus);
   const ContactField field = this->make(triangle, contact);
   EXPECT_NEAR(field.localDeflection(), local, 1e-7); // increasingRoot
   const double a = field.contactRadius();
   EXPECT_NEAR(a, std::sqrt(this->Shape.radius * local), 1e-6);
-  // Within the contact the surface is the tool's.
+  // Inside the contact the surface follows the tool.
   EXPECT_NEAR(field.near(Vector3::Zero()), Depth - local, 1e-7);
   EXPECT_NEAR(field.near(Vector3(0.9 * a, 0.0, 0.0)), Depth - local, 1e-7);
-  // Twice as far out: asin(1/2) = π/6, (1/2) √(3/4) = √3/4.
+  // At twice the radius: asin(1/2) = π/6, (1/2) √(3/4) = √3/4.
   const double held = 2.0 / Pi * (Pi / 6.0 - std::sqrt(3.0) / 4.0);
   EXPECT_NEAR(field.near(Vector3(2.0 * a, 0.0, 0.0)),
     held * (Depth - local) + (1.0 - held) * contact.force * (0.1 + 0.02 * 2.0 * a), 1e-7);
   EXPECT_NEAR(field.near(Vector3(0.0, 2.0 * a, 0.0)),
     held * (Depth - local) + (1.0 - held) * contact.force * (0.1 + 0.003 * 4.0 * a * a), 1e-7);
-  // Beyond its radius it falls off as 1/r².
+  // Beyond its radius it decays as 1/r².
   EXPECT_NEAR(corner.at(Vector3(12.0, 0.0, 0.0)), 0.25 * (0.1 + 0.02 * 6.0), 1e-15);
 }
 

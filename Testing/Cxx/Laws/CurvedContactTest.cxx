@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body's sag in the law: spheres on spheres are spheres, Hertz's ellipse, a flat end on a ball.
+// The body's sag in the law: a sphere on a sphere acts as a sphere, Hertz's ellipse, a flat end on
+// a ball.
 #include "Laws/LocalContact.h"
 #include "Laws/ResponseLaw.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -61,7 +62,7 @@ TEST(CurvedContact, OnALayerToo)
   const LayerContact exact(*sharper, std::make_shared<LayerKernel>(0.45, LayerBase::Bonded), 2.0);
   for (const double depth : { 0.05, 0.4, 1.0 })
   {
-    // Through 64 nodes of two tables (1e-7) and the sag between its own.
+    // Error of 64 nodes of two tables (1e-7) and of the sag between its own nodes.
     EXPECT_NEAR(force({ ToolShape::Paraboloid, 4.0 }, curved(0.15, 0.15, 2.0), depth) /
         exact.evaluate(depth, 1.0).force,
       1.0, 1e-4);
@@ -86,11 +87,11 @@ TEST(CurvedContact, UnequalCurvaturesAreHertzsEllipse)
   }
 }
 
-/// Until its rim is reached a flat end on a ball is the ball; then F = 2 (aδ - a³κ/3).
+/// Until its rim is in contact a flat end on a ball acts as the ball; then F = 2 (aδ - a³κ/3).
 TEST(CurvedContact, AFlatEndOnABall)
 {
   constexpr double kappa = 0.1;
-  constexpr double a = 2.0; // whole at 0.4 mm
+  constexpr double a = 2.0; // full contact at 0.4 mm
   const double ball = 4.0 / 3.0 * std::sqrt(1.0 / kappa) * std::pow(0.2, 1.5);
   EXPECT_NEAR(force({ ToolShape::Flat, a }, curved(kappa, kappa), 0.2) / ball, 1.0, 1e-4);
   for (const double depth : { 0.5, 1.0 })
@@ -100,7 +101,8 @@ TEST(CurvedContact, AFlatEndOnABall)
   }
 }
 
-/// Touched whole, on saddles, cylinders and in hollows, F = 2 (aδ - a³κ_m/3), δ of its middle.
+/// In full contact, on saddles, cylinders and in hollows, F = 2 (aδ - a³κ_m/3), with δ at its
+/// middle.
 TEST(CurvedContact, AFlatEndInAHollowAndOnASaddle)
 {
   constexpr double a = 2.0;
@@ -115,7 +117,7 @@ TEST(CurvedContact, AFlatEndInAHollowAndOnASaddle)
       const double whole = 2.0 * (a * depth - a * a * a * mean / 3.0);
       EXPECT_NEAR(force({ ToolShape::Flat, a }, curved(first, second), depth) / whole, 1.0, 1e-4);
     }
-    // Before it is touched whole the force rises from nothing, and steadily.
+    // Before full contact the force rises from zero continuously.
     const double early = force({ ToolShape::Flat, a }, curved(first, second), 0.1);
     EXPECT_GT(early, 0.0);
     EXPECT_LT(early, force({ ToolShape::Flat, a }, curved(first, second), 0.3));
@@ -133,7 +135,8 @@ TEST(CurvedContact, TheFirstOrderIsThatOfAnyTool)
     const double a = made->contactRadius(0.8);
     const double change =
       force(given, curved(1.5 * kappa, 0.5 * kappa), 0.8) - made->force(0.8, 1.0);
-    // The second order is κ a²/δ of it, 2e-4, and the nodes' error 1e-6 of F, 1e-2 of the change.
+    // The second order is κ a²/δ of it, 2e-4. The error of the nodes is 1e-6 of F, 1e-2 of the
+    // change.
     EXPECT_NEAR(change, -2.0 / 3.0 * a * a * a * kappa, 0.02 * std::abs(change));
   }
 }
@@ -148,7 +151,8 @@ TEST(CurvedContact, AToolThatDoesNotFitIsOnAFlatBody)
   EXPECT_FALSE(fits);
 }
 
-/// A ball of finite elements: what the summed profiles leave is the structural compliance.
+/// A ball of finite elements: the difference from the law with summed profiles is the structural
+/// compliance.
 TEST(CurvedContact, OnABallTheRestIsStructural)
 {
   const ReferenceTable table("deep/curvature_sphere_on_ball.csv");

@@ -31,7 +31,7 @@ std::vector<LocalState> solved(
 }
 } // namespace
 
-/// 1/R + κ is the curvature of another paraboloid (Hertz 1882); what is interpolated of it is a
+/// 1/R + κ is the curvature of another paraboloid (Hertz 1882); its interpolated function is a
 /// power.
 TEST(CurvedHalfSpace, AParaboloidOnABallIsASharperOne)
 {
@@ -50,7 +50,7 @@ TEST(CurvedHalfSpace, AParaboloidOnABallIsASharperOne)
   }
 }
 
-/// The exact sphere between the nodes of its table, and in the first of its pieces, where its
+/// The exact sphere between the nodes of its table, and in the first piece of the table, where its
 /// radius counts as a power.
 TEST(CurvedHalfSpace, OnAFlatBodyTheToolIsAlone)
 {
@@ -69,7 +69,7 @@ TEST(CurvedHalfSpace, OnAFlatBodyTheToolIsAlone)
   }
 }
 
-/// A cone of g = (π/2) c a on a ball of δ_sag = κ a²: depth and force at a radius add.
+/// A cone with g = (π/2) c a on a ball with δ_sag = κ a²: depth and force at a given radius add up.
 TEST(CurvedHalfSpace, AConeOnABall)
 {
   const ToolSpecification cone{ ToolShape::Cone, 0.0, 60.0 };
@@ -86,11 +86,12 @@ TEST(CurvedHalfSpace, AConeOnABall)
   }
 }
 
-/// A flat end is touched whole after a²κ, by a ball until then; then F = 2(aδ - a³κ/3).
+/// A flat end is in full contact after a²κ; before that the contact is that of a ball. Then F =
+/// 2(aδ - a³κ/3).
 TEST(CurvedHalfSpace, AFlatEndOnABall)
 {
   constexpr double a = 1.6;
-  constexpr double kappa = 0.05; // whole at 0.128 mm
+  constexpr double kappa = 0.05; // full contact at 0.128 mm
   const auto states = solved({ ToolShape::Flat, a }, { kappa, kappa, 0.0 });
   for (std::size_t i = 0; i < Depths.size(); ++i)
   {
@@ -102,8 +103,8 @@ TEST(CurvedHalfSpace, AFlatEndOnABall)
   }
 }
 
-/// A flat end meets a hollow with its rim: there is no law until it lies in it, and then the mean
-/// of the sag counts, as over any circle that is touched whole.
+/// A flat end touches a hollow with its rim. There is no law until full contact; then the mean of
+/// the sag counts, as for any circle in full contact.
 TEST(CurvedHalfSpace, AFlatEndInAHollow)
 {
   constexpr double a = 1.6;
@@ -118,7 +119,7 @@ TEST(CurvedHalfSpace, AFlatEndInAHollow)
   }
 }
 
-/// δ = δ_local + C F: the local part of the series gives the force that the rest asks for.
+/// δ = δ_local + C F: the local part of the series gives the force for the rest of the depth.
 TEST(CurvedHalfSpace, InSeries)
 {
   constexpr double softness = 0.3;
@@ -145,7 +146,7 @@ TEST(CurvedHalfSpace, ANarrowHollowIsSaid)
   EXPECT_FALSE(contact.solve({ -3.0, -3.0, 0.0 }, 0.0, Depths, states.data()));
 }
 
-/// With finite strain the two ways of one contact agree: nodes (1e-6, their stiffness by
+/// At finite strain both computations of one contact agree: by nodes (1e-6; their stiffness by
 /// differences, 1e-3) and depth by depth.
 TEST(CurvedHalfSpace, FiniteStrainAsInNodes)
 {

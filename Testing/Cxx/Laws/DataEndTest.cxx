@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a stored curve leaves what was measured.
+// The end of the measured data in a stored curve.
 #include "Laws/DataEnd.h"
 
 #include "Paraboloid.h"
@@ -16,7 +16,7 @@ using palpate::testing::Paraboloid;
 namespace
 {
 constexpr double Range = 2.0;
-// A part in a thousand is given for storage: of the depth 2/3 of it by force, 2 by stiffness.
+// The tolerance for storage is 1e-3: in depth 2/3 of it by the force, twice by the stiffness.
 constexpr double Given = 2.01e-3;
 
 double endOf(const DataEnd& end)

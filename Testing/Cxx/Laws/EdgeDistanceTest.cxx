@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is an edge for a contact, how far it is, and what it takes of the force.
+// Edges that count for a contact, their distance, and the reduction of the force.
 #include "Laws/EdgeDistance.h"
 #include "Laws/ErrorRule.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -41,7 +41,7 @@ struct Mesh
 
 using Place = std::function<std::array<double, 3>(double, double)>;
 
-/// n × m squares of two triangles each over [0, 1]², carried to `place`; outwards is u × v.
+/// n × m squares of two triangles each over [0, 1]², mapped by `place`; outwards is u × v.
 Mesh sheet(int n, int m, const Place& place)
 {
   Mesh mesh;
@@ -65,13 +65,14 @@ Mesh sheet(int n, int m, const Place& place)
   return mesh;
 }
 
-/// A roof: level to the ridge at x = 0, falling by `fall` (rad) beyond, its ridge a fillet.
+/// A roof: level up to the ridge at x = 0, beyond it falling by the angle `fall` (rad). Its ridge
+/// is a fillet.
 Mesh roof(double size, int n, double fall, double fillet)
 {
   return sheet(n, n,
     [=](double u, double v)
     {
-      // Along the arc length s, the turn begins at -half.
+      // Along the arc length s; the turn begins at -half.
       const double s = (u - 0.5) * size;
       const double half = 0.5 * fillet * fall;
       double x = 0.0;
@@ -95,7 +96,7 @@ Mesh roof(double size, int n, double fall, double fillet)
     });
 }
 
-/// A cube around the origin, n × n squares a face, its points joined.
+/// A cube around the origin with n × n squares per face and shared points.
 Mesh cubeOf(double size, int n)
 {
   Mesh mesh;
@@ -139,7 +140,7 @@ Mesh cubeOf(double size, int n)
   return mesh;
 }
 
-/// Points away from the sheet's own border.
+/// Visits the points away from the sheet's own border.
 template <class Visit>
 void forInner(const Mesh& mesh, double within, const Visit& visit)
 {
@@ -179,10 +180,10 @@ TEST(EdgeDistance, OfARoofIsThatToItsRidge)
       [&](std::size_t i, const std::array<double, 3>& at)
       {
         const double away = std::max(std::abs(at[0]), std::abs(at[2]));
-        // To the fillet's nearest side, and one square. Cells of 6 mm, in use from 8 mm on, see it
-        // sharper.
+        // Distance to the nearest side of the fillet, and one square. Cells of 6 mm, used from 8 mm
+        // on, make the fillet sharper.
         EXPECT_NEAR(static_cast<double>(edges.at(i).distance), away, 3.0 * fillet + 0.51) << away;
-        // Cells of 2 mm see a fillet whole but where one lies across it.
+        // Cells of 2 mm contain the whole fillet, except where the fillet crosses a cell.
         EXPECT_NEAR(static_cast<double>(edges.at(i).turn), 0.5 * Pi, fillet > 0.0 ? 0.5 : 1e-3);
       });
   }
@@ -190,15 +191,15 @@ TEST(EdgeDistance, OfARoofIsThatToItsRidge)
 
 TEST(EdgeDistance, OfLongFacetsToo)
 {
-  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0);    // the ridge and two borders, 30 mm away
-  const EdgeDistance edges(mesh.spans(), 1.0, 160.0); // an edge of 45°, a fifth of that
+  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0);    // the ridge, and two borders 30 mm away
+  const EdgeDistance edges(mesh.spans(), 1.0, 160.0); // an edge of 45°, one fifth of it
   EXPECT_EQ(edges.at(1).border, 0.0F);
   EXPECT_NEAR(static_cast<double>(edges.at(4).distance), 0.0, 1e-6);
   EXPECT_NEAR(static_cast<double>(edges.at(4).turn), 0.25 * Pi, 1e-6);
   EXPECT_NEAR(static_cast<double>(edges.at(3).distance), 30.0, 1e-4);
 }
 
-/// Whatever way the mesh is turned, a ball has no edge, and a cube has its own.
+/// For any orientation of the mesh a ball has no edge, and a cube has its own edges.
 TEST(EdgeDistance, DoesNotDependOnTheAxes)
 {
   std::mt19937 random(9);
@@ -228,7 +229,7 @@ TEST(EdgeDistance, DoesNotDependOnTheAxes)
     const EdgeDistance edges(turned(cube).spans(), 1.2, 48.0);
     for (std::size_t i = 0; i < cube.size(); ++i)
     {
-      auto inward = cube.point(i); // from the nearest edge: the second least
+      auto inward = cube.point(i); // distance from the nearest edge: the second smallest
       for (double& x : inward)
       {
         x = 20.0 - std::abs(x);
@@ -242,7 +243,7 @@ TEST(EdgeDistance, DoesNotDependOnTheAxes)
   EXPECT_EQ(wrong, 0U);
 }
 
-/// Little turns, hollows, balls and noise are none.
+/// Small turns, hollows, balls and noise are no edges.
 TEST(EdgeDistance, WhatIsNoEdge)
 {
   const auto innerEdges = [](const Mesh& mesh, double a)
@@ -252,7 +253,7 @@ TEST(EdgeDistance, WhatIsNoEdge)
   EXPECT_GT(innerEdges(roof(60.0, 120, 0.5, 0.0), 2.0), 0U);
   EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.0), 2.0), 0U);
   EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.0), 4.0), 0U);
-  // A scan's noise: facets of 0.5 mm that turn by up to 30°.
+  // Noise of a scan: facets of 0.5 mm that turn by up to 30°.
   EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.05), 2.0), 0U);
 }
 
@@ -265,7 +266,7 @@ TEST(EdgeDistance, BorderCountsSlitsAndHolesDoNot)
   const std::size_t middle = 30 * 61 + 30;
   EXPECT_NEAR(
     static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0).at(middle).border), 30.0, 1e-4);
-  // A hole of one square, 2 mm beside the middle; and a slit whose sides lie at the same place.
+  // A hole of one square, 2 mm from the middle; and a slit whose sides have the same position.
   Mesh holed = mesh;
   holed.triangles.erase(
     holed.triangles.begin() + 6 * (30 * 60 + 32), holed.triangles.begin() + 6 * (30 * 60 + 32) + 6);
@@ -303,18 +304,18 @@ TEST(EdgeDistance, FactorIsThatOfAQuarterSpace)
     const double u = table.number(row, "u=d/a0");
     if (u >= 0.0)
     {
-      // One curve for the three: they lie up to 0.03 apart.
+      // One curve for all three, which differ by up to 0.03.
       EXPECT_NEAR(edgeFactor(table.number(row, "nu"), u, 1.0), table.number(row, "Phi=F/F0"), 0.028)
         << table.number(row, "nu") << ", m " << table.number(row, "m") << ", u " << u;
       ++rows;
     }
   }
   EXPECT_GT(rows, 90);
-  // Far away a point load's: ψ/(πu).
+  // Far away that of a point load: ψ/(πu).
   EXPECT_NEAR((1.0 - edgeFactor(0.3, 100.0, 1.0)) * 100.0 * Pi, 1.8448, 0.012);
 }
 
-/// Wedges of other angles by finite elements: never less than they have, and of their size.
+/// Wedges of other angles against finite elements: never a smaller sharpness, and of the same size.
 TEST(EdgeDistance, SharpnessIsThatOfWedges)
 {
   const ReferenceTable table("edges/wedge_point_law.csv");
@@ -334,17 +335,18 @@ TEST(EdgeDistance, SharpnessIsThatOfWedges)
     const double turn = table.number(row, "turn_deg");
     const double sharpness = edgeSharpness(nu, turn * Pi / 180.0);
     const double found = psi(row) / right[nu];
-    EXPECT_GE(sharpness, 0.97 * found - 0.003) << nu << ", " << turn; // the elements' own error
+    EXPECT_GE(sharpness, 0.97 * found - 0.003) << nu << ", " << turn; // error of the elements
     EXPECT_LE(sharpness, std::max(1.4 * found, found + 0.13)) << nu << ", " << turn;
   }
   EXPECT_EQ(table.size(), 24U);
   EXPECT_EQ(edgeSharpness(0.3, 3.0), edgeSharpness(0.3, 2.0 * Pi / 3.0));
 }
 
-/// A step up with a ridge on it hides nothing from below: its foot has body under the ridge.
+/// A step up with a ridge on it. For a point at its foot the ridge is no edge, since there is body
+/// under the ridge.
 TEST(EdgeDistance, WhatRisesAboveTheSurfaceIsNoneForIt)
 {
-  constexpr double rise = 6.0; // mm; a slope of 45° from x = 20 on, its ridge, and straight down
+  constexpr double rise = 6.0; // mm; a slope of 45° from x = 20 on, its ridge, and a vertical drop
   const Mesh mesh = sheet(80, 40,
     [=](double u, double v)
     {
@@ -355,12 +357,13 @@ TEST(EdgeDistance, WhatRisesAboveTheSurfaceIsNoneForIt)
     });
   const EdgeDistance edges(mesh.spans(), 1.0, 80.0);
   const auto pointAt = [](std::int32_t i) { return static_cast<std::size_t>(20 * 81 + i); };
-  // On the slope the ridge is an edge of 135°; on the level 4 mm before its foot it rises by 31°.
+  // On the slope the ridge is an edge of 135°. On the level part, 4 mm before the foot, the surface
+  // rises by 31°.
   EXPECT_NEAR(static_cast<double>(edges.at(pointAt(48)).distance), 2.0 * std::sqrt(2.0), 0.8);
   EXPECT_EQ(edges.at(pointAt(32)).distance, NearEdge::Far);
 }
 
-/// Part Edge: by the angle, less on a layer, none where the body's own compliance is known.
+/// Part Edge: by the angle, smaller on a layer, zero if the body's own compliance is known.
 TEST(EdgeDistance, PartOfTheError)
 {
   const Paraboloid shape;
@@ -382,7 +385,8 @@ TEST(EdgeDistance, PartOfTheError)
   EXPECT_NEAR(part(0.0, 6.0, { 3.0F, right, NearEdge::Far }), std::exp(-0.5) * whole, 1e-6);
   EXPECT_EQ(part(0.1, 0.0, { 3.0F, right, NearEdge::Far }), 0.0);
   EXPECT_EQ(part(0.0, 0.0, {}), 0.0);
-  // A border: all at it, half of it one contact radius away, nothing from two on.
+  // A border: the whole part at the border, half of it one contact radius away, zero from two radii
+  // on.
   const auto atBorder = [](float border) { return NearEdge{ NearEdge::Far, 0.0F, border }; };
   EXPECT_NEAR(part(0.0, 0.0, atBorder(0.0F)), 1.0 - edgeFactor(0.45, 0.0, 1.0), 1e-6);
   EXPECT_NEAR(part(0.0, 0.0, atBorder(1.0F)), 0.5 * (1.0 - edgeFactor(0.45, 1.0, 1.0)), 1e-6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The estimated error of a law: its parts by their formulas, its sum over a depth, and how often it
-// holds.
+// is valid.
 #include "Laws/ErrorRule.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/LocalContact.h"
@@ -44,7 +44,7 @@ protected:
 };
 } // namespace
 
-/// ΔF/F = -R κ_m/2 of a paraboloid, at every depth; and 0.46 a κ_m of the ball.
+/// ΔF/F = -R κ_m/2 for a paraboloid, at every depth; plus 0.46 a κ_m of the ball.
 TEST_F(ErrorOfALaw, CurvatureLeftOut)
 {
   for (const double depth : { 0.01, 0.5 })
@@ -53,7 +53,7 @@ TEST_F(ErrorOfALaw, CurvatureLeftOut)
     const double part = this->parts({ 0.02, 0.02, 0.0 }, state)[ResponseLimit::Curvature];
     const double sag = 0.5 * 4.0 * 0.02;
     const double whole = 0.46 * state.radius * 0.02;
-    EXPECT_NEAR(part, sag + whole + sag * whole, 1e-12); // one on the other
+    EXPECT_NEAR(part, sag + whole + sag * whole, 1e-12); // the two effects multiply
   }
 }
 
@@ -89,7 +89,7 @@ TEST_F(ErrorOfALaw, WiderThanTheBodyAllIsError)
   EXPECT_EQ(this->parts({}, state, false, 0.0, 3.9).largest(), ResponseLimit::Edge);
 }
 
-/// Validity is where the error passes the tolerance, and each sample has its own.
+/// Validity is the depth at which the error exceeds the tolerance; each sample has its own error.
 TEST_F(ErrorOfALaw, OfAWholeResponse)
 {
   constexpr int samples = 16;
@@ -108,10 +108,10 @@ TEST_F(ErrorOfALaw, OfAWholeResponse)
     { samples, force.data(), stiffness.data(), range.data(), validity.data(), status.data(),
       limit.data(), error.data() });
   EXPECT_EQ(limit[0], static_cast<unsigned char>(ResponseLimit::Strain));
-  // Hertz: s = 4/(3π) a/R; the law's storage is exact.
+  // Hertz: s = 4/(3π) a/R. The law is stored exactly.
   const auto strain = [](double depth)
   { return smallStrainError(4.0 / (3.0 * Pi) * std::sqrt(depth / 4.0), 0.3, 0.0, 0.0); };
-  EXPECT_NEAR(strain(static_cast<double>(validity[0])), 0.05, 5e-4); // straight between samples
+  EXPECT_NEAR(strain(static_cast<double>(validity[0])), 0.05, 5e-4); // linear between samples
   for (int i = 0; i < samples; ++i)
   {
     const double depth = 2.0 * (i + 1) * (i + 1) / (samples * samples);

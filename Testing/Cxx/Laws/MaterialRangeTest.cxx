@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a law is prepared for: all points of a body, whole or in pieces.
+// The range of materials for which a law is prepared: all points of a body, whole or in pieces.
 #include "Laws/MaterialRange.h"
 
 #include "Mechanics/Layers/LayerTable.h"
@@ -46,10 +46,10 @@ TEST(MaterialRange, FindsTheExtremes)
   EXPECT_EQ(range.layers.thickest, 7.0);
   EXPECT_EQ(range.layers.poissonsRatios, (std::vector<double>{ 0.30, 0.45 }));
   EXPECT_TRUE(range.stiffens);
-  EXPECT_EQ(range.extremes[0].compliance, -2.0); // E* C smallest
+  EXPECT_EQ(range.extremes[0].compliance, -2.0); // smallest E* C
   EXPECT_EQ(range.extremes[1].compliance, 4.0);
   EXPECT_EQ(range.extremes[2].thickness, 3.0);
-  EXPECT_EQ(range.extremes[3].thickness, 0.0); // a half-space is thicker than any layer
+  EXPECT_EQ(range.extremes[3].thickness, 0.0); // a half-space counts as thicker than any layer
 }
 
 TEST(MaterialRange, PiecesJoinToTheWhole)
@@ -70,7 +70,7 @@ TEST(MaterialRange, PiecesJoinToTheWhole)
     joined.join(own);
   }
   expectSame(joined, whole);
-  joined.join(MaterialRange(LayerBase::Bonded)); // a rank without a piece
+  joined.join(MaterialRange(LayerBase::Bonded)); // a process without a piece
   expectSame(joined, whole);
 }
 

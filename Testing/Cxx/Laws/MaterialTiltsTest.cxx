@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tilted tool at every point of a body: laws between whose nodes the force is met.
+// A tilted tool at every point of a body: between the nodes of the laws the force is interpolated
+// correctly.
 #include "Laws/MaterialTilts.h"
 
 #include "Laws/BodyMaterial.h"
@@ -47,7 +48,7 @@ double forceOf(const TiltTable& table, const float* weights, const AxisymmetricT
   return upright.force * tau.value + upright.work * tau.byDepth;
 }
 
-/// The force at each point by its weights against that of a table of its own.
+/// Compares the force at each point by its weights with that of a table for this point.
 void compare(const std::string& text, double range, double largest, const BodyMaterial& material,
   std::size_t points, double tolerance)
 {
@@ -107,7 +108,7 @@ TEST(MaterialTilts, AModulusAloneIsOneLaw)
   EXPECT_EQ(tilt.thinnest, 0.0);
 }
 
-// Linear between nodes: 1 % of the force.
+// Linear interpolation between nodes: 1 % of the force.
 TEST(MaterialTilts, ThicknessesAreMetBetweenTheNodes)
 {
   BodyMaterial::Values values;
@@ -137,7 +138,7 @@ TEST(MaterialTilts, CompliancesAreMetBetweenTheNodes)
   compare("flat:1", 0.5, 20.0 * Degree, material, 4, 0.01);
 }
 
-// A grid of all that varies is coarser: 2 %.
+// A grid over several varying quantities is coarser: 2 %.
 TEST(MaterialTilts, SeveralThingsMakeAGrid)
 {
   BodyMaterial::Values values;
@@ -150,7 +151,7 @@ TEST(MaterialTilts, SeveralThingsMakeAGrid)
 
 TEST(MaterialTilts, AStackHasAKernelOfItsOwn)
 {
-  // A stack of two equal layers is one layer of both.
+  // A stack of two equal layers is one layer of their total thickness.
   const BodyMaterial two =
     bodyOf({ 0.1, 0.45, 1.0, LayerBase::Bonded, false, { StackLayer{ 2.0, 0.1, 0.45 } } }, {}, 1);
   const BodyMaterial one = bodyOf({ 0.1, 0.45, 3.0, LayerBase::Bonded, false }, {}, 1);
@@ -159,7 +160,7 @@ TEST(MaterialTilts, AStackHasAKernelOfItsOwn)
   const MaterialTilts single = tiltsOf(*tool, 0.8, 15.0 * Degree, one.range(), one.spots(), 1);
   ASSERT_EQ(stacked.fault, "");
   ASSERT_EQ(single.fault, "");
-  // LayerStack: one layer to 1e-12; its kernel's table, 1e-10, over differences of 1e-2 of y.
+  // LayerStack: one layer to 1e-12. The table of its kernel, 1e-10, over differences of 1e-2 of y.
   EXPECT_NEAR(stacked.table.at(0.5, 0.2).value, single.table.at(0.5, 0.2).value, 1e-7);
   EXPECT_GT(single.table.at(0.5, 0.2).value, 1.1);
 }

@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// The tool whose laws are one line each (Hertz 1882): a = √(R δ), F = 4/3 E* √R δ^1.5.
+/// The tool with one-line laws (Hertz 1882): a = √(R δ), F = 4/3 E* √R δ^1.5.
 struct Paraboloid
 {
   double radius = 4.0; ///< mm

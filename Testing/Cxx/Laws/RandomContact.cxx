@@ -21,10 +21,10 @@ namespace palpate::testing
 namespace
 {
 constexpr int Samples = 8;
-constexpr int Judged[] = { 4, 6, 8 }; // of the samples: at 1/4, 9/16 and all of the depth
+constexpr int Judged[] = { 4, 6, 8 }; // numbers of the samples at 1/4, 9/16 and all of the depth
 constexpr double Edge = 0.12;         // of the contact radius
-constexpr double Fillet = 0.1;        // of it, at corners
-constexpr double ApexFillet = 0.4;    // of the depth, at a cone's: a sharper one makes a crease
+constexpr double Fillet = 0.1;        // of the contact radius, at corners
+constexpr double ApexFillet = 0.4;    // of the depth, for a cone; a sharper one makes a crease
 constexpr double Wide = 1e6;          // mm
 
 class Draw
@@ -52,7 +52,7 @@ struct Tool
 {
   std::string text;
   double deepest; ///< mm
-  bool hasTable;  ///< of finite strain, on a half-space
+  bool hasTable;  ///< true if there is a table of finite strain on a half-space
 };
 
 Tool roundTool(Draw& draw)
@@ -99,7 +99,7 @@ Tool anyTool(Draw& draw)
   }
 }
 
-/// The body, as a law and as the solver have it.
+/// The body in the form of the law and of the solver.
 struct Body
 {
   BodyMaterial::Constants material;
@@ -111,7 +111,7 @@ double anyRatio(Draw& draw)
   return draw.even(0.0, 0.495);
 }
 
-/// Of tissue, mostly.
+/// Mostly that of tissue.
 double layersRatio(Draw& draw)
 {
   return draw.even(0.3, 0.495);
@@ -153,11 +153,11 @@ Body drawBody(ContactFamily family, Draw& draw)
   return body;
 }
 
-/// How deep a layer or stack is pressed: no more than half of its thickness, and of its soft part.
+/// Largest depth for a layer or stack: at most half of its thickness and of its soft part.
 double deepestIn(const BodyMaterial::Constants& material, double deepest)
 {
   double thickness = material.thickness;
-  double soft = material.thickness; // where the depth goes to
+  double soft = material.thickness; // equivalent thickness that deforms
   for (const StackLayer& layer : material.deeper)
   {
     thickness += layer.thickness;
@@ -221,7 +221,7 @@ FiniteCurve solve(const Body& body, const AxisymmetricTool& tool, StrainModel mo
   return pressTool(ToolOutline(tool, 3.0 * problem.contactRadius, fillet), problem);
 }
 
-/// What the product makes of it: one point of a body.
+/// The product's response for one point of a body.
 struct Made
 {
   std::vector<float> force = std::vector<float>(Samples);
@@ -249,14 +249,14 @@ Made respond(const Body& body, const AxisymmetricTool& tool, double deepest, boo
     [curvature](std::size_t) {
       return SpotCurvature{ curvature, curvature, 0.0 };
     } };
-  // Any tolerance: the error of each sample is kept in any case.
+  // Any tolerance: the error of each sample is stored in any case.
   response(tool, material, deepest, 1, shape, { curved, strain, 1e-9 },
     { Samples, made.force.data(), made.stiffness.data(), &range, &validity, &made.status,
       &made.limit, made.error.data() });
   return made;
 }
 
-/// Presses the tool on the body, by the product and by finite elements.
+/// Presses the tool on the body with the product and with finite elements.
 RandomContact judgeContact(ContactFamily family, const Body& body, const Tool& chosen)
 {
   const bool isCurved = body.radius != 0.0;

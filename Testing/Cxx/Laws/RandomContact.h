@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// What contacts are drawn of.
+/// Families of random contacts.
 enum class ContactFamily
 {
   HalfSpace, ///< any tool on a flat half-space
@@ -21,45 +21,45 @@ enum class ContactFamily
 };
 constexpr const char* ContactFamilyNames[] = { "half-space", "layer", "stack", "ball", "cavity" };
 
-/// One force of a law beside that of finite elements at finite strain (Neo-Hooke).
+/// One force of a law and that of finite elements at finite strain (Neo-Hooke).
 struct JudgedForce
 {
   std::string law; ///< "small", "curved", "finite", "curved finite"
   double depth;    ///< mm
-  double radius;   ///< of the contact, by the plain law, mm
+  double radius;   ///< of the contact by the plain law, mm
   double force;    ///< of the law, N
-  double exact;    ///< N
+  double exact;    ///< by finite elements, N
   double stated;   ///< its estimated relative error
   ResponseLimit limit;
 
   double error() const; ///< |exact/force - 1|
 };
 
-/// A contact drawn at random, and how it came out.
+/// A random contact and its results.
 struct RandomContact
 {
   ContactFamily family;
   std::string tool;
-  std::string body; ///< in words: ν, layers, radius
+  std::string body; ///< as text: ν, layers, radius
   std::vector<JudgedForce> forces;
-  std::string fault; ///< why there are fewer
+  std::string fault; ///< reason for missing forces
 };
 
-/// What the solver's own force may be off, relative: mesh (edges of 0.12 of the contact radius) and
-/// the far field, by refinement.
+/// Relative error of the solver's own force: mesh (edges of 0.12 of the contact radius) and far
+/// field, by refinement.
 constexpr double SolverError = 0.004;
 
 /**
- * Draws a contact, lets the product make its responses (each with its stated error) and solves the
- * same with finite elements. Exact is the law of small strain on the flat body, which has closed
- * forms, times what the solver says of finite strain and of the body's shape: finite over linear
- * and flat, on the same mesh, so that its error and that of rounded corners cancel.
- *
- * Lengths are of the tool, about 1 mm. Cost: 5 to 20 s of a processor.
+ * Draws a contact, computes the product's responses (each with its stated error) and solves the
+ * same contact with finite elements. The exact force is the law of small strain on the flat body,
+ * which has closed forms, times a factor from the solver for finite strain and the shape of the
+ * body. The factor is the ratio of finite strain to linear strain on a flat body on the same mesh,
+ * so that the error of the mesh and that of rounded corners cancel.
+ * Lengths are relative to the tool, about 1 mm. Cost: 5 to 20 s of processor time.
  */
 RandomContact drawContact(ContactFamily family, std::mt19937& random);
 
-/// The same of a sphere that is given, on a ball (mm, MPa).
+/// The same for a given sphere on a ball (mm, MPa).
 RandomContact pressOnBall(const std::string& tool, double deepest, double radius,
   double poissonsRatio, double youngsModulus);
 } // namespace palpate::testing

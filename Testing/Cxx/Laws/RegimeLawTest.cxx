@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How local a contact is and what the tool's size does, where both are known by heart.
+// Local share of the deflection and effect of the tool's size, in cases with known values.
 #include "Laws/RegimeLaw.h"
 
 #include "Paraboloid.h"
@@ -20,7 +20,7 @@ using palpate::testing::Paraboloid;
 namespace
 {
 constexpr double Deepest = 2.0;  // mm
-constexpr double Central = 1e-4; // the difference over ±1 % of the size errs by 2e-5
+constexpr double Central = 1e-4; // error of the difference over ±1 % of the size: 2e-5
 } // namespace
 
 TEST(RegimeLaw, AHalfSpaceIsLocal)
@@ -121,7 +121,7 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   ASSERT_EQ(material.take({}, 2), "");
   std::vector<float> force;
   std::vector<float> stiffness;
-  for (const double modulus : { 0.06, 0.0615 }) // 2.5 % off
+  for (const double modulus : { 0.06, 0.0615 }) // 2.5 % different
   {
     for (int i = 1; i <= samples; ++i)
     {
@@ -150,7 +150,7 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   EXPECT_EQ(regime(*tool, material, { 1.0, 1.0 }, 1.0, &given, spans)
               .find("Response 'Soft' is of another material: point 1 at 1"),
     0U);
-  // Shallower than a hundredth of the range nothing is compared.
+  // Below a hundredth of the range nothing is compared.
   EXPECT_EQ(regime(*tool, material, { 1.0, 0.01 }, 1.0, &given, spans), "");
 }
 } // namespace regime_law

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of a response, point by point: neighbours are left alone.
+// The arrays of a response, point by point: neighbouring entries are unchanged.
 #include "Laws/ResponseFiller.h"
 
 #include "Paraboloid.h"
@@ -110,7 +110,7 @@ TEST_F(Filling, AWholeBodyOfManyModuli)
   EXPECT_TRUE(made.complete);
   EXPECT_EQ(last, 1.0);
   EXPECT_EQ(made.without, 2U);
-  EXPECT_EQ(made.exponent, 1.5); // of a paraboloid: its curve is stored without an error
+  EXPECT_EQ(made.exponent, 1.5); // a paraboloid is stored without an error
   for (std::size_t i = 0; i < count; ++i)
   {
     const double wanted = i == 7 || i == 9 ? 0.0 : Shape.force(2.0, 0.1 + 1e-6 * i);

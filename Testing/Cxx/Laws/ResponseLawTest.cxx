@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool's law as it is stored: against Hertz's closed form, alone and in series.
+// The stored law of a tool: against Hertz's closed form, alone and in series.
 #include "Laws/ResponseLaw.h"
 
 #include "Paraboloid.h"
@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Range = 2.0; // mm
 constexpr int Samples = 8;
-constexpr double FloatStep = 1.2e-7; // what a float keeps of a number
+constexpr double FloatStep = 1.2e-7; // relative rounding of a float
 
 struct Sampled
 {
@@ -34,7 +34,7 @@ Sampled sample(const ResponseLaw& law, const ContactSpot& spot)
 
 double depthOf(int sample)
 {
-  return Range * std::pow((sample + 1.0) / Samples, 2); // the data contract's
+  return Range * std::pow((sample + 1.0) / Samples, 2); // as in the data contract
 }
 } // namespace
 
@@ -65,7 +65,8 @@ TEST(ResponseLaw, InSeriesTheDepthsAdd)
   {
     const auto force = static_cast<double>(curve.force[static_cast<std::size_t>(i)]);
     const double local = depthOf(i) - compliance * force;
-    EXPECT_NEAR(paraboloid.force(local, 0.06), force, 3.0 * FloatStep * force); // 1.5 by the power
+    EXPECT_NEAR(
+      paraboloid.force(local, 0.06), force, 3.0 * FloatStep * force); // 1.5 from the power
   }
 }
 
@@ -95,7 +96,7 @@ TEST(ResponseLaw, AThickLayerIsAHalfSpaceAndAThinOneIsOutOfReach)
   const Sampled thick = sample(law, { 0.06, 0.45, 0.0, 1e5 });
   ASSERT_EQ(thick.status, ResponseStatus::Valid);
   const double force = paraboloid.force(Range, 0.06);
-  // a/h is 3e-5, and the first term of the layer's series of that order.
+  // a/h is 3e-5, and the first term of the layer's series is of that order.
   EXPECT_NEAR(static_cast<double>(thick.force.back()), force, 1e-4 * force);
   EXPECT_EQ(sample(law, { 0.06, 0.45, 0.0, 0.01 }).status, ResponseStatus::OutOfReach);
 }

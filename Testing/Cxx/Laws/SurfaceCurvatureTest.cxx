@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curvatures of meshes of analytic surfaces, exact and noisy, against what a contact feels there:
-// the stated error bounds the true one in 95 of 100 points, and is of its size.
+// Curvatures of meshes of analytic surfaces, exact and noisy, against the curvature that acts on a
+// contact there: the stated error bounds the true one at 95 of 100 points and is of the same size.
 #include "Laws/SurfaceCurvature.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -55,7 +55,7 @@ Surface sphere(double radius)
     [=](double, double) { return 1.0 / radius; }, 2.0 * Pi, 0.5 * Pi };
 }
 
-/// z = (x²/p - y²/q)/2: a saddle, its mean curvature that of a graph.
+/// z = (x²/p - y²/q)/2: a saddle with the mean curvature of a graph.
 Surface saddle(double p, double q)
 {
   constexpr double size = 30.0;
@@ -70,13 +70,13 @@ Surface saddle(double p, double q)
       const double fx = (u - 0.5 * size) / p;
       const double fy = -(v - 0.5 * size) / q;
       const double square = 1.0 + fx * fx + fy * fy;
-      // Outwards is +z: convex is where z falls away.
+      // Outwards is +z: where z falls away the surface is convex.
       return -0.5 * ((1.0 + fy * fy) / p - (1.0 + fx * fx) / q) / std::pow(square, 1.5);
     },
     size, size };
 }
 
-/// A flat that waves: curvature of every size, from -1/r to 1/r.
+/// A wavy plane: curvatures of all sizes, from -1/r to 1/r.
 Surface waves(double length, double radius)
 {
   const double k = 2.0 * Pi / length;
@@ -98,9 +98,9 @@ Vector3d normalOf(const Surface& surface, double u, double v)
     .normalized();
 }
 
-/// The mean curvature that a contact of radius `a` feels. To first order its force changes by
-/// -∫ p g dA, p = E*/(π √(a²-r²)) of a flat end and g the body's sag, since it is stationary in a;
-/// the paraboloid that does the same has 3/(2π a³) ∫∫ g/√(a²-r²) dA. With r = a sin ψ nothing is
+/// The mean curvature that acts on a contact of radius `a`. To first order its force changes by
+/// -∫ p g dA, p = E*/(π √(a²-r²)) of a flat end and g the body's sag, since it is stationary in a.
+/// The paraboloid with the same effect has 3/(2π a³) ∫∫ g/√(a²-r²) dA. With r = a sin ψ nothing is
 /// singular: Gauss points over ψ, even ones around.
 double felt(const Surface& surface, double u, double v, double a)
 {
@@ -145,16 +145,16 @@ double felt(const Surface& surface, double u, double v, double a)
   return 3.0 / (2.0 * Pi * a * a * a) * sum;
 }
 
-/// How the stated error bounds the true one.
+/// How well the stated error bounds the true one.
 struct Outcome
 {
-  double held = 0.0; ///< part of the points
+  double held = 0.0; ///< share of the points
   double medianStated = 0.0;
   double medianTrue = 0.0;
 };
 
-/// A mesh of n × m points that lie anywhere within a third of their squares, moved by `noise` (mm)
-/// along the normal, with angle-weighted normals of its own. Judged away from its border.
+/// Evaluates a mesh of n × m points at random positions within a third of their squares, moved by
+/// `noise` (mm) along the normal, with its own angle-weighted normals. The border is excluded.
 Outcome judge(const Surface& surface, int n, int m, double noise, double contactRadius)
 {
   std::mt19937 random(11);
@@ -213,7 +213,7 @@ Outcome judge(const Surface& surface, int n, int m, double noise, double contact
   std::vector<double> stated;
   std::vector<double> off;
   int held = 0;
-  const int margin = 6; // of what a border leaves out
+  const int margin = 6; // width of the excluded border
   for (int k = margin; k <= m - margin; ++k)
   {
     for (int i = margin; i <= n - margin; ++i)
@@ -240,14 +240,14 @@ void expectBound(
 {
   const Outcome found = judge(surface, n, m, noise, contactRadius);
   EXPECT_GE(found.held, 0.95) << name << ", noise " << noise << ", a " << contactRadius;
-  // A bound of 95 of 100 is three medians of an error that is normal; what is known of the spread
-  // from few neighbours, and noise that is alike in neighbours, may take the rest.
+  // A bound for 95 of 100 is three medians of a normal error. The uncertain spread from few
+  // neighbours, and noise that is similar in neighbours, may add the rest.
   EXPECT_LT(found.medianStated, 12.0 * found.medianTrue + 1e-4)
     << name << ", noise " << noise << ", a " << contactRadius;
 }
 } // namespace
 
-/// The brute force that judges, of a small contact, against the closed forms.
+/// The brute force used as reference, for a small contact, against the closed forms.
 TEST(SurfaceCurvature, ASmallContactFeelsTheCurvatureOfItsPoint)
 {
   for (const Surface& surface :
@@ -257,14 +257,14 @@ TEST(SurfaceCurvature, ASmallContactFeelsTheCurvatureOfItsPoint)
     {
       const double u = part * surface.width;
       const double v = 0.7 * part * surface.height;
-      // 0.2 a² of the second derivative of the curvature is left, below 1e-4 of it here; and what
-      // the differences of a place of 20 mm leave in a sag of 1e-4 mm.
+      // The remaining error is 0.2 a² of the second derivative of the curvature, below 1e-4 of the
+      // curvature here, and the rounding of differences at 20 mm in a sag of 1e-4 mm.
       EXPECT_NEAR(felt(surface, u, v, 0.1), surface.mean(u, v), 2e-4);
     }
   }
 }
 
-/// Points of 0.6 to 1 mm; contacts finer and coarser than these.
+/// Points at 0.6 to 1 mm; contacts finer and coarser than these distances.
 TEST(SurfaceCurvature, StatedErrorBoundsTheTrueOne)
 {
   for (const double a : { 0.5, 1.5, 3.0 })
@@ -280,7 +280,7 @@ TEST(SurfaceCurvature, StatedErrorBoundsTheTrueOne)
   }
 }
 
-/// Six points a wave, eight around a tube: what a coarse mesh leaves out is in its error.
+/// Six points per wave, eight around a tube: the error of the coarse mesh is included.
 TEST(SurfaceCurvature, StatedErrorBoundsThatOfACoarseMesh)
 {
   for (const double a : { 0.5, 1.5, 3.0 })
@@ -292,7 +292,7 @@ TEST(SurfaceCurvature, StatedErrorBoundsThatOfACoarseMesh)
   }
 }
 
-/// On a scan's noise a contact wider than the facets knows the curvature better than they do.
+/// With scan noise a contact wider than the facets gives a more accurate curvature than the facets.
 TEST(SurfaceCurvature, AContactAveragesNoise)
 {
   const Outcome facets = judge(sphere(15.0), 110, 30, 0.05, 0.1);
@@ -301,13 +301,13 @@ TEST(SurfaceCurvature, AContactAveragesNoise)
   EXPECT_LT(contact.medianStated, 0.5 * facets.medianStated);
 }
 
-/// What a sharp edge turns by is no curvature of its faces: a drum has that of its mantle, and none
-/// on its flat ends, up to the rim.
+/// The turn at a sharp edge is not a curvature of its faces. A drum has the curvature of its mantle
+/// on the mantle, and none on its flat ends, up to the rim.
 TEST(SurfaceCurvature, FacesEndAtSharpEdges)
 {
   constexpr double radius = 20.0;
   constexpr int around = 120;
-  constexpr int rings = 20; // of an end, 1 mm wide; and of the mantle
+  constexpr int rings = 20; // of an end, 1 mm wide, and of the mantle
   std::vector<double> points;
   std::vector<std::int32_t> triangles;
   const auto ringAt = [&](double r, double z)
@@ -337,7 +337,7 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
   }
   const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
     triangles.size() / 3 };
-  std::vector<float> normals; // at the rim between both faces
+  std::vector<float> normals; // at the rim averaged over both faces
   for (std::size_t i = 0; i < surface.pointCount; ++i)
   {
     const auto ring = static_cast<int>(i) / around + 1;
@@ -358,7 +358,7 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
       const auto ring = static_cast<int>(i) / around + 1;
       const double mean = ring < rings ? 0.0 : ring == rings ? 0.25 / radius : 0.5 / radius;
       const SpotCurvature at = found.at(i);
-      // Facets of 1 mm on 20: 0.1 % of a curvature. Normals are float32.
+      // Facets of 1 mm on a radius of 20: 0.1 % of a curvature. Normals are float32.
       EXPECT_NEAR(at.mean(), mean, 0.002 / radius) << ring << ", " << steps;
     }
   }

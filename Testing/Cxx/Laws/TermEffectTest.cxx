@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a term of a law changes, against closed forms.
+// The effect of a term of a law, against closed forms.
 #include "Laws/TermEffect.h"
 #include "Laws/BodyMaterial.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -27,7 +27,7 @@ BodyMaterial halfSpace(double poissonsRatio = 0.45)
   return material({ 0.1, poissonsRatio, 0.0, LayerBase::Bonded, false });
 }
 
-/// One point in ten is twice as curved as the others.
+/// One point in ten has twice the curvature of the others.
 SurfaceShape dented(double curvature)
 {
   return { 1e3, [](std::size_t) { return 0.0; },
@@ -39,7 +39,7 @@ SurfaceShape dented(double curvature)
 }
 } // namespace
 
-/// Hertz on a ball: F ~ 1/√(1/R + κ), so that a flat law is off by √(1 + R κ) - 1 at every depth.
+/// Hertz on a ball: F ~ 1/√(1/R + κ), so a flat law has an error of √(1 + R κ) - 1 at every depth.
 TEST(TermEffect, OfCurvature)
 {
   const Paraboloid shape;
@@ -51,12 +51,12 @@ TEST(TermEffect, OfCurvature)
     return changeOfForce(
       { *tool, 1.0, 100, surface, share }, { body, true, nullptr }, { body, false, nullptr });
   };
-  // 1e-5: laws are kept in nodes.
+  // 1e-5: laws are stored at nodes.
   EXPECT_NEAR(change(0.9), std::sqrt(1.0 + shape.radius * 0.02) - 1.0, 1e-5);
   EXPECT_NEAR(change(0.95), std::sqrt(1.0 + shape.radius * 0.04) - 1.0, 1e-5);
 }
 
-/// One layer in two halves is that layer.
+/// One layer split into two halves is the same layer.
 TEST(TermEffect, OfALayerInTwo)
 {
   const auto tool = makeTool({ ToolShape::Sphere, 4.0 });
@@ -66,13 +66,14 @@ TEST(TermEffect, OfALayerInTwo)
   const BodyMaterial one = material({ 0.1, 0.45, 5.0, LayerBase::Bonded, false });
   const SurfaceShape flat = dented(0.0);
   const PressedBody body{ *tool, 0.5, 100, flat };
-  // 1e-5: the stack's kernels are read between nodes.
+  // 1e-5: the kernels of the stack are interpolated between nodes.
   EXPECT_LT(changeOfForce(body, { stack }, { one }), 1e-5);
-  // Without the base it is softer by far (Data/Reference: χ = a/h = 0.28, ν = 0.45).
+  // Without the base it is much softer (Data/Reference: χ = a/h = 0.28, ν = 0.45).
   EXPECT_GT(changeOfForce(body, { stack }, { halfSpace() }), 0.1);
 }
 
-/// c of a sphere at δ = R/2 is 1.070 at ν = 0.3, 0.988 at 0.45 (another code: Data/Reference/deep).
+/// c of a sphere at δ = R/2 is 1.070 at ν = 0.3 and 0.988 at 0.45 (another code:
+/// Data/Reference/deep).
 TEST(TermEffect, OfFiniteStrain)
 {
   const auto tool = makeTool({ ToolShape::Sphere, 4.0 });

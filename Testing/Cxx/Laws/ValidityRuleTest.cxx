@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How deep a law is trusted, and what ends it: by Hertz's contact radius.
+// The validity of a law and its limit: by Hertz's contact radius.
 #include "Laws/ValidityRule.h"
 
 #include "Paraboloid.h"

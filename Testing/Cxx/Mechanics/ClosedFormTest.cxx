@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closed forms keep their digits very near the axis and very far from it, where the formulas of
-// the textbooks cancel. Oracle: the textbook formulas in long double, and series where these
-// cancel.
+// The closed forms keep their accuracy very near the axis and very far from it, where the textbook
+// formulas suffer from cancellation. Reference: the textbook formulas in long double, and series
+// where these cancel.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"
@@ -14,7 +14,7 @@ namespace
 {
 using Real = long double;
 
-/// F(r)/F at q = (r/a)², of the reference sheet; for small q its series.
+/// F(r)/F at q = (r/a)², by the reference sheet; a series for small q.
 Real flatShare(Real q)
 {
   return q < 1e-6L ? q / 2 + q * q / 8 + q * q * q / 16 : 1 - std::sqrt(1 - q);
@@ -29,17 +29,17 @@ Real coneShare(Real q)
   return q * log + (q < 1e-6L ? q / 2 + q * q / 8 + q * q * q / 16 : 1 - std::sqrt(1 - q));
 }
 
-/// u_z outside, x = a/r, of the reference sheet.
+/// u_z outside, x = a/r, by the reference sheet.
 Real flatOutside(Real x)
 {
   return 2 * std::asin(x) / static_cast<Real>(Pi);
 }
-/// Times R/a².
+/// u_z outside, times R/a².
 Real paraboloidOutside(Real x)
 {
   return ((2 - 1 / (x * x)) * std::asin(x) + std::sqrt(1 - x * x) / x) / static_cast<Real>(Pi);
 }
-/// Over c a.
+/// u_z outside, over c a.
 Real coneOutside(Real x)
 {
   return std::asin(x) + (std::sqrt(1 - x * x) - 1) / x;
@@ -56,7 +56,7 @@ void compareLoad(const char* name, Real (*share)(Real))
       -t->surfaceDisplacement(ratio * a, depth, 0.0).radial * 2.0 * Pi * ratio * a;
     const Real q = static_cast<Real>(ratio) * ratio;
     const auto expected = static_cast<double>(static_cast<Real>(t->force(depth, 1.0)) * share(q));
-    // 1e-19/q > 1e-6 in the oracle; near the rim r rounds: 1e-16/(1-r/a).
+    // 1e-19/q > 1e-6 in the reference; near the rim r is rounded: 1e-16/(1-r/a).
     EXPECT_TRUE(agrees(load, expected, 2e-12)) << name << " at " << ratio;
   }
 }
@@ -70,8 +70,9 @@ void compareOutside(const char* name, Real (*form)(Real), double unit)
   {
     const double normal = t->surfaceDisplacement(ratio * a, depth, 0.3).normal;
     const auto expected = static_cast<double>(unit * form(1 / static_cast<Real>(ratio)));
-    // The long double paraboloid cancels by (r/a)² = 1e6: 1e-13. Next to the rim r rounds by
-    // 1e-16/(r/a-1). Below 20 a the library's own closed form cancels by (r/a)² = 400.
+    // In long double the paraboloid loses a factor (r/a)² = 1e6 by cancellation: 1e-13. Near the
+    // rim r is rounded by 1e-16/(r/a-1). Below 20 a the library's own closed form loses (r/a)² =
+    // 400.
     EXPECT_TRUE(agrees(normal, expected, 5e-13)) << name << " at " << ratio;
   }
 }
@@ -94,8 +95,8 @@ TEST(ClosedForm, NormalDisplacementOutside)
 
 TEST(ClosedForm, FarFieldToSecondOrder)
 {
-  // u_z = F/(πE* r) [1 + <ρ²>/4r² + …], <ρ²> the mean square radius of the load:
-  // 2a²/3 under a flat end, 2a²/5 under a paraboloid, a²/3 under a cone.
+  // u_z = F/(πE* r) [1 + <ρ²>/4r² + …], where <ρ²> is the mean square radius of the load: 2a²/3
+  // under a flat end, 2a²/5 under a paraboloid, a²/3 under a cone.
   const auto compare = [](const char* name, double meanSquare)
   {
     const auto t = tool(name);
@@ -122,7 +123,7 @@ TEST(ClosedForm, PressureOfTheReferenceSheet)
   {
     const Real s = share;
     const auto root = static_cast<double>(std::sqrt(1 - s * s));
-    // r = share·a rounds: relative error 1e-16/(1-r/a) = 1e-10 at the last one.
+    // r = share·a is rounded: relative error 1e-16/(1-r/a) = 1e-10 at the last one.
     const double tolerance = 1e-15 + 3e-16 / (1.0 - share);
     EXPECT_TRUE(agrees(
       tool("flat:1.6")->pressure(share * 1.6, depth, 1.0), depth / (Pi * 1.6 * root), tolerance));

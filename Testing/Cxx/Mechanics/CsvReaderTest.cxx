@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables as RFC 4180 and spreadsheets have them are read; broken ones name file, line and column.
+// Tables as in RFC 4180 and from spreadsheets are read. For invalid ones the error names file, line
+// and column.
 #include "Mechanics/Files/CsvReader.h"
 #include "Mechanics/Files/CsvRow.h"
 #include "Mechanics/Files/MappedFile.h"
@@ -24,7 +25,7 @@ namespace
 {
 using Table = std::vector<std::vector<std::string>>;
 
-/// All records; after a fault this one alone.
+/// All records; after a fault only the fault.
 Table readAll(const std::string& text)
 {
   std::istringstream stream(text);
@@ -41,7 +42,7 @@ Table readAll(const std::string& text)
   return csv.fault().empty() ? table : Table{ { csv.fault() } };
 }
 
-/// Of a table of numbers with the columns a and b, of which b may be missing.
+/// Fault of a table of numbers with the columns a and b; b may be missing.
 std::string faultOf(const std::string& text)
 {
   std::istringstream stream(text);

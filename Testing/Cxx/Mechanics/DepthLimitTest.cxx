@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The depth beyond which a profile touches outside its circle of contact, against the gap computed
-// by the tests' own quadrature of the exact reduced profile.
+// The depth beyond which a profile touches outside its circle of contact, against the gap from the
+// tests' own quadrature of the exact reduced profile.
 #include "Mechanics/Tools/DepthLimit.h"
 
 #include "Agreement.h"
@@ -18,19 +18,19 @@ namespace
 // A cone of 45° with a shoulder: f = min(r, 1), to r = 20.
 const char* const Shoulder = "profile:0,0;1,1;20,1";
 
-/// Its δ - f - u_z at r > 1 with the contact on the cone, a = 2δ/π: how far the shoulder
-/// penetrates.
+/// δ - f - u_z of this tool at r > 1, with the contact on the cone, a = 2δ/π: penetration of the
+/// shoulder.
 double penetration(double depth, double r)
 {
   const double a = 2.0 * depth / Pi;
   const double x = a / r;
-  const double outside =
-    2.0 / Pi * depth * (std::asin(x) + (std::sqrt(1.0 - x * x) - 1.0) / x); // the cone's u_z, c = 1
+  const double outside = 2.0 / Pi * depth *
+    (std::asin(x) + (std::sqrt(1.0 - x * x) - 1.0) / x); // u_z of the cone, c = 1
   return depth - 1.0 - outside;
 }
 
-/// The depth at which the gap over a shoulder that rises by `slope` closes at r, a thousandth of δ
-/// allowed; by bisection.
+/// The depth at which the gap over a shoulder with the slope `slope` closes at r, to within a
+/// thousandth of δ; by bisection.
 double closingDepth(double r, double slope)
 {
   double low = 0.5;
@@ -60,9 +60,8 @@ TEST(DepthLimit, OfAConeWithAShoulder)
 
 TEST(DepthLimit, OfAShoulderHoweverWide)
 {
-  // One that rises ever so little: behind the corner g dips over a length of 1 and more, a tiny
-  // part of the shoulder's where that is wide. The gap closes first where the sum of rise and u_z
-  // is least.
+  // A shoulder with a very small slope. Behind the corner g has a dip with a length of 1 or more, a
+  // tiny part of a wide shoulder. The gap closes first at the smallest sum of rise and u_z.
   struct Case
   {
     const char* tool;
@@ -97,7 +96,7 @@ TEST(DepthLimit, EveryAnswerBeyondItIsNaN)
   const std::string text = t->checkDepth(1.1);
   EXPECT_NE(text.find("1.1 mm"), std::string::npos) << text;
   EXPECT_NE(text.find("r = 20 mm"), std::string::npos) << text;
-  // Up to it the cone's law.
+  // Up to this depth, the law of the cone.
   EXPECT_EQ(t->checkDepth(0.999 * limit), "");
   EXPECT_TRUE(
     agrees(t->force(0.999 * limit, 1.0), tool("cone:45")->force(0.999 * limit, 1.0), 1e-14));
@@ -105,8 +104,8 @@ TEST(DepthLimit, EveryAnswerBeyondItIsNaN)
 
 TEST(DepthLimit, IsTheRootOfTheGapOfAnyProfile)
 {
-  // A wavy cone, its waves too deep to be filled at once. At the depth found the surface the law
-  // itself gives must touch the tool, but for the thousandth allowed, and nowhere outside before.
+  // A wavy cone with waves too deep to be filled at once. At the returned depth the surface of the
+  // law must touch the tool, within the tolerance of a thousandth, and nowhere outside before.
   const auto t = tool("profile:0,0;1,0.6;1.5,0.5;2,1;3,1.8;4,1.7;5,2.6");
   const palpate::DepthLimit limit = t->depthLimit();
   ASSERT_TRUE(std::isfinite(limit.depth));
@@ -124,7 +123,8 @@ TEST(DepthLimit, IsTheRootOfTheGapOfAnyProfile)
     }
     return worst;
   };
-  // Found to 1e-3, on a gap that closes at a rate below 1: 1e-3 of the depth either way.
+  // Accurate to 1e-3, for a gap that closes at a rate below 1: 1e-3 of the depth in either
+  // direction.
   EXPECT_NEAR(largest(limit.depth), 1e-3, 1e-3);
   EXPECT_LT(largest(0.99 * limit.depth), 0.0);
 }
@@ -150,8 +150,8 @@ TEST(DepthLimit, ConvexProfilesHaveNone)
 
 TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
 {
-  // f = sin r + 0.1 r is concave all over, but g rises to r = 1.2 and beyond. Its samples have a
-  // concave corner each: at none of them may the law end.
+  // f = sin r + 0.1 r is concave everywhere, but g rises up to r = 1.2 and beyond. Each of its
+  // samples has a concave corner: the law must not end at any of them.
   palpate::GeneralTool::Shape shape{ [](double r) { return std::sin(r) + 0.1 * r; },
     [](double r) { return std::cos(r) + 0.1; }, [](double r) { return -std::sin(r); }, {}, 0.0,
     1.2 };
@@ -166,7 +166,7 @@ TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
   EXPECT_TRUE(std::isinf(sampled.depthLimit().depth));
   for (const double depth : { 0.1, 0.5, 1.0, 3.0 })
   {
-    // Second order: (r/100)² and a factor.
+    // Second order: (r/100)² times a factor.
     EXPECT_TRUE(agrees(sampled.force(depth, 1.0), smooth.force(depth, 1.0), 1e-4)) << depth;
     EXPECT_TRUE(agrees(sampled.contactRadius(depth), smooth.contactRadius(depth), 1e-2)) << depth;
   }
@@ -174,9 +174,9 @@ TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
 
 TEST(DepthLimit, CostsAtMostTwoThousandthsOfTheForce)
 {
-  // The force is monotone in the profile. Filling the dips of g (its running maximum) is the law of
-  // a higher profile, in contact all over, hence a lower bound; what the tolerance lets pass lies
-  // between.
+  // The force is monotone in the profile. With the dips of g filled (its running maximum), the law
+  // is that of a higher profile in full contact, thus a lower bound. The effect of the tolerance is
+  // between the two.
   const auto t = tool("profile:0,0;1,0.3;2,0.59;3,0.87;4,1.6");
   ASSERT_TRUE(std::isinf(t->depthLimit().depth));
   const Quadrature rule(4000);

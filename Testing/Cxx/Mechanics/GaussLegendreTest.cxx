@@ -14,7 +14,7 @@ TEST(GaussLegendre, ExactForPolynomialsUpToDegree2n1)
     {
       const double computed =
         rule.integrate(0.0, 2.0, [&](double x) { return std::pow(0.5 * x, degree); });
-      // ∫_0^2 (x/2)^d dx = 2/(d+1); the eigenvalues are good to some 1e-15.
+      // ∫_0^2 (x/2)^d dx = 2/(d+1); the eigenvalues are accurate to about 1e-15.
       EXPECT_TRUE(palpate::testing::agrees(computed, 2.0 / (degree + 1), 1e-13))
         << n << " nodes, degree " << degree;
     }
@@ -27,5 +27,5 @@ TEST(GaussLegendre, NotExactBeyond)
   const palpate::GaussLegendre rule(2);
   const double computed =
     rule.integrate(-1.0, 1.0, [](double x) { return std::pow(1.5 * x * x - 0.5, 2); });
-  EXPECT_NEAR(computed, 0.0, 1e-30); // squares of roundings
+  EXPECT_NEAR(computed, 0.0, 1e-30); // squares of rounding errors
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The path every profile can take (g by quadrature of f', everything else by quadrature of g)
+// The general code path for any profile (g by quadrature of f', all else by quadrature of g),
 // against the closed forms of the nine shapes.
 #include "GeneralTool.h"
 
@@ -30,7 +30,7 @@ GeneralTool::Shape powerLaw(double n, double B)
     [=](double r) { return n * (n - 1.0) * B * std::pow(r, n - 2.0); }, {} };
 }
 
-/// To 0.999 R, so that the profile's slope stays finite.
+/// Up to 0.999 R, so that the slope of the profile stays finite.
 GeneralTool::Shape sphere(double R)
 {
   return { [=](double r) { return R - std::sqrt(R * R - r * r); },
@@ -87,7 +87,7 @@ struct Case
 
 std::vector<Case> cases()
 {
-  // Depths on both sides of every kink; the profile's last one beyond its wall.
+  // Depths on both sides of every kink; the last one of the profile is beyond its wall.
   return { { "flat:1.6", flat(1.6), { 1e-3, 0.2, 1.5 } },
     { "paraboloid:6.35", powerLaw(2.0, 0.5 / 6.35), { 1e-3, 0.2, 1.5 } },
     { "sphere:1.6", sphere(1.6), { 1e-3, 0.2, 1.5 } },
@@ -118,8 +118,8 @@ TEST_P(GeneralPath, ReducedProfile)
   for (const double share : { 1e-9, 1e-3, 0.3, 0.9, 0.99999 })
   {
     const double x = share * std::min(this->Closed->largestContactRadius(), 5.0);
-    // Closed forms: 1e-10 is what they are held to. The quadrature of f' gives 1e-13; with it the
-    // sphere at 0.99999 R, whose slope is singular at R, falls to 3e-7 (and beyond its outer
+    // Closed forms are required to 1e-10. The quadrature of f' gives 1e-13. For the sphere at
+    // 0.99999 R, whose slope is singular at R, its accuracy falls to 3e-7 (and beyond its outer
     // radius).
     if (x < this->General.largestContactRadius())
     {
@@ -164,8 +164,8 @@ TEST_P(GeneralPath, PressureAndDisplacement)
     }
     for (const double r : radii)
     {
-      // The issue asks quadrature for 1e-8. The sums of f' and f'' that make g' lose about 1e-16
-      // over the distance from a kink, 1e-6, twice: the radii found differ by that too.
+      // The issue requires 1e-8 from quadrature. The sums of f' and f'' in g' lose about 1e-16 over
+      // the distance from a kink, 1e-6, twice; the radii differ by that too.
       const double pressure = this->Closed->pressure(r, depth, 1.0);
       EXPECT_TRUE(agrees(this->General.pressure(r, depth, 1.0), pressure, 1e-8)) << r / a;
       const auto u = this->Closed->surfaceDisplacement(r, depth, 0.2);
@@ -178,7 +178,7 @@ TEST_P(GeneralPath, PressureAndDisplacement)
 
 TEST_P(GeneralPath, DepthsOfStrainAndRadius)
 {
-  // General tools measure strain by δ/a; so do those compared here.
+  // General tools measure strain by δ/a, so only tools with the same measure are compared.
   const std::string name = this->Given.name;
   if (name.substr(0, 4) != "cone" && name.substr(0, 5) != "parab" &&
     name.substr(0, 6) != "sphere" && name.substr(0, 7) != "blunted" &&
@@ -195,8 +195,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(GeneralPathSphere, UpToItsShoulders)
 {
-  // Pressure and displacements of the sphere have no override: compare with the tests' own rule of
-  // 400 points on g = x artanh(x/R), substituted differently (x = r + (a-r) u², x = a sin θ).
+  // Pressure and displacements of the sphere use the general code: compared with the tests' own
+  // rule of 400 points on g = x artanh(x/R), with a different substitution (x = r + (a-r) u², x = a
+  // sin θ).
   const double R = 1.6;
   const palpate::testing::Quadrature rule(400);
   const auto sphere = palpate::testing::tool("sphere:1.6");
@@ -216,7 +217,8 @@ TEST(GeneralPathSphere, UpToItsShoulders)
                                   return slope(x) * 2.0 / std::sqrt(x + r);
                                 }) /
         Pi;
-      // a comes back from δ with 1e-16/(1-a/R) = 1e-14; the library promises 1e-11 up to 0.99 R.
+      // a is computed back from δ with an error of 1e-16/(1-a/R) = 1e-14; the library guarantees
+      // 1e-11 up to 0.99 R.
       EXPECT_TRUE(agrees(sphere->pressure(r, depth, 1.0), pressure, 1e-10)) << ratio;
     }
     for (const double share : { 1.05, 2.0, 30.0 })

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestSearched = 1e9; // mm, of a contact radius
+constexpr double LargestSearched = 1e9; // mm, largest contact radius of the search
 } // namespace
 
 GeneralTool::GeneralTool(Shape shape)
@@ -51,8 +51,9 @@ double GeneralTool::reducedSlope(double x) const
     : 0.5 * Pi * this->Given.slope(0.0);
 }
 
-/// The radius at which `excess`, of x, first passes 0; the outer one if it never does. Searched
-/// between neighbouring kinks, over t with x² = kink² + t², in which g is analytic.
+/// The radius at which `excess`, a function of x, first exceeds 0; the outer radius if it never
+/// does. The search is between neighbouring kinks, over t with x² = kink² + t², in which g is
+/// analytic.
 double GeneralTool::passage(const std::function<ValueAndSlope(double)>& excess) const
 {
   double begin = this->Given.flat;

@@ -12,19 +12,19 @@
 namespace palpate
 {
 /**
- * A tool given as a function: everything from the profile f by quadrature, the one path that any
- * profile can take (DimensionalityReduction.h). For a shape that has no class of its own; the nine
- * shapes have closed forms, and the tests compare the two.
- *
- * To about 1e-9. Cost: an evaluation about 0.1 ms for each kink below the contact radius, pressure
- * and displacements ten times as much. g must increase, or the law is wrong from some depth on:
- * give `outer` to have that depth found. specification() is empty: a function has no writing.
+ * A tool given as a function. Everything follows from the profile f by quadrature, the general path
+ * for any profile (DimensionalityReduction.h). It is meant for a shape without its own class. The
+ * nine shapes have closed forms, and the tests compare the two.
+ * Accuracy about 1e-9. Cost: an evaluation takes about 0.1 ms for each kink below the contact
+ * radius, pressure and displacements ten times that. g must increase, otherwise the law is wrong
+ * from some depth on: set `outer` to have that depth computed. specification() is empty, because a
+ * function has no text form.
  */
 class GeneralTool final : public AxisymmetricTool
 {
 public:
   using Function = std::function<double(double)>;
-  /// The profile f(r), its derivatives, and where it is not smooth. Radii in mm.
+  /// The profile f(r), its derivatives, and its non-smooth points. Radii in mm.
   struct Shape
   {
     Function profile;          ///< f, mm, f(0) = 0
@@ -32,7 +32,7 @@ public:
     Function curvature;        ///< f'', 1/mm
     std::vector<double> kinks; ///< radii > 0, ascending, where f is not analytic
     double flat = 0.0;         ///< radius within which f = 0: a kink, or the outer radius
-    double outer = std::numeric_limits<double>::infinity(); ///< radius of the wall, if there is one
+    double outer = std::numeric_limits<double>::infinity(); ///< radius of the wall, if any
     double exponent = 1.0;                                  ///< m of F ∝ δ^m at small depth
   };
   explicit GeneralTool(Shape shape);
@@ -40,7 +40,7 @@ public:
   std::string specification() const override { return {}; }
   double profile(double r) const override;
   double forceExponent() const override { return this->Given.exponent; }
-  /// By δ/a.
+  /// Strain by δ/a.
   double depthAtStrain(double ratio) const override;
   double depthAtContactRadius(double a) const override;
   double reducedProfile(double x) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for every rigid tool of revolution on a half-space, whatever its shape.
+// Properties of every rigid tool of revolution on a half-space, for any shape.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"
@@ -13,8 +13,9 @@ using palpate::testing::Rubber;
 
 namespace
 {
-/// ∫ f dr over 0..end, cut at the kinks, by 400 points each on r = p + (q-p) v² (3-2v): an inverse
-/// root at an end becomes smooth, a logarithm v log v, of which 400 points leave 1e-10.
+/// ∫ f dr over 0..end, split at the kinks, with 400 points each on r = p + (q-p) v² (3-2v). An
+/// inverse root at an end becomes smooth; a logarithm becomes v log v, for which 400 points have an
+/// error of 1e-10.
 template <class Function>
 double integrateBetweenKinks(const std::vector<double>& kinks, double end, Function&& f)
 {
@@ -58,7 +59,8 @@ TEST_P(HalfSpaceInvariants, StiffnessIsTheSlopeOfTheForce)
     };
     const double h = 1e-3 * depth;
     const double slope = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
-    // Richardson: truncation ~ (h/δ)⁴ = 1e-12, rounding ~ 1e-16 δ/h = 1e-13, both times a few.
+    // Richardson: truncation ~ (h/δ)⁴ = 1e-12, rounding ~ 1e-16 δ/h = 1e-13, both times a small
+    // factor.
     EXPECT_TRUE(agrees(this->Tool->stiffness(depth, Rubber), slope, 2e-11)) << depth;
   }
 }
@@ -80,7 +82,7 @@ TEST_P(HalfSpaceInvariants, PressureCarriesTheForce)
     const double carried =
       integrateBetweenKinks(this->Tool->kinks(), this->Tool->contactRadius(depth),
         [&](double r) { return this->Tool->pressure(r, depth, Rubber) * 2.0 * Pi * r; });
-    // Next to a rim a²-r² keeps only 1e-16/(1-r/a) of its digits: 1e-10 in all.
+    // Near a rim a²-r² keeps only 1e-16/(1-r/a) of its digits: 1e-10 in all.
     EXPECT_TRUE(agrees(carried, this->Tool->force(depth, Rubber), 1e-9)) << depth;
   }
 }
@@ -118,7 +120,7 @@ TEST_P(HalfSpaceInvariants, NormalDisplacementIsContinuousAtTheRim)
   for (const double depth : { 0.01, 0.5, 2.0 })
   {
     const double a = this->Tool->contactRadius(depth);
-    const bool flat = a == this->Tool->largestContactRadius(); // a punch, or a profile's wall
+    const bool flat = a == this->Tool->largestContactRadius(); // a punch or the wall of a profile
     const double rim = this->Tool->surfaceDisplacement(a, depth, 0.3).normal;
     const double outside = this->Tool->surfaceDisplacement(a * (1.0 + 1e-10), depth, 0.3).normal;
     // Beyond a rim u_z falls like √(r/a-1) = 1e-5 under a flat end (asin: times √2·2/π = 0.9), and
@@ -136,7 +138,7 @@ TEST_P(HalfSpaceInvariants, NormalDisplacementFarAwayIsThatOfAPointForce)
   for (const double distance : { 1e3, 1e5, 1e8, 1e12, 1e60, 1e120, 1e180 })
   {
     const double r = distance * a;
-    // Boussinesq: F/(πE* r), short of it by <ρ²>/4r² <= (a/r)²/6; quadrature may round at 1e-13.
+    // Boussinesq: F/(πE* r), smaller by <ρ²>/4r² <= (a/r)²/6; quadrature rounds at 1e-13.
     const double tolerance = 1.0 / (6.0 * distance * distance) + 1e-12;
     EXPECT_TRUE(
       agrees(this->Tool->surfaceDisplacement(r, depth, 0.3).normal, force / (Pi * r), tolerance))

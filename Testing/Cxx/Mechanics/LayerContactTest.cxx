@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for any tool on a layer: against a dense solution of the integral equation by another
-// rule, and by invariants.
+// Properties of any tool on a layer: against a dense solution of the integral equation with another
+// quadrature rule, and by invariants.
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
@@ -26,7 +26,8 @@ std::shared_ptr<const LayerKernel> bonded(double nu)
   return std::make_shared<const LayerKernel>(nu, LayerBase::Bonded);
 }
 
-/// M(s) of a bonded layer from its definition, W - 1 written out: no exponential is factored out.
+/// M(s) of a bonded layer by its definition, with W - 1 written out: no exponential is factored
+/// out.
 double kernelByDefinition(double s, double nu)
 {
   static const Quadrature rule(40);
@@ -54,8 +55,8 @@ struct Dense
   double force; ///< E* = 1
 };
 
-/// Depth and force at contact radius a: the equation on 300 midpoints of [0, a] for a tool whose
-/// contact ends smoothly, errors O(n^-2), extrapolated with 150 midpoints.
+/// Depth and force at contact radius a: solves the equation on 300 midpoints of [0, a] for a tool
+/// whose contact ends smoothly. Errors O(n^-2), extrapolated with 150 midpoints.
 Dense denseSolution(const palpate::AxisymmetricTool& pressed, double nu, double h, double a)
 {
   const auto onMidpoints = [&](int n) -> Dense
@@ -100,7 +101,7 @@ TEST(LayerKernel, TableAgreesWithTheSolution)
     {
       const auto table = kernel.at(ratio);
       const auto exact = kernel.solve(ratio);
-      // Promised in the header.
+      // Guaranteed in the header.
       EXPECT_LT((table.flat - exact.flat).abs().maxCoeff(), 1e-10 * exact.flat.abs().maxCoeff())
         << nu << ' ' << ratio;
       EXPECT_LT((table.resolvent - exact.resolvent).abs().maxCoeff(),
@@ -122,7 +123,7 @@ TEST(LayerKernel, KernelByDefinition)
     const LayerKernel kernel(nu, LayerBase::Bonded);
     for (const double s : { 0.0, 0.1, 0.77, 1.0, 2.5, 6.0, 13.0 })
     {
-      // Both sum some thousand terms of order 1.
+      // Both sum about a thousand terms of order 1.
       EXPECT_NEAR(kernel.normal(s), kernelByDefinition(s, nu), 1e-12) << nu << ' ' << s;
     }
   }
@@ -141,7 +142,8 @@ TEST(LayerContact, DenseSolution)
         const Dense dense = denseSolution(*pressed, nu, 2.0, a);
         const LayerContact contact(*pressed, bonded(nu), 2.0);
         const auto point = contact.evaluate(dense.depth, 1.0);
-        // Extrapolated midpoints leave O(n^-4), the logarithm of the sphere near its equator more.
+        // Extrapolated midpoints have an error of O(n^-4); the logarithm of the sphere near its
+        // equator has a larger one.
         EXPECT_TRUE(agrees(contact.depthAtContactRadius(a), dense.depth, 2e-7));
         EXPECT_TRUE(agrees(point.contactRadius, a, 2e-7));
         EXPECT_TRUE(agrees(point.force, dense.force, 1e-6));
@@ -151,7 +153,7 @@ TEST(LayerContact, DenseSolution)
 }
 
 // Tools whose reduced profile has kinks: the equation itself on the nodes of panels between the
-// kinks, which the library never sets up; the kernel M is the library's (KernelByDefinition).
+// kinks. The library never sets up this system. The kernel M is the library's (KernelByDefinition).
 TEST(LayerContact, KinkedTools)
 {
   const Quadrature rule(40);
@@ -211,8 +213,8 @@ TEST(LayerContact, KinkedTools)
       const Eigen::Map<const Eigen::VectorXd> w(weights.data(), n);
       const double force = 2.0 * w.dot(depth * y.col(0) - y.col(1));
       const auto point = contact.evaluate(depth, 1.0);
-      // Both rules resolve the pieces of g to about 1e-10; a profile of many corners takes 8 nodes
-      // a piece.
+      // Both rules resolve the pieces of g to about 1e-10; a profile with many corners has 8 nodes
+      // per piece.
       EXPECT_TRUE(agrees(point.contactRadius, a, 1e-8));
       EXPECT_TRUE(agrees(point.force, force, 1e-9));
     }
@@ -245,26 +247,26 @@ TEST(LayerContact, ThickLayerIsAHalfSpace)
     const LayerContact contact(*pressed, bonded(0.2), 1e6);
     const auto found = contact.evaluate(0.5, 3.0);
     const auto expected = pressed->evaluate(0.5, 3.0);
-    // The base at 1e6 mm stiffens by (2|M0|/π) a/h ≤ 3e-6.
+    // The base at 1e6 mm adds (2|M0|/π) a/h ≤ 3e-6 to the stiffness.
     EXPECT_TRUE(agrees(found.force, expected.force, 1e-5)) << name;
     EXPECT_GT(found.force, expected.force) << name;
     EXPECT_TRUE(agrees(found.contactRadius, expected.contactRadius, 1e-5)) << name;
   }
 }
 
-// Wide on thin, compressible: columns that do not know each other, p = M (δ - f)/h with the
-// oedometric modulus; for a flat F = π a² M δ/h.
+// Wide tool on a thin, compressible layer: independent columns, p = M (δ - f)/h with the oedometric
+// modulus; for a flat F = π a² M δ/h.
 TEST(LayerContact, ThinLayerIsAMattress)
 {
   const double nu = 0.2;
   const auto flat = tool("flat:10");
-  const double oedometric = (1.0 - nu) * (1.0 - nu) / (1.0 - 2.0 * nu); // of E* = 1
+  const double oedometric = (1.0 - nu) * (1.0 - nu) / (1.0 - 2.0 * nu); // for E* = 1
   const auto edge = [&](double h)
   {
     const LayerContact contact(*flat, bonded(nu), h);
     return contact.evaluate(0.1, 1.0).force / (Pi * 100.0 * oedometric * 0.1 / h) - 1.0;
   };
-  // The rim carries an excess proportional to h/a.
+  // The rim adds an excess proportional to h/a.
   EXPECT_NEAR(edge(1.0) / edge(2.0), 0.5, 0.03);
   EXPECT_NEAR(2.0 * edge(1.0) - edge(2.0), 0.0, 0.01);
 }
@@ -272,7 +274,7 @@ TEST(LayerContact, ThinLayerIsAMattress)
 TEST(LayerContact, DeepestAndBeyond)
 {
   const auto cone = tool("cone:60");
-  const LayerContact thin(*cone, bonded(0.3), 0.5); // answered up to a = 5
+  const LayerContact thin(*cone, bonded(0.3), 0.5); // valid up to a = 5
   EXPECT_GT(thin.deepest(), 0.0);
   EXPECT_TRUE(agrees(thin.contactRadius(thin.deepest()), 5.0, 1e-9));
   EXPECT_TRUE(std::isnan(thin.evaluate(1.01 * thin.deepest(), 1.0).force));
@@ -284,7 +286,7 @@ TEST(LayerContact, DeepestAndBeyond)
   EXPECT_TRUE(std::isnan(LayerContact(*flat, bonded(0.3), 0.19).evaluate(0.1, 1.0).force));
   EXPECT_EQ(LayerContact(*flat, bonded(0.3), 1.0).depthAtContactRadius(1.0), 0.0);
 
-  const auto sphere = tool("sphere:3"); // its wall: a < 3 however deep
+  const auto sphere = tool("sphere:3"); // its wall: a < 3 at any depth
   const LayerContact contact(*sphere, bonded(0.3), 1.0);
   EXPECT_TRUE(std::isinf(contact.deepest()));
   EXPECT_LE(contact.contactRadius(20.0), 3.0);
@@ -304,7 +306,7 @@ TEST(LayerContact, TinyDepths)
     const LayerContact contact(*pressed, bonded(0.5), 3.0);
     for (const double depth : { 1e-12, 1e-9, 1e-6 })
     {
-      // a/h falls to 1e-3 and less: the half-space again, to (2|M0|/π) a/h.
+      // a/h falls to 1e-3 and less: the half-space, to (2|M0|/π) a/h.
       EXPECT_TRUE(agrees(contact.evaluate(depth, 1.0).force, pressed->force(depth, 1.0), 5e-3))
         << name << depth;
     }

@@ -25,7 +25,7 @@ using palpate::testing::tool;
 
 namespace
 {
-constexpr double Modulus = 0.1; // MPa, of what is 1 in the tables
+constexpr double Modulus = 0.1; // MPa, for the value 1 in the tables
 
 /// "1 10 0.45 | 5 1 0.45 slip-top": h E ν of each layer.
 LayerStack stackOf(const std::string& layers, const std::string& base)
@@ -93,7 +93,7 @@ TEST(LayerStack, EqualLayersAreOneLayerInClosedForm)
           : ((1.0 - 2.0 * nu) * std::sinh(2.0 * w) - 2.0 * w) / (2.0 * (1.0 - nu) * d);
         const double limit = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
         const palpate::StackTransform found = stackTransform(stack, omega);
-        // Doubles: the closed forms themselves cancel at small ω.
+        // Doubles: the closed forms themselves suffer from cancellation at small ω.
         EXPECT_NEAR(found.normal, normal - 1.0, 1e-12) << nu << " at " << omega;
         EXPECT_NEAR(found.radial, radial - limit, 1e-10) << nu << " at " << omega;
       }

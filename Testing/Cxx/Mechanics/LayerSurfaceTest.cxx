@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the surface of a layer goes: against the Hankel integrals themselves, and against the
-// moments of the displacement, which follow from the transforms at small wave number.
+// The displacement of the surface of a layer: against the Hankel integrals themselves, and against
+// the moments of the displacement, which follow from the transforms at small wave number.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
 #include "Mechanics/Layers/LayerSurface.h"
@@ -38,7 +38,7 @@ double integrate(double begin, double end, int panels, Function&& f)
   return sum;
 }
 
-/// W and V as they are printed (reference: Hankel transforms of the layer), for moderate ω.
+/// W and V as printed (reference: Hankel transforms of the layer), for moderate ω.
 double normalTransform(double w, double nu, LayerBase base)
 {
   const double k = 3.0 - 4.0 * nu;
@@ -61,8 +61,8 @@ const std::vector<Case> Cases = { { "paraboloid:4", 0.5, 0.5, LayerBase::Bonded 
 constexpr double Thickness = 2.5;
 } // namespace
 
-// Under all of the load the layer is compressed as if wide: ∫u_z dA = F h/M with the oedometric
-// modulus M = E(1-ν)/((1+ν)(1-2ν)); an incompressible bonded layer keeps its volume.
+// Integrated over the plane the layer is compressed like a wide one: ∫u_z dA = F h/M with the
+// oedometric modulus M = E(1-ν)/((1+ν)(1-2ν)). An incompressible bonded layer keeps its volume.
 TEST(LayerSurface, DisplacedVolume)
 {
   for (const Case& given : Cases)
@@ -73,7 +73,7 @@ TEST(LayerSurface, DisplacedVolume)
     const LayerSurface surface(contact, given.depth);
     const double a = contact.contactRadius(given.depth);
     const auto ring = [&](double r) { return 2.0 * Pi * r * surface.at(r).normal; };
-    // √ behaviour outside the rim: r = a + s².
+    // Square-root behaviour outside the rim: r = a + s².
     const double end = std::sqrt(20.0 * Thickness);
     const double volume = integrate(0.0, a, 4, ring) +
       integrate(0.0, end, 40, [&](double s) { return 2.0 * s * ring(a + s * s); });
@@ -82,7 +82,7 @@ TEST(LayerSurface, DisplacedVolume)
       ? 0.5
       : (1.0 - 2.0 * given.nu) / (2.0 * (1.0 - given.nu) * (1.0 - given.nu)); // W'(0)
     const double expected = 2.0 * force * Thickness * slope;
-    // What lies beyond 20 thicknesses has fallen to e^-14 of the indented volume.
+    // The part beyond 20 thicknesses is e^-14 of the indented volume.
     EXPECT_NEAR(volume, expected, 3e-6 * Pi * a * a * given.depth + 1e-6 * expected);
   }
 }
@@ -109,13 +109,13 @@ TEST(LayerSurface, RadialMoment)
     const double end = std::sqrt(20.0 * Thickness);
     const double measured = integrate(0.0, a, 8, moment) +
       integrate(0.0, end, 40, [&](double s) { return 2.0 * s * moment(a + s * s); });
-    // r² weights the tail beyond 20 thicknesses by another factor 50.
+    // r² multiplies the weight of the tail beyond 20 thicknesses by 50.
     EXPECT_NEAR(measured, expected, 1e-4 * std::abs(expected));
   }
 }
 
-// A flat punch: y is known on the nodes of the kernel, its transform is a cosine sum, and the
-// difference to the half-space converges like e^(-2kh).
+// A flat punch: y is known at the nodes of the kernel, its transform is a cosine sum, and the
+// difference from the half-space converges like e^(-2kh).
 TEST(LayerSurface, HankelIntegral)
 {
   for (const double nu : { 0.0, 0.3, 0.5 })
@@ -153,7 +153,7 @@ TEST(LayerSurface, ThickLayerIsAHalfSpace)
   {
     const auto expected = sphere->surfaceDisplacement(r, 0.5, 0.3);
     const auto found = surface.at(r);
-    // The base stiffens by M0 a/(π h) = 1e-5 of the depth.
+    // The base adds a stiffness of M0 a/(π h) = 1e-5 of the depth.
     EXPECT_NEAR(found.normal, expected.normal, 2e-5 * 0.5) << r;
     EXPECT_NEAR(found.radial, expected.radial, 2e-5 * 0.5) << r;
   }
@@ -163,7 +163,8 @@ TEST(LayerSurface, NoContactNoDisplacement)
 {
   const auto flat = tool("flat:30");
   const LayerContact contact(*flat, freshKernel(0.3, LayerBase::Bonded), 2.0);
-  for (const double depth : { 0.0, -1.0, 0.5 }) // the last: 15 thicknesses wide, not answered
+  for (const double depth :
+    { 0.0, -1.0, 0.5 }) // the last one is too wide for the law, 15 thicknesses
   {
     EXPECT_EQ(LayerSurface(contact, depth).at(1.0).normal, 0.0);
     EXPECT_EQ(LayerSurface(contact, depth).at(1.0).radial, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layer on a rigid base, against the reference tables (Nyström solutions of another code, given
-// to 12 digits). The tables' spheres are paraboloids.
+// The layer on a rigid base, against the reference tables (Nyström solutions of another code, with
+// 12 digits). The spheres of the tables are paraboloids.
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
@@ -17,7 +17,7 @@ using palpate::testing::tool;
 
 namespace
 {
-// What the issue of the tables demands; the digits given would allow 1e-11.
+// Required by the issue of the tables; the printed digits would allow 1e-11.
 constexpr double Tolerance = 1e-7;
 
 const std::vector<std::string> FlatRatios = { "0.01", "0.02", "0.05", "0.1", "0.15", "0.2", "0.3",
@@ -57,7 +57,7 @@ TEST(LayerTable, BondedFlat)
     {
       for (const std::string& ratio : FlatRatios)
       {
-        // h = 2 mm and δ = 0.3 mm must not matter.
+        // h = 2 mm and δ = 0.3 mm must have no effect.
         const double a = 2.0 * std::stod(ratio);
         const auto flat = tool("flat:" + std::to_string(a));
         const LayerContact layer(*flat, kernel, 2.0);
@@ -107,7 +107,7 @@ TEST(LayerTable, BondedCone)
 TEST(LayerTable, SlipFlat)
 {
   const ReferenceTable table("layer_slip_flat_kappa.csv");
-  for (const double nu : { 0.0, 0.3, 0.5 }) // does not matter on a slip base
+  for (const double nu : { 0.0, 0.3, 0.5 }) // no effect on a slip base
   {
     const auto kernel = std::make_shared<const LayerKernel>(nu, LayerBase::Slip);
     for (const std::string& ratio : FlatRatios)

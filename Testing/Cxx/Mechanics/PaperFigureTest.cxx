@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The curves of Mahvash and Hayward 2002, figure 6: force of depth, and depth of force.
+// The curves of Mahvash and Hayward 2002, figure 6: force over depth, and depth over force.
 #include "Agreement.h"
 #include "ReferenceTable.h"
 #include "TestTools.h"
@@ -14,7 +14,7 @@ using palpate::testing::tool;
 
 namespace
 {
-// The tables print 12 digits: a relative rounding of up to 5e-12 in force or depth.
+// The tables have 12 digits: a relative rounding of up to 5e-12 in force or depth.
 constexpr double Printed = 5e-12;
 } // namespace
 
@@ -57,7 +57,7 @@ TEST(PaperFigure, DepthOfForce)
     for (const auto& [column, name] : columns)
     {
       SCOPED_TRACE(std::string(name) + " at " + std::to_string(force));
-      // F ∝ δ^m with m <= 1.5 magnifies the rounding of the printed depth by m.
+      // F ∝ δ^m with m <= 1.5 amplifies the rounding of the printed depth by m.
       EXPECT_TRUE(agrees(tool(name)->force(table.number(i, column), Rubber), force, 1.5 * Printed));
     }
   }

@@ -52,14 +52,14 @@ TEST(ProfileTool, ErrorFallsWithTheSquareOfTheSpacing)
     for (const int segments : { 64, 128, 256, 512 })
     {
       const double error = errorOf(*shape, segments, each.outer, each.depth);
-      // Doubling the segments quarters the error. Between 2² and it stand terms of higher order and
-      // where the contact ends within a segment; seen: 3.6 to 4.5.
+      // Twice the segments give a quarter of the error. Terms of higher order, and a contact that
+      // ends within a segment, change the factor 2²: 3.6 to 4.5 were observed.
       EXPECT_GT(previous / error, 3.2) << each.name << " " << segments;
       EXPECT_LT(previous / error, 5.0) << each.name << " " << segments;
       previous = error;
     }
   }
-  // The reference sheet measures 1.5e-5 with 128 segments; here to 4 mm, with the contact to 2.5.
+  // The reference sheet has 1.5e-5 with 128 segments; here to 4 mm, with the contact to 2.5.
   EXPECT_LT(errorOf(*tool("paraboloid:6.35"), 128, 4.0, 1.0), 3e-5);
 }
 
@@ -98,7 +98,7 @@ TEST(ProfileTool, ExponentOfTheShapeSampled)
 TEST(ProfileTool, RadiiItReports)
 {
   const auto t =
-    tool("profile:0,0;1,0;2,1;3,2;4,4"); // the corner at 3 is one; at (2, 1) there is none
+    tool("profile:0,0;1,0;2,1;3,2;4,4"); // the corner at 3 counts; at (2, 1) there is none
   EXPECT_EQ(t->kinks(), (std::vector<double>{ 1.0, 3.0 }));
   EXPECT_EQ(t->smallestContactRadius(), 1.0);
   EXPECT_EQ(t->largestContactRadius(), 4.0);
@@ -116,7 +116,7 @@ TEST(ProfileTool, BeyondItsWallAFlatPunch)
   for (const double more : { 1e-6, 0.1, 3.0, 1e6 })
   {
     EXPECT_EQ(t->contactRadius(whole + more), 2.0);
-    // (whole + more) - whole rounds.
+    // (whole + more) - whole is rounded.
     EXPECT_TRUE(agrees(t->force(whole + more, 1.0), force + 4.0 * more, 1e-14));
   }
   EXPECT_EQ(t->depthAtContactRadius(2.0000001), Infinity);
@@ -136,7 +136,7 @@ TEST(ProfileTool, WrongPointsAreNamed)
   names(fault({ { 0.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 2.0 } }), "at r = 2");
   names(fault({ { 0.0, 0.0 }, { 1.0, NAN } }), "point 1 (r = 1, f = nan) must be finite");
   names(fault({ { 0.0, 0.0 }, { Infinity, 1.0 } }), "must be finite");
-  // A ring below the tip: no depth is right, and the message says so.
+  // A ring below the tip: no depth is valid, and the message states that.
   names(fault({ { 0.0, 0.0 }, { 0.5, -0.0625 }, { 1.0, 0.5 } }), "r = 0.5");
   names(fault({ { 0.0, 0.0 }, { 0.5, -0.0625 }, { 1.0, 0.5 } }), "no δ > 0");
   EXPECT_EQ(fault({ { 0.0, 0.0 }, { 1.0, 0.0 } }), "");
@@ -180,10 +180,10 @@ TEST_F(ProfileFileTest, ReadsHeaderCommentsAndBlankLines)
   EXPECT_EQ(read.Profile[1].r, 1.0);
   EXPECT_EQ(read.Profile[1].f, 0.25);
   EXPECT_EQ(read.Profile[2].f, 1.0);
-  // Semicolons separate columns just as well.
+  // Semicolons may also separate columns.
   ASSERT_TRUE(palpate::parseTool("profile:" + this->write("0;0\n1;0.25\n2;1\n"), read, error))
     << error;
-  // Written without the file.
+  // The written text does not refer to the file.
   EXPECT_EQ(palpate::makeTool(read)->specification(), "profile:0,0;1,0.25;2,1");
 }
 

@@ -24,8 +24,8 @@ TEST(PronySeries, RelaxesFromTheInstantaneousToTheSlowModulus)
   EXPECT_DOUBLE_EQ(series.total(), 0.8);
 }
 
-// M(1; m+1; -x) where it has a closed form: (1-e^-x)/x for m = 1, 2(e^-x - 1 + x)/x² for m = 2, and
-// by quadrature over ramps for m = 1.5. Both branches of the sum meet at x = 50.
+// M(1; m+1; -x) in its closed forms: (1-e^-x)/x for m = 1, 2(e^-x - 1 + x)/x² for m = 2, and by
+// quadrature over ramps for m = 1.5. The two branches of the sum meet at x = 50.
 TEST(PronySeries, RampsAsLeeAndRadokHaveThem)
 {
   for (const double x : { 1e-6, 0.1, 1.0, 7.0, 49.9, 50.1, 300.0, 1e6 })
@@ -33,7 +33,7 @@ TEST(PronySeries, RampsAsLeeAndRadokHaveThem)
     const PronySeries series = relaxation("1", "1");
     const double flat = -std::expm1(-x) / x;
     EXPECT_NEAR(palpate::rampFactor(series, 1.0, x), 1.0 + flat, 1e-14);
-    if (x > 0.01) // the closed form cancels
+    if (x > 0.01) // the closed form suffers from cancellation
     {
       EXPECT_NEAR(
         palpate::rampFactor(series, 2.0, x), 1.0 + 2.0 * (std::exp(-x) - 1.0 + x) / (x * x), 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every row of punches.csv whose tool the library has: eight of the nine shapes, four depths each.
+// Every row of punches.csv for a tool of the library: eight of the nine shapes, four depths each.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "ReferenceTable.h"
@@ -16,7 +16,7 @@ using palpate::testing::Rubber;
 
 namespace
 {
-/// The numbers of "rounded_flat b=1.2 Re=.4" as on a command line: "1.2,.4".
+/// Converts the numbers of "rounded_flat b=1.2 Re=.4" to command-line form: "1.2,.4".
 std::string numbersOf(const std::string& text)
 {
   std::string numbers;
@@ -33,8 +33,8 @@ std::string numbersOf(const std::string& text)
   }
 }
 
-/// "cone 60deg" → "cone:60"; empty for the one shape the library has not: a cone blunted by a
-/// paraboloid.
+/// "cone 60deg" → "cone:60". Empty for the one shape that the library does not have: a cone blunted
+/// by a paraboloid.
 std::string commandLineName(const std::string& name)
 {
   const std::map<std::string, std::string> shapes = { { "flat", "flat" },
@@ -53,7 +53,7 @@ struct Row
   std::size_t index;
 };
 
-/// Calls check(row) for every row, and demands that all of them were there.
+/// Calls check(row) for every row, and requires all of them to be present.
 template <class Check>
 void forEachRow(const ReferenceTable& table, Check&& check)
 {
@@ -69,10 +69,10 @@ void forEachRow(const ReferenceTable& table, Check&& check)
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 52); // all but the 4 of the cone blunted by a paraboloid
+  EXPECT_EQ(checked, 52); // all except the 4 rows of the cone blunted by a paraboloid
 }
 
-// The table prints 14 digits; its own quadratures agree with closed forms to 3e-11.
+// The table has 14 digits; its own quadratures agree with closed forms to 3e-11.
 constexpr double ClosedFormTolerance = 1e-10;
 } // namespace
 
@@ -92,9 +92,9 @@ TEST(PunchTable, ContactRadiusForceAndStiffness)
 
 TEST(PunchTable, PressureHalfWayToTheRim)
 {
-  // Under a flat with an edge the table's quadrature of g' is poor: 5e-3 off for the truncated cone
-  // at 0.05 mm. These are (E*/π) ∫_0^q g'(x)/√(x²-r²) (t/x) dt, x² = b² + t², to 30 digits
-  // (mpmath).
+  // Under a flat with an edge the table's quadrature of g' is inaccurate: an error of 5e-3 for the
+  // truncated cone at 0.05 mm. These values are (E*/π) ∫_0^q g'(x)/√(x²-r²) (t/x) dt, x² = b² + t²,
+  // to 30 digits (mpmath).
   const std::map<std::string, std::vector<double>> behindAnEdge = {
     { "trunc_cone b=1 60deg",
       { 0.06337659244143363, 0.2520995147578876, 0.6207490547514357, 1.352614322238627 } },

@@ -12,7 +12,7 @@ namespace palpate::testing
 {
 /**
  * The tests' own Gauss-Legendre rule: nodes by Newton's method on the three-term recurrence of the
- * Legendre polynomials (the library takes them from an eigenvalue problem).
+ * Legendre polynomials (the library computes them from an eigenvalue problem).
  */
 class Quadrature
 {

@@ -18,7 +18,7 @@ using palpate::testing::tool;
 
 namespace
 {
-/// A tool of the table (its spheres are paraboloids), with its size (radius, or tan α) scaled.
+/// A tool of the table (its spheres are paraboloids) with its size (radius, or tan α) scaled.
 std::unique_ptr<palpate::AxisymmetricTool> sizedTool(const std::string& name, double scale)
 {
   const std::string shape = name.substr(0, name.find_first_of("0123456789"));
@@ -39,7 +39,7 @@ TEST(SeriesCompliance, Table)
     SCOPED_TRACE(name + ", C = " + std::to_string(compliance));
     const auto point = seriesResponse(*sizedTool(name, 1.0), Rubber, compliance, depth);
     ASSERT_TRUE(point.stable);
-    // The reference sheet promises F and λ to 1e-9 and the derivatives to 1e-7.
+    // The reference sheet guarantees F and λ to 1e-9 and the derivatives to 1e-7.
     EXPECT_TRUE(agrees(point.force, table.number(i, "F_N"), 1e-9));
     EXPECT_NEAR(1.0 - point.localDeflection / depth, table.number(i, "lambda"), 1e-9);
     EXPECT_TRUE(agrees(point.stiffness, table.number(i, "dFddelta"), 1e-7));
@@ -82,10 +82,11 @@ TEST(SeriesCompliance, SolvesItsEquationForAnySoftBody)
       const double depth = std::pow(10.0, exponent(random));
       const auto point = seriesResponse(*t, Rubber, compliance, depth);
       ASSERT_TRUE(point.stable) << name << ", C = " << compliance << ", depth " << depth;
-      // δ = δ_local + C F with F = F(δ_local), which for the sphere near a/R = 0.1 rounds at 2e-14.
+      // δ = δ_local + C F with F = F(δ_local), whose rounding is 2e-14 for the sphere near a/R =
+      // 0.1.
       EXPECT_TRUE(agrees(point.localDeflection + compliance * point.force, depth, 5e-14));
       EXPECT_EQ(point.force, t->force(point.localDeflection, Rubber));
-      // Compliances in series add.
+      // Compliances in series add up.
       EXPECT_TRUE(agrees(1.0 / point.stiffness,
         1.0 / t->stiffness(point.localDeflection, Rubber) + compliance, 1e-14));
     }

@@ -20,7 +20,7 @@ using testing::tool;
 
 const std::vector<double> Depths = { 0.05, 0.2, 0.5 };
 
-/// The contact with a kernel made for this very stack: brute force beside the table.
+/// The contact with a kernel made for exactly this stack: brute force, compared with the table.
 std::unique_ptr<LayerContact> direct(
   const AxisymmetricTool& shape, LayerStack stack, double first, double second)
 {
@@ -67,7 +67,7 @@ LayerStack skinOverFat(double ratio, double nu)
 }
 } // namespace
 
-// What is asked of maps of thickness is 1e-3.
+// The requirement for maps of thickness is 1e-3.
 TEST(StackTable, AgreesWithKernelsOfTheirOwn)
 {
   EXPECT_LT(worstOf("sphere:3", skinOverFat(5.0, 0.45), { 0.3, 3.0 }, { 1.5, 15.0 }), 1e-3);
@@ -76,7 +76,7 @@ TEST(StackTable, AgreesWithKernelsOfTheirOwn)
 
 TEST(StackTable, IsDirectWhereNothingVaries)
 {
-  // One node: no interpolation, only ln and exp in between.
+  // One node: no interpolation, only ln and exp.
   EXPECT_LT(worstOf("sphere:3", skinOverFat(10.0, 0.48), { 1.0, 1.0 }, { 4.0, 4.0 }), 1e-12);
 }
 

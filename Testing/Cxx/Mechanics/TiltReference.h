@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
-/// The tools of Data/Reference/tilt, as on a command line.
+/// The tools of Data/Reference/tilt in command-line form.
 inline const std::string& tiltedToolOf(const std::string& name)
 {
   static const std::map<std::string, std::string> tools = { { "cone45", "cone:45" },

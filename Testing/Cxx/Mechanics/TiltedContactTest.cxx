@@ -21,9 +21,9 @@ namespace palpate::testing
 {
 TEST(TiltedContact, AgreesWithClosedFormsUpright)
 {
-  // 64 pixels of a smooth contact, whose edge is a staircase: 1.5e-4 of the force, the square of a
-  // pixel over the contact; twice that of the work, an energy's bound. A sharp rim: some of a pixel
-  // of its radius, 6e-3.
+  // 64 pixels over a smooth contact, whose edge becomes a staircase: 1.5e-4 of the force, the
+  // square of a pixel over the contact; twice that for the work, as an energy bound. At a sharp rim
+  // a part of a pixel over its radius, 6e-3.
   struct Case
   {
     const char* tool;
@@ -51,8 +51,8 @@ TEST(TiltedContact, ASphereFeelsNoTilt)
 
 TEST(TiltedContact, AgreesWithAnotherSolver)
 {
-  // Every 19th row. Both grids: 1e-4 where it is smooth, 2e-3 at edges, 1.8 % at flat rims that are
-  // hardly touched.
+  // Every 19th row. Both grids: 1e-4 for smooth contacts, 2e-3 at edges, 1.8 % at flat rims with
+  // little contact.
   const ReferenceTable table("tilt/tilt_bem.csv");
   int rows = 0;
   for (std::size_t row = 0; row < table.size(); row += 19)
@@ -86,7 +86,7 @@ TEST(TiltedContact, AFlatEndHasOneLaw)
     EXPECT_TRUE(agrees(m, table.number(row, "m=M/((4/3)E* a^3 theta)"), q < 0.1 ? 3e-3 : 2.5e-3))
       << q;
   }
-  // Whole contact: F = 2 a E* δ and M = 4/3 E* a³ θ, the integrals of Boussinesq's pressure.
+  // Full contact: F = 2 a E* δ and M = 4/3 E* a³ θ, the integrals of Boussinesq's pressure.
   EXPECT_DOUBLE_EQ(tiltedFlatForce(4.0).value, 3.0);
   EXPECT_NEAR(1.5 * (16.0 * tiltedFlatWork(0.75).value - 12.0 + 3.0), 1.0, 1e-14);
 }
@@ -109,7 +109,7 @@ TEST(TiltedContact, TheFlatEndsLawIsSmooth)
     EXPECT_NEAR((tiltedFlatForce(q + step).slope - tiltedFlatForce(q - step).slope) / (2.0 * step),
       force.bend, 1e-6);
   }
-  // Value, slope and bend go through where the whole end begins to touch, but for rounding of a
+  // Value, slope and bend are continuous at the onset of full contact, except for rounding of a
   // polynomial with terms of 100.
   const TiltedFlatTerm rim = tiltedFlatForce(std::nextafter(3.0, 0.0));
   EXPECT_NEAR(rim.value, 2.0, 1e-11);
@@ -129,7 +129,7 @@ TEST(TiltedContact, TheDeepestPointIsWhereTheProfileSays)
       {
         continue;
       }
-      double deepest = 0.0; // by brute force, at a corner to the spacing of 1e-4 times 0.2
+      double deepest = 0.0; // by brute force; at a corner to 0.2 times the spacing of 1e-4
       for (int i = 0; i <= 40000; ++i)
       {
         const double r = std::min(4.0, shape->largestContactRadius()) * i / 40000;
@@ -151,7 +151,7 @@ TEST(TiltedContact, TheDeepestPointIsWhereTheProfileSays)
 TEST(TiltedContact, AFlankEndsTheTilts)
 {
   EXPECT_NEAR(largestTilt(*tool("cone:60")), 26.0 * Degree, 1e-9);
-  // Far out the slope of a truncated or blunted cone is its flank's, to 1e-6.
+  // Far from the tip the slope of a truncated or blunted cone is that of its flank, to 1e-6.
   EXPECT_NEAR(largestTilt(*tool("truncated:1,50")), 36.0 * Degree, 1e-5);
   EXPECT_NEAR(largestTilt(*tool("blunted:1,50")), 36.0 * Degree, 1e-5);
   EXPECT_NEAR(largestTilt(*tool("profile:0,0;1,0.1;2,1.1")), 41.0 * Degree, 1e-9);
@@ -167,7 +167,7 @@ TEST(TiltedContact, AFlankEndsTheTilts)
 
 TEST(TiltedContact, AToolMadeFromItsContactRadiiIsThatTool)
 {
-  // The paraboloid a² = RD from samples of a(D): all else follows from g by closed forms.
+  // The paraboloid a² = RD from samples of a(D): the rest follows from g by closed forms.
   std::vector<TiltedTool::Sample> samples;
   for (const double depth : { 0.01, 0.1, 0.5, 1.0 })
   {

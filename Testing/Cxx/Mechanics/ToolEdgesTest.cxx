@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tools answer at and beyond the edges of their arguments.
+// Results of the tools at and beyond the limits of their arguments.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"
@@ -88,16 +88,16 @@ TEST_P(ToolEdges, OnTheAxis)
 
 TEST_P(ToolEdges, TinyDepthsKeepTheirPower)
 {
-  // F(δ)/F(δ/4) = 4^m; the exact sphere is a paraboloid there to δ/10R = 1e-13.
-  // A profile's exponent is that of its middle; its first segment is a cone, or a flat.
+  // F(δ)/F(δ/4) = 4^m; there the exact sphere is a paraboloid to δ/10R = 1e-13. The exponent of a
+  // profile is that of its middle; its first segment is a cone or a flat.
   const std::string name = this->GetParam();
   const bool profile = name.substr(0, 7) == "profile";
   const double exponent = !profile              ? this->Tool->forceExponent()
     : this->Tool->smallestContactRadius() > 0.0 ? 1.0
                                                 : 2.0;
   const double power = std::pow(4.0, exponent);
-  // The edge of a rounded flat widens the contact by (3δR_e/b²)^(2/3)/2 = 6e-9 at 1e-12 mm, and the
-  // force by a fifth of that.
+  // The edge of a rounded flat widens the contact by (3δR_e/b²)^(2/3)/2 = 6e-9 at 1e-12 mm, and
+  // raises the force by a fifth of that.
   const double widening = name.substr(0, 7) == "rounded" ? 2e-9 : 0.0;
   for (const double depth : { 1e-12, 1e-60, 1e-120 })
   {
@@ -122,7 +122,7 @@ TEST(ToolSingularities, InfinitePressure)
   EXPECT_EQ(cone->pressure(cone->contactRadius(0.5), 0.5, 3.0), 0.0);
   EXPECT_EQ(tool("truncated:1,60")->pressure(1.0, 0.5, 3.0), Infinity);
   EXPECT_EQ(tool("power:1,0.5")->pressure(0.0, 0.5, 3.0), Infinity);
-  // A profile: its apex, a convex edge, a concave one, the wall.
+  // A profile with its apex, a convex edge, a concave one and the wall.
   const auto profile = tool("profile:0,0;1,0.5;2,2;3,3.45");
   EXPECT_EQ(profile->pressure(0.0, 6.0, 3.0), Infinity);
   EXPECT_EQ(profile->pressure(1.0, 6.0, 3.0), Infinity);
@@ -150,7 +150,7 @@ TEST(ToolDepths, AtStrain)
   EXPECT_TRUE(agrees(tool("flat:1.6")->depthAtStrain(0.4), 0.64, 1e-15));
   EXPECT_TRUE(agrees(tool("paraboloid:2")->depthAtStrain(0.4), 0.32, 1e-15));
   EXPECT_TRUE(agrees(tool("sphere:2")->depthAtStrain(0.4), 0.8 * std::atanh(0.4), 1e-15));
-  // A cone's is the same at every depth, δ/a = π/2 cot α: at once or never.
+  // For a cone it is the same at every depth, δ/a = π/2 cot α: reached at once or never.
   EXPECT_EQ(tool("cone:60")->depthAtStrain(0.4), 0.0);
   EXPECT_EQ(tool("cone:80")->depthAtStrain(0.4), Infinity);
   EXPECT_EQ(tool("sphere:2")->depthAtStrain(1.0), Infinity);
@@ -158,7 +158,7 @@ TEST(ToolDepths, AtStrain)
 
 TEST(ToolDepths, AtStrainOfTheOtherShapes)
 {
-  // The strain of the measure's own definition: a/R of the tip, or δ/a.
+  // The strain by the definition of the measure: a/R of the tip, or δ/a.
   for (const char* name : { "blunted:2,60", "truncated:1,80", "rounded:1.2,0.4", "power:1.5,0.1",
          "power:4,0.01", "profile:0,0;1,0.1;2,0.5;3,3", "profile:0,0;1,0;2,0.5" })
   {
@@ -170,10 +170,10 @@ TEST(ToolDepths, AtStrainOfTheOtherShapes)
   }
   EXPECT_EQ(tool("power:1,0.5")->depthAtStrain(0.4), 0.0); // δ/a = π/4 at every depth
   EXPECT_EQ(tool("power:1,0.1")->depthAtStrain(0.4), Infinity);
-  // δ/a < (π/2) cot 80° = 0.277 of the whole cone.
+  // δ/a < (π/2) cot 80° = 0.277 for the whole cone.
   EXPECT_EQ(tool("truncated:1,80")->depthAtStrain(0.4), Infinity);
   EXPECT_EQ(tool("profile:0,0;1,0.5;2,2")->depthAtStrain(0.4), 0.0);
-  // Beyond its points a profile is a flat punch: δ/a of it.
+  // Beyond its points a profile is a flat punch, with its δ/a.
   EXPECT_TRUE(agrees(tool("profile:0,0;2,0.1")->depthAtStrain(0.4), 0.8, 1e-15));
 }
 
@@ -196,7 +196,7 @@ TEST(ToolDepths, AtContactRadius)
     const auto t = tool(name);
     for (const double depth : { 1e-6, 0.1, 1.0 })
     {
-      // Next to a flat a rounds, and with it g, by 1e-16 (b/(a-b)): at 1e-6 of depth that shows.
+      // Near a flat a is rounded, and with it g, by 1e-16 (b/(a-b)): visible at 1e-6 of depth.
       const double tolerance = t->smallestContactRadius() > 0.0 && depth < 0.1 ? 1e-3 : 2e-14;
       EXPECT_TRUE(agrees(t->depthAtContactRadius(t->contactRadius(depth)), depth, tolerance))
         << name;

@@ -37,8 +37,8 @@ TEST(ToolOutline, FollowsTheProfileBesideItsFillets)
     {
       const bool isAtFillet = std::any_of(outline.fillets().begin(), outline.fillets().end(),
         [r](const auto& range) { return r > range.first - 1e-9 && r < range.second + 1e-9; });
-      // Biarcs through 24 points of the profile; beside an apex of a power law curvature has no
-      // bound.
+      // Biarcs through 24 points of the profile. Next to the apex of a power law the curvature is
+      // unbounded.
       if (!isAtFillet)
       {
         EXPECT_NEAR(outline.height(r), given->profile(r), 2e-5) << name << " at " << r;
@@ -58,19 +58,18 @@ TEST(ToolOutline, DistanceIsTheShortestWayAndItsGradientPointsAlongIt)
     {
       const Vector2d point(anywhere(random), outline.height(0.0) - 0.3 * anywhere(random));
       const ToolOutline::Distance found = outline.distance(point);
-      double least = HUGE_VAL; // below the tool: along its heights
+      double least = HUGE_VAL; // below the tool: search along its heights
       for (double r = 0.0; r < 2.5; r += 1e-3)
       {
         const double z = outline.height(r);
         least = std::isfinite(z) ? std::min(least, (Vector2d(r, z) - point).norm()) : least;
       }
-      // The nearest height that is tried lies up to half a step, along a slope below 7, beside the
-      // foot.
+      // The nearest sampled height is up to half a step from the foot, on a slope below 7.
       EXPECT_LE(found.value, least + 1e-9) << name << " at " << point.transpose();
       EXPECT_GE(found.value, least - 1e-5 / std::max(found.value, 1e-3))
         << name << " at " << point.transpose();
       EXPECT_NEAR(found.gradient.norm(), 1.0, 1e-12);
-      // To the foot the distance falls to nothing.
+      // At the foot the distance is zero.
       EXPECT_NEAR(outline.distance(point - found.value * found.gradient).value, 0.0, 1e-7) << name;
       constexpr double step = 1e-6;
       for (int c = 0; c < 2; ++c)
@@ -79,7 +78,7 @@ TEST(ToolOutline, DistanceIsTheShortestWayAndItsGradientPointsAlongIt)
         const Vector2d bend =
           (outline.distance(point + by).gradient - outline.distance(point - by).gradient) /
           (2.0 * step);
-        // Where the foot passes from one arc to the next, curvature steps: not there.
+        // Curvature jumps where the foot moves from one arc to the next; these points are skipped.
         if ((bend - found.hessian.col(c)).norm() > 1e-4)
         {
           const Vector2d half = (outline.distance(point + by).gradient - found.gradient) / step;
@@ -113,6 +112,6 @@ TEST(ToolOutline, ARimIsAQuarterOfACircle)
     const Vector2d centre(1.0 - Fillet, Fillet);
     EXPECT_NEAR(outline.distance(centre + 0.3 * out).value, 0.3 - Fillet, 1e-9);
   }
-  EXPECT_NEAR(outline.distance({ 1.2, 0.5 }).value, 0.2, 1e-9); // of the wall
+  EXPECT_NEAR(outline.distance({ 1.2, 0.5 }).value, 0.2, 1e-9); // from the wall
   EXPECT_LT(outline.distance({ 0.5, 0.02 }).value, 0.0);
 }

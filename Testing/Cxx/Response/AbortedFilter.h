@@ -9,8 +9,8 @@
 
 namespace palpate::testing
 {
-/// A filter that is told to end where its progress passes a fraction gives nothing and no error;
-/// and again, to its end.
+/// A filter that is aborted when its progress exceeds a fraction gives an empty output without an
+/// error. Afterwards it runs to its end.
 template <class Filter>
 void checkAborted(Filter* filter, double progress)
 {

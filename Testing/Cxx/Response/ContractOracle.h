@@ -15,9 +15,9 @@
 namespace palpate::testing
 {
 /**
- * The data contract evaluated straight from its definition, slow and independent of the kernel:
- * F(δ) = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of r_i = F_i/δ_i^m with
- * r'_i = (K_i - m F_i/δ_i) (dδ/ds)/δ_i^m; below δ_1 the power start, beyond δ_max the tangent.
+ * The data contract evaluated directly by its definition, slow and independent of the kernel: F(δ)
+ * = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of r_i = F_i/δ_i^m with r'_i = (K_i -
+ * m F_i/δ_i) (dδ/ds)/δ_i^m; below δ_1 the power start, beyond δ_max the tangent.
  */
 class ContractOracle
 {

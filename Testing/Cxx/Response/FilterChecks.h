@@ -16,7 +16,7 @@
 #include <iostream>
 #include <string>
 
-/// Counts a failure and goes on; the test returns palpate::testing::result().
+/// Counts a failure and continues; the test returns palpate::testing::result().
 #define PALPATE_CHECK(condition)                                                                   \
   palpate::testing::check((condition), #condition, std::string(), __FILE__, __LINE__)
 /// |actual - expected| <= tolerance; never true for NaN.
@@ -42,7 +42,7 @@ inline int result()
 inline void check(
   bool good, const char* condition, const std::string& remark, const char* file, int line)
 {
-  if (!good && ++failures() <= 20) // the first ones tell enough
+  if (!good && ++failures() <= 20) // the first failures are enough
   {
     std::cerr << file << ":" << line << ": failed: " << condition << remark << std::endl;
   }
@@ -73,7 +73,7 @@ inline void checkText(
   }
 }
 
-/// Catches what an object reports while this lives, and the executive's own remark that it failed.
+/// Captures the messages of an object during its lifetime, and the executive's own error message.
 class Messages
 {
 public:
@@ -88,7 +88,7 @@ public:
 
   std::string errors() const { return this->Own->GetErrorMessage(); }
   std::string warnings() const { return this->Own->GetWarningMessage(); }
-  /// Whether nothing was reported by anybody.
+  /// True if no object has reported anything.
   bool none() const
   {
     return !this->Own->GetError() && !this->Own->GetWarning() && !this->Executive->GetError();
@@ -98,7 +98,7 @@ public:
     this->Own->Clear();
     this->Executive->Clear();
   }
-  /// The errors since the last call.
+  /// Returns the errors since the last call.
   std::string takeErrors()
   {
     const std::string text = this->errors();
@@ -118,7 +118,7 @@ private:
   Observer Executive = Observer::New();
 };
 
-/// While one lives, a filter is told to end where its progress passes a fraction.
+/// During its lifetime a filter is aborted once its progress exceeds a fraction.
 class AbortAfter
 {
 public:
@@ -148,7 +148,8 @@ private:
   unsigned long Tag;
 };
 
-/// Runs `work` with so many threads; the Sequential default of some VTKs would test nothing.
+/// Runs `work` with this number of threads. The Sequential default of some VTK builds would test
+/// nothing.
 template <class Work>
 void withThreads(int threads, const Work& work)
 {

@@ -9,7 +9,7 @@ namespace
 int cores = 0;
 }
 
-/// In place of the C library's, which std::thread::hardware_concurrency() asks.
+/// Replaces the function of the C library that std::thread::hardware_concurrency() calls.
 extern "C" __attribute__((visibility("default"))) int get_nprocs() noexcept
 {
   return cores > 0 ? cores : static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));

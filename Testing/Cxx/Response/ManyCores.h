@@ -4,8 +4,8 @@
 
 namespace palpate::testing
 {
-/// While this lives, the machine says it has `count` cores: VTK's threads are never more than that,
-/// and a test of eight is to have eight on a machine of two.
+/// During its lifetime the machine reports `count` cores. VTK never uses more threads than cores,
+/// and a test of eight threads must have eight on a machine with two cores.
 class ManyCores
 {
 public:

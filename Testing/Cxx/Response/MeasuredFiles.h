@@ -17,7 +17,7 @@
 
 namespace palpate::testing
 {
-/// A made-up site: where, and F(δ) from its first contact on.
+/// An invented site: its position, and F(δ) from first contact on.
 struct MadeSite
 {
   std::string name;
@@ -31,7 +31,7 @@ inline std::function<double(double)> hertz(double R, double modulus)
   return [=](double d) { return 4.0 / 3.0 * modulus * std::sqrt(R) * std::pow(d, 1.5); };
 }
 
-/// Writes a file of curves to `path`: `offset` (mm) is what the instrument shows at first contact.
+/// Writes a file of curves to `path`. `offset` (mm) is the instrument's reading at first contact.
 inline std::string writeCurves(const std::string& path, const std::string& tool,
   const std::vector<MadeSite>& sites, double depth = 1.5, double offset = 0.0, double noise = 0.0,
   unsigned seed = 1)
@@ -67,7 +67,7 @@ inline MeasuredFilter measure(vtkPolyData* body, const std::string& file, const 
   return filter;
 }
 
-/// A number of the table of sites; NaN if there is no such column.
+/// A number from the table of sites; NaN if there is no such column.
 inline double siteNumber(vtkMeasuredContactResponse* filter, vtkIdType row, const char* column)
 {
   auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));

@@ -14,7 +14,7 @@ namespace palpate::testing
 {
 using Detectability = vtkSmartPointer<vtkNoduleDetectability>;
 
-/// A grid of 1 MPa with one ball in it.
+/// A grid of 1 MPa with one ball inside.
 inline Grid withNodule(
   vtkUnstructuredGrid* grid, double x, double y, double z, double radius, double young)
 {
@@ -26,7 +26,7 @@ inline Grid withNodule(
   return nodule->GetOutput();
 }
 
-/// What a tool feels of it.
+/// Its detectability with a tool.
 inline Detectability felt(vtkUnstructuredGrid* grid, const std::string& tool, double deflection)
 {
   auto filter = Detectability::New();

@@ -14,7 +14,7 @@ namespace palpate::testing
 {
 constexpr double BallRadius = 20.0;
 
-/// Tips below the surface of the ball: depth up to 2.5 of a range of 2, and some outside.
+/// Tips below the surface of the ball, up to a depth of 2.5 for a range of 2, and some outside.
 inline Body tipsInBall(int count)
 {
   std::mt19937 random(7);
@@ -51,13 +51,14 @@ inline vtkSmartPointer<vtkPointData> probe(
   return filter->GetOutput()->GetPointData();
 }
 
-/// Different from point to point, MPa.
+/// A modulus that differs from point to point, MPa.
 inline double modulusAt(vtkIdType point)
 {
   return 0.1 + 0.07 * static_cast<double>(point % 13);
 }
 
-/// A ball of 162 points with the response of a tool, its moduli modulusAt or all `modulus`.
+/// A ball of 162 points with the response of a tool. The moduli are modulusAt, or `modulus`
+/// everywhere.
 inline Body heterogeneousBall(const char* tool, double modulus = 0.0)
 {
   Body body = sphereBody(BallRadius, 2);

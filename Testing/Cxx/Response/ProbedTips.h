@@ -14,7 +14,7 @@ namespace palpate::testing
 {
 constexpr double Poisson = 0.3;
 
-/// Tips as the probe would give them, contact by contact.
+/// Tips in the form of the probe's output, contact by contact.
 struct GivenContact
 {
   vtkIdType cell;

@@ -26,7 +26,7 @@ inline void addValues(
   body->GetPointData()->AddArray(array);
 }
 
-/// A plane with the arrays GlobalCompliance and Strengths, of two components.
+/// A plane with the arrays GlobalCompliance and Strengths (two components).
 inline Body bodyWithArrays()
 {
   Body body = planeBody(20.0, 8);

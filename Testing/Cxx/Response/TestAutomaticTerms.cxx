@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A law that has no more than the forces need, and says so.
+// A law with only the terms that change the forces; it reports which terms these are.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -15,7 +15,7 @@ using namespace palpate::testing;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
-/// With no more in its law than the forces need.
+/// A filter whose law has only the terms that the forces need.
 Filter leastOf(vtkPolyData* body, const char* tool, double range)
 {
   Filter filter = filterOf(body, tool, range);
@@ -29,7 +29,7 @@ std::string fieldText(vtkPolyData* body, const char* name)
   return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : "";
 }
 
-/// Forces of two filters, the largest relative difference at the last sample.
+/// The largest relative difference of the forces of two filters at the last sample.
 double differenceOf(vtkToolContactResponse* one, vtkToolContactResponse* other)
 {
   vtkDataArray* first = one->GetOutput()->GetPointData()->GetArray("ResponseForce");
@@ -44,9 +44,9 @@ double differenceOf(vtkToolContactResponse* one, vtkToolContactResponse* other)
   return largest;
 }
 
-/// A flat half-space pressed a hundredth of the radius: c - 1 is below 0.5 % at nu = 0.45 (another
-/// code finds 0.3 % at ten times that depth, Data/Reference/deep): every bit is that of small
-/// strain.
+/// A flat half-space pressed by a hundredth of the radius. c - 1 is below 0.5 % at nu = 0.45
+/// (another code finds 0.3 % at ten times that depth, Data/Reference/deep), so every bit is that of
+/// small strain.
 void checkLess()
 {
   const Body body = planeBody(40.0, 4);
@@ -66,8 +66,7 @@ void checkLess()
   PALPATE_CHECK(fieldText(chosen->GetOutput(), "ResponseTerms") == chosen->GetTermReason());
 }
 
-/// At nu = 0.3 and half the radius c is 1.07: Neo-Hooke comes without being asked for, where a
-/// table has the tool.
+/// At nu = 0.3 and half the radius c is 1.07: Neo-Hooke is used by default if a table has the tool.
 void checkMore()
 {
   const Body body = planeBody(40.0, 4);
@@ -87,8 +86,8 @@ void checkMore()
   PALPATE_CHECK_TEXT(other->GetTermReason(), "small strain stays", "no table", "solver");
 }
 
-/// A term stays whose loss would raise the stated error, however little it changes the force: at nu
-/// = 0.49 a cone is off by little, which small strain does not know.
+/// A term is kept if its removal would raise the stated error, even if it hardly changes the force.
+/// At nu = 0.49 the law of a cone has a small error, but small strain does not predict that.
 void checkErrorStays()
 {
   const Body body = planeBody(40.0, 4);
@@ -105,8 +104,8 @@ void checkErrorStays()
   PALPATE_CHECK(errorOf(true) <= errorOf(false) + 0.01); // TermTolerance
 }
 
-/// Layers of equal material are one; a layer of ten contact radii is a half-space to a per cent or
-/// so; stiff skin stays.
+/// Layers of equal material are one layer. A layer of ten contact radii is a half-space to about a
+/// per cent. Stiff skin is kept.
 void checkLayers()
 {
   const Body body = planeBody(40.0, 4);
@@ -132,7 +131,7 @@ void checkLayers()
   PALPATE_CHECK_TEXT(fieldText(skin->GetOutput(), "ResponseModel"), "stack of 2 layers");
 }
 
-/// The choice of the stored form repeats what the law has.
+/// The chosen stored form contains the terms of the law.
 void checkForm()
 {
   const Filter filter = leastOf(sphereBody(20.0, 2), "sphere:5", 1.0);

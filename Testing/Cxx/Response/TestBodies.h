@@ -27,8 +27,8 @@ namespace palpate::testing
 {
 using Body = vtkSmartPointer<vtkPolyData>;
 
-/// An icosahedron, its faces cut in four `level` times, its points at `radius` (mm, exact in
-/// double) around the origin. No normals.
+/// An icosahedron whose faces are split into four `level` times, with its points at `radius` (mm,
+/// exact in double) around the origin. No normals.
 inline Body sphereBody(double radius, int level)
 {
   vtkNew<vtkPlatonicSolidSource> solid;
@@ -59,8 +59,8 @@ inline Body sphereBody(double radius, int level)
   return body;
 }
 
-/// The lower half of such a sphere, wound inward: a bowl that is touched from above. Its points are
-/// those of its triangles.
+/// The lower half of such a sphere, wound inward: a bowl that is pressed from above. It has only
+/// the points of its triangles.
 inline Body hollowBody(double radius, int level)
 {
   const Body ball = sphereBody(radius, level);
@@ -97,8 +97,8 @@ inline Body hollowBody(double radius, int level)
   return body;
 }
 
-/// Moves the points to multiples of 2^-16 mm, which the kernel's float coordinates hold exactly on
-/// bodies of less than 128 mm: for oracles that take the body as it is.
+/// Moves the points to multiples of 2^-16 mm, which the kernel's float coordinates represent
+/// exactly on bodies of less than 128 mm. For references that use the body's own coordinates.
 inline void snapPoints(vtkPolyData* body)
 {
   constexpr double Grid = 1.0 / 65536.0;
@@ -114,7 +114,7 @@ inline void snapPoints(vtkPolyData* body)
   }
 }
 
-/// Exact normals of a sphere around the origin, as the active point normals, `length` long.
+/// Exact normals of a sphere around the origin, as the active point normals, with length `length`.
 inline void addRadialNormals(vtkPolyData* body, double length = 1.0)
 {
   vtkNew<vtkFloatArray> normals;
@@ -131,7 +131,8 @@ inline void addRadialNormals(vtkPolyData* body, double length = 1.0)
   body->GetPointData()->SetNormals(normals);
 }
 
-/// A square in the plane z = `height` from -half to half, cells² pairs of triangles, facing +z.
+/// A square in the plane z = `height` from -half to half, with cells² pairs of triangles, facing
+/// +z.
 inline Body planeBody(double half, int cells, double height = 0.0)
 {
   vtkNew<vtkPoints> points;
@@ -157,8 +158,8 @@ inline Body planeBody(double half, int cells, double height = 0.0)
   return body;
 }
 
-/// A box around the origin, each face cut in cells² pairs of triangles, points not shared between
-/// faces except at their edges. Outward.
+/// A box around the origin. Each face has cells² pairs of triangles. Faces share points only at
+/// their edges. Wound outward.
 inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
 {
   vtkNew<vtkPoints> points;
@@ -182,7 +183,7 @@ inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
   {
     for (const bool upper : { false, true })
     {
-      // (u, v) turn counter-clockwise seen from outside.
+      // (u, v) rotate counter-clockwise as seen from outside.
       const std::size_t u = (axis + (upper ? 1 : 2)) % 3;
       const std::size_t v = (axis + (upper ? 2 : 1)) % 3;
       const auto corner = [&](int i, int j)
@@ -209,7 +210,7 @@ inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
   return body;
 }
 
-/// Tools of F ∝ δ^exponent, and how wide their contacts are, in closed form.
+/// Tools with F ∝ δ^exponent, and the radius of their contacts in closed form.
 struct SinkingTool
 {
   const char* tool;
@@ -227,7 +228,7 @@ inline vtkSmartPointer<vtkContactTool> makeTool(const std::string& specification
   return tool;
 }
 
-/// A tool pressed to `range` (mm) into 0.1 MPa, Poisson's ratio 0.45.
+/// A filter for a tool pressed to `range` (mm) into 0.1 MPa, Poisson's ratio 0.45.
 inline vtkSmartPointer<vtkToolContactResponse> filterOf(
   vtkPolyData* body, const char* tool, double range)
 {
@@ -240,7 +241,7 @@ inline vtkSmartPointer<vtkToolContactResponse> filterOf(
   return filter;
 }
 
-/// The exact law of the textbook, and validity where its first assumption breaks.
+/// Selects the textbook law, with validity by its first violated assumption.
 inline void makePlain(vtkToolContactResponse* filter)
 {
   filter->CurvatureCorrectionOff();
@@ -263,7 +264,7 @@ inline Body withResponse(vtkPolyData* body, const std::string& tool, double rang
   return copy;
 }
 
-/// Tips inside and outside: points of a cube of `reach` around the origin.
+/// Tips inside and outside: points in a cube of size `reach` around the origin.
 inline Body tipsInCube(int count, double reach, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -272,7 +273,7 @@ inline Body tipsInCube(int count, double reach, unsigned seed)
   points->SetDataTypeToDouble();
   for (int i = 0; i < count; ++i)
   {
-    const double x = coordinate(random); // the order of arguments is not that of evaluation
+    const double x = coordinate(random); // the order of evaluation of arguments is unspecified
     const double y = coordinate(random);
     points->InsertNextPoint(x, y, coordinate(random));
   }
@@ -281,7 +282,7 @@ inline Body tipsInCube(int count, double reach, unsigned seed)
   return tips;
 }
 
-/// One number per point, from a function of its index.
+/// One number per point, as a function of its index.
 template <class Array = vtkDoubleArray, class Function>
 vtkSmartPointer<Array> pointArray(vtkPolyData* body, const char* name, const Function& value)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever is given as a body comes out as triangles in mm, or as an error that says what to do.
+// Any input as a body results in triangles in mm, or in an error message with a remedy.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -53,7 +53,10 @@ bool isSilent(const Made& made)
   return made.messages.none();
 }
 
-/** All triangles, and the volume they enclose, positive if they wind as they should. */
+/**
+ * Checks that all cells are triangles. Returns their enclosed volume, positive for the correct
+ * winding.
+ */
 double enclosedVolume(vtkPolyData* body)
 {
   PALPATE_CHECK(body->GetNumberOfCells() == body->GetNumberOfPolys());
@@ -74,7 +77,7 @@ double enclosedVolume(vtkPolyData* body)
   return sum;
 }
 
-/** A cube of Side, of Cells³ voxels, from the origin, with a point array. */
+/** A cube of size Side with Cells³ voxels, from the origin, with a point array. */
 vtkSmartPointer<vtkImageData> imageBlock(int first = 0, int last = Cells)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -131,7 +134,10 @@ vtkSmartPointer<vtkUnstructuredGrid> unstructuredBlock()
   return cells->GetOutput();
 }
 
-/** One closed surface of a cube: no point twice, no wall inside, the array at its points. */
+/**
+ * Checks for one closed surface of a cube: no duplicate point, no inner wall, the array at its
+ * points.
+ */
 void checkBlock(vtkDataObject* input)
 {
   Made made;
@@ -155,10 +161,10 @@ void checkVolumes()
   checkBlock(imageBlock());
   checkBlock(rectilinearBlock());
   checkBlock(structuredBlock(1.0));
-  checkBlock(structuredBlock(-1.0)); // left-handed: inside out, turned
+  checkBlock(structuredBlock(-1.0)); // left-handed: inside out, so it is turned
   checkBlock(unstructuredBlock());
 
-  // Two halves of it are joined, also where one has a layer of the other as ghosts.
+  // Its two halves are joined, also if one contains a layer of the other as ghosts.
   for (const int ghosts : { 0, 1 })
   {
     auto left = imageBlock(0, 1 + ghosts);
@@ -180,7 +186,7 @@ void checkVolumes()
 
 void checkSurfaces()
 {
-  // Triangles alone: the very same cells and points, all arrays, nothing to say.
+  // Triangles only: the same cells, points and arrays, without a message.
   const Body ball = sphereBody(30.0, 2);
   addRadialNormals(ball);
   Made same;
@@ -193,7 +199,7 @@ void checkSurfaces()
   const double volume = enclosedVolume(ball);
   PALPATE_CHECK(volume > 0.0);
 
-  // The same ball in strips, with a vertex and a line more.
+  // The same ball in strips, with an additional vertex and line.
   vtkNew<vtkStripper> strips;
   strips->SetInputData(ball);
   strips->Update();
@@ -215,7 +221,7 @@ void checkSurfaces()
   PALPATE_CHECK_TEXT(cut.filter->GetNote(0), "strips cut into 320 triangles");
   PALPATE_CHECK_TEXT(cut.filter->GetNote(1), "2 vertices and lines left out");
 
-  // Inside out: turned.
+  // Inside out: it is turned.
   const Body bare = sphereBody(30.0, 2);
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(bare);
@@ -225,10 +231,10 @@ void checkSurfaces()
   PALPATE_CHECK_NEAR(enclosedVolume(turned.body), volume, Exact * volume);
   PALPATE_CHECK_TEXT(turned.filter->GetNote(0), "320 triangles wound inward");
   PALPATE_CHECK_NEAR(
-    enclosedVolume(reverse->GetOutput()), -volume, Exact * volume); // the input is as it was
+    enclosedVolume(reverse->GetOutput()), -volume, Exact * volume); // the input is unchanged
 }
 
-/** Triangles that enclose nothing are left out; the two sides of a sheet are an error. */
+/** Triangles that enclose no volume are left out. The two sides of a sheet are an error. */
 void checkFlaps()
 {
   const Body ball = sphereBody(30.0, 2);
@@ -262,10 +268,11 @@ void checkFlaps()
   PALPATE_CHECK_NEAR(enclosedVolume(made.body), enclosedVolume(ball), Exact * enclosedVolume(ball));
   vtkDataArray* kept = made.body->GetCellData()->GetArray("Number");
   PALPATE_CHECK(kept && kept->GetNumberOfTuples() == own);
-  PALPATE_CHECK(kept && kept->GetRange()[1] == static_cast<double>(own - 1)); // the first of each
+  PALPATE_CHECK(
+    kept && kept->GetRange()[1] == static_cast<double>(own - 1)); // the first one of each
   PALPATE_CHECK(made.filter->GetNumberOfNotes() == 1);
   PALPATE_CHECK_TEXT(made.filter->GetNote(0), "5 triangles that occur twice");
-  PALPATE_CHECK(merged->GetPolys()->GetNumberOfCells() == own + 5); // the input is as it was
+  PALPATE_CHECK(merged->GetPolys()->GetNumberOfCells() == own + 5); // the input is unchanged
 
   vtkNew<vtkPolyData> sheet;
   sheet->DeepCopy(ball);
@@ -280,7 +287,7 @@ void checkFlaps()
   PALPATE_CHECK(sides.body->GetNumberOfPolys() == 0);
 }
 
-/** A ball in two partitions, each with its own seam points, and in two blocks. */
+/** A ball in two partitions, each with separate points at the seam, and in two blocks. */
 void checkComposites()
 {
   const Body ball = sphereBody(30.0, 2);
@@ -324,8 +331,8 @@ void checkComposites()
   PALPATE_CHECK(joined.body->GetPointData()->HasArray("Shared"));
   PALPATE_CHECK_TEXT(joined.filter->GetNote(0), "2 partitions joined");
 
-  // Blocks stay apart, in their order; an empty one and one of lines do no harm; one inside out is
-  // turned by itself; an array that only one has is left out, and said so.
+  // Blocks stay separate, in their order. An empty block and one of lines have no effect. An
+  // inverted block is turned alone. An array that only one block has is left out with a message.
   const Body second = sphereBody(20.0, 1);
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(second);
@@ -385,7 +392,7 @@ void checkUnits()
   }
   struct Size
   {
-    double side; // of a cube, mm
+    double side; // edge of a cube, mm
     bool asked;
   };
   for (const Size& size :
@@ -445,7 +452,7 @@ void checkErrors()
   hole->GetPoints()->SetPoint(7, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   hole->GetPoints()->SetPoint(9, std::numeric_limits<double>::infinity(), 0.0, 0.0);
   Made holed;
-  make(holed, hole); // without the triangles around the two points
+  make(holed, hole); // a hole around the two points
   PALPATE_CHECK(holed.messages.errors().empty() && holed.filter->GetNumberOfNotes() == 0);
   PALPATE_CHECK_TEXT(
     holed.messages.warnings(), "triangles with a coordinate that is not finite", "left out");

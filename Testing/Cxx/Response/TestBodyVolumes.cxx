@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes as mesh generators write them: with faces and edges as cells, in several blocks, with
-// inverted or mixed cells; and polygons that meet themselves.
+// inverted or mixed cells; and polygons that touch themselves.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -49,7 +49,7 @@ Grid gridWithPoints()
   return grid;
 }
 
-/// Tetrahedra in the layers of cubes from `first` to before `last`.
+/// Tetrahedra in the layers of cubes from `first` up to `last`, without `last`.
 Grid tetrahedra(int first, int last)
 {
   const Grid grid = gridWithPoints();
@@ -97,7 +97,7 @@ struct Made
   }
 };
 
-/// The block alone: no inner wall, no face twice, wound outward.
+/// Checks that only the block remains: no inner wall, no duplicate face, wound outward.
 void checkBlock(vtkDataObject* input, const char* note = "")
 {
   Made made(input);
@@ -151,8 +151,7 @@ void checkSeveralBlocks()
   checkBlock(partitions);
 }
 
-/// Cells that occur twice have no outer face in common; blocks whose points were rounded share
-/// them.
+/// Cells that occur two times have no outer face in common. Blocks with rounded points share them.
 void checkRepeatedCellsAndRoundedPoints()
 {
   for (const int times : { 1, 6 * Cells * Cells * Cells })
@@ -182,8 +181,8 @@ void checkRepeatedCellsAndRoundedPoints()
   PALPATE_CHECK(made.filter->GetOutput()->GetNumberOfPolys() == 6 * Cells * Cells * 2);
 }
 
-/// Voxels whose sides lie along no axis, and those of a grid that is bent around an axis until it
-/// meets itself, but for rounding; a grid with one cell inside out is refused.
+/// Voxels that are not parallel to the axes, and those of a grid bent around an axis until its ends
+/// meet up to rounding. A grid with one inverted cell is rejected.
 void checkTurnedAndClosedGrids()
 {
   constexpr double Pi = 3.14159265358979323846;
@@ -217,7 +216,7 @@ void checkTurnedAndClosedGrids()
   for (const vtkIdType inner : { 3, 53 }) // of both layers
   {
     broken->GetPoints()->GetPoint(inner, at.data());
-    broken->GetPoints()->SetPoint(inner, 3.0 * at[0], 3.0 * at[1], at[2]); // past the outer side
+    broken->GetPoints()->SetPoint(inner, 3.0 * at[0], 3.0 * at[1], at[2]); // beyond the outer side
   }
   Made refused(broken);
   PALPATE_CHECK_TEXT(refused.messages.errors(), "cells are inverted, the first is cell");
@@ -245,7 +244,7 @@ void checkTurnedAndClosedGrids()
   PALPATE_CHECK(turned.filter->GetOutput()->GetNumberOfPolys() == 6 * Cells * Cells * 2);
 }
 
-/// A cube of a wedge and a hexahedron with a pyramid on top: 1000/2 + 1000 + 1000/3 mm³.
+/// A cube of a wedge and a hexahedron, with a pyramid on top: 1000/2 + 1000 + 1000/3 mm³.
 void checkMixedCells()
 {
   const Grid grid = gridWithPoints();
@@ -287,7 +286,7 @@ void checkInvertedCells()
   PALPATE_CHECK_TEXT(made.messages.errors(), "2 of 162 cells are inverted", "cell 7");
 }
 
-/// A square ring whose two ends are one polygon each, cut open from the outer to the inner square.
+/// A square ring. Each of its two ends is one polygon, cut open from the outer to the inner square.
 void checkKeyhole(bool crosses)
 {
   vtkNew<vtkPoints> points;
@@ -334,7 +333,7 @@ void checkKeyhole(bool crosses)
   PALPATE_CHECK_NEAR(mass->GetVolumeProjected(), volume, Rounding * volume);
 }
 
-/// Corners that repeat the one before are no corners; sides that cross are refused, of four too.
+/// Repeated corners do not count. Polygons with crossing sides are rejected, even quadrilaterals.
 void checkPolygons()
 {
   const auto bodyOf = [](std::initializer_list<vtkIdType> first)

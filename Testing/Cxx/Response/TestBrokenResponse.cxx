@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response arrays that break the contract, as the probe meets them in a file made elsewhere: an
-// error that names the array, an empty output, and no harm to the next update.
+// Response arrays that violate the contract, as the probe may find them in a file from another
+// program: an error that names the array, an empty output, and no effect on the next update.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -27,7 +27,7 @@ Body goodBody()
   return body;
 }
 
-/// One law, the coefficient 1 everywhere.
+/// One law with the coefficient 1 everywhere.
 Body compactBody()
 {
   Body body = goodBody();
@@ -72,7 +72,7 @@ void expectError(const Body& good, const Spoil& spoil, std::initializer_list<con
   PALPATE_CHECK(force && force->GetTuple1(0) > 0.0);
 }
 
-/// Missing, of another type, of another shape, too short.
+/// Faults: missing, of another type, of another shape, too short.
 void checkPointArray(const Body& good, const std::string& name)
 {
   const auto without = [name](vtkPolyData* body)
@@ -136,7 +136,7 @@ void checkCompact()
   checkPointArray(good, "ResponseCoefficient");
   checkPointArray(good, "ResponseNormal");
   expectError(good, setNumber("ResponseSamples", 7), { "'ResponseBasis'", "14", "16" });
-  // Without the basis it is the other form, and that has no forces.
+  // Without the basis it counts as the other form, which has no forces.
   expectError(good, dropField("ResponseBasis"), { "'ResponseForce' is missing" });
   const auto resize = [](int components, vtkIdType tuples)
   {
@@ -163,7 +163,7 @@ int TestBrokenResponse(int, char*[])
   checkFieldArrays(good);
   expectError(good, setNumber("ResponseSamples", 7), { "'ResponseForce'", "7 components" });
   checkCompact();
-  // A body without any response, and one with another's name.
+  // A body without any response, and one whose response has another name.
   expectError(good,
     [](vtkPolyData* body)
     {

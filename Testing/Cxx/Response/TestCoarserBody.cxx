@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second mesh of vtkElasticContactResponse: what it changes and what not, against the exact
-// layer; from one tool to the next, threads, abort, errors. How often its error holds: Mechanics,
-// MeshDifferenceTest.
+// The second mesh of vtkElasticContactResponse: its effects, against the exact layer; from one tool
+// to the next, threads, abort, errors. For the reliability of its error see MeshDifferenceTest in
+// Mechanics.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
@@ -70,9 +70,9 @@ bool isSame(vtkDataArray* a, vtkDataArray* b)
   return same;
 }
 
-/// In the middle of a bonded layer, where the exact law tells the error: it is within what is
-/// stated, which is never much more than without. The forces do not change, and neither does what
-/// is stated once the second mesh is gone.
+/// In the middle of a bonded layer, where the exact law gives the true error: it is within the
+/// stated error, which is at most a little more than without the second mesh. The forces do not
+/// change. Without the second mesh the stated error is the old one again.
 void checkLayer()
 {
   const Grid grid = cellsOf(1.0);
@@ -112,7 +112,7 @@ void checkLayer()
   PALPATE_CHECK(isSame(array(with, "ResponseValidity"), array(without, "ResponseValidity")));
 }
 
-/// The next tool takes no new solution and feels the same as alone, on a finer surface, too.
+/// The next tool needs no new solution and gives the same as alone, also on a finer surface.
 void checkNextTool()
 {
   const Grid grid = cellsOf(1.0, 10, 4);

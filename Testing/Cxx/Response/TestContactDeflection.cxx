@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field under one tip: the tool's own, laid over planes and spheres.
+// The displacement field under one tip: the tool's own field on planes and spheres.
 #include "FilterChecks.h"
 #include "ProbedTips.h"
 
@@ -10,7 +10,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// On a plane the distance is the distance; the probe finds the contact.
+/// On a plane the distance is measured straight. The probe finds the contact.
 void checkPlane(const char* specification)
 {
   constexpr double Depth = 0.8;
@@ -24,7 +24,7 @@ void checkPlane(const char* specification)
   tip->GetPoints()->InsertNextPoint(contact[0], contact[1], -Depth);
   probe->SetTipData(tip);
   const auto tool = makeTool(specification);
-  auto filter = makeFilter(body, nullptr, nullptr); // the tool is that of the response
+  auto filter = makeFilter(body, nullptr, nullptr); // the tool of the response is used
   filter->SetTipConnection(probe->GetOutputPort());
   filter->Update();
   int inside = 0;
@@ -45,7 +45,7 @@ void checkPlane(const char* specification)
   PALPATE_CHECK(inside > 4);
 }
 
-/// On a sphere the distance is the arc Rθ, and the field ends at 60°.
+/// On a sphere the distance is the arc Rθ. The field ends at 60°.
 void checkSphere()
 {
   constexpr double Radius = 20.0;
@@ -72,7 +72,7 @@ void checkSphere()
     }
     if (degrees > 59.0)
     {
-      continue; // the mesh's own normals decide within half a degree
+      continue; // within half a degree the mesh's own normals decide
     }
     double u[2];
     tool->GetSurfaceDisplacement(Radius * angle, Depth, Poisson, u);
@@ -84,14 +84,14 @@ void checkSphere()
     }
     for (std::size_t c = 0; c < 3; ++c)
     {
-      // Angle-weighted normals of this mesh (h = 1.4 mm) are off by h²/R² /10 = 5e-4 rad at most,
-      // and turn the arc and the tangent by that much.
+      // Angle-weighted normals of this mesh (h = 1.4 mm) have an error of at most h²/R² /10 = 5e-4
+      // rad. They turn the arc and the tangent by that much.
       PALPATE_CHECK_NEAR(found[c], u[0] * away[c] - u[1] * n[c], 5e-4 * Depth);
     }
   }
 }
 
-/// Points close by but on another component of the surface stay where they are.
+/// Points nearby but on another component of the surface do not move.
 void checkComponents()
 {
   vtkNew<vtkAppendPolyData> both;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Local or global: regime index and tool sensitivity against the closed forms of the series model
-// and the reference tables, and the verdict they lead to.
+// and the reference tables, and the resulting verdict.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -62,7 +62,8 @@ void checkSeriesTable()
     regime->Update();
     const double lambda = table.number(row, "lambda");
     const double sensitivity = table.number(row, "dlnF_dlnsize");
-    // Float arrays; the table's derivatives are good to 1e-7, the central difference to 2e-5.
+    // Float arrays. The table's derivatives have an error of 1e-7, the central difference one of
+    // 2e-5.
     PALPATE_CHECK_NEAR(result(regime, "RegimeIndex", 2), lambda, 1e-7);
     PALPATE_CHECK_NEAR(result(regime, "ToolSensitivity", 2), sensitivity, 3e-5);
     const double expected = std::pow(2.0, sensitivity) > 1.1 ? 0
@@ -92,8 +93,8 @@ void checkLayerSensitivity()
   }
 }
 
-/// Two spheres of the paper on 10 mm of liver (ν = ½) pressed 5 mm deep: their forces differ by
-/// 3.27, and by 1.99 on a half-space: the shape matters more where λ is most negative.
+/// Two spheres of the paper on 10 mm of liver (ν = ½), pressed 5 mm deep. Their forces differ by a
+/// factor of 3.27, on a half-space by 1.99: the shape matters more where λ is most negative.
 void checkLiverSlab()
 {
   Body body = planeBody(10.0, 1);
@@ -121,12 +122,12 @@ void checkLiverSlab()
     regime->SetLayerThickness(10.0);
     regime->Update();
     const double expected = 1.0 - std::pow(table.number(row, "F/F_Hertz"), 2.0 / 3.0);
-    // Laws on layers are good to 1e-6 here.
+    // The error of laws on layers is 1e-6 here.
     PALPATE_CHECK_NEAR(result(regime, "RegimeIndex", 1), expected, 2e-6);
   }
 }
 
-/// Half of Range where no depth is given; the response is that of the same material.
+/// Without a given depth it is half of Range. The default material is that of the response.
 void checkDefaults()
 {
   Body plain = planeBody(10.0, 3);
@@ -159,7 +160,7 @@ void checkDefaults()
   }
   PALPATE_CHECK_NEAR(result(regime, "RegimeIndex", 0), 0.0, 1e-12); // no compliance
 
-  // Another modulus than that of the response.
+  // A modulus that differs from that of the response.
   regime->SetYoungsModulus(2.0 * Rubber);
   regime->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Response 'Response'", "another material", "point 0");
@@ -173,7 +174,7 @@ void checkErrors()
   Messages messages(regime.Get());
   regime->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Deflection is 0", "'ResponseRange'");
-  vtkNew<vtkFloatArray> brief; // of fewer values than points
+  vtkNew<vtkFloatArray> brief; // fewer values than points
   brief->SetName("ResponseRange");
   brief->InsertNextValue(2.0F);
   body->GetPointData()->AddArray(brief);
@@ -198,7 +199,7 @@ void checkErrors()
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Tool");
 }
 
-/// Where the compliance folds the curve there is no regime.
+/// If the compliance folds the curve, there is no regime.
 void checkFold()
 {
   Body body = planeBody(10.0, 2);

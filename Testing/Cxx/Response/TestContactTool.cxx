@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactTool against the tables of Data/Reference, and what it says to wrong parameters.
+// vtkContactTool against the tables of Data/Reference, and its messages on invalid parameters.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 
@@ -18,7 +18,7 @@ using palpate::testing::ReferenceTable;
 
 constexpr double Modulus = 3.45; // E* of all the tables
 
-// The tables are printed with 12 to 14 digits; columns from quadrature hold 10.
+// The tables have 12 to 14 digits; columns from quadrature have 10.
 constexpr double Closed = 1e-11;
 constexpr double Quadrature = 1e-10;
 
@@ -53,7 +53,7 @@ void checkPunches()
     near(tool->GetContactRadius(depth), a, Closed);
     near(tool->GetForce(depth, Modulus), table.number(row, "F_N(E*=3.45MPa)"), Closed);
     near(tool->GetStiffness(depth, Modulus), table.number(row, "dFddelta=2E*a_N/mm"), Closed);
-    // Behind an edge the table's own quadrature is poor (see PunchTableTest).
+    // Beyond an edge the table's own quadrature is inaccurate (see PunchTableTest).
     const int shape = tool->GetShape();
     const bool edge =
       shape == vtkContactTool::TruncatedCone || shape == vtkContactTool::RoundedFlat;
@@ -108,7 +108,7 @@ void checkLimits()
   tool->SetShapeToParaboloid();
   PALPATE_CHECK(tool->GetShape() == vtkContactTool::Paraboloid);
   const double before = tool->GetForce(1.0, 1.0);
-  tool->SetRadius(20.0); // 4 times the radius, twice the force: a change must reach the law
+  tool->SetRadius(20.0); // 4 times the radius, twice the force: the law must change
   near(tool->GetForce(1.0, 1.0), 2.0 * before, 1e-15);
 }
 
@@ -123,7 +123,7 @@ void checkSpecification()
     PALPATE_CHECK(tool->SetSpecification(text) && tool->GetSpecification() == text);
   }
   tool->SetShapeToSphere();
-  tool->SetRadius(0.1 + 0.2); // no short decimal
+  tool->SetRadius(0.1 + 0.2); // not a short decimal
   vtkNew<vtkContactTool> other;
   PALPATE_CHECK(other->SetSpecification(tool->GetSpecification()));
   PALPATE_CHECK(other->GetRadius() == tool->GetRadius() && other->GetShape() == tool->GetShape());
@@ -138,7 +138,7 @@ void checkSpecification()
   }
 }
 
-/// Every question to an invalid tool is answered with NaN and an error that names the value.
+/// Every query of an invalid tool returns NaN, with an error that names the value.
 void checkSize()
 {
   vtkNew<vtkContactTool> tool;
@@ -196,7 +196,7 @@ void checkErrors()
   tool->SetHalfAngle(95.0);
   checkInvalid(tool, messages, "half angle", "95");
   tool->SetShapeToSphere();
-  PALPATE_CHECK(tool->GetForce(1.0, 1.0) > 0.0 && messages.none()); // mended
+  PALPATE_CHECK(tool->GetForce(1.0, 1.0) > 0.0 && messages.none()); // valid again
 
   for (const double modulus : { 0.0, -2.5, NotANumber })
   {

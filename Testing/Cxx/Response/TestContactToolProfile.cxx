@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactTool's Profile: its points, who may change them, what it refuses and how it says so.
+// vtkContactTool's Profile: its points, who may change them, and its messages on invalid profiles.
 #include "FilterChecks.h"
 
 #include "vtkContactTool.h"
@@ -34,13 +34,13 @@ void checkPoints()
   vtkNew<vtkPoints> points = paraboloid(6.35, 4.0, 128);
   tool->SetProfile(points);
   PALPATE_CHECK(tool->GetProfilePoints() == points);
-  // Second order, 1.5e-5 with 128 segments by the reference sheet; 4.09826… is of golden.csv.
+  // Second order: 1.5e-5 with 128 segments by the reference sheet; 4.09826… is from golden.csv.
   const double golden = 4.09826182667726;
   PALPATE_CHECK_NEAR(tool->GetForce(0.5, 3.45), golden, 5e-5 * golden);
   PALPATE_CHECK(std::isinf(tool->GetDepthLimit()));
   PALPATE_CHECK(tool->GetDescription() == "profile of 129 points, radius 4 mm");
 
-  // Their change reaches the law; without Modified() it need not.
+  // Changed points take effect after Modified(); without it they may not.
   const vtkMTimeType before = tool->GetMTime();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
@@ -51,7 +51,7 @@ void checkPoints()
   PALPATE_CHECK(tool->GetMTime() > before);
   PALPATE_CHECK_NEAR(tool->GetForce(0.5, 3.45), 0.5 * golden, 2e-4 * golden);
 
-  // Point by point; points given by SetProfile are not touched.
+  // Points added one by one. The points given to SetProfile are not changed.
   tool->AddProfilePoint(9.0, 20.0);
   PALPATE_CHECK(points->GetNumberOfPoints() == 129);
   PALPATE_CHECK(tool->GetProfilePoints()->GetNumberOfPoints() == 130);
@@ -88,7 +88,7 @@ void checkWrongPoints()
   }
 }
 
-/// The shoulder of the reference sheet, f = min(r, 1): at δ = 1.1 it lies 0.088 deep at r = 20.
+/// The shoulder of the reference sheet, f = min(r, 1): at δ = 1.1 it is 0.088 deep at r = 20.
 void checkShoulder()
 {
   vtkNew<vtkContactTool> tool;
@@ -109,12 +109,12 @@ void checkShoulder()
     PALPATE_CHECK(std::isnan(answer));
   }
   PALPATE_CHECK_TEXT(messages.takeErrors(), "1.1 mm", "r = 20 mm");
-  // NaN is no depth, and no error.
+  // A NaN depth gives NaN without an error.
   PALPATE_CHECK(std::isnan(tool->GetForce(std::numeric_limits<double>::quiet_NaN(), 1.0)));
   PALPATE_CHECK(tool->GetForce(-1.0, 1.0) == 0.0 && messages.none());
 }
 
-/// A concave profile that lets a ring touch, and samples of a ringed one.
+/// A concave profile that touches at a ring, and samples of a profile with a ring.
 void checkConcaveAndRinged()
 {
   vtkNew<vtkContactTool> tool;
@@ -122,7 +122,7 @@ void checkConcaveAndRinged()
   tool->SetShapeToProfile();
   for (int i = 0; i <= 60; ++i)
   {
-    const double r = 0.05 * i; // sin r + 0.1 r: g turns down, the far part comes nearer again
+    const double r = 0.05 * i; // sin r + 0.1 r: g decreases, and the far part approaches again
     tool->AddProfilePoint(r, std::sin(r) + 0.1 * r);
   }
   PALPATE_CHECK(std::isfinite(tool->GetForce(0.1, 1.0)) && messages.none());
@@ -131,7 +131,7 @@ void checkConcaveAndRinged()
   tool->RemoveAllProfilePoints();
   for (int i = 0; i <= 40; ++i)
   {
-    const double r = 0.02 * i; // (r²-¼)² stands on a ring of radius ½
+    const double r = 0.02 * i; // (r²-¼)² touches at a ring of radius ½
     tool->AddProfilePoint(r, std::pow(r * r - 0.25, 2));
   }
   PALPATE_CHECK(std::isnan(tool->GetForce(0.01, 1.0)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of a tool: on its profile, closed, outward, as large as said.
+// The geometry of a tool: on its profile, closed, with outward normals, of the stated size.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -21,10 +21,10 @@ struct Case
   double volume; // mm³, of the ideal tool
 };
 
-/// Points lie on the profile, on the shaft or on the lid.
+/// Checks that the points are on the profile, on the shaft or on the lid.
 void checkPoints(vtkPolyData* geometry, vtkContactTool* tool, double outer)
 {
-  // Float points of 40 mm: 2e-6 off; where the profile is steep that is a height of 1e-4.
+  // Float coordinates of 40 mm: an error of 2e-6. At a steep profile that is a height of 1e-4.
   constexpr double Rounding = 4e-6;
   for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
   {
@@ -38,7 +38,7 @@ void checkPoints(vtkPolyData* geometry, vtkContactTool* tool, double outer)
   }
 }
 
-/// Point normals agree with the winding. Returns the volume enclosed, > 0 if that is outward.
+/// Checks that point normals agree with the winding. Returns the enclosed volume, > 0 if outward.
 double checkNormals(vtkPolyData* geometry)
 {
   vtkDataArray* normals = geometry->GetPointData()->GetNormals();
@@ -58,11 +58,11 @@ double checkNormals(vtkPolyData* geometry)
     vtkTriangle::ComputeNormal(p[0], p[1], p[2], facet);
     if (vtkTriangle::TriangleArea(p[0], p[1], p[2]) < 1e-6)
     {
-      continue; // the sweep leaves slivers on the axis
+      continue; // slivers on the axis, from the sweep
     }
     for (int k = 0; k < 3; ++k)
     {
-      // Normals are split at 30°: none deviates more from its facet.
+      // Normals are split at 30°: none differs by more from its facet.
       PALPATE_CHECK(vtkMath::Dot(facet, normals->GetTuple3(ids->GetId(k))) > std::cos(0.53));
     }
     double cross[3];
@@ -100,7 +100,7 @@ void checkShapes()
     // the space under a profile f is 2π ∫ f r dr
     { "truncated:1,60", 8.0, pi * 64.0 * Length - 2.0 * pi * cot60 * (511.0 / 3.0 - 63.0 / 2.0) },
     { "blunted:4,60", 8.0,
-      // a spherical cap of 4 mm to r = 2, then the cone whose apex lies 4 (1/sin 60° - 1) below
+      // a spherical cap of 4 mm to r = 2, then the cone with its apex 4 (1/sin 60° - 1) below
       pi * 64.0 * Length -
         (2.0 * pi * (2.0 * 4.0 - (64.0 - std::pow(12.0, 1.5)) / 3.0) +
           2.0 * pi * (cot60 * 504.0 / 3.0 - 4.0 * (2.0 / std::sqrt(3.0) - 1.0) * 60.0 / 2.0)) },
@@ -123,8 +123,8 @@ void checkShapes()
     PALPATE_CHECK(messages.none() && geometry->GetNumberOfCells() > 64);
     checkPoints(geometry, tool, wanted.outer);
     checkClosed(geometry);
-    // 64 facets around hold sin(2π/64)/(2π/64) = 0.9984 of the circle; the chords of the profile
-    // take up to 1e-3 more of the tip's part.
+    // 64 facets around have sin(2π/64)/(2π/64) = 0.9984 of the circle's area. The chords of the
+    // profile remove up to 1e-3 more from the part of the tip.
     PALPATE_CHECK_NEAR(checkNormals(geometry) / wanted.volume, 0.9984, 5e-4);
     const double* bounds = geometry->GetBounds();
     PALPATE_CHECK_NEAR(bounds[4], 0.0, 1e-6);
@@ -163,7 +163,7 @@ void checkCorners()
   }
 }
 
-/// A steep cone would pass the length before the radius: the shaft begins below.
+/// The profile of a steep cone would reach the length before the radius, so the shaft begins lower.
 void checkSteep()
 {
   const auto tool = makeTool("cone:5");
@@ -193,7 +193,7 @@ void checkErrors()
   source->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "MaximumRadius");
   PALPATE_CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
-  source->SetMaximumRadius(1e300); // as of a body with a coordinate that is damaged
+  source->SetMaximumRadius(1e300); // as from a body with a damaged coordinate
   source->SetLength(1e300);
   source->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "no surface");
@@ -201,7 +201,7 @@ void checkErrors()
   source->SetMaximumRadius(8.0);
   source->Update();
   PALPATE_CHECK(messages.none() && source->GetOutput()->GetNumberOfPoints() > 0);
-  tool->SetRadius(2.0); // the tool's change reaches the geometry
+  tool->SetRadius(2.0); // a change of the tool changes the geometry
   source->Update();
   PALPATE_CHECK_NEAR(source->GetOutput()->GetBounds()[1], 2.0, 1e-5);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips that press at once and feel one another, tips with an axis, the arrays by which a response
-// tells of it; and what is said where they are wrong.
+// Tips that press at the same time and are coupled, tips with an axis, the coupling arrays of a
+// response, and the messages on invalid input.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -43,7 +43,7 @@ struct Tip
   double x, y, depth, time;
 };
 
-/// `lines` of them as many points each, or single points where 0.
+/// Tips in `lines` lines with equal numbers of points; single points if `lines` is 0.
 Body tipsOf(const std::vector<Tip>& tips, std::size_t lines = 0, bool isInTime = false)
 {
   auto data = Body::New();
@@ -89,7 +89,8 @@ double forceOf(vtkToolContactProbe* probe, vtkIdType tip)
   return probe->GetOutput()->GetPointData()->GetArray("NormalForce")->GetTuple1(tip);
 }
 
-/// Of two flat ends r apart, pressed by d1 and d2, the force of the first: the linear system.
+/// Force on the first of two flat ends at the distance r, pressed by d1 and d2: solves the linear
+/// system.
 double firstOfTwo(double r, double d1, double d2)
 {
   const double own = 1.0 / (2.0 * Modulus * Flat);
@@ -104,7 +105,7 @@ void checkSinglePoints()
   const std::vector<Tip> tips = { { 1.1, 2.3, 0.5, 0.0 }, { 7.1, 2.3, 0.4, 0.0 },
     { 1.1, 2.3, 0.3, 2.5 }, { 9.1, 2.3, 0.5, 2.5 }, { 5.0, 5.2, 0.25, NotANumber } };
   {
-    // Without Time all of two press at once; floats.
+    // Without Time both press at the same time; floats.
     const auto probe = probeOf(response->GetOutput(), tipsOf({ tips[0], tips[1] }));
     probe->Update();
     PALPATE_CHECK_NEAR(forceOf(probe, 0), firstOfTwo(6.0, 0.5, 0.4), 1e-6);
@@ -135,7 +136,7 @@ void checkPolylines()
 {
   Response response = coupledResponse(planeBody(30.0, 12));
   response->Update();
-  // The second comes later, and is 0.2 deeper at each step; without Time both start at once.
+  // The second tip comes later and is 0.2 deeper at each step. Without Time both start together.
   const std::vector<Tip> tips = { { 1.1, 2.3, 0.3, 0.0 }, { 1.1, 2.3, 0.4, 1.0 },
     { 1.1, 2.3, 0.5, 2.0 }, { 7.1, 2.3, 0.5, 1.0 }, { 7.1, 2.3, 0.6, 2.0 },
     { 7.1, 2.3, 0.7, 3.0 } };
@@ -173,7 +174,7 @@ void checkPolylines()
 
 void checkLayersAndVaryingBodies(const std::string& directory)
 {
-  // On a bonded layer, three thicknesses apart: the surface bulges under the other.
+  // On a bonded layer, three thicknesses apart: the surface bulges under the other tip.
   Response layer = coupledResponse(planeBody(30.0, 12), 3.0);
   layer->Update();
   const auto probe =
@@ -184,7 +185,7 @@ void checkLayersAndVaryingBodies(const std::string& directory)
   probe->Update();
   PALPATE_CHECK(together > forceOf(probe, 0) && together < 1.02 * forceOf(probe, 0));
 
-  // Modulus and thickness of each point; all of it comes back from a body file to the bit.
+  // Modulus and thickness of each point; a body file restores them to the bit.
   Body plane = planeBody(30.0, 12);
   vtkNew<vtkDoubleArray> young;
   young->SetName("E");
@@ -335,7 +336,7 @@ void checkAxes()
     probe->SetCoupled(together);
     probe->Update();
     vtkPointData* felt = probe->GetOutput()->GetPointData();
-    // Along the normal there is no tilt, and no torque about the tip of a round tool.
+    // For an axis along the normal there is no tilt, and no torque about the tip of a round tool.
     PALPATE_CHECK(felt->GetArray("Torque")->GetNumberOfComponents() == 3);
     PALPATE_CHECK_NEAR(felt->GetArray("Torque")->GetMaxNorm(), 0.0, 1e-9);
     PALPATE_CHECK_NEAR(felt->GetArray("Tilt")->GetTuple1(0), 0.0, 1e-5);

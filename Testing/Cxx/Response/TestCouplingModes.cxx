@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fingers on bodies that bend: two on a strip held at one end, against the theory of beams, and
-// opposite ones on a plate held at its rim, against its solution under one of them.
+// Fingers on bodies that bend: two on a strip held at one end, against beam theory, and opposite
+// ones on a plate held at its rim, against its solution under one of them.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "VolumeBlock.h"
@@ -42,7 +42,7 @@ Body pressed(vtkPolyData* body)
   return response->GetOutput();
 }
 
-/// Normal forces of tips at places, pressed in at once, or one by one.
+/// Normal forces of tips at these places, pressed together or one by one.
 std::array<double, 2> forces(
   vtkPolyData* body, const std::array<std::array<double, 3>, 2>& tips, bool together)
 {
@@ -74,7 +74,7 @@ double between(vtkPolyData* body, vtkIdType one, vtkIdType other)
   return sum;
 }
 
-/// What a strip of length × 4 × 4 mm gives way at x under 1 N at a >= x: bending and shear.
+/// Deflection of a strip of length × 4 × 4 mm at x under 1 N at a >= x: bending and shear.
 double beam(double x, double a)
 {
   const double inertia = 64.0 * 4.0 / 12.0;
@@ -95,12 +95,12 @@ void checkStrip()
   const std::array<double, 3> under = { 15.0, 2.0, 0.0 };
   const auto at = [body](const std::array<double, 3>& x)
   { return body->FindPoint(x[0], x[1], x[2]); };
-  // A beam seven times as long as thick, its end not quite clamped by elements: 3 %.
+  // A beam seven times as long as thick, whose end the elements do not clamp completely: 3 %.
   PALPATE_CHECK_NEAR(between(body, at(near), at(far)) / beam(15.0, 27.0), 1.0, 0.03);
   PALPATE_CHECK_NEAR(between(body, at(under), at(far)) / beam(15.0, 27.0), -1.0, 0.03);
 
-  // The two dents are small beside that: C F = δ by the beam, which Hertz' dents soften by the
-  // per cent that they are of the depth.
+  // The two dents are small compared with the bending: C F = δ by the beam. Hertz's dents reduce
+  // the stiffness by their share of the depth, some per cent.
   const Body whole = pressed(body);
   const double depth = 0.2;
   const std::array<std::array<double, 3>, 2> tips = { { { 27.0, 2.0, 4.0 - depth },
@@ -114,15 +114,16 @@ void checkStrip()
   const auto dent = [reduced](double force)
   {
     return force > 0.0 ? std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0)
-                       : 0.0; // of Hertz
+                       : 0.0; // by Hertz
   };
   PALPATE_CHECK_NEAR(alone[0] * c11 + dent(alone[0]), depth, 0.04 * depth);
   PALPATE_CHECK_NEAR(alone[1] * c22 + dent(alone[1]), depth, 0.04 * depth);
-  // Near the support holds the far one up: it alone would have let the other down by more.
+  // The tip near the support holds the far one up: alone it would lower the surface under the other
+  // by more.
   PALPATE_CHECK(c12 * alone[0] < depth && c12 / c22 * depth > depth);
   PALPATE_CHECK(felt[0] == 0.0);
   PALPATE_CHECK_NEAR(felt[1], alone[1], 1e-9);
-  // Deeper at the end than the other bends it: both press.
+  // At the end the tip is deeper than the other one bends the strip: both press.
   const std::array<std::array<double, 3>, 2> both = { { { 27.0, 2.0, 3.5 }, { 15.0, 2.0, 3.8 } } };
   const auto pair = forces(whole, both, true);
   PALPATE_CHECK(pair[0] > 0.0 && pair[1] > 0.0);
@@ -146,13 +147,14 @@ void checkPlate()
   vtkPolyData* body = filter->GetOutput();
   std::cout << "plate: modes neglect " << filter->GetNeglectedByCouplingModes() << std::endl;
   PALPATE_CHECK(filter->GetNeglectedByCouplingModes() < 0.1);
-  // The whole solution under the finger above tells what the one below feels: it goes out there.
+  // The full solution under the upper finger gives the motion at the lower one: outwards.
   const double moved =
     body->GetPointData()->GetArray("LoadedDisplacement")->GetComponent(bottom, 2);
   PALPATE_CHECK(moved < 0.0);
-  PALPATE_CHECK_NEAR(between(body, top, bottom) / moved, 1.0, 0.1); // what the modes neglect
+  PALPATE_CHECK_NEAR(
+    between(body, top, bottom) / moved, 1.0, 0.1); // the part that the modes neglect
 
-  // Opposite fingers bend nothing: each presses as on a body that is held there.
+  // Opposite fingers bend nothing: each presses as on a body held there.
   const Body whole = pressed(body);
   const std::array<std::array<double, 3>, 2> tips = { { { 8.0, 8.0, 1.8 }, { 8.0, 8.0, 0.2 } } };
   const auto felt = forces(whole, tips, true);
@@ -161,19 +163,20 @@ void checkPlate()
   const double reduced = Young / (1.0 - Poisson * Poisson);
   const auto local = [reduced](double force)
   { return std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0); };
-  // In closed form, Hertz and the compliances: δ = δ(F) + (C_11 + C_12) F, C_12 of the modes.
-  // Floats, curves between eight samples.
+  // In closed form, by Hertz and the compliances: δ = δ(F) + (C_11 + C_12) F, with C_12 from the
+  // modes. Floats, and curves between eight samples.
   const double modes = between(body, top, bottom);
   PALPATE_CHECK_NEAR(local(alone[0]) + compliance * alone[0], 0.2, 0.002);
   PALPATE_CHECK_NEAR(local(felt[0]) + (compliance + modes) * felt[0], 0.2, 0.002);
-  // By the whole solution it would be more: C_11 + C_12 is what is left of two large numbers.
+  // By the full solution it would be more: C_11 + C_12 is the difference of two large numbers.
   PALPATE_CHECK(local(felt[0]) + (compliance + moved) * felt[0] < 0.2);
-  PALPATE_CHECK_NEAR(felt[0], felt[1], 0.02 * felt[0]); // the plate is the same from below
+  PALPATE_CHECK_NEAR(felt[0], felt[1], 0.02 * felt[0]); // the plate is symmetric
   PALPATE_CHECK(felt[0] > 3.0 * alone[0]);
 }
 
-// Modes that tell of more than the body gives way, as of another body, would have two opposite
-// fingers press each other in without end: they count for what the response itself has.
+// Modes with a larger compliance than the body, for example those of another body, would let two
+// opposite fingers sink in without limit. Their effect is limited to the compliance of the response
+// itself.
 void checkModesThatDoNotFit()
 {
   Body box = boxBody(5.0, 5.0, 1.0, 8);
@@ -192,8 +195,8 @@ void checkModesThatDoNotFit()
   vtkDataArray* kept = whole->GetPointData()->GetArray("ResponseCouplingModes");
   const vtkIdType top = whole->FindPoint(0.0, 0.0, 1.0);
   const vtkIdType bottom = whole->FindPoint(0.0, 0.0, -1.0);
-  // 0.2 mm/N, and a third of what the dent has at the last sample: Hertz at 2E*a, a no more than
-  // that of the depth.
+  // 0.2 mm/N, plus a third of the dent's compliance at the last sample: Hertz, 2E*a, where a is at
+  // most that of the depth.
   const double square = kept->GetTuple1(top) * kept->GetTuple1(top);
   const double dent = 0.5 * (1.0 - Poisson * Poisson) / Young;
   PALPATE_CHECK(square > 0.2 && square < 0.2 + 1.5 * dent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field of a body with layers: that of a layer as thick as at the contact.
+// The displacement field of a body with layers: that of a layer with the thickness at the contact.
 #include "FilterChecks.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/LayerSurface.h"
@@ -21,7 +21,7 @@ struct Touched
   vtkSmartPointer<vtkContactDeflection> field;
 };
 
-/// A plane with layers of the given thickness, touched at (0.13, -0.21).
+/// A plane with layers of the given thickness, pressed at (0.13, -0.21).
 void touch(Touched& touched, const char* tool, int base, double (*thickness)(double x))
 {
   Body body = planeBody(8.0, 32);
@@ -63,7 +63,7 @@ void expectLayer(
     PALPATE_CHECK_NEAR(found[2], -u.normal, tolerance);
     bulges = bulges || found[2] > 1e-3;
   }
-  PALPATE_CHECK(bulges); // a half-space never does
+  PALPATE_CHECK(bulges); // a half-space never bulges
 }
 
 void checkThickness()
@@ -82,12 +82,12 @@ void checkThickness()
   PALPATE_CHECK_NEAR(displacement(slipping.field, 0)[2], -surface.at(r).normal, 2e-7 * Depth);
 }
 
-/// 1/h is interpolated over the triangle of the contact: with h = 1/(0.3 + 0.02 x) exactly.
+/// 1/h is interpolated over the triangle of the contact; exact for h = 1/(0.3 + 0.02 x).
 void checkVaryingThickness()
 {
   Touched touched;
   touch(touched, "sphere:5", 0, [](double x) { return 1.0 / (0.3 + 0.02 * x); });
-  // The thickness is stored as floats, and its inverse read back.
+  // The thickness is stored as floats, and its inverse is computed from them.
   expectLayer(touched, 1.0 / (0.3 + 0.02 * 0.13), palpate::LayerBase::Bonded, 2e-6 * Depth);
 }
 

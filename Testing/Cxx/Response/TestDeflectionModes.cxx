@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field of a body that bends as a whole: its modes and what they leave to the
-// tool; and the end of a field that is told where to end.
+// The displacement field of a body with a global deflection: its modes and the part of the tool;
+// and a field with a given end.
 #include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "ProbedTips.h"
@@ -82,7 +82,7 @@ Body tipHere(vtkPolyData* body)
   return tips;
 }
 
-/// u(x) = -F Σ s φ(x) (n·φ(X)) and the tool's own at δ - F Σ s (n·φ(X))².
+/// u(x) = -F Σ s φ(x) (n·φ(X)), plus the tool's own field at δ - F Σ s (n·φ(X))².
 void checkModes(int modes)
 {
   const Body body = bendingPlane(modes);
@@ -126,7 +126,7 @@ void checkModes(int modes)
   }
 }
 
-/// With a distance: exact within three quarters of it, nothing beyond it, falling between.
+/// With a given distance: exact within three quarters of it, zero beyond it, and falling between.
 void checkEnd()
 {
   constexpr double End = 6.0;

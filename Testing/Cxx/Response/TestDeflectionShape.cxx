@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field on a body of true shape against finite elements under the same force on a
-// patch (vtkElasticCompliance, which subtracts nothing): beside an edge, over a nodule, on a layer,
-// on a column that bends; what it says of arrays that are wrong; and that it does without them.
+// The displacement field on a body of true shape, against finite elements under the same force on a
+// patch (vtkElasticCompliance, without any subtraction): near an edge, over a nodule, on a layer,
+// on a column that bends; its messages on invalid arrays; and its result without these arrays.
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
 #include "ProbedTips.h"
@@ -34,7 +34,7 @@ struct Press
   double depth;
 };
 
-/// What is drawn of a press, and what elements say.
+/// The displacement field of a press, and that of finite elements.
 struct Drawn
 {
   Body body;
@@ -96,8 +96,8 @@ Drawn draw(const Press& press)
   return drawn;
 }
 
-/// Root mean square of how far what is drawn is off along the normal, over the points that face as
-/// the contact does and lie between two distances from it, over the deflection.
+/// Root mean square error of the displayed field along the normal, over the deflection. It includes
+/// the points with a similar normal at distances between `from` and `to` from the contact.
 double wrongBetween(
   const Press& press, const Drawn& drawn, vtkDataArray* field, double from, double to)
 {
@@ -121,7 +121,7 @@ double wrongBetween(
   return std::sqrt(sum / count);
 }
 
-/// The field of a half-space at the whole depth, as it is drawn without the arrays.
+/// The field of a half-space at the whole depth, which is displayed without the arrays.
 vtkSmartPointer<vtkDataArray> ofHalfSpace(const Press& press, const Drawn& drawn)
 {
   vtkNew<vtkPolyData> plain;
@@ -133,16 +133,17 @@ vtkSmartPointer<vtkDataArray> ofHalfSpace(const Press& press, const Drawn& drawn
   return field->GetOutput()->GetPointData()->GetArray("ContactDisplacement");
 }
 
-/// Beyond two contact radii, where a patch of the same force moves the surface as the tool does:
-/// (a/r)²/6 of the dent is left between them, 1.5 % of the depth at most. The rest is the field's
-/// own: a quadratic, and what few modes neglect of a body bonded along a side.
+/// Beyond two contact radii a patch of the same force moves the surface like the tool: the
+/// difference is (a/r)²/6 of the dent, at most 1.5 % of the depth. The other errors are those of
+/// the field itself: a quadratic approximation, and the part that few modes neglect for a body
+/// bonded along a side.
 void checkNear(const char* name, const Press& press, double tolerance, double better)
 {
   const Drawn drawn = draw(press);
   const vtkIdType point =
     drawn.body->vtkDataSet::FindPoint(press.place[0], press.place[1], press.place[2]);
   const Vector3 here(drawn.field->GetTuple3(point));
-  // The surface is on the tool, but for how it moves sideways.
+  // The surface is on the tool, except for its tangential motion.
   PALPATE_CHECK_NEAR(-here.dot(press.normal), 0.999 * press.depth, 1e-4);
   const double error = wrongBetween(press, drawn, drawn.field, 2.0, 5.0);
   const double before = wrongBetween(press, drawn, ofHalfSpace(press, drawn), 2.0, 5.0);
@@ -159,7 +160,7 @@ Grid uniform(int side, int height)
   return grid;
 }
 
-/// All of a column that bends moves as its elements do, the dent apart.
+/// The whole of a bending column moves as its elements do, except for the dent.
 void checkColumn()
 {
   Grid column = uniform(4, 16);
@@ -177,7 +178,7 @@ void checkColumn()
     }
   }
   std::cout << "column: off by " << off << " of " << largest << " mm\n";
-  PALPATE_CHECK(largest > 0.4); // it bends more than it is dented
+  PALPATE_CHECK(largest > 0.4); // the bending exceeds the dent
   PALPATE_CHECK(off < 0.05 * largest);
 }
 

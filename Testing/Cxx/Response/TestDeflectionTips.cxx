@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactDeflection: which tip, which body, and what it says to wrong input.
+// vtkContactDeflection: the choice of tip and body, and its messages on invalid input.
 #include "FilterChecks.h"
 #include "ProbedTips.h"
 
@@ -32,13 +32,13 @@ void checkTips()
   PALPATE_CHECK(filter->GetOutput()->GetPoints() == body->GetPoints());
 }
 
-/// Bodies that share triangles but not points, given in turn.
+/// Bodies that share triangles but not points, used in turn.
 void checkSharedTriangles()
 {
   const Body first = planeBody(8.0, 16);
   const Body second = planeBody(4.0, 16);
   second->SetPolys(first->GetPolys());
-  first->GetPolys()->Modified(); // now the newest part of both
+  first->GetPolys()->Modified(); // now the newest part of both bodies
   const auto tool = makeTool("flat:1");
   auto filter =
     makeFilter(first, makeTips({ { 0, 0.5, { -4.0, -4.0, 0.0 }, { 0.0, 0.0, 1.0 } } }), tool);
@@ -98,7 +98,7 @@ void checkErrors()
 void checkComplianceWarning()
 {
   const Body body = withResponse(planeBody(8.0, 2), "flat:2");
-  // As a file of before has it: the text alone.
+  // As in an older file: only the text.
   body->GetFieldData()->RemoveArray("ResponseModelParts");
   vtkStringArray::SafeDownCast(body->GetFieldData()->GetAbstractArray("ResponseModel"))
     ->SetValue(0, "half-space in series with global compliance");
@@ -108,7 +108,7 @@ void checkComplianceWarning()
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK_TEXT(messages.warnings(), "global compliance", "local");
-  messages.clear(); // said once, not at each frame of a live display
+  messages.clear(); // reported once, not at each frame of a live display
   filter->Modified();
   filter->Update();
   PALPATE_CHECK(messages.none() && displacement(filter, 0)[2] == -0.5);

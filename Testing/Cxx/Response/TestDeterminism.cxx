@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every filter that runs in threads, or whose kernel does, with 1, 2 and 8 of them: the same bits
-// in all that comes out. Bodies are so large that each of eight threads gets a share.
+// Every filter that runs in threads, or whose kernel does, gives identical bits in all outputs with
+// 1, 2 and 8 threads. The bodies are large enough that each of eight threads gets a share.
 #include "FilterChecks.h"
 #include "ManyCores.h"
 #include "MeasuredFiles.h"
@@ -61,7 +61,7 @@ std::string bytesOf(vtkPolyData* body)
   return bytes;
 }
 
-/// make() returns a new filter; `array` is what it has to have made.
+/// make() returns a new filter; `array` names an array of its output.
 template <class Make>
 void check(const std::string& name, const char* array, const Make& make)
 {
@@ -99,7 +99,7 @@ vtkSmartPointer<Filter> filterOf(vtkPolyData* body)
   return filter;
 }
 
-/// A ball of fat over bone, 6 to 8 mm thick, in air; 1 mm, grey as MRI gives it.
+/// A ball of fat over bone, 6 to 8 mm thick, in air; 1 mm voxels, grey values as in MRI.
 vtkSmartPointer<vtkImageData> makeScan()
 {
   auto scan = vtkSmartPointer<vtkImageData>::New();
@@ -122,7 +122,7 @@ vtkSmartPointer<vtkImageData> makeScan()
   return scan;
 }
 
-/// With modulus, thickness and compliance different at each point.
+/// A ball with a different modulus, thickness and compliance at each point.
 Body mappedBall()
 {
   Body body = sphereBody(Radius, 6); // 40962 points

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Direct contact on parts cut out of a body: a bar that bends, pressed in the middle and half over
-// its edge, against the same tool on one fine mesh of all of it; a bonded layer against the exact
-// law; what stays; threads, abort, errors.
+// its edge, against the same tool on one fine mesh of the whole bar; a bonded layer against the
+// exact law; unchanged results; threads, abort, errors.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -45,7 +45,7 @@ constexpr double Poisson = 0.4;
 constexpr double Depth = 0.5;
 constexpr auto ToolText = "sphere:3";
 
-/// A box of x × y × z mm around the origin, its sides in 2 · 4^n triangles.
+/// A box of x × y × z mm around the origin, with 2 · 4^n triangles per side.
 Surface box(double x, double y, double z, int subdivisions)
 {
   vtkNew<vtkCubeSource> cube;
@@ -85,8 +85,8 @@ vtkSmartPointer<vtkContactTool> tool()
   return made;
 }
 
-/// The surface with the law of a half-space, which says that it knows half of its force, to be
-/// pressed at the places alone.
+/// The surface with the law of a half-space and a stated error of one half, to be pressed only at
+/// the given places.
 Surface felt(vtkPolyData* surface, const std::vector<Place>& places)
 {
   vtkNew<vtkToolContactResponse> law;
@@ -168,11 +168,12 @@ double whole(vtkPolyData* surface, const char* held, const Place& place, const P
       contact.at(Depth, palpate::Pushed::EachAlongItsOwn).force);
 }
 
-/// A bar that is held at one end. In the middle of its top it bends more than it dents; 0.75 mm
-/// from the edge the contact, of 1.2 mm, hangs over. The law of a half-space is off by half there.
+/// A bar held at one end. In the middle of its top it bends more than it dents. At 0.75 mm from the
+/// edge the contact of 1.2 mm extends beyond it; the law of a half-space has an error of one half
+/// there.
 void checkBar()
 {
-  const Surface surface = box(48.0, 12.0, 12.0, 4); // of which 1 mm is held
+  const Surface surface = box(48.0, 12.0, 12.0, 4); // 1 mm of it is held
   const char* held = "x-:1";
   const Place middle{ 6.0, 0.0, 6.0 };
   const Place edge{ 6.0, 5.25, 6.0 };
@@ -192,13 +193,13 @@ void checkBar()
     const double force = value(after, "ResponseForce", place, -1);
     const double brute = whole(surface, held, place, down);
     PALPATE_CHECK(std::abs(value(before, "ResponseForce", place, -1) / brute - 1.0) > 0.3);
-    // Two meshes of four facets over the radius: 1 % each, and the bar's bending in coarse cells.
+    // Two meshes with four facets over the radius: 1 % each, and the bar's bending in coarse cells.
     PALPATE_CHECK_NEAR(force / brute, 1.0, 0.03);
     const double stated = value(after, "ResponseError", place, -1);
     PALPATE_CHECK(stated >= 0.01 && stated < 0.08);
     PALPATE_CHECK(value(after, "ResponseDirect", place, 0) == 1.0);
     PALPATE_CHECK_NEAR(value(after, "ResponseRange", place, 0), Depth, 1e-6);
-    // The stiffness is the force's own: between the last two of eight samples it is their slope.
+    // The stiffness belongs to the force: between the last two of eight samples it is their slope.
     const double rise = force - value(after, "ResponseForce", place, 6);
     const double mean = 0.5 *
       (value(after, "ResponseStiffness", place, 6) + value(after, "ResponseStiffness", place, 7));
@@ -209,7 +210,7 @@ void checkBar()
     PALPATE_CHECK(value(after, name, other, -1) == value(before, name, other, -1));
   }
   PALPATE_CHECK(value(after, "ResponseDirect", other, 0) == 0.0);
-  // The input is as it was, and one thread gives the same bits.
+  // The input is unchanged, and one thread gives the same bits.
   PALPATE_CHECK(
     value(before, "ResponseForce", middle, -1) != value(after, "ResponseForce", middle, -1));
   const Filter alone = press(felt(surface, { edge }), body, coarser, held);
@@ -222,8 +223,8 @@ void checkBar()
   checkAborted(press(felt(surface, { edge }), body, coarser, held).Get(), 0.03);
 }
 
-/// On a bonded layer, from which the part is cut out on four sides, the exact law tells, and what
-/// the axisymmetric solver's tables say finite strain does to it.
+/// On a bonded layer, from which the part is cut out on four sides. Reference: the exact law, and
+/// the effect of finite strain from the axisymmetric solver's tables.
 void checkLayer()
 {
   constexpr double thickness = 3.0;
@@ -253,7 +254,7 @@ void checkLayer()
   {
     const double depth = Depth * (k + 1) * (k + 1) / 64.0;
     const double force = value(filter->GetOutput(), "ResponseForce", middle, k);
-    // The contact's own 1 %, of fewer facets where it is smaller.
+    // The error of the contact itself is 1 %, more for a smaller contact with fewer facets.
     const double expected = exact.evaluate(depth, modulus).force;
     PALPATE_CHECK_NEAR(force / expected, 1.0, 0.025);
     const double factor = strain->at(depth, Poisson, thickness).factor;
@@ -263,8 +264,9 @@ void checkLayer()
   }
 }
 
-/// A ball, the lowest millimetre of which is held: obliquely from below, beside that, the tool
-/// comes upon it before it is as deep. The point keeps what it had, and the filter says why.
+/// A ball whose lowest millimetre is held. A tool pressed obliquely from below, next to it, reaches
+/// the held part before the full depth. The point keeps its response, and the filter reports the
+/// reason.
 void checkHeld()
 {
   vtkNew<vtkSphereSource> ball;
@@ -272,7 +274,7 @@ void checkHeld()
   ball->SetThetaResolution(24);
   ball->SetPhiResolution(25);
   ball->Update();
-  const Place below{ 5.0 * std::sin(2.42), 0.0, 5.0 * std::cos(2.42) }; // 3.75 mm below the middle
+  const Place below{ 5.0 * std::sin(2.42), 0.0, 5.0 * std::cos(2.42) }; // 3.75 mm below the centre
   const char* held = "z-:1";
   const Surface before = felt(ball->GetOutput(), { below });
   const Filter filter =
@@ -325,13 +327,13 @@ void checkErrors()
   filter = press(before, body, coarser, "z-");
   filter->SetYoungsModulus(-1.0);
   wrong(filter, { "YoungsModulus", "-1" });
-  // Where all is known well enough, nothing is pressed, and nothing of the solids is asked.
+  // If every error is within the tolerance, nothing is pressed, and the solids are not used.
   filter = press(before, body, coarser, "z-");
   filter->SetErrorTolerance(1.0);
   filter->Update();
   PALPATE_CHECK(filter->GetNumberOfPresses() == 0);
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == before->GetNumberOfPoints());
-  // What is not known deeper than is asked for does not count.
+  // An error at a depth larger than the requested one does not count.
   vtkDataArray* error = before->GetPointData()->GetArray("ResponseError");
   error->FillComponent(error->GetNumberOfComponents() - 1, 1.0);
   error->Modified();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sharp edges in a response: what is attached, what a probe feels of it, what the error and the
-// chooser say, and what becomes of it in files and other forms.
+// Sharp edges in a response: the attached arrays, their effect on a probe, on the error and on the
+// chooser, and their treatment in files and other forms.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -23,9 +23,10 @@ using namespace palpate::testing;
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
 constexpr double Reduced = 0.1 / (1.0 - 0.45 * 0.45);
-constexpr double Half = 100.0; // of the block, mm: other edges are out of a contact's reach
+constexpr double Half = 100.0; // of the block, mm: the other edges are out of reach
 
-/// A tip pressed 1 mm into the upper face 20 mm from its edge x = Half, then led along x over it.
+/// A tip pressed 1 mm into the upper face 20 mm from its edge x = Half, then moved along x over the
+/// edge.
 vtkSmartPointer<vtkPolyData> over(double depth, double beyond, int steps)
 {
   auto tips = vtkSmartPointer<vtkPolyData>::New();
@@ -108,8 +109,8 @@ void checkTerms(vtkPolyData* box)
   PALPATE_CHECK_NEAR(edgesOf(layer->GetOutput())->GetComponent(0, 3), 6.0, 1e-9);
 }
 
-/// Off by default. The curves are the same with it, and a sharp edge is no curvature of the faces:
-/// those of a box are flat.
+/// Off by default. The correction does not change the curves, and a sharp edge is no curvature of
+/// the faces: those of a box are flat.
 void checkOff(vtkPolyData* box)
 {
   const Filter off = filterOf(box, "sphere:5", 1.0);
@@ -124,7 +125,7 @@ void checkOff(vtkPolyData* box)
   bool isSame = true;
   for (vtkIdType i = 0; i < one->GetNumberOfTuples(); ++i)
   {
-    constexpr double rounding = 1e-6; // of normals in float32
+    constexpr double rounding = 1e-6; // of float32 normals
     isSame =
       isSame && std::abs(one->GetComponent(i, 7) / other->GetComponent(i, 7) - 1.0) < rounding;
   }
@@ -134,7 +135,7 @@ void checkOff(vtkPolyData* box)
 void checkForce(vtkPolyData* box)
 {
   const Filter filter = withEdges(box, "paraboloid:5", 1.0);
-  const auto tips = over(1.0, 4.0, 24000); // 1 µm a step
+  const auto tips = over(1.0, 4.0, 24000); // 1 µm per step
   const auto forces = forcesOver(filter->GetOutput(), tips);
   const double far = 4.0 / 3.0 * Reduced * std::sqrt(5.0);
   const vtkIdType last = forces->GetNumberOfTuples() - 1;
@@ -164,7 +165,7 @@ void checkErrorAndChoice()
   const double without = errorBeside(false);
   const double with = errorBeside(true);
   PALPATE_CHECK(with < 0.5 * without);
-  PALPATE_CHECK(with > 0.01); // what is left open
+  PALPATE_CHECK(with > 0.01); // the remaining error
 
   const auto reasonOn = [](vtkPolyData* body)
   {
@@ -180,7 +181,7 @@ void checkErrorAndChoice()
   PALPATE_CHECK_TEXT(reasonOn(sphereBody(10.0, 3)), "no sharp edge");
 }
 
-/// In a file, in the compact form, and under a global compliance.
+/// Kept in a file, in the compact form, and with a global compliance.
 void checkKept(vtkPolyData* box, const std::string& folder)
 {
   const Filter filter = withEdges(box, "cone:60", 1.0);

@@ -88,11 +88,12 @@ void checkOutput()
     PALPATE_CHECK(std::isfinite(data->GetArray("GlobalCompliance")->GetTuple1(i)));
     valid += data->GetArray("ComplianceStatus")->GetTuple1(i) == 0 ? 1 : 0;
   }
-  // Patches of 0.75 and 1.5 mm, whose outermost force lies at 0.94 of that: two points from an
-  // edge. On top 3 × 3; on a side none, as its lowest row of faces is on fixed points.
+  // Patches of 0.75 and 1.5 mm. Their outermost force is at 0.94 of that radius: two points from an
+  // edge. On top there are 3 × 3 valid points; on a side none, since its lowest row of faces is on
+  // fixed points.
   PALPATE_CHECK(valid == 9);
   const vtkIdType top = surface->vtkDataSet::FindPoint(3.0, 3.0, 4.0);
-  PALPATE_CHECK(data->GetArray("GlobalCompliance")->GetTuple1(top) < 0.0); // a base 4 mm below
+  PALPATE_CHECK(data->GetArray("GlobalCompliance")->GetTuple1(top) < 0.0); // base 4 mm below
 }
 
 void checkKindsAndSolvers()
@@ -115,7 +116,7 @@ void checkKindsAndSolvers()
       PALPATE_CHECK_TEXT(messages.takeErrors(), "CHOLMOD");
       continue;
     }
-    // The solvers differ by rounding times the condition of the matrix: 1e-9 is promised.
+    // The solvers differ by rounding times the condition of the matrix: 1e-9 is guaranteed.
     PALPATE_CHECK(largestDifference(expected, values(other)) < 1e-9 * scale);
   }
 }
@@ -136,7 +137,7 @@ void checkMaterialArrays()
   const std::vector<double> expected = values(constant);
   PALPATE_CHECK(largestDifference(expected, values(arrays)) < 1e-12 * largest(expected));
   arrays->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "");
-  arrays->SetYoungsModulus(0.2); // compliance is as 1/E
+  arrays->SetYoungsModulus(0.2); // compliance is proportional to 1/E
   arrays->Update();
   std::vector<double> half = values(arrays);
   for (double& x : half)
@@ -146,7 +147,7 @@ void checkMaterialArrays()
   PALPATE_CHECK(largestDifference(expected, half) < 1e-9 * largest(expected));
 }
 
-/// Betti: what 1 N at a moves b (along b's load) is what 1 N at b moves a.
+/// Betti: the motion of b (along b's load) under 1 N at a equals the motion of a under 1 N at b.
 void checkLoadedDisplacement()
 {
   const auto filter = makeFilter(block(8, 4));
@@ -167,11 +168,11 @@ void checkLoadedDisplacement()
   PALPATE_CHECK(moved(a, a, 1.0) < moved(a, b, 1.0) && moved(a, b, 1.0) < 0.0);
   PALPATE_CHECK_NEAR(moved(a, a, 3.0), 3.0 * moved(a, a, 1.0), 1e-9);
   const double there = moved(a, b, 1.0);
-  // Not exactly: the load is spread over a patch, the motion is that of a point.
+  // Not exactly: the load acts on a patch, the motion is that of a point.
   PALPATE_CHECK_NEAR(moved(b, a, 1.0), there, 0.1 * std::abs(there));
 }
 
-/// What the elements leave open counts in the force by dF/dδ, and nothing else changes.
+/// The error of the elements enters the force by dF/dδ; nothing else changes.
 void checkErrorOfForce()
 {
   const auto filter = makeFilter(block(12, 5));
@@ -201,11 +202,11 @@ void checkErrorOfForce()
   PALPATE_CHECK(errors[static_cast<std::size_t>(top)] > 0.0);
   PALPATE_CHECK(last(with, "ResponseForce") == last(without, "ResponseForce"));
   const double part = errors[static_cast<std::size_t>(top)] * last(with, "ResponseStiffness");
-  // Errors are floats, as the stiffness is; the law of a sphere is stored to 1e-3.
+  // Errors are floats, as is the stiffness. The stored law of a sphere has an error of 1e-3.
   PALPATE_CHECK_NEAR(
     last(with, "ResponseError") - last(without, "ResponseError"), part, 2e-3 * part);
 
-  // An error that is far larger than all else limits; a wrong one is refused.
+  // A dominant error sets the limit; an invalid one is rejected.
   vtkNew<vtkDoubleArray> stated;
   stated->SetName("GlobalComplianceError");
   stated->SetNumberOfTuples(body->GetNumberOfPoints());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Structural compliance of a layer bonded to a rigid base, against M0/(πE*h) of
-// layer_bonded_moments.csv, with every kind of element; and the locking of linear tetrahedra.
-// A block of half-width 2.5 h stands for the infinite layer.
+// layer_bonded_moments.csv, with every kind of element; and the locking of linear tetrahedra. A
+// block of half-width 2.5 h replaces the infinite layer.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
 #include "Solids/FiniteElements/PatchCompliance.h"
@@ -17,7 +17,7 @@ using palpate::Pi;
 
 constexpr double Height = 10.0;
 
-/// Its error at the centre of the top, relative; `layers` points through the height.
+/// Relative error at the centre of the top; `layers` is the number of points through the height.
 double layerError(ElementKind kind, int layers, double nu)
 {
   const int elements = kind == ElementKind::QuadraticTetrahedron ? layers / 2 : layers;
@@ -60,7 +60,7 @@ double layerError(ElementKind kind, int layers, double nu)
   return std::nan("");
 }
 
-/// Within 2 % (the oracle's demand), and of second order.
+/// Within 2 % (required by the reference), and of second order.
 void checkHexahedra()
 {
   for (const double nu : { 0.3, 0.45, 0.49 })
@@ -68,7 +68,8 @@ void checkHexahedra()
     const double coarse = layerError(ElementKind::Hexahedron, 4, nu);
     const double fine = layerError(ElementKind::Hexahedron, 8, nu);
     PALPATE_CHECK_NEAR(fine, 0.0, 0.02);
-    // A quarter of the coarse error were it all of second order; what the cut-out misses is not.
+    // With second order only, it would be a quarter of the coarse error. The error of the cut-out
+    // is not of second order.
     PALPATE_CHECK(std::abs(fine) < 0.5 * std::abs(coarse));
   }
 }
@@ -81,8 +82,8 @@ void checkQuadraticTetrahedra()
   }
 }
 
-/// How far the layer gives way under its own width of pressure, by the whole body's energy and
-/// without any self-term: a linear tetrahedron is far too stiff near ν = 0.5.
+/// Deflection of the layer under a pressure as wide as the layer, by the energy of the whole body,
+/// without any self-term. A linear tetrahedron is far too stiff near ν = 0.5.
 double wholeCompliance(ElementKind kind, double nu)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(8, 8, 4, 1.0);
@@ -114,9 +115,9 @@ void checkLocking()
     const double quadratic = wholeCompliance(ElementKind::QuadraticTetrahedron, nu);
     std::cout << "nu " << nu << ": hexahedra " << hexahedron << ", linear tetrahedra " << linear
               << ", quadratic " << quadratic << " mm/N" << std::endl;
-    // Quadratic tetrahedra of the same corners have eight times the nodes: nearly exact here. The
-    // coarse hexahedra under a patch of two elements' radius miss some 7 %, whatever ν; the linear
-    // tetrahedra 18 %, and four fifths near ν = 0.5.
+    // Quadratic tetrahedra with the same corners have eight times as many nodes: nearly exact here.
+    // The coarse hexahedra under a patch with a radius of two elements have an error of about 7 %
+    // for any ν; the linear tetrahedra 18 %, and four fifths near ν = 0.5.
     PALPATE_CHECK_NEAR(hexahedron / quadratic, 1.0, 0.1);
     PALPATE_CHECK(nu > 0.4 ? linear < 0.5 * quadratic : linear > 0.75 * quadratic);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The global modes of vtkElasticCompliance: their arrays, and by the contract alone the motion of a
-// bar under forces it was not asked for before; what six modes of a plate must leave out; errors,
+// The global modes of vtkElasticCompliance: their arrays; the motion of a bar under new forces,
+// computed from the contract alone; the part that six modes of a plate cannot include; errors,
 // abort. The kernel: GlobalModesTest.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
@@ -48,8 +48,8 @@ vtkDataArray* pointArray(vtkPolyData* body, const std::string& name)
   return body->GetPointData()->GetArray(name.c_str());
 }
 
-/// What whoever has the output's arrays makes of them: the motion of point `at` under `force` at
-/// `pressed`, whose outward normal is given.
+/// The motion of point `at` under `force` at `pressed`, whose outward normal is given. It uses only
+/// the arrays of the output.
 Vector motion(
   vtkPolyData* body, vtkIdType pressed, const Vector& normal, double force, vtkIdType at)
 {
@@ -102,8 +102,8 @@ void checkArrays()
   }
 }
 
-/// On the sides and the bottom no dent is seen: the modes are the whole of LoadedDisplacement. Why
-/// 1 % beyond half of the length, 4 % beyond a quarter: GlobalModesTest.
+/// On the sides and the bottom the dent has no effect: the modes give all of LoadedDisplacement.
+/// GlobalModesTest states the reasons for 1 % beyond half of the length and 4 % beyond a quarter.
 void checkBar()
 {
   const auto filter = makeFilter(bar(), 6);
@@ -142,11 +142,11 @@ void checkBar()
 }
 
 /**
- * Six modes of a clamped circular plate hold at most its six softest, λ² = 10.216, 21.261 (twice),
- * 34.877 (twice) and 39.771: Σ 1/λ⁴ = 0.01628 (R⁴/D) of the trace of its Green function, ∫ C_g,
- * which is 1/48 (Kirchhoff): 78 %. A plate of 30 by 4 mm has shear and its thickness in C_g as
- * well, 0.094 of 3.357 at the centre (TestElasticCompliancePlate), a twelfth of the mean; and its
- * rim, with 2 % of the trace, has no valid points.
+ * Six modes of a clamped circular plate represent at most its six softest modes, λ² = 10.216,
+ * 21.261 (twice), 34.877 (twice) and 39.771: Σ 1/λ⁴ = 0.01628 (R⁴/D) of the trace of its Green
+ * function, ∫ C_g, which is 1/48 (Kirchhoff): 78 %. In a plate of 30 by 4 mm, C_g also includes
+ * shear and thickness: 0.094 of 3.357 at the centre (TestElasticCompliancePlate), a twelfth of the
+ * mean. Its rim, with 2 % of the trace, has no valid points.
  */
 void checkPlate()
 {
@@ -182,7 +182,8 @@ void checkPlate()
   const palpate::PatchCompliances exact = palpate::patchCompliances(body, asked, 0.0, always);
   const palpate::GlobalModes modes =
     palpate::globalModes(body, exact, 0.0, palpate::MostGlobalModes, always);
-  const auto depth = [&](std::int32_t a, std::int32_t b) // of b under 1 N at a, of the top
+  const auto depth =
+    [&](std::int32_t a, std::int32_t b) // deflection of b under 1 N at a, both on the top
   {
     double sum = 0.0;
     for (std::size_t k = 0; k < modes.fields.size(); ++k)
@@ -208,7 +209,7 @@ void checkPlate()
             << 100.0 * modes.neglected << " %" << std::endl;
   PALPATE_CHECK_NEAR(held / whole, six, 0.08 + 0.02);
 
-  // The motion of the bottom under forces at the centre and half-way.
+  // The motion of the bottom under forces at the centre and half-way to the rim.
   for (const double x : { 0.0, 0.5 * radius })
   {
     std::int32_t pressed = asked.front();
@@ -239,9 +240,9 @@ void checkPlate()
     std::cout << "plate at " << x << " mm: worst " << 100.0 * error / largest << " %, r.m.s. "
               << 100.0 * std::sqrt(sum / count) / largest << " % of the largest motion"
               << std::endl;
-    // What is left out is the point of the dish, so that it is largest under the force: the 22 %
-    // there; over the plate and all places of the force sqrt(Σ_{k>6} λ⁻⁸ / Σ λ⁻⁸) = 8 % of the
-    // root mean square, which is below the largest.
+    // The missing part is the sharp peak of the dish, so it is largest under the force: 22 % there.
+    // Over the plate and all places of the force it is sqrt(Σ_{k>6} λ⁻⁸ / Σ λ⁻⁸) = 8 % of the root
+    // mean square, which is below the largest value.
     PALPATE_CHECK(error < 0.22 * largest);
     PALPATE_CHECK(std::sqrt(sum / count) < 0.08 * largest);
   }
@@ -260,12 +261,13 @@ void checkErrorsAndAbort()
   }
   const auto aborted = makeFilter(bar(12), 6);
   Messages messages(aborted.Get());
-  const AbortAfter abort(aborted, 0.85); // while the modes are solved for
+  const AbortAfter abort(aborted, 0.85); // during the solution of the modes
   aborted->Update();
   PALPATE_CHECK(messages.none() && aborted->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// No point of a block of 2 × 2 × 2 has a valid patch: no modes, beside the warning of it.
+/// No point of a block of 2 × 2 × 2 has a valid patch: no modes, in addition to the warning about
+/// it.
 void checkBodyWithoutAny()
 {
   const auto filter = makeFilter(bar(2, 2), 2);

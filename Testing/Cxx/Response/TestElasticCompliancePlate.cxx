@@ -16,7 +16,7 @@ constexpr double Radius = 30.0;
 constexpr double Thickness = 4.0;
 constexpr double Exact = 3.4516; // C_g E*, 1/mm
 
-/// n × n × layers hexahedra; the square is carried onto the disc by ellipses.
+/// n × n × layers hexahedra; ellipses map the square to the disc.
 ElasticBodyInput plate(int n, int layers)
 {
   ElasticBodyInput input;
@@ -33,7 +33,7 @@ ElasticBodyInput plate(int n, int layers)
   return input;
 }
 
-/// C_g E* at the centre of the top, and the same of the deflection of the bottom below it.
+/// C_g E* at the centre of the top, and the same for the deflection of the bottom below it.
 double atCentre(int n, int layers, double& bottom)
 {
   const double modulus = 5.0;
@@ -64,9 +64,9 @@ int TestElasticCompliancePlate(int, char*[])
   double bottom = 0.0;
   const double coarse = atCentre(30, 2, bottom);
   const double fine = atCentre(60, 4, bottom);
-  PALPATE_CHECK_NEAR(fine, Exact, 0.02 * Exact); // the oracle's demand
+  PALPATE_CHECK_NEAR(fine, Exact, 0.02 * Exact); // required by the reference
   PALPATE_CHECK(std::abs(fine - Exact) < 0.5 * std::abs(coarse - Exact));
-  // The bottom does not see the local dent: bending and shear alone, within 5 % of C_g.
+  // The bottom is not affected by the local dent: only bending and shear, within 5 % of C_g.
   PALPATE_CHECK_NEAR(bottom, Exact, 0.05 * Exact);
   return palpate::testing::result();
 }

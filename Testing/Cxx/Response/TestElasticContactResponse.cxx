@@ -44,7 +44,7 @@ double component(vtkElasticContactResponse* filter, const char* name, vtkIdType 
   return filter->GetOutput()->GetPointData()->GetArray(name)->GetComponent(point, k);
 }
 
-/// The middle of a bonded layer, by the exact integral equation.
+/// The middle of a bonded layer, against the exact integral equation.
 void checkLayer()
 {
   const Grid grid = block(Side, Height);
@@ -72,8 +72,8 @@ void checkLayer()
       {
         const double truth =
           exact->GetOutput()->GetPointData()->GetArray(name)->GetComponent(40, k);
-        // Four cells through the layer: 0.35 % of the force, and the sides are three layers away;
-        // the stiffness is the curve's derivative, with twice that.
+        // Four cells through the layer: 0.35 % of the force; the sides are three layers away. The
+        // stiffness is the derivative of the curve, with twice that error.
         PALPATE_CHECK_NEAR(component(filter, name, point, k), truth,
           (std::string(name) == "ResponseForce" ? 0.005 : 0.01) * truth);
       }
@@ -103,14 +103,15 @@ void checkStatus()
     PALPATE_CHECK(status == 0.0 || component(filter, "ResponseValidity", i) == 0.0);
     PALPATE_CHECK(component(filter, "ResponseRange", i) > 0.0);
   }
-  // Two cells from the edge a contact ends where it reaches that.
+  // Two cells from the edge the contact ends when it reaches the edge.
   const vtkIdType beside = surface->vtkDataSet::FindPoint(2.0, 0.5 * Side, Height);
   PALPATE_CHECK(component(filter, "ResponseStatus", beside) == 0.0);
   PALPATE_CHECK(component(filter, "ResponseForce", beside, 7) <
-    component(filter, "ResponseForce", topMiddle(filter), 7)); // it gives way more
+    component(filter, "ResponseForce", topMiddle(filter), 7)); // a larger deflection
 }
 
-/// On an edge itself, against Φ(0) of a quarter space; by another edge, another tool and depth.
+/// On an edge itself, against Φ(0) of a quarter space; at another edge, with another tool and
+/// depth.
 void checkOnEdge()
 {
   constexpr int wide = 14;
@@ -143,8 +144,8 @@ void checkOnEdge()
   }
 }
 
-/// In the middle of a layer its law does, next to an edge it does not, and that of a half-space
-/// does nowhere; where a law is kept, the curve is the law's.
+/// In the middle of a layer the law of the layer is sufficient, near an edge it is not, and that of
+/// a half-space is never. If a law is kept, the curve is that of the law.
 void checkSimplerLaw()
 {
   const Grid grid = block(Side, Height);
@@ -166,7 +167,7 @@ void checkSimplerLaw()
   const vtkIdType middle = topMiddle(chosen);
   const double law =
     exact->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(40, 7);
-  // Another exponent of storage: curves agree where both have samples, at the end of the range.
+  // Another stored exponent: the curves agree where both have samples, at the end of the range.
   PALPATE_CHECK_NEAR(component(chosen, "ResponseForce", middle, 7), law, 1e-5 * law);
   PALPATE_CHECK(std::abs(component(chosen, "ResponseShapeChange", middle)) < 0.01);
   const double change = component(plain, "ResponseForce", middle, 7) / law - 1.0;
@@ -180,7 +181,7 @@ void checkSimplerLaw()
   PALPATE_CHECK(std::isnan(component(
     chosen, "ResponseShapeChange", plain->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, Height))));
 
-  // The same thickness from an array; where that is 0 a half-space is none.
+  // The same thickness from an array. A thickness of 0 means a half-space, whose law is not kept.
   chosen->SetLayerThickness(0.0);
   vtkNew<vtkDoubleArray> thickness;
   thickness->SetName("Thickness");
@@ -215,7 +216,7 @@ void checkSimplerLaw()
     component(chosen, "ResponseForce", middle, 7) == component(plain, "ResponseForce", middle, 7));
 }
 
-/// A hard cell under the surface is felt above it, and not far away.
+/// A hard cell under the surface changes the response above it, but not far away.
 void checkInclusion()
 {
   const Grid grid = block(Side, Height);
@@ -243,7 +244,7 @@ void checkInclusion()
   PALPATE_CHECK_NEAR(ratioAt(0.5 * Side + 6.0), 1.0, 0.01);
 }
 
-/// Two thirds of the points stand for all: half of the thickness apart, and closer by the edges.
+/// Two thirds of the points are sources for all: half a thickness apart, and closer near the edges.
 void checkSourceSpacing()
 {
   const Grid grid = block(Side, Height);
@@ -263,7 +264,7 @@ void checkSourceSpacing()
   }
 }
 
-/// The next tool needs no new solution unless its contact is wider, and feels the same as alone.
+/// The next tool needs no new solution unless its contact is wider. It gives the same as alone.
 void checkNextTool()
 {
   const Grid grid = block(10, 3);
@@ -300,7 +301,7 @@ void checkNextTool()
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
 }
 
-/// Only some points are pressed: the same responses there, from fewer solutions.
+/// Only some points are pressed: they have the same responses, from fewer solutions.
 void checkPressed()
 {
   const Grid grid = block(12, 3);
@@ -328,9 +329,9 @@ void checkPressed()
     const double force = component(all, "ResponseForce", i, 7);
     if (isPressed && component(all, "ResponseStatus", i) == 5.0)
     {
-      continue; // on an edge: from those around, which are fewer
+      continue; // on an edge: averaged from fewer neighbours
     }
-    // H from fewer of both orders of a pair of points, which differ by less than a per cent.
+    // H is from fewer of the two orders of a pair of points, which differ by less than a per cent.
     PALPATE_CHECK_NEAR(
       component(some, "ResponseForce", i, 7), isPressed ? force : 0.0, 0.005 * force);
   }
@@ -342,7 +343,7 @@ void checkPressed()
 }
 
 /// A plane of half-millimetre triangles on the layer's top, from landmarks half a thickness apart,
-/// against the elements' own points: where they have one, and between.
+/// against the elements' own points: at these points and between.
 void checkFinerSurface()
 {
   const Grid grid = block(Side, Height);
@@ -365,7 +366,8 @@ void checkFinerSurface()
     return component(filter, "ResponseForce",
       filter->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height), 7);
   };
-  // Landmarks as far apart as the edge is from the first of them leave a few per cent there.
+  // The first landmark is as far from the edge as from the next one, which leaves an error of a few
+  // per cent there.
   for (const double x : { 4.0, 6.0, 9.0, 12.0, 17.0 })
   {
     PALPATE_CHECK_NEAR(
@@ -376,13 +378,14 @@ void checkFinerSurface()
   {
     return component(finer, name, finer->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height));
   };
-  // On the edge itself there is no law; the curve comes from those around, softened.
+  // On the edge itself there is no law. The curve is softened from those around.
   PALPATE_CHECK(at("ResponseStatus", 0.0) == 5.0 && at("ResponseValidity", 0.0) == 0.0);
   PALPATE_CHECK(forceAt(finer, 0.0) > 0.0 && forceAt(finer, 0.0) < forceAt(finer, 12.0));
   const double error = component(finer, "ResponseError",
     finer->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height), 7);
   PALPATE_CHECK(error > 0.0 && error < 0.2);
-  PALPATE_CHECK(at("ResponseSurfaceError", 0.5 * Side) == 0.0); // a plane between its points, too
+  PALPATE_CHECK(
+    at("ResponseSurfaceError", 0.5 * Side) == 0.0); // a plane is also exact between its points
   PALPATE_CHECK(std::isnan(at("ResponseSurfaceError", 0.0)));
 
   const Body bumpy = planeBody(0.5 * Side, 48, Height);
@@ -410,7 +413,7 @@ void checkFinerSurface()
   own->Update();
   PALPATE_CHECK_NEAR(forceAt(finer, 12.0), forceAt(own, 12.0), 0.01 * forceAt(own, 12.0));
 
-  // A surface that faces the other way, or lies elsewhere, is not felt from these.
+  // A surface with the opposite orientation or at another place gets no response.
   const Body below = planeBody(2.0, 4, -1.0);
   for (vtkIdType i = 0; i < below->GetNumberOfPoints(); ++i)
   {
@@ -425,7 +428,7 @@ void checkFinerSurface()
   PALPATE_CHECK(component(finer, "ResponseStatus", 12) == 4.0);
 }
 
-/// On a block that is deep under the contact finite strain does what it does on a half-space.
+/// On a block that is deep under the contact finite strain has the same effect as on a half-space.
 void checkStrain()
 {
   const ElasticFilter shaped = press(block(16, 10), "sphere:1");
@@ -458,13 +461,13 @@ void checkStrain()
       }
       else
       {
-        // Less what is not local, a tenth of the compliance.
+        // Without the global part, a tenth of the compliance.
         const double change = alone / smallFlat[at] - 1.0;
         PALPATE_CHECK_NEAR(force / small[at] - 1.0, change, 0.15 * std::abs(change) + 5e-4);
       }
     }
     PALPATE_CHECK(
-      (component(shaped, "ResponseError", point, 7) < 0.02) == (model == 1)); // a tenth of p at 0.3
+      (component(shaped, "ResponseError", point, 7) < 0.02) == (model == 1)); // p at 0.3 is a tenth
   }
   PALPATE_CHECK(std::string(shaped->GetOutput()
                               ->GetFieldData()
@@ -549,7 +552,7 @@ void checkErrors()
   const ElasticFilter some = press(grid, "sphere:1.6");
   some->SetSurfaceData(broken);
   some->Update();
-  PALPATE_CHECK(component(some, "ResponseStatus", 3) == 2.0); // not finite: that point alone
+  PALPATE_CHECK(component(some, "ResponseStatus", 3) == 2.0); // not finite: only that point
   const Grid free = block(3, 3);
   free->GetPointData()->RemoveArray("Fixed");
   fails(free, nothing, { "no point array 'Fixed'" });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies at the ends of what there is, through the filters: one triangle; a tool larger than the
-// body; a body of many pieces; a kilometre from the origin; solids that do not fit the memory.
+// Extreme bodies in the filters: one triangle; a tool larger than the body; a body of many pieces;
+// a position a kilometre from the origin; solids that do not fit in memory.
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "FilterChecks.h"
 #include "Response/FlatBodyConversion.h"
@@ -74,7 +74,7 @@ double valueOf(vtkPolyData* data, const char* name, vtkIdType i, int component =
   return array ? array->GetComponent(i, component) : std::nan("");
 }
 
-/// Runs a filter that must say nothing; returns whether its output has points or rows.
+/// Runs a filter that must report nothing. True if its output has points or rows.
 template <class Filter>
 bool runs(Filter* filter)
 {
@@ -118,7 +118,8 @@ void checkOneTriangle(const std::string& folder)
   reduced->SetInputData(body);
   PALPATE_CHECK(runs(reduced.Get()));
   const Body again = probed(reduced->GetOutput(), tipsAt({ { 4.0, 4.0, -0.5 } }));
-  PALPATE_CHECK_NEAR(valueOf(again, "Force", 0, 2), force, 0.01 * force); // its tolerance
+  PALPATE_CHECK_NEAR(
+    valueOf(again, "Force", 0, 2), force, 0.01 * force); // tolerance of the reduction
   vtkNew<vtkResponseChoice> choice;
   choice->SetInputData(body);
   PALPATE_CHECK(runs(choice.Get()));
@@ -136,7 +137,7 @@ void checkOneTriangle(const std::string& folder)
   std::remove(file.c_str());
   PALPATE_CHECK(error.empty() && read && read->GetNumberOfPoints() == 3);
 
-  vtkNew<vtkVoxelBody> voxels; // it encloses nothing
+  vtkNew<vtkVoxelBody> voxels; // the triangle encloses nothing
   Messages messages(voxels.Get());
   voxels->SetInputData(oneTriangle());
   voxels->Update();
@@ -149,8 +150,8 @@ double sphereDepth(double a, double radius)
   return 0.5 * a * std::log((radius + a) / (radius - a));
 }
 
-/// The force stays what the law of a half-space says; how deep that may be believed ends where the
-/// contact circle is as wide as the body.
+/// The force remains that of the law of a half-space. Validity ends where the contact circle is as
+/// wide as the body.
 void checkToolLargerThanBody()
 {
   const auto check = [](vtkPolyData* shape, const char* tool, double depth, int limit)
@@ -183,10 +184,10 @@ void checkToolLargerThanBody()
   check(cube, "paraboloid:5", 0.8, Strain);
   check(
     cube, "cone:89", 5.0 * 0.5 * vtkMath::Pi() * std::tan(vtkMath::RadiansFromDegrees(1.0)), Edge);
-  // Of a beam the width counts, not the length.
+  // For a beam its width counts, not its length.
   check(boxBody(50.0, 5.0, 5.0, 8), "paraboloid:1000", 0.025, Edge);
   check(boxBody(50.0, 50.0, 5.0, 8), "paraboloid:1000", 2.0, None); // a = 45 mm
-  // On a layer too: a flat tool has its whole radius from the start.
+  // The same on a layer: a flat tool has its whole radius from the start.
   vtkNew<vtkToolContactResponse> layer;
   layer->SetInputData(cube);
   layer->SetTool(makeTool("flat:6"));
@@ -198,7 +199,7 @@ void checkToolLargerThanBody()
   PALPATE_CHECK(valueOf(layer->GetOutput(), "ResponseValidity", top) == 0.0);
 }
 
-/// 10⁵ triangles that hang together nowhere: each is a body of its own.
+/// 10⁵ unconnected triangles: each is a separate body.
 void checkManyPieces()
 {
   constexpr int Side = 317;
@@ -234,7 +235,7 @@ void checkManyPieces()
   for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i)
   {
     PALPATE_CHECK(valueOf(felt, "ContactCell", i) == static_cast<double>(97 * i));
-    // Floats about a centre 3 km away: half an ulp of 2048 to 4096 mm is 1.2e-4 mm.
+    // Floats relative to a centre 3 km away: half an ulp of 2048 to 4096 mm is 1.2e-4 mm.
     PALPATE_CHECK_NEAR(valueOf(felt, "Force", i, 2), force, 1.5 * 1.3e-4 / 0.3 * force);
   }
   vtkNew<vtkReducedContactResponse> reduced;
@@ -245,7 +246,8 @@ void checkManyPieces()
   PALPATE_CHECK(runs(choice.Get()));
 }
 
-/// A ball with its response, and tips in it, `away` mm from the origin; points stored as `type`.
+/// Force on tips in a ball with its response, `away` mm from the origin. Points are stored as
+/// `type`.
 double forceFarAway(double away, int type)
 {
   const Body ball = sphereBody(20.0, 3);
@@ -269,16 +271,17 @@ void checkFarAway()
 {
   const double here = forceFarAway(0.0, VTK_DOUBLE);
   PALPATE_CHECK(here > 1.0);
-  // 1 mm deep: a corner is off by half an ulp of 20 mm, a float's 1e-6 mm, in both bodies; the tip
-  // itself by 1e-10.
+  // 1 mm deep. The error of a corner is half an ulp of 20 mm, a float's 1e-6 mm, in both bodies;
+  // that of the tip is 1e-10.
   PALPATE_CHECK_NEAR(forceFarAway(1e6, VTK_DOUBLE), here, 2.0 * 1.5 * 1.7e-6 * here);
-  // Floats lie 0.0625 mm apart there: corners are off by √3/32 mm at most, and by something.
+  // Floats have a spacing of 0.0625 mm there: the error of corners is at most √3/32 mm, and it is
+  // not zero.
   const double coarse = forceFarAway(1e6, VTK_FLOAT);
   PALPATE_CHECK_NEAR(coarse, here, 0.085 * here);
   PALPATE_CHECK(std::abs(coarse - here) > 1e-4 * here);
 }
 
-/// Refused before anything is made, in the words of what is needed and what there is.
+/// Rejected before anything is built, with a message on the required and the available memory.
 void checkSolidsTooLarge()
 {
   for (const double spacing : { 1e-300, 1e-12, 1e-5, 5e-3 })
@@ -292,7 +295,8 @@ void checkSolidsTooLarge()
     PALPATE_CHECK(voxels->GetOutput()->GetNumberOfCells() == 0);
   }
 
-  // Half as much again as there is, at 350 bytes per voxel; or, on a large machine, too many.
+  // One and a half times the available memory, at 350 bytes per voxel; or, on a large machine, too
+  // many voxels.
   const double voxelTotal = 1.5 * palpate::availableMemory() / 350.0;
   vtkNew<vtkVoxelBody> large;
   Messages words(large.Get());
@@ -311,7 +315,7 @@ void checkSolidsTooLarge()
   const double needed = compliance->GetMemoryEstimate();
   PALPATE_CHECK(needed > 1.0 && compliance->GetOutput()->GetNumberOfPoints() > 0);
   Messages messages(compliance.Get());
-  // By the symbolic analysis just below and above what it says; far below by the forecast.
+  // By the symbolic analysis just below and above the stated need; far below by the forecast.
   compliance->SetMemoryLimit(1.01 * needed);
   compliance->Update();
   PALPATE_CHECK(messages.none() && compliance->GetOutput()->GetNumberOfPoints() > 0);

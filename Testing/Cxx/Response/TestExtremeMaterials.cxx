@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials at the ends of what there is: forces in proportion to E over twelve orders of
-// magnitude, nothing lost in float storage without a word, ν = 0 and 0.5 against closed forms and
-// the tables of Data/Reference, and what lies outside refused.
+// Extreme materials: forces proportional to E over twelve orders of magnitude, no silent loss in
+// float storage, ν = 0 and 0.5 against closed forms and the tables of Data/Reference, and rejection
+// of values out of range.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -78,7 +78,7 @@ void checkProportion()
     {
       expectRatio(respond(tool, std::ldexp(1.0, power), 0.3), unit, std::ldexp(1.0, power), 0.0);
     }
-    for (int power = -6; power <= 6; ++power) // stored twice with half a unit each
+    for (int power = -6; power <= 6; ++power) // stored two times with half a unit each
     {
       expectRatio(
         respond(tool, std::pow(10.0, power), 0.3), unit, std::pow(10.0, power), 1.0 + 1e-6);
@@ -106,7 +106,7 @@ void checkFloatStorage()
   const double huge = 4.0 / 3.0 * 1e6 * std::sqrt(1e5) * std::pow(1e3 / 64.0, 1.5);
   PALPATE_CHECK_NEAR(first(respond("paraboloid:1e5", 1e6, 0.0, 1e3)), huge, 1.2e-7 * huge);
 
-  // What a float cannot hold is not stored as 0, a denormal or infinity.
+  // A value outside the range of a float is not stored as 0, a denormal or infinity.
   for (const Response& response : { respond("flat:1", 1e-30, 0.0, 1e-8), // forces of 3e-40 N
          respond("flat:1", 1e300, 0.0), respond("flat:1", 3e38, 0.0),
          respond("sphere:3", 1e-40, 0.4, 1.0, 10.0) })
@@ -145,7 +145,7 @@ void checkPoissonEnds()
       const Response response = respond("flat:3", 0.1, nu, 0.2, thickness, base);
       const double last = table.number(i, share) * 2.0 * 3.0 * 0.1 / (1.0 - nu * nu) * 0.2;
       PALPATE_CHECK(response.errors.empty() && response.force);
-      // LayerTable promises 1e-7, a float half of that.
+      // LayerTable guarantees 1e-7; a float adds half of that.
       PALPATE_CHECK_NEAR(static_cast<double>(response.force->GetValue(7)), last, 1.7e-7 * last);
     }
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkGradedBody: volumes, edges, Jacobians, what is held, the same bits, abort, errors; and
-// contacts on what it makes against the series for a ball and the exact layer.
+// vtkGradedBody: volumes, edges, Jacobians, held points, identical bits, abort, errors; and
+// contacts on its output against the series for a ball and the exact layer.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> box(double x, double y, double z)
   return triangles->GetOutput();
 }
 
-/// A surface of revolution about z through radii and heights, from axis to axis.
+/// A surface of revolution about z with these radii and heights, from axis to axis.
 vtkSmartPointer<vtkPolyData> turned(const std::vector<std::array<double, 2>>& outline, int sides)
 {
   vtkNew<vtkPoints> points;
@@ -114,16 +114,17 @@ vtkSmartPointer<vtkGradedBody> makeFilter(vtkPolyData* body, double spacing)
   return filter;
 }
 
-/// By the cells' own quadrature: exact for the cubic Jacobian of a quadratic tetrahedron.
+/// Measures by the cells' own quadrature, which is exact for the cubic Jacobian of a quadratic
+/// tetrahedron.
 struct Filled
 {
   double volume = 0.0;
-  double leastJacobian = 1e300; ///< at corners, edges, middle, over that of the mean
+  double leastJacobian = 1e300; ///< at corners, edges and middle, relative to the mean
 };
 
 Filled measure(vtkUnstructuredGrid* grid)
 {
-  // Keast (1986), degree 3: the middle and four places.
+  // Keast (1986), degree 3: the middle and four points.
   const double places[5][4] = { { 0.25, 0.25, 0.25, -0.8 / 6.0 },
     { 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 0.075 }, { 0.5, 1.0 / 6.0, 1.0 / 6.0, 0.075 },
     { 1.0 / 6.0, 0.5, 1.0 / 6.0, 0.075 }, { 1.0 / 6.0, 1.0 / 6.0, 0.5, 0.075 } };
@@ -133,7 +134,7 @@ Filled measure(vtkUnstructuredGrid* grid)
     vtkCell* cell = grid->GetCell(c);
     const auto jacobian = [&](const double* at)
     {
-      // Shape functions' derivatives by differences, which are exact for what is quadratic.
+      // Derivatives of the shape functions by differences, which are exact for quadratic functions.
       double side[3][3];
       for (int i = 0; i < 3; ++i)
       {
@@ -171,7 +172,8 @@ Filled measure(vtkUnstructuredGrid* grid)
   return filled;
 }
 
-/// Faces of one cell alone: their area, and how far their nodes lie off the ball of a radius.
+/// Faces that belong to one cell only: their area, and the distance of their nodes from a ball of
+/// this radius.
 std::array<double, 2> outside(vtkUnstructuredGrid* grid, double radius)
 {
   std::map<std::array<vtkIdType, 3>, std::array<vtkIdType, 3>> faces; // corners, mid-edge nodes
@@ -232,14 +234,14 @@ void checkShapes()
             << filter->GetCellEstimate() << ", volume " << ball.volume / exact << ", chords' area "
             << area / (4.0 * CircleNumber * radius * radius) << ", least Jacobian "
             << ball.leastJacobian << ", off " << farthest << " mm" << std::endl;
-  PALPATE_CHECK_NEAR(ball.volume / exact, 1.0, 0.001); // on chords 1.6 % would be missing
-  // Facets of 2 mm lie h²/6R deep in the mean and so are as much, twice over R, too small: 1.3 %.
+  PALPATE_CHECK_NEAR(ball.volume / exact, 1.0, 0.001); // with straight edges 1.6 % would be missing
+  // Facets of 2 mm are on average h²/6R deep, so the area is too small by twice that over R: 1.3 %.
   PALPATE_CHECK_NEAR(area / (4.0 * CircleNumber * radius * radius), 1.0, 0.02);
   PALPATE_CHECK(ball.leastJacobian > 0.0);
-  PALPATE_CHECK(farthest < 0.01); // the surface's own facets, 0.7 mm: 0.006
+  PALPATE_CHECK(farthest < 0.01); // facets of the surface itself, 0.7 mm: 0.006
   PALPATE_CHECK_NEAR(grid->GetNumberOfCells() / filter->GetCellEstimate(), 1.0, 0.5);
 
-  // Edges and corners to the last digit, so that the volume is too.
+  // Edges and corners are exact to the last digit, so the volume is too.
   const auto block = makeFilter(box(12.0, 8.0, 6.0), 2.0);
   block->Update();
   const Filled straight = measure(block->GetOutput());
@@ -253,7 +255,7 @@ void checkShapes()
     PALPATE_CHECK(std::hypot(at[0] - corner, at[1] - 4.0, at[2] - 6.0) < 1e-9);
   }
 
-  // A finer surface: fewer cells inside than a fine grid of one size had.
+  // A finer surface: fewer cells than in a uniform fine grid.
   const auto graded = makeFilter(surface, 1.0);
   graded->Update();
   graded->SetInteriorSpacing(1.0);
@@ -261,7 +263,7 @@ void checkShapes()
   graded->Update();
   PALPATE_CHECK(graded->GetOutput()->GetNumberOfCells() > 2 * few);
 
-  // Two balls, one of them small and far from the middle of the box.
+  // Two balls, one of them small and far from the middle of the bounding box.
   vtkNew<vtkTransform> beside;
   beside->Translate(25.0, 3.0, 0.0);
   beside->Scale(0.2, 0.2, 0.2);
@@ -278,8 +280,8 @@ void checkShapes()
   PALPATE_CHECK(parts->GetOutput()->GetBounds()[1] > 26.9);
 }
 
-/// Cells that reach into a ball are about as long as is said, on its face and inside, those far
-/// away as before.
+/// Cells that reach into a ball have about the stated size, on its surface and inside. Distant
+/// cells do not change.
 void checkFineBalls()
 {
   const Place middle{ 0.0, 0.0, 20.0 };
@@ -328,7 +330,7 @@ void checkFineBalls()
             << std::endl;
   PALPATE_CHECK_NEAR(sums[0] / counts[0], 1.0, 0.25);
   PALPATE_CHECK(sums[1] / counts[1] > 3.0);
-  // Half of the ball and its shell lie outside, which the estimate does not know.
+  // Half of the ball and its shell are outside, which the estimate does not consider.
   PALPATE_CHECK(grid->GetNumberOfCells() < filter->GetCellEstimate());
   PALPATE_CHECK(3.0 * grid->GetNumberOfCells() > filter->GetCellEstimate());
   PALPATE_CHECK_NEAR(measure(grid).volume / (24.0 * 24.0 * 20.0), 1.0, 1e-9);
@@ -356,7 +358,7 @@ void checkSameBits()
 {
   const auto once = makeFilter(halfBall(10.0), 2.0);
   once->Update();
-  const std::vector<char> between(12345); // other addresses
+  const std::vector<char> between(12345); // different addresses
   const auto again = makeFilter(halfBall(10.0), 2.0);
   again->Update();
   vtkUnstructuredGrid* a = once->GetOutput();
@@ -385,7 +387,7 @@ vtkSmartPointer<vtkElasticContactResponse> press(
   return filter;
 }
 
-/// The table's sphere: it takes the ball's gap to be r²/2R.
+/// The sphere of the table, which uses r²/2R for the gap of the ball.
 std::string toolOfTheTable(const std::string& file, double radius, double ball)
 {
   std::ofstream out(file);
@@ -441,9 +443,9 @@ void checkBallContact(const std::string& folder, double spacing, double toleranc
     PALPATE_CHECK_NEAR(error, 0.0, tolerance);
     if (table.number(i, "a/R") != 0.2 && table.number(i, "a/R") != 0.14)
     {
-      continue; // one of each tool: a surface of its own takes long
+      continue; // one case per tool, since a separate surface takes long
     }
-    // On a surface of its own: the same H, blended; facets of 3 degrees tell the curvature.
+    // On a separate surface: the same H, blended. Facets of 3 degrees determine the curvature.
     const Body ball = halfBall(radius, 30);
     pressed->SetSurfaceData(ball);
     pressed->Update();
@@ -456,7 +458,7 @@ void checkBallContact(const std::string& folder, double spacing, double toleranc
   }
 }
 
-/// The middle of a bonded layer of three cells, by the exact integral equation.
+/// The middle of a bonded layer of three cells, against the exact integral equation.
 void checkLayerContact()
 {
   const double height = 4.0;
@@ -538,8 +540,8 @@ void checkErrors()
   fails(both->GetOutput(), nothing, { "cuts itself", "triangles" });
 }
 
-/// A ball of which one point has slipped across its neighbours, as a scan's may: mended, and of the
-/// ball's volume all the same.
+/// A ball with one point moved across its neighbours, as in a scan: the mesh is repaired, with the
+/// same volume.
 void checkMended()
 {
   const Body ball = sphereBody(10.0, 4);
@@ -564,11 +566,12 @@ void checkMended()
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK_TEXT(messages.warnings(), "cut itself", "mended");
   const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
-  PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact, 0.01 * exact); // facets, the slip
+  PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact,
+    0.01 * exact); // error of facets and of the moved point
 }
 
-/// A ball without the triangles around a point, and with a fin at an edge: the fin is left
-/// out, the hole filled, with a warning, and the volume is the ball's.
+/// A ball without the triangles around a point, and with a fin at an edge: the fin is left out and
+/// the hole filled, with a warning. The volume is that of the ball.
 void checkClosedUp()
 {
   const Body ball = sphereBody(10.0, 4);
@@ -595,11 +598,12 @@ void checkClosedUp()
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK_TEXT(messages.warnings(), "not closed", "were filled");
   const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
-  PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact, 0.01 * exact); // facets, the lid
+  PALPATE_CHECK_NEAR(
+    measure(filter->GetOutput()).volume, exact, 0.01 * exact); // error of facets and of the lid
 }
 
-/// Two round lips, 0.4 mm apart on cells of 2 mm: an outside that meets itself nowhere would take
-/// cells without end.
+/// Two round lips, 0.4 mm apart, with cells of 2 mm. An outer surface without self-contact would
+/// need cells without end.
 void checkSheetsThatNearlyTouch()
 {
   constexpr double radius = 8.0;
@@ -633,7 +637,8 @@ void checkSheetsThatNearlyTouch()
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
   const Filled filled = measure(filter->GetOutput());
-  PALPATE_CHECK_NEAR(filled.volume, exact->GetVolume(), 0.02 * exact->GetVolume()); // of facets
+  PALPATE_CHECK_NEAR(
+    filled.volume, exact->GetVolume(), 0.02 * exact->GetVolume()); // error of facets
   PALPATE_CHECK(filled.leastJacobian > 0.0);
 }
 

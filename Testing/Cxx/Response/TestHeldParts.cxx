@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies held to a given depth: vtkGradedBody cuts them there exactly, and what is pressed on a
-// surface of its own knows where it is held.
+// Bodies held to a given depth: vtkGradedBody cuts them exactly there, and a body pressed on a
+// separate surface keeps its held parts.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -50,7 +50,7 @@ bool isHeld(vtkUnstructuredGrid* grid, vtkIdType i)
   return grid->GetPointData()->GetArray("Fixed")->GetTuple1(i) == 7.0;
 }
 
-/// Of the tetrahedra with straight edges.
+/// Volume of the tetrahedra with straight edges.
 double volumeOf(vtkUnstructuredGrid* grid)
 {
   double volume = 0.0;
@@ -79,7 +79,8 @@ Body moved(vtkPolyData* body, double x, double y, double z)
   return filter->GetOutput();
 }
 
-/// Held at two sides: exactly the block that is left, and held exactly on its sides.
+/// Held at two sides: the free part is exactly the rest of the block, and it is held exactly on its
+/// sides.
 void checkBlock()
 {
   const auto filter = fill(boxBody(6.0, 4.0, 3.0, 2), 2.0, "z-:1,x+:2");
@@ -129,8 +130,8 @@ Body extruded(const std::vector<std::array<double, 2>>& profile)
   return outward->GetOutput();
 }
 
-/// A step that lies in the plane, one that lies half a cell above it, and a table cut at its legs
-/// and right under its top.
+/// A step in the plane, one half a cell above it, and a table cut at its legs and directly under
+/// its top.
 void checkSteps()
 {
   const Body step = extruded(
@@ -151,7 +152,7 @@ void checkSteps()
   PALPATE_CHECK_NEAR(volumeLeft(table, "z-:3"), 8.0 * 10.0 * 3.0, 1e-6);
 }
 
-/// A ball: the rim is the circle in which the plane cuts its facets, whatever the cells.
+/// A ball: the rim is the circle in which the plane cuts its facets, for any cell size.
 void checkBall(double spacing)
 {
   constexpr double Radius = 10.0;
@@ -160,7 +161,7 @@ void checkBall(double spacing)
   filter->Update();
   vtkUnstructuredGrid* grid = filter->GetOutput();
   const double rim = std::sqrt(Depth * (2.0 * Radius - Depth));
-  const double facet = 0.02; // mm: how far facets of that ball, 3.4 degrees wide, lie off it
+  const double facet = 0.02; // mm: distance of the ball's facets, 3.4 degrees wide, from the ball
   double widest = 0.0;
   int onRim = 0;
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
@@ -174,18 +175,18 @@ void checkBall(double spacing)
     onRim += isOnCut && away > rim - 2.0 * facet ? 1 : 0;
   }
   PALPATE_CHECK_NEAR(widest, rim, 2.0 * facet);
-  // Cells' edges follow it, and so do the nodes in the middle of each.
+  // Edges of the cells follow the rim, and so do their middle nodes.
   PALPATE_CHECK(onRim * 0.5 * spacing > 0.8 * 2.0 * vtkMath::Pi() * rim);
   const double whole = 4.0 / 3.0 * vtkMath::Pi() * std::pow(Radius, 3);
   const double cap = vtkMath::Pi() * Depth * Depth * (3.0 * Radius - Depth) / 3.0;
-  // Facets of side a cut off a²/8R in the mean; the circle around one is 0.72 spacings wide or
-  // less.
+  // Facets of side a remove a²/8R on average. The circle around a facet is at most 0.72 spacings
+  // wide.
   const double side = 0.72 * std::sqrt(3.0) * spacing;
   PALPATE_CHECK_NEAR(
     volumeOf(grid) / (whole - cap), 1.0, 3.0 * side * side / (8.0 * Radius * Radius));
 }
 
-/// Two balls whose rims come within a fortieth of the cells to each other.
+/// Two balls whose rims are a fortieth of a cell apart.
 void checkRimsThatNearlyTouch()
 {
   const Body ball = sphereBody(10.0, 4);
@@ -202,7 +203,7 @@ void checkRimsThatNearlyTouch()
   PALPATE_CHECK_NEAR(volumeOf(filter->GetOutput()) / exact, 1.0, 0.03); // straight edges
 }
 
-/// Nothing is left of it: held as a whole, with a warning.
+/// Nothing is left free: held as a whole, with a warning.
 void checkHeldAsAWhole()
 {
   const auto filter = fill(boxBody(6.0, 4.0, 3.0, 2), 2.0, "z-:100");
@@ -218,7 +219,7 @@ void checkHeldAsAWhole()
   }
 }
 
-/// A bonded layer that is what a cut leaves of a block, by the exact integral equation.
+/// A bonded layer, the rest of a block after a cut, against the exact integral equation.
 void checkLayer()
 {
   constexpr double Height = 4.0;
@@ -247,7 +248,7 @@ void checkLayer()
   const double force = forceAt(pressed, pressed->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, 3.0));
   PALPATE_CHECK_NEAR(force / forceAt(exact, 40), 1.0, 0.01); // three cells through the layer
 
-  // On the whole block's surface what was cut off is held, and nothing above it is.
+  // On the surface of the whole block the part that was cut off is held, and nothing above it.
   const Body surface = boxBody(12.0, 12.0, 3.0, 24);
   pressed->SetSurfaceData(surface);
   pressed->Update();
@@ -283,7 +284,7 @@ int TestHeldParts(int, char*[])
 {
   if (!vtkGradedBody::IsAvailable())
   {
-    return palpate::testing::result(); // TestGradedBody tells
+    return palpate::testing::result(); // TestGradedBody covers the rest
   }
   checkBlock();
   checkSteps();

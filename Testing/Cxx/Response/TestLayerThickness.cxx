@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLayerThickness on scans of known thickness: balls, slabs, plates; what is no base; errors.
+// vtkLayerThickness on scans of known thickness: balls, slabs, plates; surfaces that are no base;
+// errors.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -28,13 +29,13 @@ constexpr double Air = 2.0;
 constexpr double Bone = 18.0;
 constexpr double Muscle = 60.0;
 constexpr double Fat = 120.0;
-constexpr double Blur = 2.0; // mm, over which the scan spreads an edge: two of its voxels
+constexpr double Blur = 2.0; // mm, width of an edge in the scan: two voxels
 
-/// A tenth of a voxel of 1 mm: trilinear interpolation rounds the corners of a blurred edge off, by
-/// second differences of (Fat - Bone)/Blur per voxel, at most 1/8 of a voxel's step in grey.
+/// A tenth of a voxel of 1 mm. Trilinear interpolation rounds off the corners of a blurred edge, by
+/// second differences of (Fat - Bone)/Blur per voxel: at most 1/8 of the step in grey per voxel.
 constexpr double Tolerance = 0.1;
 
-/// A scan of grey(x, y, z), shorts as MRI gives them.
+/// A scan of grey(x, y, z), stored as shorts as in MRI.
 using Grey = std::function<double(const double[3])>;
 vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spacing = 1.0)
 {
@@ -42,7 +43,7 @@ vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spaci
   const int size = 2 * static_cast<int>(std::ceil(half / spacing)) + 1;
   scan->SetDimensions(size, size, size);
   scan->SetSpacing(spacing, spacing, spacing);
-  const double origin = -0.5 * spacing * (size - 1) + 0.3; // no voxel in the middle
+  const double origin = -0.5 * spacing * (size - 1) + 0.3; // no voxel is in the middle
   scan->SetOrigin(origin, origin, origin);
   vtkNew<vtkShortArray> values;
   values->SetName("Grey");
@@ -57,7 +58,7 @@ vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spaci
   return scan;
 }
 
-/// From `low` to `high` across an edge at 0, blurred.
+/// From `low` to `high` across a blurred edge at 0.
 double edge(double x, double low, double high)
 {
   return low + (high - low) * std::clamp(x / Blur + 0.5, 0.0, 1.0);
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkDataArray> thicknessOf(vtkLayerThickness* filter)
   return filter->GetOutput()->GetPointData()->GetArray("LayerThickness");
 }
 
-/// How far the thickness is from what it should be at the worst point.
+/// Largest difference of the thickness from the expected one.
 double worst(vtkDataArray* thickness, double expected)
 {
   double largest = 0.0;
@@ -122,16 +123,16 @@ void testBalls()
     const auto scan = scanOf(ballOver(thickness), 30.0);
     PALPATE_CHECK(worst(thicknessOf(filterOf(body, scan)), thickness) < Tolerance);
     PALPATE_CHECK(worst(thicknessOf(filterOf(body, scan, 3.0)), thickness) < Tolerance);
-    // Finer voxels, the same blur: the corners of the edge are rounded off less.
+    // Finer voxels with the same blur: the corners of the edge are rounded less.
     const auto fine = scanOf(ballOver(thickness), 30.0, 0.5);
     PALPATE_CHECK(worst(thicknessOf(filterOf(body, fine)), thickness) < 0.5 * Tolerance);
   }
-  // Without normals they are computed: of facets, not of the ball, by an angle of half an edge's
-  // turn at most, so that the ray is longer by less than 0.1 % of the radius.
+  // Without normals they are computed from facets, not from the ball. Their angle to the exact ones
+  // is at most half the turn of an edge, so the ray is longer by less than 0.1 % of the radius.
   const Body bare = sphereBody(Radius, 4);
   const auto scan = scanOf(ballOver(7.37), 30.0);
   PALPATE_CHECK(worst(thicknessOf(filterOf(bare, scan)), 7.37) < Tolerance + 1e-3 * Radius);
-  // All else passes through; the input is left alone.
+  // All other arrays are passed on; the input is not changed.
   auto filter = filterOf(body, scan);
   filter->Update();
   PALPATE_CHECK(filter->GetOutput()->GetPointData()->GetArray("Radial") ==
@@ -139,7 +140,7 @@ void testBalls()
   PALPATE_CHECK(body->GetPointData()->GetArray("LayerThickness") == nullptr);
 }
 
-/// Where the scan lies, and how its axes run, makes no difference.
+/// Position and orientation of the scan have no effect.
 void testPlacement()
 {
   const auto scan = scanOf(ballOver(7.37), 30.0);
@@ -177,7 +178,7 @@ void testPlacement()
   PALPATE_CHECK(worst(thicknessOf(filterOf(ballBody(), shifted)), 7.37) < Tolerance);
 }
 
-/// The plane z = 0 over tissue of which `grey` is a function of depth.
+/// The plane z = 0 over tissue; `grey` is a function of depth.
 vtkSmartPointer<vtkLayerThickness> slab(const std::function<double(double)>& grey)
 {
   const auto scan =
@@ -187,7 +188,7 @@ vtkSmartPointer<vtkLayerThickness> slab(const std::function<double(double)>& gre
 
 void testSlabs()
 {
-  // Nothing but tissue.
+  // Only tissue.
   PALPATE_CHECK(worst(thicknessOf(slab([](double) { return Fat; })), 0.0) == 0.0);
   // Fat over muscle over bone: the base is the bone.
   const auto over = [](double bone)
@@ -196,7 +197,7 @@ void testSlabs()
     { return depth < 6.0 ? edge(3.0 - depth, Muscle, Fat) : edge(bone - depth, Bone, Muscle); };
   };
   PALPATE_CHECK(worst(thicknessOf(slab(over(9.2))), 9.2) < Tolerance);
-  // Bone deeper than looked for; then deep enough.
+  // Bone deeper than the search depth; then with a larger search depth.
   auto deep = slab(over(22.0));
   PALPATE_CHECK(worst(thicknessOf(deep), 0.0) == 0.0);
   deep->SetMaximumDepth(24.0);
@@ -210,19 +211,19 @@ void testSlabs()
   auto brighter = slab(fluid(38.0, Fat));
   brighter->SetBaseValue(50.0);
   PALPATE_CHECK(worst(thicknessOf(brighter), 8.0) < Tolerance);
-  // Bone thinner than a voxel is not trusted: 0.8 mm below BaseValue.
+  // Bone thinner than a voxel is not accepted: 0.8 mm below BaseValue.
   const auto thin = [](double depth) { return std::min(Fat, 20.0 + 37.5 * std::abs(depth - 8.7)); };
   PALPATE_CHECK(worst(thicknessOf(slab(thin)), 0.0) == 0.0);
 }
 
-/// A plate of tissue in air: behind it is no bone, though it is dark there.
+/// A plate of tissue in air: the dark region behind it is not bone.
 void testOppositeWall()
 {
   constexpr double thickness = 10.0;
   const auto scan = scanOf(
     [](const double x[3]) { return edge(0.5 * thickness - std::abs(x[2]), Air, Fat); }, 30.0);
   const Body front = planeBody(10.0, 10, 0.5 * thickness);
-  PALPATE_CHECK(worst(thicknessOf(filterOf(front, scan)), thickness) < Tolerance); // one wall alone
+  PALPATE_CHECK(worst(thicknessOf(filterOf(front, scan)), thickness) < Tolerance); // only one wall
   vtkNew<vtkTransform> turn;
   turn->RotateX(180.0);
   vtkNew<vtkTransformPolyDataFilter> back;
@@ -235,7 +236,7 @@ void testOppositeWall()
   PALPATE_CHECK(worst(thicknessOf(filterOf(plate->GetOutput(), scan)), 0.0) == 0.0);
 }
 
-/// A hole in the tissue under few points, and one in the bone: the others say better.
+/// A hole in the tissue under few points, and one in the bone: the other points correct them.
 void testSmoothing()
 {
   const auto scan = scanOf(
@@ -282,7 +283,7 @@ void testThreads()
   }
 }
 
-/// The error of a filter after a change; it leaves no output.
+/// The error of a filter after a change; there must be no output.
 template <class Change>
 std::string errorAfter(vtkPolyData* body, vtkImageData* scan, const Change& change)
 {
@@ -347,13 +348,14 @@ void testErrors()
   PALPATE_CHECK(messages.none() && filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// A ray ends where the scan does, or is not finite: no base is found there, nor is it an error.
+/// A ray ends at the end of the scan or at a value that is not finite. Then no base is found,
+/// without an error.
 void testEnds()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto scan = scanOf([](const double x[3]) { return edge(x[2] + 8.0, Bone, Fat); }, 30.0);
   PALPATE_CHECK(worst(thicknessOf(filterOf(planeBody(10.0, 4), scan)), 8.0) < Tolerance);
-  // The last layer of voxels, at z = -29.7, is dark: too little to be trusted.
+  // The last layer of voxels, at z = -29.7, is dark: too thin to be accepted.
   const auto cut = scanOf([](const double x[3]) { return x[2] < -29.0 ? Bone : Fat; }, 30.0);
   PALPATE_CHECK(worst(thicknessOf(filterOf(planeBody(10.0, 4, -20.0), cut)), 0.0) == 0.0);
   vtkNew<vtkImageData> holed;

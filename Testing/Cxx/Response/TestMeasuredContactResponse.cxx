@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured with one tool, felt with another: the same arrays as of a body whose material is known.
+// Measured with one tool, applied to another: the same arrays as for a body of known material.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
@@ -19,7 +19,7 @@ vtkDataArray* array(vtkMeasuredContactResponse* filter, const char* name)
   return filter->GetOutput()->GetPointData()->GetArray(name);
 }
 
-/// The largest relative difference of an array of both bodies.
+/// The largest relative difference of an array between two bodies.
 double difference(vtkDataArray* a, vtkDataArray* b)
 {
   double largest = 0.0;
@@ -35,7 +35,8 @@ double difference(vtkDataArray* a, vtkDataArray* b)
   return largest;
 }
 
-/// A half-space measured with a paraboloid feels to any tool as the same half-space given.
+/// A half-space measured with a paraboloid gives any tool the same response as the half-space
+/// itself.
 void checkHalfSpace(const std::string& folder)
 {
   const Body body = planeBody(12.0, 8);
@@ -85,9 +86,9 @@ void checkHalfSpace(const std::string& folder)
   PALPATE_CHECK_TEXT(model ? model->GetValue(0) : std::string(), "half-space, identified",
     "synthetic", "paraboloid:6.35", "1 site", "closed form");
   PALPATE_CHECK(array(filter, "palpate:YoungsModulus") == nullptr);
-  PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // the input is left alone
+  PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // the input is not changed
 
-  // The curves, from first contact: 71 readings, of which 10 before it.
+  // The curves from first contact: 71 readings, 10 of them before it.
   auto* curves = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
   PALPATE_CHECK(curves->GetNumberOfRows() == 71);
   for (vtkIdType i = 0; i < curves->GetNumberOfRows(); ++i)
@@ -100,7 +101,8 @@ void checkHalfSpace(const std::string& folder)
   }
 }
 
-/// Local and global: the curve of a sphere measured, that of a flat by the closed form of series.
+/// Local and global: the curve of a sphere is measured; the curve of a flat is compared with the
+/// closed form in series.
 void checkGlobalCompliance(const std::string& folder)
 {
   const double compliance = 4.0;
@@ -128,14 +130,14 @@ void checkGlobalCompliance(const std::string& folder)
   for (int k = 0; k < 8; ++k)
   {
     const double depth = 2.0 * (k + 1) * (k + 1) / 64.0;
-    // 1e-6 of the fit, a float of storage.
+    // 1e-6 of the fit, and a float of storage.
     PALPATE_CHECK_NEAR(
       array(filter, "ResponseForce")->GetComponent(40, k), stiffness * depth, 2e-6 * depth);
   }
 }
 
-/// Where the data end, by hand: with a paraboloid of 6.35 mm to 0.5 mm deep on E* the force is F₁,
-/// the contact radius a₁ = √(R δ).
+/// The end of the data, computed by hand: for a paraboloid of 6.35 mm at a depth of 0.5 mm on E*
+/// the force is F₁ and the contact radius a₁ = √(R δ).
 void checkDataEnd(const std::string& folder)
 {
   const double depth = 0.5;
@@ -147,7 +149,7 @@ void checkDataEnd(const std::string& folder)
   {
     const MeasuredFilter filter = measure(planeBody(12.0, 8), file, tool);
     filter->Update();
-    // A part in a thousand of force or stiffness is given: 1e-3 to 2e-3 of the depth.
+    // A tolerance of 1e-3 of force or stiffness applies: 1e-3 to 2e-3 of the depth.
     PALPATE_CHECK_NEAR(
       array(filter, "ResponseValidity")->GetTuple1(40), validity, 2.5e-3 * validity + 1e-6);
     PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(40) == limit);
@@ -155,12 +157,14 @@ void checkDataEnd(const std::string& folder)
   expect("paraboloid:6.35", depth, 6);
   // A blunter tip reaches the contact radius first: a² = R δ.
   expect("paraboloid:50", radius * radius / 50.0, 6);
-  // A sharper one would reach the force first, but a flat its strain limit, δ/a = 0.4, before.
+  // A sharper one would reach the force first; a flat reaches its strain limit, δ/a = 0.4, before
+  // that.
   expect("paraboloid:4", std::pow(force / (4.0 / 3.0 * Modulus * 2.0), 2.0 / 3.0), 6);
   expect("flat:1.6", std::min(0.4 * 1.6, force / (2.0 * 1.6 * Modulus)), 6);
-  // Wider than what was ever strained: nothing is known.
+  // Wider than any measured contact: nothing is known.
   expect("flat:2", 0.0, 6);
-  // Strain comes first under a sharp tip, by the first assumption that breaks: a/R = 0.4, δ = a²/R.
+  // With a sharp tip the strain limit comes first, as its first violated assumption: a/R = 0.4, δ =
+  // a²/R.
   const MeasuredFilter filter = measure(planeBody(12.0, 8), file, "paraboloid:1");
   filter->SetErrorTolerance(0.0);
   filter->Update();
@@ -174,8 +178,8 @@ vtkIdType pointAt(vtkPolyData* body, double x, double y, double z)
   return body->vtkDataSet::FindPoint(x, y, z);
 }
 
-/// The error between sites is how they differ: halfway between E* and 1.4 E* the forces are those
-/// of 1.2 E*, from which both differ by a sixth; on a site it is that of the fit alone.
+/// The error between sites is their difference. Halfway between E* and 1.4 E* the forces are those
+/// of 1.2 E*, from which both differ by a sixth. On a site it is the error of the fit alone.
 void checkErrorBetweenSites(const std::string& folder)
 {
   const std::string file = writeCurves(folder + "/two.csv", "paraboloid:6.35",
@@ -195,15 +199,16 @@ void checkErrorBetweenSites(const std::string& folder)
   }
   PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(pointAt(body, 0.0, 0.0, 0.0)) == 6);
   PALPATE_CHECK(array(filter, "ResponseValidity")->GetTuple1(pointAt(body, 0.0, 0.0, 0.0)) == 0.0);
-  // Out of reach nothing is said.
+  // Out of reach there is no statement.
   filter->SetReach(5.0);
   filter->Update();
   PALPATE_CHECK(
     std::isnan(array(filter, "ResponseError")->GetComponent(pointAt(body, 12.0, 12.0, 0.0), 0)));
 }
 
-/// A ball measured with one paraboloid is felt by others with the error of its curvature: by Hertz
-/// F goes with √(1/(1/R + 1/B)), of which the readings of R have √(1/(1 + R/B)) in them.
+/// A ball measured with one paraboloid is applied to others. The error is that of the curvature: by
+/// Hertz, F is proportional to √(1/(1/R + 1/B)), and the readings with R already contain √(1/(1 +
+/// R/B)).
 void checkErrorOfCurvature(const std::string& folder)
 {
   const double ball = 60.0;
@@ -224,8 +229,8 @@ void checkErrorOfCurvature(const std::string& folder)
       const double error = array(filter, "ResponseError")->GetComponent(pole, k);
       const double off = std::abs(force / hertz(effective(radius), Modulus)(depth) - 1.0);
       PALPATE_CHECK(off <= error);
-      // The whole body's yielding, the mesh's curvature and strain are in it as well: a few
-      // percent.
+      // It also contains the deflection of the whole body, the curvature of the mesh and strain: a
+      // few per cent.
       PALPATE_CHECK(error <= 2.0 * off + 0.04);
     }
   }

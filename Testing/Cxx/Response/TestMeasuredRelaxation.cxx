@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body that relaxes, measured: the slow response of any tool, strengths and times beside it, and
-// loops beside the readings. The forces are those of Lee and Radok.
+// A measured body that relaxes: the slow response of any tool with its strengths and times, and
+// loops compared with the readings. The forces are those of Lee and Radok.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
@@ -87,7 +87,7 @@ void checkOneSite(const std::string& folder)
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none());
-  // The least noise there is, 0.3 % of 200 readings: a few in a thousand.
+  // The smallest noise, 0.3 % in 200 readings: an error of a few in a thousand.
   const double found = siteNumber(filter, 0, "ReducedModulus (MPa)");
   PALPATE_CHECK_NEAR(found, Modulus, 2e-3 * Modulus);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ContactOffset (mm)"), 0.2, 1e-3);
@@ -124,7 +124,7 @@ void checkOneSite(const std::string& folder)
   PALPATE_CHECK_TEXT(model ? model->GetValue(0) : std::string(), "half-space, relaxing 0.", "told",
     "identified from measured curves");
 
-  // The stored curve is the slow one, as of the same body given.
+  // The stored curve is the slow one, equal to that of the same body with given material.
   vtkNew<vtkToolContactResponse> given;
   given->SetInputData(body);
   given->SetTool(makeTool("sphere:1.6"));
@@ -137,11 +137,11 @@ void checkOneSite(const std::string& folder)
     PALPATE_CHECK_NEAR(array(filter, "ResponseForce")->GetComponent(40, k),
       slow->GetComponent(40, k), 1e-6 * slow->GetComponent(40, k)); // floats
   }
-  // What the readings leave open is small, and is told.
+  // The uncertainty from the readings is small and stated.
   const double error = array(filter, "ResponseError")->GetComponent(40, 1);
   PALPATE_CHECK(error > 0.0 && error < 0.05);
 
-  // The history, loop and all, in the order of time.
+  // The whole history, including the loop, in the order of time.
   auto* readings = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
   PALPATE_CHECK(readings->GetNumberOfRows() == 211);
   const RampAndHold test = testOf(series(0.6, 0.4));
@@ -232,7 +232,7 @@ void checkWithoutTimes(const std::string& folder)
   PALPATE_CHECK_TEXT(messages.takeErrors(), "'A'", "hold", "time_s");
 }
 
-/// Nothing of all this where nothing relaxes.
+/// An elastic body has none of these arrays and columns.
 void checkElastic(const std::string& folder)
 {
   const std::string file =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sites of measured curves on a body: how far they speak, that nothing crosses a thin lobe, how
-// they are registered, and which are refused.
+// Sites of measured curves on a body: their reach, which does not cross a thin lobe, their
+// registration, and the rejected ones.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
@@ -20,7 +20,7 @@ vtkDataArray* array(vtkMeasuredContactResponse* filter, const char* name)
   return filter->GetOutput()->GetPointData()->GetArray(name);
 }
 
-/// Two sites on a plane, and what lies between and beyond.
+/// Two sites on a plane, and the places between and beyond them.
 void checkSpread(const std::string& folder)
 {
   const std::string file = writeCurves(folder + "/two.csv", Tip,
@@ -55,8 +55,8 @@ void checkSpread(const std::string& folder)
   }
 }
 
-/// A thin plate as two sheets, 1 mm apart, one facing up and one down: what is measured on one says
-/// nothing of the other. The same with a rim that connects them.
+/// A thin plate of two sheets, 1 mm apart, one facing up and one down: a measurement on one does
+/// not apply to the other. The same with a rim that connects them.
 void checkThinLobe(const std::string& folder)
 {
   const std::string file =
@@ -79,7 +79,8 @@ void checkThinLobe(const std::string& folder)
       double x[3];
       body->GetPoint(i, x);
       const bool above = x[2] == 0.5;
-      const bool inside = std::max(std::abs(x[0]), std::abs(x[1])) < 9.9; // edges face sideways
+      const bool inside =
+        std::max(std::abs(x[0]), std::abs(x[1])) < 9.9; // at the edges normals point sideways
       const bool valid = array(filter, "ResponseStatus")->GetTuple1(i) == 0.0;
       PALPATE_CHECK(!valid || above);
       PALPATE_CHECK(valid || !above || !inside);
@@ -117,10 +118,10 @@ std::string writeText(const std::string& path, const std::string& text)
   return path;
 }
 
-/// The instrument's frame is turned by 90° about z and moved by (1, 2, 3): x' = 1 - y, y' = 2 + x.
+/// The instrument's frame is rotated by 90° about z and moved by (1, 2, 3): x' = 1 - y, y' = 2 + x.
 void checkRegistration(const std::string& folder)
 {
-  // (0, 0, 0.25) of the body.
+  // (0, 0, 0.25) in the body's frame.
   const std::string file =
     writeCurves(folder + "/moved.csv", Tip, { { "A", { -2.0, 1.0, -2.75 }, hertz(R, Modulus) } });
   const MeasuredFilter filter = measure(planeBody(10.0, 10), file, "sphere:1.6");
@@ -146,8 +147,8 @@ void checkRegistration(const std::string& folder)
   check();
   PALPATE_CHECK_NEAR(filter->GetRegistrationResidual(), 0.0, 1e-13);
 
-  // Four corners of a square, each moved out of plane by ±0.1 in turn: no rigid motion helps, and
-  // every pair misses by just 0.1.
+  // Four corners of a square, moved out of plane by ±0.1 in turn: no rigid motion fits better, and
+  // every pair has a residual of exactly 0.1.
   filter->SetRegistrationFile(writeText(folder + "/rough.csv",
     columns + "0,0,0,1,2,3.1\n10,0,0,1,12,2.9\n10,10,0,-9,12,3.1\n0,10,0,-9,2,2.9\n"));
   filter->Update();
@@ -211,7 +212,7 @@ void checkProperties(const std::string& folder)
   filter->SetPoissonRatio(0.7);
   refuse({ "PoissonRatio", "0.7" });
   filter->SetPoissonRatio(0.45);
-  filter->SetMaximumDeflection(-2.0); // of the filter within
+  filter->SetMaximumDeflection(-2.0); // for the inner filter
   refuse({ "MaximumDeflection", "-2" });
   filter->SetMaximumDeflection(2.0);
   filter->SetTool(nullptr);

@@ -28,7 +28,7 @@ std::string makeFile(const std::string& path)
     1.5, 0.3, 1e-4);
 }
 
-/// The rows of a file of curves, as a reader of .csv gives them: numbers as numbers.
+/// The rows of a file of curves, as a .csv reader gives them, with numeric columns.
 Table readTable(const std::string& path)
 {
   std::ifstream file(path);
@@ -119,11 +119,12 @@ void checkSameAsFile(const std::string& folder)
           vtkDataArray::SafeDownCast(rows->GetColumnByName(expected->GetColumnName(i))), numbers));
     }
   }
-  // Floats that the kernel's own tests hold to 1e-9 and better from such curves without noise.
+  // From such curves without noise the kernel's own tests are accurate to 1e-9 and better; here
+  // floats.
   PALPATE_CHECK_NEAR(siteNumber(fromTable, 1, "ReducedModulus (MPa)"), 1.7 * Modulus, 1e-3);
 
-  // A second table with another tool at the same sites is not for this property: the same tool
-  // twice is said, as of files.
+  // A second table with another tool at the same sites is not for this property. The same tool two
+  // times is an error, as for files.
   const MeasuredFilter both = measureTable(body, table);
   both->AddFileName(file);
   Messages complaints(both.Get());
@@ -165,7 +166,7 @@ void checkErrors(const std::string& folder)
   more->SetNumberOfValues(table->GetNumberOfRows());
   more->Fill(0);
   wrong->DeepCopy(table);
-  wrong->AddColumn(more); // nobody asks for it
+  wrong->AddColumn(more); // an unused column
   const MeasuredFilter filter = measureTable(body, wrong);
   Messages messages(filter.Get());
   filter->Update();
@@ -201,8 +202,8 @@ void checkChart(const std::string& folder)
     PALPATE_CHECK(
       std::isnan(number(there + " measured (N)")) && std::isnan(number(there + " model (N)")));
     const double law = depth > 0.0 ? hertz(R, first ? Modulus : 1.7 * Modulus)(depth) : 0.0;
-    // Noise of 1e-4 N: no reading of 142 lies 6 deviations off; of the offset that was found, and
-    // the model, a good deal less.
+    // Noise of 1e-4 N: none of 142 readings deviates by 6 standard deviations. The model with the
+    // identified offset deviates much less.
     PALPATE_CHECK_NEAR(number(here + " measured (N)"), law, 8e-4);
     PALPATE_CHECK_NEAR(number(here + " model (N)"), law, 3e-4);
   }

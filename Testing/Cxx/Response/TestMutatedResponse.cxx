@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response arrays as a careless or hostile hand leaves them: a sound body, changed at random in one
-// to three places, through every reader of responses. Each reports an error, or what it gives is
-// finite; nothing of VTK's complains by itself (that would fail the test by its output).
-// The second argument is the number of bodies; a failure names its own, which is its seed.
+// Damaged response arrays: a sound body, changed at random in one to three places, in every reader
+// of responses. Each reader reports an error or gives finite results; VTK itself must not complain
+// (its output would fail the test). The second argument is the number of bodies. A failure reports
+// the number of the body, which is its seed.
 #include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
@@ -37,7 +37,7 @@ using namespace palpate::testing;
 using palpate::Infinity;
 using palpate::NotANumber;
 
-/// What is decided at random for one body.
+/// The random choices for one body.
 class Dice
 {
 public:
@@ -70,7 +70,7 @@ Body compacted(const Body& body)
   return reduce->GetOutput();
 }
 
-/// With the arrays that say so to what draws its field.
+/// The body with the arrays of a layer, for its displacement field.
 Body onALayer(const Body& body)
 {
   Body layered = Body::New();
@@ -99,7 +99,7 @@ Body bending(const Body& body)
   return bent;
 }
 
-/// The same relaxing, in each way there is.
+/// The same body relaxing, in every form.
 Body relaxing(const Body& body)
 {
   Body relaxed = Body::New();
@@ -118,7 +118,7 @@ Body relaxing(const Body& body)
   return relaxed;
 }
 
-/// A response per point, or law and coefficients; with what makes a regime.
+/// A response per point, or law and coefficients; with the arrays for a regime.
 std::vector<Body> soundBodies()
 {
   const Body plane = planeBody(10.0, 2);
@@ -148,7 +148,7 @@ vtkSmartPointer<vtkAbstractArray> anotherType(Dice& dice)
   }
 }
 
-/// The same array of another type or shape, with the values that still have a place.
+/// The same array with another type or shape, with the values that still fit.
 vtkSmartPointer<vtkAbstractArray> reshaped(vtkAbstractArray* array, Dice& dice)
 {
   vtkSmartPointer<vtkAbstractArray> other = anotherType(dice);
@@ -181,7 +181,8 @@ double fitting(vtkDataArray* array, double value)
   {
     return isReal ? value : 0.0;
   }
-  const double half = 0.5 * array->GetDataTypeMax(); // that of 64 bits is none of double's
+  const double half =
+    0.5 * array->GetDataTypeMax(); // double cannot represent the largest 64-bit integer
   return std::clamp(value, std::max(-half, array->GetDataTypeMin()), half);
 }
 
@@ -193,7 +194,7 @@ void spoilText(vtkStringArray* text, Dice& dice)
       "profile:0,0;1,1e-300", "power:1e9,1", "\xff\xfe", "%s%n" }));
 }
 
-/// One value, a few, or all of them.
+/// Spoils one value, a few, or all.
 void spoilNumbers(vtkDataArray* numbers, Dice& dice)
 {
   const double value = fitting(numbers, dice.number());
@@ -286,7 +287,7 @@ bool isFinite(vtkFieldData* data, std::initializer_list<const char*> names)
   return true;
 }
 
-/// One history and some tips on their own; none of them is spoilt.
+/// One history and some single tips; they are not spoiled.
 Body soundTips()
 {
   vtkNew<vtkPoints> points;
@@ -322,7 +323,7 @@ public:
     this->Touch->SetTipPosition(0.5, 0.7, 8.0);
   }
 
-  /// Whether all readers kept their word.
+  /// True if all readers behaved as required.
   bool read(vtkPolyData* body, Dice& dice)
   {
     this->Probe->SetForceForm(dice.below(3));
@@ -336,7 +337,7 @@ public:
       this->update(this->Field, body, { "ContactDisplacement" }) &&
       this->update(this->Regime, body, {}) && this->update(this->Reduce, body, {}) &&
       this->update(this->Choose, body, {}) && this->update(this->Curves, body, {}) &&
-      // To draw a tool takes as long as all the rest fifty times.
+      // Drawing a tool takes fifty times as long as all the rest.
       (dice.below(50) > 0 || this->update(this->Touch, body, {}));
   }
 
@@ -360,7 +361,7 @@ private:
 
   Body Tips;
   vtkNew<vtkToolContactProbe> Probe;
-  Messages ProbeMessages{ this->Probe.Get() }; // it runs again for those that take its output
+  Messages ProbeMessages{ this->Probe.Get() }; // the filters that take its output run it again
   vtkNew<vtkContactDeflection> Field;
   vtkNew<vtkContactRegime> Regime;
   vtkNew<vtkReducedContactResponse> Reduce;

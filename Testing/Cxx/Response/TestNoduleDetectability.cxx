@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkNoduleDetectability: its responses against vtkElasticContactResponse, changes by brute force,
-// what is kept for the next tool, threads, what is wrong, abort. Against a table: TestNoduleTable.
+// the data kept for the next tool, threads, faults, abort. Against a table: TestNoduleTable.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
@@ -42,7 +42,7 @@ vtkDataArray* arrayOf(vtkPolyDataAlgorithm* filter, const std::string& name)
   return filter->GetOutput()->GetPointData()->GetArray(name.c_str());
 }
 
-/// Both responses are those of vtkElasticContactResponse, to the bit.
+/// Both responses equal those of vtkElasticContactResponse to the bit.
 void checkResponses()
 {
   const Grid grid = smallBody();
@@ -53,7 +53,7 @@ void checkResponses()
   vtkNew<vtkElasticContactResponse> one;
   one->SetInputData(grid);
   one->SetMaximumDeflection(0.5);
-  // The widest contact is the sphere's, which decides on what is solved for.
+  // The sphere has the widest contact, which determines the solutions.
   one->SetLargestContactRadius(1.42 * makeTool("sphere:2")->GetContactRadius(0.5));
   for (const bool with : { true, false })
   {
@@ -105,7 +105,7 @@ void checkChanges()
     PALPATE_CHECK(arrayOf(filter, "ChangeDepth")->GetTuple1(i) <= 0.5 + 1e-6);
     if (range != arrayOf(filter, "ResponseWithoutRange")->GetTuple1(i))
     {
-      continue; // their samples lie at other depths
+      continue; // their samples have other depths
     }
     ++known;
     double most = 0.0;
@@ -124,15 +124,15 @@ void checkChanges()
         stiffness = changeOf("Stiffness");
       }
     }
-    // What lies between 64 samples is a hundredth of the largest change; where that is flat, the
-    // depth, and with it the stiffness, may be another.
+    // The error between 64 samples is a hundredth of the largest change. Near a flat maximum, its
+    // depth, and with it the stiffness, may differ.
     PALPATE_CHECK_NEAR(change, most, 0.01 * std::abs(most) + 1e-5);
     PALPATE_CHECK_NEAR(arrayOf(filter, "StiffnessChange")->GetTuple1(i), stiffness,
       0.1 * std::abs(stiffness) + 1e-3);
   }
   PALPATE_CHECK(known > 30);
 
-  // Validity ends before the range: no deeper than that.
+  // Validity ends before the range: the search goes no deeper.
   filter->WithinValidityOn();
   filter->Update();
   for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
@@ -151,7 +151,7 @@ void checkChanges()
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
 }
 
-/// Without nodules nothing is felt.
+/// Without nodules nothing is detected.
 void checkNothing()
 {
   vtkNew<vtkNoduleMaterial> plain;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkNoduleMaterial: volumes of spheres, mixed cells, overlap, arrays in, what is wrong.
+// vtkNoduleMaterial: volumes of spheres, mixed cells, overlap, input arrays, faults.
 #include "FilterChecks.h"
 #include "VolumeBlock.h"
 
@@ -37,7 +37,7 @@ vtkIdType cellAt(int i, int j, int k)
   return (static_cast<vtkIdType>(k) * Side + j) * Side + i;
 }
 
-/// The same block, its points moved so that cells are neither boxes nor equal.
+/// The same block with points moved so that cells are neither boxes nor equal.
 Grid skewed()
 {
   const Grid grid = block(Side, Height, VTK_HEXAHEDRON);
@@ -51,7 +51,7 @@ Grid skewed()
   return grid;
 }
 
-/// Cells' volumes, of hexahedra by their tetrahedra.
+/// The volume of a cell; of a hexahedron by its tetrahedra.
 double volumeOf(vtkCell* cell)
 {
   std::array<std::array<double, 3>, 8> x{};
@@ -79,7 +79,7 @@ double volumeOf(vtkCell* cell)
       6.0;
 }
 
-/// The fractions of all cells together are the volume of the ball.
+/// The fractions of all cells add up to the volume of the ball.
 void checkVolume()
 {
   vtkNew<vtkDataSetTriangleFilter> tetrahedra;
@@ -100,8 +100,8 @@ void checkVolume()
       sum += valueOf(filter, "NoduleFraction", i) * volumeOf(grid->GetCell(i));
     }
     const double ball = 4.0 / 3.0 * std::acos(-1.0) * std::pow(3.1, 3);
-    // Some hundred cut cells, each counted within a few per cent, of either sign; a skewed
-    // hexahedron's tetrahedra leave out what its bent sides do.
+    // Some hundred cut cells, each within a few per cent, of either sign. The tetrahedra of a
+    // skewed hexahedron ignore its curved sides.
     PALPATE_CHECK_NEAR(sum, ball, 0.005 * ball);
   }
 }
@@ -140,13 +140,13 @@ void checkSeveral()
   filter->Update();
   const vtkIdType cell = cellAt(6, 6, 6);
   PALPATE_CHECK_NEAR(valueOf(filter, "NoduleFraction", cell), 0.75, 1e-12);
-  // All harder than what is around: one harmonic mean of the three, whatever their order.
+  // All are harder than the surrounding material: one harmonic mean of the three, in any order.
   PALPATE_CHECK_NEAR(
     valueOf(filter, "YoungsModulus", cell), 1.0 / (0.25 + 0.25 / 10.0 + 0.5 / 5.0), 1e-2);
   PALPATE_CHECK(filter->GetNumberOfNodules() == 2);
   filter->ClearNodules();
   filter->AddNodule(6.5, 6.5, 6.5, 3.0, 10.0);
-  filter->AddNodule(6.5, 6.5, 6.5, 2.0, 0.5); // a soft core: the last holds
+  filter->AddNodule(6.5, 6.5, 6.5, 2.0, 0.5); // a soft core: the last nodule counts
   filter->Update();
   PALPATE_CHECK(valueOf(filter, "YoungsModulus", cell) == 0.5);
   PALPATE_CHECK(valueOf(filter, "YoungsModulus", cellAt(4, 6, 6)) > 0.5);
@@ -160,7 +160,7 @@ void checkArrays()
   const Material filter = inserted(grid);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "E");
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Nu");
-  filter->AddNodule(6.5, 6.5, 6.5, 3.0, 20.0); // ν as around
+  filter->AddNodule(6.5, 6.5, 6.5, 3.0, 20.0); // ν of the surrounding material
   filter->Update();
   for (const vtkIdType cell : { cellAt(0, 0, 0), cellAt(6, 6, 6) })
   {
@@ -168,7 +168,7 @@ void checkArrays()
     PALPATE_CHECK_NEAR(valueOf(filter, "PoissonRatio", cell), 0.3, 1e-15);
   }
   PALPATE_CHECK(valueOf(filter, "YoungsModulus", cellAt(6, 6, 6)) == 20.0);
-  PALPATE_CHECK(!grid->GetCellData()->HasArray("YoungsModulus")); // the input is not written to
+  PALPATE_CHECK(!grid->GetCellData()->HasArray("YoungsModulus")); // the input is not changed
   PALPATE_CHECK(filter->GetOutput()->GetPointData()->HasArray("Fixed"));
 
   const Material none = inserted(grid); // without nodules only the arrays

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The probe's copy of the body: progress while it is built, one warning of what the mesh has wrong.
+// The probe's copy of the body: progress while it is built, and one warning for all mesh defects.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -23,7 +23,7 @@ Body oneTip(double x, double y, double z)
   return tips;
 }
 
-/// The numbers a probe reports while it runs.
+/// The progress values that a probe reports.
 std::vector<double> progressOf(vtkToolContactProbe* probe)
 {
   std::vector<double> told;
@@ -52,7 +52,8 @@ void checkProgress()
     between += told[i] > 0.0 && told[i] < 1.0;
   }
   PALPATE_CHECK(between >= 3);
-  probe->SetTipData(oneTip(0.0, 0.0, 19.4)); // the body is kept: no building, no progress of it
+  probe->SetTipData(
+    oneTip(0.0, 0.0, 19.4)); // the body is kept, so there is no progress from building it
   PALPATE_CHECK(progressOf(probe).size() <= 2);
 }
 
@@ -69,7 +70,7 @@ void checkSoundBodies()
   }
 }
 
-/// A plate with two triangles turned, one without area, and three on one edge.
+/// A plate with two flipped triangles, one without area, and three at one edge.
 Body unsoundPlate()
 {
   const Body plate = withResponse(planeBody(5.0, 8), "flat:1");
@@ -105,11 +106,11 @@ void checkUnsoundBody()
     "1 triangle without area: left out", "1 edge of more than two triangles");
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK(warning.find("joined") == std::string::npos);
-  // And evaluated as if it were sound: a punch of radius 1, F = 2 E* δ.
+  // It is evaluated like a sound body: a punch of radius 1, F = 2 E* δ.
   PALPATE_CHECK_NEAR(probe->GetOutput()->GetPointData()->GetArray("NormalForce")->GetTuple1(0),
     2.0 * 3.45 * 0.5, 1e-6); // stored as floats
 
-  // Once: not for other tips, other settings or another response of the same body.
+  // Reported once: not for other tips, other settings or another response of the same body.
   messages.clear();
   probe->SetTipData(oneTip(2.1, -1.1, -0.4));
   probe->Update();
@@ -121,7 +122,7 @@ void checkUnsoundBody()
   probe->SetResponseName("Response");
   probe->Update();
   PALPATE_CHECK(messages.none());
-  // Again when the body has changed.
+  // Reported again after the body has changed.
   body->GetPoints()->SetPoint(80, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   body->GetPoints()->Modified();
   probe->Update();
@@ -130,7 +131,7 @@ void checkUnsoundBody()
     "2 triangles wound inward or against their neighbours");
 }
 
-/// Corners listed anew for every triangle, as in an STL file.
+/// Separate corners for every triangle, as in an STL file.
 void checkSeparateTriangles()
 {
   const Body whole = withResponse(boxBody(5.0, 5.0, 5.0, 2), "flat:1");
@@ -154,7 +155,7 @@ void checkSeparateTriangles()
   probe->SetInputData(withResponse(soup, "flat:1"));
   probe->SetTipData(oneTip(0.4, 0.3, 4.5));
   probe->Update();
-  PALPATE_CHECK(messages.none()); // to join points is no defect
+  PALPATE_CHECK(messages.none()); // joined points are no defect
   PALPATE_CHECK_NEAR(
     probe->GetOutput()->GetPointData()->GetArray("Deflection")->GetTuple1(0), 0.5, 1e-14);
 }

@@ -12,8 +12,8 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Both force forms from the three corners' own curves and normals, by the cell and contact point
-/// that the probe gives (checked by TestToolContactProbe).
+/// Both force forms, computed from the curves and normals of the three corners, at the cell and
+/// contact point of the probe (checked by TestToolContactProbe).
 void checkForceForms()
 {
   const Body body = heterogeneousBall("sphere:5");
@@ -60,7 +60,7 @@ void checkForceForms()
     vtkMath::Normalize(direction);
     for (int c = 0; c < 3; ++c)
     {
-      // Some 1e-15 of rounding in forces below 20 N and weights from coordinates of 20 mm.
+      // About 1e-15 of rounding in forces below 20 N, and weights from coordinates of 20 mm.
       PALPATE_CHECK_NEAR(paper->GetArray("Force")->GetComponent(i, c), sum[c], 1e-11);
       PALPATE_CHECK_NEAR(
         normalized->GetArray("Force")->GetComponent(i, c), magnitude * direction[c], 1e-11);
@@ -90,7 +90,7 @@ void checkThreads()
   }
 }
 
-/// A vertex without a response makes the contacts on its triangles invalid, and no others.
+/// A vertex without a response makes only the contacts on its triangles invalid.
 void checkPointWithoutResponse()
 {
   const Body body = heterogeneousBall("sphere:5");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction along polylines over a plate, where every model has a closed form; none at single tips;
-// none of it depends on time.
+// Friction along polylines over a plate, where every model has a closed form. Single tips have no
+// friction. Time has no effect.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -19,7 +19,7 @@ constexpr double Stiffness = 8.0; // N/mm
 constexpr double Depth = 1.0;     // mm
 constexpr double Young = 3.45;    // MPa, of withResponse, ν = 0
 
-/// A plate under a paraboloid, whose law the samples hold exactly but for float.
+/// A plate under a paraboloid, whose law the samples store exactly except for float rounding.
 Body plate()
 {
   return withResponse(planeBody(10.0, 10), "paraboloid:2");
@@ -30,8 +30,8 @@ double normalForce(double depth)
   return makeTool("paraboloid:2")->GetForce(depth, Young);
 }
 
-/// Tips at x from `from` to `to` in equal steps, `Depth` deep, after those that are there; the line
-/// through all of them.
+/// Adds tips at x from `from` to `to` in equal steps, `Depth` deep, and makes a line through all
+/// tips.
 void drag(vtkPolyData* tips, double from, double to, int steps)
 {
   vtkNew<vtkPoints> points;
@@ -72,7 +72,7 @@ double frictionAt(vtkToolContactProbe* probe, vtkIdType tip)
   probe->Update();
   double f[3];
   probe->GetOutput()->GetPointData()->GetArray("FrictionForce")->GetTuple(tip, f);
-  // Along x on a plane, but for the rounding of 3 N in the axes it is carried along.
+  // Along x on a plane, except for the rounding of 3 N in the transported axes.
   PALPATE_CHECK(std::abs(f[1]) < 1e-14 && std::abs(f[2]) < 1e-14);
   return f[0];
 }
@@ -99,7 +99,7 @@ void checkElastoPlastic(vtkPolyData* body)
     PALPATE_CHECK_NEAR(frictionAt(probe, i), -Stiffness * tips->GetPoint(i)[0], 1e-12);
     PALPATE_CHECK(stateAt(probe, i) == 1);
   }
-  PALPATE_CHECK_NEAR(frictionAt(probe, 15), -limit, 1e-6 * limit); // the law is stored in floats
+  PALPATE_CHECK_NEAR(frictionAt(probe, 15), -limit, 1e-6 * limit); // the law is stored as floats
   PALPATE_CHECK(stateAt(probe, 15) == 2);
   for (vtkIdType i = 16; i <= 20; ++i)
   {
@@ -116,14 +116,14 @@ void checkElastoPlastic(vtkPolyData* body)
     PALPATE_CHECK_NEAR(force[0], frictionAt(probe, i), 1e-14);
     PALPATE_CHECK_NEAR(force[2], felt->GetArray("NormalForce")->GetTuple1(i), 1e-14);
   }
-  // The same way in twenty times as many steps.
+  // The same path in twenty times as many steps.
   Body finer = Body::New();
   drag(finer, 0.0, 3.0 * elastic, 300);
   drag(finer, 3.0 * elastic, 2.0 * elastic, 100);
   const auto fine = makeProbe(body, finer, vtkToolContactProbe::ElastoPlastic);
   PALPATE_CHECK_NEAR(frictionAt(fine, 400), frictionAt(probe, 20), 1e-9 * limit);
 
-  // Without breakaway it creeps under less than the limit; a breakaway of 1 is stick and slide.
+  // Without breakaway it creeps below the limit; a breakaway of 1 gives stick and slide.
   probe->SetFrictionBreakaway(0.0);
   PALPATE_CHECK(frictionAt(probe, 5) > -0.9999 * 0.75 * limit);
   probe->SetFrictionBreakaway(1.0);
@@ -165,10 +165,10 @@ void checkShapeDerived(vtkPolyData* body)
     {
       const double left = std::max(0.0, Depth - tips->GetPoint(i)[0] / (Friction * ratio));
       const double expected = -Friction * (normalForce(Depth) - normalForce(left));
-      // Its springs are as many as Friction.h says, with the error said there, and half of
-      // the range is used: 3e-3 of the limit are never exceeded.
+      // The number of springs and the error are those of Friction.h. With half of the range in use,
+      // the error never exceeds 3e-3 of the limit.
       PALPATE_CHECK_NEAR(frictionAt(probe, i), expected, 3e-3 * Friction * normalForce(Depth));
-      PALPATE_CHECK(i == 10 || stateAt(probe, i) == (i < 10 ? 1 : 2)); // 10 is the limit itself
+      PALPATE_CHECK(i == 10 || stateAt(probe, i) == (i < 10 ? 1 : 2)); // 10 is at the limit itself
     }
   }
 }
@@ -188,7 +188,7 @@ void checkSingleTips(vtkPolyData* body)
   }
 }
 
-/// However fast it goes; and each polyline begins without displacement.
+/// The speed has no effect; and each polyline begins without displacement.
 void checkTimeAndLines(vtkPolyData* body)
 {
   for (const int model : { 0, 1, 2 })
@@ -226,7 +226,7 @@ void checkTimeAndLines(vtkPolyData* body)
     cut->SetLines(lines);
     probe->SetTipData(cut);
     PALPATE_CHECK(frictionAt(probe, 36) == 0.0);
-    PALPATE_CHECK(frictionAt(probe, 40) > 0.9 * whole); // less of it: both are negative
+    PALPATE_CHECK(frictionAt(probe, 40) > 0.9 * whole); // smaller magnitude: both are negative
   }
 }
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips as the probe takes them: histories on polylines, single queries, Indentation, borders, cells
-// of a mixed body, the copy of the body kept between updates, threads.
+// Tips in the probe: histories on polylines, single queries, Indentation, borders, cells of a mixed
+// body, the copy of the body kept between updates, threads.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -15,7 +15,7 @@ namespace
 using namespace palpate::testing;
 using palpate::NotANumber;
 
-constexpr double Young = 3.45; // of withResponse
+constexpr double Young = 3.45; // as in withResponse
 
 using Points = std::vector<std::array<double, 3>>;
 
@@ -63,8 +63,8 @@ Body slab()
   return withResponse(boxBody(10.0, 10.0, 0.5, 8), "flat:1");
 }
 
-/// Followed, the contact stays on the side of entry, also beyond the other face; single queries
-/// take the nearer side. Half depths of the table: tip z, depth of the history, force sign of both.
+/// In a history the contact stays on the side of entry, even beyond the other face; a single query
+/// takes the nearer side.
 void checkSlab()
 {
   const Body body = slab();
@@ -84,7 +84,7 @@ void checkSlab()
   for (const vtkIdType i : ids)
   {
     const double z = heights[static_cast<std::size_t>(i)];
-    // The punch's law: F = 2 a E* δ, exact in the contract; 6e-8 of float storage.
+    // The law of the punch: F = 2 a E* δ, exact in the contract; 6e-8 of float storage.
     const double deep = std::max(0.0, 0.5 - z);
     PALPATE_CHECK_NEAR(history.get("Deflection", i), deep, 1e-14);
     PALPATE_CHECK_NEAR(history.get("Force", i, 2), 2.0 * Young * deep, 2e-6);
@@ -95,8 +95,8 @@ void checkSlab()
   }
 }
 
-/// Lines are read along their points, each on its own; points outside lines remain single; a tip
-/// that is not finite ends the history there.
+/// Lines are read along their points, each separately. Points outside lines are single tips. A tip
+/// that is not finite ends the history.
 void checkLines()
 {
   const Body body = slab();
@@ -152,11 +152,12 @@ void checkCellIds()
   lines->InsertNextCell({ 0, 1, 2 });
   body->SetVerts(verts);
   body->SetLines(lines);
-  Points inside; // nearer to the middle corner of each triangle, so on its own side of the square
+  Points inside; // nearer to the middle corner of each triangle, thus in its half of the square
   for (vtkIdType cell = 3; cell < body->GetNumberOfCells(); ++cell)
   {
     const bool lower = cell % 2 == 1;
-    const double* corner = body->GetPoint(body->GetCell(cell)->GetPointId(0)); // of the square
+    const double* corner =
+      body->GetPoint(body->GetCell(cell)->GetPointId(0)); // corner of the square
     inside.push_back({ corner[0] + (lower ? 2.0 : 0.5), corner[1] + (lower ? 0.5 : 2.0), -0.1 });
   }
   const Body made = withResponse(body, "flat:1");
@@ -168,7 +169,7 @@ void checkCellIds()
   }
 }
 
-/// A point picked on the surface presses once it is moved inward.
+/// A point picked on the surface presses after it is moved inward.
 void checkIndentation()
 {
   const Body plane = withResponse(planeBody(5.0, 4), "flat:1");
@@ -182,8 +183,9 @@ void checkIndentation()
   flat.filter->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Indentation", "nan");
 
-  // On a ball of 20 mm, facets of 5 mm: moved along the blended normal, not that of the facet, the
-  // tip comes within the sagitta of a facet (h²/8R = 0.15) of the depth asked for.
+  // On a ball of 20 mm with facets of 5 mm: the tip moves along the blended normal, not along that
+  // of the facet. So its depth is within the sagitta of a facet (h²/8R = 0.15) of the requested
+  // one.
   Body ball = sphereBody(20.0, 2);
   const Body body = withResponse(ball, "sphere:5");
   double onFacet[3] = { 0.0, 0.0, 0.0 };
@@ -202,7 +204,7 @@ void checkIndentation()
   PALPATE_CHECK(round.get("ContactCell", 0) == 17.0);
 }
 
-/// The probe keeps its copy of the body, and notices every way a body can change.
+/// The probe keeps its copy of the body and notices every kind of change.
 void checkCache()
 {
   Body body = Body::New();

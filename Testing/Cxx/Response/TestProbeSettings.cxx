@@ -17,7 +17,7 @@ using namespace palpate::testing;
 using palpate::Infinity;
 using palpate::NotANumber;
 
-/// A polyline of `count` tips, from above a plate into it; a `Time` of 0.1 s each.
+/// A polyline of `count` tips, from above a plate into it, with a `Time` step of 0.1 s.
 Body pressingLine(int count)
 {
   auto tips = Body::New();
@@ -81,7 +81,7 @@ struct WrongSetting
   std::function<void(vtkToolContactProbe*)> set;
 };
 
-/// Each wrong value gives an error and nothing else; every limit itself is accepted.
+/// Each invalid value gives one error and nothing else. Every limit itself is accepted.
 void checkWrongSettings()
 {
   using Probe = vtkToolContactProbe*;
@@ -136,8 +136,8 @@ void checkTimes()
   const Body tips = pressingLine(8);
   vtkDataArray* time = tips->GetPointData()->GetArray("Time");
   PALPATE_CHECK(update(tips).empty());
-  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time); // passed through
-  time->SetTuple1(4, time->GetTuple1(3));                                      // two at one time
+  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time); // passed on
+  time->SetTuple1(4, time->GetTuple1(3)); // two tips at one time
   PALPATE_CHECK(update(tips).empty());
   time->SetTuple1(4, 0.25);
   tips->Modified();
@@ -151,7 +151,7 @@ void checkTimes()
     PALPATE_CHECK_TEXT(
       update(tips), "'Time'", std::isnan(wrong) ? "nan" : "inf", "at point 7", "polyline 0");
   }
-  // Beside a polyline, times say nothing; two polylines have each their own.
+  // Outside polylines, times have no effect. Two polylines have separate times.
   const Body loose = pressingLine(6);
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({ vtkIdType(3), vtkIdType(4) });

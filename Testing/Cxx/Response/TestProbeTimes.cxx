@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Probe and deflection pass on the times of body and tips: all steps, and the time of the tips.
+// Probe and deflection filter pass on the times of body and tips: all steps, and the time of the
+// tips.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -18,7 +19,7 @@ namespace
 using namespace palpate::testing;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Gives what it is told to, with times; moves it down by the time where `Sinks`.
+/// Outputs the given data with times. If `Sinks`, it moves them down by the time.
 class TimedSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -122,7 +123,7 @@ int TestProbeTimes(int, char*[])
     checkSteps(filter, { 0.0, 0.5, 1.0 });
   }
 
-  // The tip lies as deep as the time is late.
+  // The depth of the tip equals the time.
   for (const double time : { 0.5, 1.0, 0.5 })
   {
     dent->UpdateTimeStep(time);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Responses in fewer numbers: how few bodies of known make-up take, and that tips feel the same.
+// Responses in fewer numbers: the small number for bodies of known structure, and equal forces on
+// tips.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
@@ -19,7 +20,7 @@ constexpr int YoungIndex = 0;
 constexpr int ThicknessIndex = 1;
 constexpr int ComplianceIndex = 2;
 constexpr double Radius = 50.0;
-// What float storage costs once more: 6e-8, up to ten times as much between samples.
+// Error of a second float storage: 6e-8, up to ten times that between samples.
 constexpr double Storage = 1e-6;
 
 Body ball()
@@ -56,7 +57,7 @@ vtkSmartPointer<vtkReducedContactResponse> reduce(vtkPolyData* body, double tole
   return filter;
 }
 
-/// Tips feel the reduced body as they do the whole one.
+/// Tips on the reduced body have the forces of the full one.
 void checkFelt(vtkPolyData* body, vtkPolyData* reduced, double tolerance)
 {
   const Body tips = tipsInCube(4000, Radius / std::sqrt(3.0), 4);
@@ -98,7 +99,7 @@ void checkOneLaw()
   PALPATE_CHECK(!output->GetPointData()->HasArray("ResponseStiffness"));
   PALPATE_CHECK(output->GetFieldData()->GetArray("ResponseBasis")->GetNumberOfTuples() == 1);
   PALPATE_CHECK(output->GetPointData()->GetArray("ResponseCoefficient")->GetRange()[1] == 1.0);
-  // The input keeps what it had, field arrays too.
+  // The input keeps its arrays, including the field arrays.
   PALPATE_CHECK(body->GetPointData()->HasArray("ResponseForce"));
   PALPATE_CHECK(!body->GetFieldData()->HasArray("ResponseBasis"));
   auto* report =
@@ -120,7 +121,7 @@ void checkScale()
   checkFelt(body, filter->GetOutput(), Storage);
 }
 
-/// Soft tissue of 6 to 20 mm over bone, none seen at 16 % of the points: as on a head.
+/// Soft tissue of 6 to 20 mm over bone; 16 % of the points have no bone below, as on a head.
 void checkLayers()
 {
   Body bare = ball();
@@ -134,13 +135,13 @@ void checkLayers()
     PALPATE_CHECK(filter->GetNumbersPerPoint() <= 4);
     PALPATE_CHECK(filter->GetLargestError() <= 0.01);
     checkFelt(body, filter->GetOutput(), 0.01);
-    // and the error that is told is that of the point that is named
+    // The reported error is that of the reported point.
     const ContractOracle whole(body);
     const vtkIdType worst = filter->GetWorstPoint();
     vtkDataArray* basis = filter->GetOutput()->GetFieldData()->GetArray("ResponseBasis");
     vtkDataArray* share = filter->GetOutput()->GetPointData()->GetArray("ResponseCoefficient");
     double largest = 0.0;
-    for (int k = 0; k < 8; ++k) // at the samples alone
+    for (int k = 0; k < 8; ++k) // only at the samples
     {
       double force = 0.0;
       for (int law = 0; law < filter->GetNumbersPerPoint(); ++law)

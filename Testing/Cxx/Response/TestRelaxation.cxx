@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation in a response: what is attached, what the chooser says, what becomes of it in files
-// and other forms, and what a probe makes of times.
+// Relaxation in a response: the attached arrays, the result of the chooser, their treatment in
+// files and other forms, and the use of times by a probe.
 #include "FilterChecks.h"
 #include "RelaxingPlane.h"
 
@@ -27,7 +27,7 @@ std::string modelOf(vtkPolyData* body)
   return palpate::responseText(body, "Response", palpate::ResponseArray::Model);
 }
 
-/// All arrays of two bodies, bit by bit.
+/// Compares all arrays of two bodies bit by bit.
 bool areSame(vtkFieldData* one, vtkFieldData* other)
 {
   bool isSame = one->GetNumberOfArrays() == other->GetNumberOfArrays();
@@ -76,8 +76,8 @@ void checkAttached(vtkPolyData* body)
     modelOf(made), "relaxing point by point in 0.1 s, 2 s", "but for its global compliance");
 }
 
-/// Without relaxation nothing is left of it, not even what another response of the name had; the
-/// curves are the same with it.
+/// Without relaxation no array remains, not even one from another response of the same name. The
+/// curves are the same with relaxation.
 void checkOff(vtkPolyData* body)
 {
   const Filter never = filterOf(body, "sphere:5", 1.0);
@@ -95,7 +95,7 @@ void checkOff(vtkPolyData* body)
   PALPATE_CHECK(areSame(never->GetOutput()->GetFieldData(), on->GetOutput()->GetFieldData()));
 }
 
-/// As the kernel is told: where the arrays lie, and how the tool sinks in.
+/// The kernel's view: the addresses of the arrays, exponent and radius of the tool.
 void checkViewed(vtkPolyData* body)
 {
   palpate::ResponseArrays arrays;
@@ -121,7 +121,7 @@ void checkViewed(vtkPolyData* body)
   PALPATE_CHECK(arrays.relaxation.strength ==
     made->GetPointData()->GetArray("ResponseLocalRelaxation")->GetVoidPointer(0));
 
-  // One tuple of all branches is as good, as numpy makes it; a tool that nobody knows, too.
+  // One tuple with all branches, as from numpy, is also accepted; so is an unknown tool.
   vtkNew<vtkDoubleArray> flat;
   flat->SetName("ResponseRelaxationTime");
   flat->SetNumberOfComponents(2);
@@ -137,7 +137,7 @@ void checkViewed(vtkPolyData* body)
     arrays.relaxation.exponent == arrays.exponent);
 }
 
-/// In other forms and in a file.
+/// Kept in other forms and in a file.
 void checkKept(vtkPolyData* body, const std::string& folder)
 {
   const Filter all = everything(body);
@@ -174,9 +174,9 @@ void checkKept(vtkPolyData* body, const std::string& folder)
   }
 }
 
-/// What the table of the reference says of the largest errors (Data/Reference/rate): 4 elements 4.0
-/// % for a sphere and 8.1 % for a cone, 8 1.3 % and 3.0 %, 16 0.4 % and 0.91 %, quasi-linear 0.01 %
-/// for a flat end, 10 % and 12 %.
+/// The largest errors in the table of the reference (Data/Reference/rate): 4 elements 4.0 % for a
+/// sphere and 8.1 % for a cone, 8 1.3 % and 3.0 %, 16 0.4 % and 0.91 %, quasi-linear 0.01 % for a
+/// flat end, 10 % and 12 %.
 void checkChoice(vtkPolyData* body)
 {
   const struct
@@ -202,7 +202,7 @@ void checkChoice(vtkPolyData* body)
     PALPATE_CHECK_TEXT(choice->GetReason(), "The body relaxes", "RelaxationElements",
       "how fast the tool will move is not known", "longer than 2 s", "shorter than 0.1 s", "160 %");
   }
-  // 0.8 % of the force at most: within the tolerance.
+  // At most 0.8 % of the force: within the tolerance.
   const Filter little = relaxing(body, "sphere:5", 0.005);
   vtkNew<vtkResponseChoice> choice;
   choice->SetInputConnection(little->GetOutputPort());
@@ -210,7 +210,7 @@ void checkChoice(vtkPolyData* body)
   PALPATE_CHECK_TEXT(choice->GetReason(), "Relaxation is left out", "0.8 %", "within 1 %");
   PALPATE_CHECK(fieldOf(choice->GetOutput(), "ResponseRelaxationTime") == nullptr);
   PALPATE_CHECK(fieldOf(choice->GetOutput(), "ResponseRelaxationElements") == nullptr);
-  // Of strengths per point the largest sum counts.
+  // For strengths per point the largest sum counts.
   const Filter local = relaxing(body, "sphere:5", 0.0);
   local->SetInputArrayToProcess(Strengths, 0, 0, 0, "Strengths");
   choice->SetInputConnection(local->GetOutputPort());
@@ -219,15 +219,15 @@ void checkChoice(vtkPolyData* body)
   char words[40];
   std::snprintf(words, sizeof words, "%ld %%", std::lround(100.0 * (2.0 * last - 0.125)));
   PALPATE_CHECK_TEXT(choice->GetReason(), words);
-  // Without relaxation nothing is said.
+  // Without relaxation there is no statement.
   const Filter plain = filterOf(body, "sphere:5", 1.0);
   choice->SetInputConnection(plain->GetOutputPort());
   choice->Update();
   PALPATE_CHECK(choice->GetReason().find("elax") == std::string::npos);
 }
 
-/// A press at constant speed from 0.1 mm above to 0.5 mm deep, which then stays there for ten
-/// thousand times as long.
+/// A press at constant speed from 0.1 mm above to a depth of 0.5 mm, with a hold ten thousand times
+/// as long.
 vtkSmartPointer<vtkPolyData> press(bool hasTime, double seconds)
 {
   auto tips = vtkSmartPointer<vtkPolyData>::New();
@@ -270,8 +270,8 @@ vtkDataArray* felt(vtkPolyData* tips, const char* name)
   return tips->GetPointData()->GetArray(name);
 }
 
-/// ∫ ψ(t - s) df at the end of a ramp of `seconds`, f = (s/t)^m (Lee and Radok 1960): by its middle
-/// points, to 1e-6.
+/// ∫ ψ(t - s) df at the end of a ramp of `seconds`, f = (s/t)^m (Lee and Radok 1960): midpoint
+/// rule, to 1e-6.
 double leeRadok(double exponent, double seconds)
 {
   constexpr int steps = 20000;
@@ -286,7 +286,8 @@ double leeRadok(double exponent, double seconds)
   return sum;
 }
 
-/// At a speed: the force of the table's law, and of it what memory is; held, it is the slow one.
+/// During a ramp: the force of the table's law and its memory part. After a hold it is the slow
+/// force.
 void checkFastProbe(vtkPolyData* body)
 {
   for (const SinkingTool& each : SinkingTools)
@@ -305,7 +306,7 @@ void checkFastProbe(vtkPolyData* body)
       const double expected =
         felt(probed(filter->GetOutput(), tips), "NormalForce")->GetTuple1(Pressed);
       PALPATE_CHECK_NEAR(slow / expected, 1.0, 1e-12);
-      // Steps are 1/500 to 1/5 of the shorter time; 1e-5 is the integral's.
+      // Steps are 1/500 to 1/5 of the shorter time; 1e-5 is the error of the integral.
       PALPATE_CHECK_NEAR(force->GetTuple1(Pressed) / slow,
         leeRadok(each.exponent, seconds / 0.6 * 0.5), seconds > 1.0 ? 2e-3 : 1e-4);
       PALPATE_CHECK_NEAR(memory->GetTuple1(Pressed + 1), 0.0, 1e-9);
@@ -313,7 +314,7 @@ void checkFastProbe(vtkPolyData* body)
       PALPATE_CHECK(memory->GetTuple1(0) == 0.0);
     }
   }
-  // The setting reaches the kernel: as the tool comes out, elements matter.
+  // The setting reaches the kernel: while the tool moves out, the number of elements matters.
   const Filter filter = relaxing(body, "cone:60");
   filter->Update();
   const auto out = press(true, 0.6);
@@ -327,8 +328,8 @@ void checkFastProbe(vtkPolyData* body)
     felt(probed(filter->GetOutput(), out), "MemoryForce")->GetTuple1(Pressed + 1) < 0.0);
 }
 
-/// Without times, and for points, the force is the slow one to the bit; so it is at ten thousand
-/// times the longest relaxation, as near as that may be.
+/// Without times, and for single points, the force is the slow one to the bit. In a press that
+/// takes ten thousand times the longest relaxation time it is nearly the slow one.
 void checkSlowProbe(vtkPolyData* body)
 {
   const Filter plain = filterOf(body, "paraboloid:5", 1.0);
@@ -354,7 +355,8 @@ void checkSlowProbe(vtkPolyData* body)
       PALPATE_CHECK(memory->GetTuple1(i) == 0.0 && force->GetTuple1(i) == slow->GetTuple1(i));
     }
   }
-  // Σ p τ m/t = (0.5 0.1 + 0.3 2) 1.5/2e4 of the force is left of such a press (Lee and Radok).
+  // A fraction Σ p τ m/t = (0.5 0.1 + 0.3 2) 1.5/2e4 of the force remains after such a press (Lee
+  // and Radok).
   const auto lasting = probed(filter->GetOutput(), press(true, 2e4));
   PALPATE_CHECK_NEAR(lasting->GetPointData()->GetArray("NormalForce")->GetTuple1(last),
     slow->GetTuple1(last), 1e-4 * slow->GetTuple1(last));

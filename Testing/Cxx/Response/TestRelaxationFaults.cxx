@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with the relaxation of a response, or with what a filter is told of it, is said
+// Faults in the relaxation of a response, or in the relaxation settings of a filter, are reported
 // with the array and the number.
 #include "FilterChecks.h"
 #include "RelaxingPlane.h"

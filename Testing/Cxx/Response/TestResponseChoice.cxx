@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies of which it is known what they need: a point force, one law, a few, a response per vertex.
+// Bodies whose best form is known: a point force, one law, a few laws, a response per vertex.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -18,8 +18,8 @@ namespace
 using namespace palpate::testing;
 
 constexpr double Rubber = 3.45; // E*, MPa, with ν = 0
-constexpr double Deepest = 2.0; // mm, where responses end
-// What float storage costs once more: 6e-8, up to ten times as much between samples.
+constexpr double Deepest = 2.0; // mm, range of the responses
+// Error of a second float storage: 6e-8, up to ten times that between samples.
 constexpr double Storage = 1e-6;
 
 using Choice = vtkSmartPointer<vtkResponseChoice>;
@@ -53,14 +53,14 @@ Choice choose(vtkPolyData* body, double tolerance = 0.01, double share = 1.0, do
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none());
-  // What is on the body is what was said.
+  // The body contains the same text.
   auto* text = vtkStringArray::SafeDownCast(
     filter->GetOutput()->GetFieldData()->GetAbstractArray("ResponseChoice"));
   PALPATE_CHECK(text && text->GetValue(0) == filter->GetReason());
   return filter;
 }
 
-/// The force at the middle of a plane, so deep.
+/// The force at the middle of a plane at this depth.
 double feel(vtkPolyData* body, double depth)
 {
   vtkNew<vtkPoints> point;
@@ -85,14 +85,14 @@ void checkHomogeneousBlock()
   PALPATE_CHECK_TEXT(
     choice->GetReason(), "one law suffices", "same curve", "2 mm", "0 instead of 16");
   PALPATE_CHECK(!choice->GetOutput()->GetPointData()->HasArray("ResponseForce"));
-  PALPATE_CHECK(body->GetPointData()->HasArray("ResponseForce")); // the input keeps what it had
+  PALPATE_CHECK(body->GetPointData()->HasArray("ResponseForce")); // the input keeps its arrays
   for (const double depth : { 0.01, 0.3, 1.0, 2.0, 2.2 })
   {
     const double force = feel(body, depth);
     PALPATE_CHECK_NEAR(
       feel(choice->GetOutput(), depth), force, 1e-12 * force); // sums in another order
   }
-  // What is compact already is judged as well, and stays as small.
+  // A compact response is assessed as well and stays as small.
   const Choice again = choose(choice->GetOutput());
   PALPATE_CHECK(again->GetVerdict() == vtkResponseChoice::OneLaw);
   PALPATE_CHECK(again->GetNumbersPerPointBefore() == 1);
@@ -106,18 +106,19 @@ void checkStiffnessMap()
   PALPATE_CHECK(choice->GetVerdict() == vtkResponseChoice::ScaledLaw);
   PALPATE_CHECK(choice->GetNumbersPerPoint() == 1 && choice->GetLargestError() < Storage);
   PALPATE_CHECK_TEXT(choice->GetReason(), "times a number per point", "1 instead of 16");
-  // Moduli that differ by 1 % to either side of the middle: one law within 1.1 %, not within 0.9 %.
+  // Moduli that differ by 1 % on either side of the middle: one law within 1.1 %, but not within
+  // 0.9 %.
   pointArray(
     bare, "E", [](vtkIdType i) { return 0.1 * (0.99 + 2e-5 * static_cast<double>(i % 1001)); });
   const Body even = respond(bare, "cone:60", 0, "E");
   const Choice one = choose(even, 0.011);
   PALPATE_CHECK(one->GetVerdict() == vtkResponseChoice::OneLaw);
-  PALPATE_CHECK_NEAR(one->GetLargestError(), 0.01, 2e-4); // of a law between sampled extremes
+  PALPATE_CHECK_NEAR(one->GetLargestError(), 0.01, 2e-4); // for a law between the sampled extremes
   PALPATE_CHECK(choose(even, 0.009)->GetVerdict() == vtkResponseChoice::ScaledLaw);
 }
 
-/// What a unit force moves the point (x, y) of a square plate simply supported on its edges, mm/N:
-/// Navier's series, about the middle.
+/// Deflection of a square plate, simply supported on its edges, at its point (x, y) under a unit
+/// force there, mm/N: Navier's series about the middle.
 double plateCompliance(double side, double thickness, double x, double y)
 {
   const double rigidity = Rubber * std::pow(thickness, 3) / 12.0; // E* t³/12
@@ -135,8 +136,8 @@ double plateCompliance(double side, double thickness, double x, double y)
   return 4.0 * side * side * sum / (std::pow(pi, 4) * rigidity);
 }
 
-/// The middle of a plate of rubber on its edges, 100 mm wide and 4 mm thick: 6 mm/N, beside which
-/// the contact gives way by less than a tenth. With its regime at 1 mm.
+/// The middle of a plate of rubber on its edges, 100 mm wide and 4 mm thick: 6 mm/N, of which the
+/// contact adds less than a tenth. With its regime at 1 mm.
 Body plate(const std::string& tool)
 {
   Body bare = planeBody(10.0, 10);
@@ -181,8 +182,7 @@ void checkPlateOnItsEdges()
     "100 % of the points", "N/mm", "force at 2 mm", "1 instead of 16");
   PALPATE_CHECK(output->GetFieldData()->GetArray("ResponseExponent")->GetTuple1(0) == 1.0);
 
-  // What is lost, by the closed form: with C the smallest at the corner, its local share is
-  // largest.
+  // The loss by the closed form: C is smallest at the corner, so the local share is largest there.
   double lost = 0.0;
   vtkDataArray* spring = output->GetPointData()->GetArray("ResponseCoefficient");
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -197,18 +197,18 @@ void checkPlateOnItsEdges()
     }
   }
   PALPATE_CHECK(lost > 0.005 && lost < 0.01);
-  // Depths that were looked at are a fortieth of the range apart, at a parabola's top; stored
-  // responses in series are 2e-3 off at 1 % of the range, where the force is 1 % of that at its
-  // end.
+  // The checked depths are a fortieth of the range apart, at the top of a parabola. Stored
+  // responses in series have an error of 2e-3 at 1 % of the range, where the force is 1 % of that
+  // at its end.
   PALPATE_CHECK_NEAR(choice->GetSpringLoss(), lost, 5e-5);
   PALPATE_CHECK_NEAR(feel(output, Deepest), feel(body, Deepest), 1e-5);
   for (const double depth : { 0.02, 0.2, 0.6, 1.0 })
   {
     const double right = feel(body, depth);
     PALPATE_CHECK_NEAR(feel(output, depth), right, 1.01 * lost * feel(body, Deepest));
-    PALPATE_CHECK(feel(output, depth) > right); // the soft start is what is lost
+    PALPATE_CHECK(feel(output, depth) > right); // the loss is the soft start
   }
-  // The other tools of the paper would have got the same spring, to 7 %: see its Figure 5.
+  // The other tools of the paper would get the same spring, to 7 %: see its Figure 5.
   for (const char* other : { "paraboloid:1.6", "flat:1.6" })
   {
     const Choice same = choose(plate(other), 0.03);
@@ -217,15 +217,14 @@ void checkPlateOnItsEdges()
     PALPATE_CHECK_NEAR(springs->GetTuple1(60), spring->GetTuple1(60), 0.07 * spring->GetTuple1(60));
   }
 
-  // Where that is too much, a few laws; and the sentence says why.
+  // If that loss is too large, a few laws are used; the text gives the reason.
   const Choice finer = choose(body, 0.002);
   PALPATE_CHECK(finer->GetVerdict() == vtkResponseChoice::FewLaws);
   PALPATE_CHECK_NEAR(finer->GetSpringLoss(), lost, 5e-5);
   PALPATE_CHECK_TEXT(finer->GetReason(), "laws suffice", "shape of the tool is not felt",
     "a spring per point would be off by");
 
-  // Nothing is said of a point force that nobody has looked into, nor taken where it is not
-  // trusted.
+  // Without a regime, or beyond the validity, a point force is neither mentioned nor used.
   Body blind = Body::New();
   blind->ShallowCopy(body);
   blind->GetPointData()->RemoveArray("RegimeVerdict");
@@ -241,7 +240,7 @@ void checkPlateOnItsEdges()
   PALPATE_CHECK_TEXT(distrusted->GetReason(), "the law that says so does not hold");
 }
 
-/// Soft tissue of 2 to 20 mm over bone, none seen at 16 % of the points: as on a head.
+/// Soft tissue of 2 to 20 mm over bone; 16 % of the points have no bone below, as on a head.
 void checkHead()
 {
   Body bare = planeBody(10.0, 40);
@@ -259,7 +258,7 @@ void checkHead()
     const double force = feel(body, depth);
     PALPATE_CHECK_NEAR(feel(choice->GetOutput(), depth), force, 0.01 * force);
   }
-  // 0.6 mm is more than a fifth of the layers thinner than 3 mm; strain is small until 0.9 mm.
+  // 0.6 mm is more than a fifth of the layers thinner than 3 mm; strain is small up to 0.9 mm.
   int beyond = 0;
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
@@ -269,12 +268,12 @@ void checkHead()
     static_cast<double>(beyond) / static_cast<double>(body->GetNumberOfPoints()), 1e-12);
   PALPATE_CHECK_TEXT(choice->GetReason(), "0.6 mm is beyond the validity", "mostly the thickness",
     "its numbers are kept, not the body's");
-  // With the regime the sentence tells that the shape is felt, everywhere.
+  // With the regime, the text says that the shape of the tool matters everywhere.
   pointArray<vtkUnsignedCharArray>(body, "RegimeVerdict", [](vtkIdType) { return 0; });
   PALPATE_CHECK_TEXT(choose(body)->GetReason(), "the shape of the tool is felt 1 mm deep at 100 %");
 }
 
-/// Every sample of every point off by up to 10 % of its own, as an uneven set of measurements.
+/// Every sample of every point has a random error of up to 10 %, as in noisy measurements.
 void checkUneven()
 {
   const Body body = respond(planeBody(10.0, 20), "sphere:6.35");
@@ -298,8 +297,8 @@ void checkUneven()
   PALPATE_CHECK(!choice->GetOutput()->GetFieldData()->HasArray("ResponseBasis"));
 }
 
-/// One point in 25 is twice as stiff: one law for 96 %, and half the force is missing at the
-/// others.
+/// One point in 25 is twice as stiff: one law for 96 %, and half the force is missing at the other
+/// points.
 void checkShare()
 {
   Body bare = planeBody(10.0, 40);
@@ -309,7 +308,7 @@ void checkShare()
   PALPATE_CHECK(choose(body, 0.01, 0.97)->GetVerdict() == vtkResponseChoice::ScaledLaw);
   const Choice most = choose(body, 0.01, 0.9);
   PALPATE_CHECK(most->GetVerdict() == vtkResponseChoice::OneLaw);
-  PALPATE_CHECK_NEAR(most->GetKeptShare(), 0.96, 1e-3); // 1681 points are no multiple of 25
+  PALPATE_CHECK_NEAR(most->GetKeptShare(), 0.96, 1e-3); // 1681 is not a multiple of 25
   PALPATE_CHECK_NEAR(most->GetLargestError(), 0.5, Storage);
   PALPATE_CHECK_TEXT(most->GetReason(), "95.9 % of the points", "50 %", "the others");
 }
@@ -339,7 +338,7 @@ void checkErrors()
   filter->SetShare(1.0);
   filter->SetDeflection(-1.0);
   expect("Deflection", "-1");
-  filter->SetDeflection(0.7); // the regime is that of 1 mm
+  filter->SetDeflection(0.7); // the regime is for 1 mm
   expect("RegimeDeflection", "0.7 mm");
   filter->SetDeflection(0.0);
   filter->SetMaximumNumberOfLaws(17);

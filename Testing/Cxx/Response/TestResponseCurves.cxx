@@ -32,13 +32,13 @@ Body variedBody()
   filter->Update();
   Body output = Body::New();
   output->DeepCopy(filter->GetOutput());
-  // Ranges differ where curves were measured; no filter of this version makes such a body.
+  // Ranges differ for measured curves, but no filter of this version makes such a body.
   output->GetPointData()->GetArray("ResponseRange")->SetTuple1(3, 0.8);
   return output;
 }
 
-/// What a force may be by its error follows after all forces; where there is none, or nobody wants
-/// it, nothing does.
+/// The bounds of the force by its error follow after all forces. They are absent if there is no
+/// error or if they are switched off.
 void checkBand()
 {
   vtkNew<vtkToolContactResponse> filter;
@@ -101,7 +101,7 @@ void checkTable(vtkPolyData* body)
         continue;
       }
       const double expected = oracle.force(ids[k], depth);
-      PALPATE_CHECK_NEAR(force, expected, 1e-13 * expected); // rounding of two orders of summation
+      PALPATE_CHECK_NEAR(force, expected, 1e-13 * expected); // different order of summation
     }
   }
   PALPATE_CHECK(table->GetValue(76, 0).ToDouble() == 2.0); // the last row is the range itself
@@ -185,7 +185,7 @@ void checkSelections(vtkPolyData* body)
   vtkNew<vtkResponseCurves> curves;
   Messages messages(curves);
   curves->SetInputData(body);
-  curves->AddPointId(999); // does not count with a selection
+  curves->AddPointId(999); // ignored if there is a selection
   const auto expect = [&](vtkSelection* selection, const Ids& ids)
   {
     curves->SetInputData(1, selection);
@@ -203,7 +203,7 @@ void checkSelections(vtkPolyData* body)
     vtkSelectionNode::THRESHOLDS, vtkSelectionNode::POINT, { 0.35, 0.65 }, 2);
   thresholds->GetNode(0u)->GetSelectionList()->SetName("E");
   expect(thresholds, { 3, 4, 5 }); // E = 0.1 (i + 1)
-  // All there is with x > -1 and y > -1: eight corners, each of four numbers.
+  // The region x > -1 and y > -1: eight corners, each of four numbers.
   std::vector<double> corners;
   for (const double x : { -1.0, 9.0 })
   {
@@ -254,7 +254,7 @@ void checkSelections(vtkPolyData* body)
   PALPATE_CHECK(curves->GetOutput()->GetNumberOfColumns() == 0);
 }
 
-/// Two responses of one body on one chart: each as alone, over the deeper one's deflections.
+/// Two responses of one body in one chart: each as alone, over the deflections of the deeper one.
 void checkSeveral()
 {
   vtkNew<vtkToolContactResponse> second;

@@ -27,26 +27,26 @@ double last(vtkToolContactResponse* filter, const char* array, vtkIdType point)
   return values->GetComponent(point, values->GetNumberOfComponents() - 1);
 }
 
-/// Hertz on a ball: the radii of tool and body are one, 1/(1/R + 1/R_b), in a hollow 1/(1/R -
+/// Hertz on a ball: the radii of tool and body combine to 1/(1/R + 1/R_b), in a hollow to 1/(1/R -
 /// 1/R_b).
 void checkBall(double sign)
 {
   const Body body = sign < 0.0 ? hollowBody(20.0, 3) : sphereBody(20.0, 3);
   addRadialNormals(body, sign);
   const Filter filter = filterOf(body, "paraboloid:5", 1.0);
-  filter->SetErrorTolerance(0.0); // the law alone
+  filter->SetErrorTolerance(0.0); // only the law
   filter->Update();
   const double radius = 1.0 / (0.2 + sign * 0.05);
   const double hertz = 4.0 / 3.0 * Reduced * std::sqrt(radius);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    // Curvature from normals of floats over edges of 3 mm: 1e-6; nodes 1e-6.
+    // Curvature from float normals over edges of 3 mm: 1e-6; nodes 1e-6.
     PALPATE_CHECK_NEAR(last(filter, "ResponseForce", i), hertz, 1e-5 * hertz);
   }
 }
 
-/// On an ellipsoid with its own normals the curvatures are found to the edges' length, by Hertz's
-/// ellipse: force against the closed form of the principal curvatures at its three ends.
+/// On an ellipsoid with its own normals the curvatures are accurate to the length of the edges.
+/// Hertz's ellipse: force against the closed form of the principal curvatures at its three ends.
 void checkEllipsoid()
 {
   const double axis[3] = { 30.0, 24.0, 20.0 };
@@ -84,13 +84,13 @@ void checkEllipsoid()
     const double wanted =
       4.0 / 3.0 * Reduced / std::sqrt(std::sqrt(first * second)) * (1.0 + ratio * ratio / 48.0);
     const double off = std::abs(last(filter, "ResponseForce", point) / wanted - 1.0);
-    // Edges of 2 mm, and the nearest point up to 1.5 mm beside the end.
+    // Edges of 2 mm; the nearest point is up to 1.5 mm from the end.
     PALPATE_CHECK(off < 5e-3);
     PALPATE_CHECK(off < last(filter, "ResponseError", point));
   }
 }
 
-/// c of a sphere at δ = R/2, by another code (Data/Reference/deep): 0.988 at ν = 0.45.
+/// c of a sphere at δ = R/2, from another code (Data/Reference/deep): 0.988 at ν = 0.45.
 void checkNeoHooke()
 {
   const Body body = planeBody(40.0, 4);
@@ -110,7 +110,7 @@ void checkNeoHooke()
   PALPATE_CHECK_TEXT(model, "half-space", "Neo-Hooke");
 }
 
-/// What is not asked for leaves every bit.
+/// Terms that are off leave every bit unchanged.
 void checkUntouched()
 {
   Body body = sphereBody(20.0, 2);
@@ -137,15 +137,15 @@ void checkUntouched()
   PALPATE_CHECK_NEAR(last(estimated, "ResponseLimit", 3), 2.0, 0.0);
 }
 
-/// What nobody has set: the curvature is in the law, the error is kept, and validity ends at 5 %.
+/// The defaults: the curvature is in the law, the error is stored, and validity ends at 5 %.
 void checkDefaults()
 {
   vtkNew<vtkToolContactResponse> fresh;
   PALPATE_CHECK(fresh->GetCurvatureCorrection() && fresh->GetStoreError());
   PALPATE_CHECK(fresh->GetErrorTolerance() == 0.05);
   PALPATE_CHECK(fresh->GetStrainModel() == vtkToolContactResponse::SmallStrain);
-  // On a plane at ν = 0.3 (n = 4/7): K s and what that leaves over, s = 4/(3π) √(δ/R) of a
-  // paraboloid (Hertz); its storage is exact.
+  // On a plane at ν = 0.3 (n = 4/7): K s and the remaining error, s = 4/(3π) √(δ/R) of a paraboloid
+  // (Hertz); its storage is exact.
   const Filter filter = filterOf(planeBody(40.0, 4), "paraboloid:5", 2.5);
   filter->SetPoissonRatio(0.3);
   filter->Update();
@@ -155,12 +155,14 @@ void checkDefaults()
     return (-0.148 + 0.61 * 4.0 / 7.0) * s + 0.1 * s * s;
   };
   PALPATE_CHECK_NEAR(last(filter, "ResponseError", Middle), errorAt(2.5), 1e-6);
-  // Straight over √δ between the samples: the square term is off by 0.1 (Δs)²/4 there.
+  // Linear interpolation over √δ between the samples: the square term has an error of 0.1 (Δs)²/4
+  // there.
   PALPATE_CHECK_NEAR(errorAt(last(filter, "ResponseValidity", Middle)), 0.05, 1e-4);
   PALPATE_CHECK(last(filter, "ResponseLimit", Middle) == 1.0);
 }
 
-/// A flat end on a cylinder: touched along a line first, then whole, and then off by little.
+/// A flat end on a cylinder: first in contact along a line, then completely, then with a small
+/// error.
 void checkFlatOnCylinder()
 {
   Body body = Body::New();
@@ -192,7 +194,7 @@ void checkFlatOnCylinder()
   const Filter filter = filterOf(body, "flat:1.6", 1.0);
   filter->Update();
   const vtkIdType middle = (cells / 2) * (cells + 2);
-  // Touched whole, what counts of the sag is its mean over the circle: F = 2E*(aδ - a³κ_m/3).
+  // In full contact the mean of the sag over the circle counts: F = 2E*(aδ - a³κ_m/3).
   const double wanted = 2.0 * Reduced * (1.6 - 1.6 * 1.6 * 1.6 / (2.0 * radius) / 3.0);
   PALPATE_CHECK_NEAR(last(filter, "ResponseForce", middle), wanted, 1e-3 * wanted);
   PALPATE_CHECK(last(filter, "ResponseError", middle) < 0.1);
@@ -205,7 +207,7 @@ std::string touchText(vtkToolTouch* touch)
   return table && table->GetNumberOfRows() == 1 ? table->GetValueByName(0, "Text").ToString() : "";
 }
 
-/// A touch says its force with its error.
+/// A touch reports its force with its error.
 void checkTouch()
 {
   const Filter filter = filterOf(planeBody(40.0, 8), "sphere:5", 2.0);
@@ -215,12 +217,12 @@ void checkTouch()
   touch->SetTipPosition(0.0, 0.0, 0.0);
   touch->SetIndentation(1.0);
   touch->Update();
-  // K s = 0.2 · 0.424 √0.2 (Hertz), and what that leaves over.
+  // K s = 0.2 · 0.424 √0.2 (Hertz), and the remaining error.
   PALPATE_CHECK_TEXT(touchText(touch), "N \u00b1 4 %", "Within the law's validity");
 }
 
-/// A probe's tips have the error of their force: that of the sample at its depth, the mean of three
-/// equal corners; none where the response keeps none.
+/// The tips of a probe have the error of their force: that of the sample at the depth, as the mean
+/// of three equal corners. There is none if the response stores none.
 void checkProbe()
 {
   const Filter filter = filterOf(planeBody(40.0, 8), "sphere:5", 2.0);

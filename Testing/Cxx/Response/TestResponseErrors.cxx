@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkToolContactResponse and wrong input: what is said, that the output is empty, and that the same
-// filter works once the mistake is mended.
+// vtkToolContactResponse with invalid input: the message, the empty output, and a correct result of
+// the same filter once the input is corrected.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -58,7 +58,7 @@ void checkProperties()
     expectError([=](Filter& f) { f->SetMaximumDeflection(wrong); },
       [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "MaximumDeflection", text });
   }
-  expectError([](Filter& f) { f->SetMaximumDeflection(1e-50); }, // not a float
+  expectError([](Filter& f) { f->SetMaximumDeflection(1e-50); }, // too small for a float
     [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "MaximumDeflection", "1e-50" });
   for (const auto& [value, text] :
     { std::pair{ 0.6, "0.6" }, { -0.1, "-0.1" }, { NotANumber, "nan" } })
@@ -176,7 +176,8 @@ void checkCells()
   PALPATE_CHECK(messages.none() && filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// Points that cannot have a response get a status; one warning counts them; the others are served.
+/// Points that cannot have a response get a status. One warning counts them. The other points get
+/// their response.
 void checkBadPoints(bool givenNormals)
 {
   Body body = planeBody(10.0, 3); // points 0..15
@@ -190,7 +191,7 @@ void checkBadPoints(bool givenNormals)
   body->GetPolys()->InsertNextCell({ sliver, other, other });
   std::map<vtkIdType, int> expected = { { 0, 2 }, { 15, 2 }, { unused, 1 }, { sliver, 1 },
     { other, 1 } };
-  if (givenNormals) // which are not those of the triangles, and change nothing
+  if (givenNormals) // these differ from the triangles' normals and have no effect
   {
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
@@ -207,7 +208,7 @@ void checkBadPoints(bool givenNormals)
   const std::string summary = std::to_string(expected.size()) + " of 19 points";
   PALPATE_CHECK_TEXT(messages.warnings(), summary.c_str(), "ResponseStatus");
   PALPATE_CHECK(messages.warnings().find("points", messages.warnings().find("points") + 6) ==
-    std::string::npos); // summed into one
+    std::string::npos); // combined in one warning
   vtkPointData* data = filter->GetOutput()->GetPointData();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {

@@ -36,7 +36,7 @@ bool sameBits(vtkPolyData* a, vtkPolyData* b)
   return same;
 }
 
-/// Every path: normals given or not, constant modulus, arrays of modulus and compliance.
+/// Every code path: normals given or not, constant modulus, arrays of modulus and compliance.
 void checkThreads()
 {
   for (const bool normals : { false, true })
@@ -114,16 +114,16 @@ void checkModification()
   };
   filter->SetTool(tool);
   const vtkMTimeType before = filter->GetMTime();
-  filter->SetTool(tool); // the same again is no change
+  filter->SetTool(tool); // the same tool again is no change
   PALPATE_CHECK(filter->GetMTime() == before);
   const double sphere = firstForce();
   tool->SetRadius(20.0);
   PALPATE_CHECK(filter->GetMTime() > before);
-  PALPATE_CHECK(firstForce() > 1.5 * sphere); // force grows about as √R
+  PALPATE_CHECK(firstForce() > 1.5 * sphere); // force is about proportional to √R
   filter->SetTool(other);
   PALPATE_CHECK(firstForce() != sphere && filter->GetTool() == other.Get());
   const vtkMTimeType withOther = filter->GetMTime();
-  tool->SetRadius(1.0); // no longer the filter's
+  tool->SetRadius(1.0); // no longer the tool of the filter
   PALPATE_CHECK(filter->GetMTime() == withOther);
 }
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layers on a rigid base, point by point, against the exact solution of each (LayerContact, which
-// the kernel tests compare with the reference tables), and against those tables themselves.
+// the kernel tests compare with the reference tables), and against those tables directly.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -23,7 +23,7 @@ constexpr int YoungIndex = 0;
 constexpr int ThicknessIndex = 1;
 constexpr int ComplianceIndex = 2;
 constexpr int PoissonIndex = 3;
-// Half a unit in the last place of a float, and the 1e-7 that LayerTable promises.
+// Half a unit in the last place of a float, and the 1e-7 guaranteed by LayerTable.
 constexpr double Stored = 1.7e-7;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
@@ -124,7 +124,7 @@ void checkLiverSlab()
   }
 }
 
-/// A Poisson's ratio at each point goes into the layer, not only into E*.
+/// A Poisson's ratio at each point applies to the layer, not only to E*.
 void checkVaryingPoisson(bool few)
 {
   Body body = planeBody(10.0, 9);
@@ -144,7 +144,8 @@ void checkVaryingPoisson(bool few)
   }
 }
 
-/// Layer and compliance exclude each other, unless the compliance is declared to know no base.
+/// Layer and compliance exclude each other, unless the compliance is declared to be without the
+/// base.
 void checkSeries()
 {
   const double compliances[] = { 0.0, 0.3, 3.0, -0.02 };
@@ -174,7 +175,7 @@ void checkSeries()
     for (int k = 0; k < 8; ++k)
     {
       const double depth = 2.0 * (k + 1) * (k + 1) / 64.0;
-      double low = 0.0; // bisection on x + C F(x) = δ
+      double low = 0.0; // bisection of x + C F(x) = δ
       double high = 2.0 * depth;
       for (int step = 0; step < 60; ++step)
       {
@@ -182,7 +183,7 @@ void checkSeries()
         (middle + c * law.evaluate(middle, modulus).force < depth ? low : high) = middle;
       }
       const double force = law.evaluate(low, modulus).force;
-      // 64 samples keep the local part of the series to 2e-6.
+      // With 64 samples the local part of the series is accurate to 2e-6.
       PALPATE_CHECK_NEAR(output(filter, "ResponseForce")->GetComponent(i, k), force, 2e-6 * force);
     }
   }
@@ -191,7 +192,7 @@ void checkSeries()
   PALPATE_CHECK_TEXT(model->GetValue(0), "layer", "series", "compliance");
 }
 
-/// Too thin a layer for the range: no curve there, counted in one warning.
+/// A layer that is too thin for the range: no curve there; one warning counts these points.
 void checkTooThin()
 {
   Body body = planeBody(10.0, 2);
@@ -231,7 +232,7 @@ void checkErrors()
   }
 }
 
-/// Limit 3: 20 % of the thickness; the strain limit is reached at a smaller depth than on a
+/// Limit 3: 20 % of the thickness. The strain limit is reached at a smaller depth than on a
 /// half-space, where the contact radius is 0.4 R.
 void checkValidity()
 {
@@ -257,9 +258,9 @@ void checkValidity()
   expect("flat:1.6", 50.0, 0.64, 1, 1e-6);
 }
 
-/// What eight samples keep of a layer. The reference sheet states 5e-4 on 1..100 % of the depth; at
-/// the first per cent, before the first sample, more is measured: 6e-4 while a < h, 1.4 % at a/h
-/// = 2.7, and there 0.4 % up to a seventh of the depth.
+/// Storage error of eight samples for a layer. The reference sheet states 5e-4 on 1..100 % of the
+/// depth. In the first per cent, before the first sample, the measured error is larger: 6e-4 while
+/// a < h, 1.4 % at a/h = 2.7, and there 0.4 % up to a seventh of the depth.
 void checkStorage()
 {
   for (const char* tool : { "flat:2", "paraboloid:6.35", "sphere:6.35", "cone:60" })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Material per point: moduli from arrays, and the series with a global compliance.
+// Material per point: moduli from arrays, and a global compliance in series.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
@@ -49,7 +49,7 @@ void checkModuli()
   {
     for (const bool usePoisson : { false, true })
     {
-      // The arrays are on the body all the time: only an index that was set counts.
+      // The arrays are always on the body: an array is used only if its index was set.
       auto filter = makeFilter(body, "cone:70");
       filter->SetPoissonRatio(0.3);
       if (useYoung)
@@ -74,7 +74,7 @@ void checkModuli()
   }
 }
 
-/// Local depth x with x + C F(x) = δ, by bisection; C such that the curve does not fold.
+/// Local depth x with x + C F(x) = δ, by bisection. C must not fold the curve.
 double localDepth(vtkContactTool* tool, double compliance, double depth)
 {
   double low = 0.0;
@@ -105,7 +105,7 @@ void checkSeries(const std::string& specification)
       const double x = localDepth(tool, c, 2.0 * (k + 1) * (k + 1) / 64.0);
       const double force = tool->GetForce(x, Modulus);
       const double local = tool->GetStiffness(x, Modulus);
-      // Float rounding 6e-8, and what the bisection leaves.
+      // Float rounding 6e-8, and the error of the bisection.
       PALPATE_CHECK_NEAR(output(filter, "ResponseForce")->GetComponent(i, k), force, 7e-8 * force);
       const double stiffness = local / (1.0 + c * local);
       PALPATE_CHECK_NEAR(
@@ -117,7 +117,7 @@ void checkSeries(const std::string& specification)
   PALPATE_CHECK_TEXT(model->GetValue(0), "series", "global compliance");
 }
 
-/// The table has depths 0.5 and 2: samples 4 and 8 of a range of 2 mm.
+/// The table has the depths 0.5 and 2: samples 4 and 8 of a range of 2 mm.
 void checkTable()
 {
   const std::map<std::string, std::string> tools = { { "sphere6.35", "paraboloid:6.35" },
@@ -150,8 +150,8 @@ void checkTable()
   PALPATE_CHECK(rows == 40);
 }
 
-/// A negative compliance that folds the curve within the range: no response there, the others keep
-/// theirs, and one warning counts them.
+/// A negative compliance that folds the curve within the range: no response there; the other points
+/// keep theirs, and one warning counts the folded ones.
 void checkFold()
 {
   Body body = planeBody(10.0, 2);
@@ -185,7 +185,7 @@ double storageError(vtkPolyData* body, vtkContactTool* tool, double compliance)
   return largest;
 }
 
-/// The exponent stored is the better one of the tip's and 1.
+/// The stored exponent is the better one of the tip's exponent and 1.
 void checkExponent()
 {
   for (const char* specification : { "sphere:6.35", "paraboloid:1.6", "cone:60" })

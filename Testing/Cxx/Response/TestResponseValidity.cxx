@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How deep a response may be trusted without an ErrorTolerance: Validity and Limit.
+// Validity and Limit of a response without an ErrorTolerance.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -16,8 +16,8 @@ enum LimitCode
   Curvature = 2
 };
 
-/// Float storage of depths; the curvature of a sphere is found from float normals over edges of
-/// about R/5, off by 2 · 6e-8 · 5.
+/// Float storage of depths. The curvature of a sphere comes from float normals over edges of about
+/// R/5: an error of 2 · 6e-8 · 5.
 constexpr double DepthRounding = 1e-6;
 
 void expect(vtkPolyData* body, const char* tool, double range, double depth, LimitCode limit)
@@ -50,7 +50,7 @@ void checkStrain()
   expect(flat, "cone:80", 2.0, 2.0, None);   // 0.28
 }
 
-/// On a sphere every edge finds the curvature 1/R exactly: |n_j - n_i| = |x_j - x_i|/R.
+/// On a sphere every edge gives the curvature 1/R exactly: |n_j - n_i| = |x_j - x_i|/R.
 void checkCurvature()
 {
   for (const double radius : { 3.0, 10.0, 50.0 })
@@ -58,7 +58,7 @@ void checkCurvature()
     Body body = sphereBody(radius, 2);
     addRadialNormals(body);
     const double a = 0.2 * radius;
-    // Contact radius a within the strain limit (0.4 R of the tool) and the range?
+    // Compares the contact radius a with the strain limit (0.4 R of the tool) and the range.
     expect(body, "paraboloid:30", 2.0, std::min(2.0, a * a / 30.0),
       a * a / 30.0 < 2.0 ? Curvature : None);
     const double strain = sphereDepth(0.4 * 6.0, 6.0);
@@ -70,8 +70,8 @@ void checkCurvature()
   }
 }
 
-/// Each point takes the larger curvature of the edges that meet there. Cone 80: depth ∝ radius. Two
-/// cylinders of 2 and 1 mm that meet in a line with the same normal.
+/// Each point takes the largest curvature of its edges. Cone 80: depth ∝ radius. Two cylinders of 2
+/// and 1 mm meet in a line with the same normal.
 void checkLargestEdge()
 {
   constexpr int Lines = 5;
@@ -104,14 +104,15 @@ void checkLargestEdge()
   const double slope = 0.5 * vtkMath::Pi() / std::tan(vtkMath::RadiansFromDegrees(80.0));
   for (vtkIdType i = 0; i < 2 * Lines; ++i)
   {
-    const double curvature = i < Lines - 1 ? 0.5 : 1.0; // the line between them: the larger one
+    const double curvature = i < Lines - 1 ? 0.5 : 1.0; // at the line between them the larger one
     const double depth = slope * 0.2 / curvature;
     vtkDataArray* depths = output->GetPointData()->GetArray("ResponseValidity");
-    PALPATE_CHECK_NEAR(depths->GetTuple1(i), depth, 2.0 * DepthRounding * depth); // and normals
+    PALPATE_CHECK_NEAR(
+      depths->GetTuple1(i), depth, 2.0 * DepthRounding * depth); // rounding of depth and normals
   }
 }
 
-/// A hollow limits as a bump does: half of the same sphere from inside.
+/// A hollow limits like a bump: half of the same sphere from inside.
 void checkHollow()
 {
   Body hollow = hollowBody(10.0, 2);
@@ -119,7 +120,7 @@ void checkHollow()
   expect(hollow, "sphere:6", 2.0, sphereDepth(2.0, 6.0), Curvature);
 }
 
-/// The depth is that of the whole deflection, local and global.
+/// The depth is that of the whole deflection, local plus global.
 void checkSeries()
 {
   Body body = planeBody(10.0, 2);

@@ -2,9 +2,9 @@
 // A body with its response, saved as .vtp and read back, evaluates to the same bits. The last
 // argument is the folder to write to.
 //
-// The data stand inline, base64 and compressed. Appended data, VTK's default, are not tested: VTK
+// The data are inline, base64 and compressed. Appended data, VTK's default, are not tested: VTK
 // before 9.3.1 with an expat that defers parsing (2.6.0, or Debian 12's 2.5.0-1+deb12u5) fails to
-// read about half of such files, depending on where "<AppendedData" lies (VTK issue 19258).
+// read about half of such files, depending on the position of "<AppendedData" (VTK issue 19258).
 #include "FilterChecks.h"
 #include "TestBodies.h"
 

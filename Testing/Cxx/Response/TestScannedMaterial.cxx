@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkScannedMaterial: labels and scales, mixed cells, what lies outside the image, what is wrong.
+// vtkScannedMaterial: labels and scales, mixed cells, points outside the image, faults.
 #include "FilterChecks.h"
 #include "VolumeBlock.h"
 
@@ -20,8 +20,8 @@ using Material = vtkSmartPointer<vtkScannedMaterial>;
 constexpr int Side = 6;
 constexpr int Height = 6;
 
-/// An image over the block, voxels of `size` mm, the first at `from` on all axes, of a value by
-/// place.
+/// An image over the block with voxels of `size` mm, the first at `from` on all axes. Values are a
+/// function of the position.
 vtkSmartPointer<vtkImageData> scan(
   double size, double from, int count, const std::function<double(double, double, double)>& value)
 {
@@ -55,7 +55,8 @@ double valueOf(vtkScannedMaterial* filter, const char* name, int i, int j, int k
     (static_cast<vtkIdType>(k) * Side + j) * Side + i);
 }
 
-/// Skin of 1.75 mm on the top of fat, voxels of half a millimetre; beside x = 5 mm there is none.
+/// Skin of 1.75 mm on top of fat, with voxels of half a millimetre. At x beyond 5 mm there is no
+/// image.
 void checkLabels()
 {
   const auto image =
@@ -72,12 +73,13 @@ void checkLabels()
     PALPATE_CHECK(valueOf(filter, "YoungsModulus", 2, 2, 0) == 0.01);
     PALPATE_CHECK(valueOf(filter, "PoissonRatio", 2, 2, 0) == 0.49);
     PALPATE_CHECK(valueOf(filter, "YoungsModulus", 2, 2, Height - 1) == 0.1);
-    // The second cell is skin in its upper half or, at voxels of 0.5 mm, by one voxel of two: the
-    // middle ones lie at 4.25 (fat) and 4.75 mm (skin). The first of the two by value is kept.
+    // The upper half of the second cell is skin. With voxels of 0.5 mm its two middle voxels are at
+    // 4.25 mm (fat) and 4.75 mm (skin). Both are equally frequent, so the one with the smaller
+    // value counts as the most frequent material.
     PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 2, 2, Height - 2),
       1.0 / (0.5 / 0.01 + 0.5 / 0.1), 1e-12); // harmonic: the skin is harder
     PALPATE_CHECK_NEAR(valueOf(filter, "PoissonRatio", 2, 2, Height - 2), 0.47, 1e-12);
-    // On its own arrays nothing else has changed.
+    // Only its own arrays have changed.
     PALPATE_CHECK(filter->GetOutput()->GetPointData()->GetArray("Fixed") != nullptr);
   }
   const auto narrow =
@@ -90,7 +92,7 @@ void checkLabels()
   PALPATE_CHECK(valueOf(filter, "PoissonRatio", 2, 5, 2) == 0.2);
 }
 
-/// E over a scale: between two rows of the map by its logarithm, beyond them as at the end.
+/// E over a scale: between two rows of the map by its logarithm, beyond them constant.
 void checkScale()
 {
   const auto image = scan(0.5, -1.0, 20, [](double x, double, double) { return 100.0 * x; });
@@ -100,7 +102,7 @@ void checkScale()
   filter->AddMaterial(100.0, 0.05, 0.49);
   filter->Update();
   PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 0, 3, 3), 0.05, 1e-15);
-  // The middle of the third cell is at 250: half-way. The image is linear, so its mean is that.
+  // The middle of the third cell is at 250: half-way. The image is linear, so that is its mean.
   PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 2, 3, 3), 0.1, 1e-12);
   PALPATE_CHECK_NEAR(valueOf(filter, "PoissonRatio", 2, 3, 3), 0.445, 1e-12);
   PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 5, 3, 3), 0.2, 1e-15);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies as people have them give the force of the sound body, never one into the body, and never a
-// smaller error; or a refusal that names the part.
+// Bodies with typical defects give the force of the sound body, never a force into the body, and
+// never a smaller error; or they are rejected with the name of the part.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -62,7 +62,7 @@ struct Felt
   std::vector<double> errors;
 };
 
-/// What a sphere of 3 mm feels at the tips; all forces point out of the body.
+/// The force on a sphere of 3 mm at the tips. All forces must point out of the body.
 Felt feltOn(vtkPolyData* body, vtkPoints* tips, int form = vtkToolContactProbe::NormalizedDirection)
 {
   const auto response = filterOf(body, "sphere:3", 2.0);
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkPoints> tipsBelow(
   return tips;
 }
 
-/// Corners of their own for some triangles, as a texture's seam has them.
+/// Separate corners for some triangles, as at a seam of a texture.
 Body split(vtkPolyData* body, double share, std::mt19937& random)
 {
   const auto points = copyOf(body->GetPoints());
@@ -146,20 +146,20 @@ Body split(vtkPolyData* body, double share, std::mt19937& random)
     {
       double p[3];
       body->GetPoint(corner, p);
-      const bool isFirst = used.insert(corner).second; // no point is left without a triangle
+      const bool isFirst = used.insert(corner).second; // every point keeps a triangle
       corner = !isFirst && chance(random) < share ? points->InsertNextPoint(p) : corner;
     }
   }
   return bodyOf(points, corners);
 }
 
-/// The ways to break a mesh: each adds its own to those before.
+/// Ways to break a mesh; each adds to those before.
 Body broken(vtkPolyData* body, int ways, std::mt19937& random)
 {
   std::uniform_real_distribution<double> chance(0.0, 1.0);
   const Body apart = ways > 1 ? split(body, 0.3, random) : split(body, 0.0, random);
   std::vector<Corners> corners = cornersOf(apart);
-  for (Corners& c : corners) // flip
+  for (Corners& c : corners) // flips
   {
     if (chance(random) < 0.2)
     {
@@ -167,7 +167,7 @@ Body broken(vtkPolyData* body, int ways, std::mt19937& random)
     }
   }
   const std::size_t own = corners.size();
-  for (std::size_t t = 0; t < own && ways > 2; ++t) // duplicate, with the reverse
+  for (std::size_t t = 0; t < own && ways > 2; ++t) // duplicates, also reversed
   {
     const Corners c = corners[t];
     if (chance(random) < 0.02)
@@ -205,7 +205,7 @@ void checkBrokenBodies()
       {
         for (std::size_t k = 0; k < 3; ++k)
         {
-          // Curves are float32, and so is the curvature, whose sums run in another order: 0.05 %.
+          // Curves and curvature are float32. The sums of the curvature have another order: 0.05 %.
           PALPATE_CHECK_NEAR(found.forces[i][k], expected.forces[i][k], 5e-5);
         }
         // Curvature in float32, as above, and its error.
@@ -230,14 +230,14 @@ void checkHertz()
     {
       for (const auto& force : feltOn(split(ball, share, random), tips, form).forces)
       {
-        // 3 %: Hertz takes both balls for paraboloids, and facets lie 0.01 mm below the ball.
+        // 3 %: Hertz replaces both balls by paraboloids, and facets are 0.01 mm below the ball.
         PALPATE_CHECK_NEAR(vtkMath::Norm(force.data()), hertz, 0.03 * hertz);
       }
     }
   }
 }
 
-/// Normals of a file that point inward change nothing, with either winding.
+/// Inward normals in a file have no effect, with either winding.
 void checkStoredNormals()
 {
   std::mt19937 random(5);
@@ -266,7 +266,8 @@ void checkStoredNormals()
   }
 }
 
-/// The output has the points and triangles of the input, and one response at each place.
+/// The output has the points and triangles of the input, and the same response at points of equal
+/// position.
 void checkOutput()
 {
   std::mt19937 random(7);

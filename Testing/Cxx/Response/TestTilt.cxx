@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool that leans: what a response stores of it, what the probe feels of it, how far it is
-// trusted, what the chooser says, and what is refused.
+// A tilted tool: its arrays in a response, its force in the probe, its validity, the result of the
+// chooser, and rejected input.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -34,11 +34,11 @@ Filter tiltable(vtkPolyData* body, const std::string& tool, double range, double
   return filter;
 }
 
-/// One tip at (1.1, 2.3), so deep, of a tool that leans to +x.
+/// One tip at (1.1, 2.3) at this depth, for a tool tilted towards +x.
 struct Felt
 {
   double force = 0.0;
-  double torque = 0.0; ///< about -y: what sets the tool upright
+  double torque = 0.0; ///< about -y: turns the tool upright
   double tilt = 0.0;   ///< degrees
   int state = 0;
 };
@@ -65,7 +65,7 @@ Felt felt(vtkPolyData* body, double depth, double degrees)
     static_cast<int>(data->GetArray("ContactState")->GetTuple1(0)) };
 }
 
-/// Rows of the table of one tool, from a depth of a fifth of its size on, to a tilt.
+/// Checks the table rows of one tool, for depths from a fifth of its size on, up to a tilt.
 void checkAgainstTable(
   const char* name, const char* tool, double tilt, double forceTolerance, double torqueTolerance)
 {
@@ -95,16 +95,17 @@ void checkAgainstTable(
 
 void checkTables()
 {
-  // Of a flat end the table has the wall, too, which leans in with it: 1.7 % of the force up to 30
-  // degrees by the reference sheet, and with a lever of the radius a little more of the torque.
-  // Torques of the others are from the pressures, and lack the couple of their sideways part, 2 to
-  // 8 % of a cone's. Torques are told in mm of the force, the tools being 1 mm.
+  // For a flat end the table includes the wall, which is tilted too: 1.7 % of the force up to 30
+  // degrees by the reference sheet; because of the lever arm, the radius a, slightly more of the
+  // torque. Torques of the other tools come from the pressures without the couple of their sideways
+  // part, 2 to 8 % for a cone. Torques are given in mm times the force; the tools have a size of 1
+  // mm.
   checkAgainstTable("flat", "flat:1", 20.0, 0.017, 0.025);
   checkAgainstTable("cone60", "cone:60", 25.0, 0.006, 0.15);
   checkAgainstTable("blunt45", "blunted:1,45", 30.0, 0.006, 0.03);
 }
 
-/// A sphere knows its tilt in closed form, also where its tip is outside.
+/// The tilt of a sphere has a closed form, also if its tip is outside.
 void checkSphere()
 {
   const Filter filter = tiltable(planeBody(30.0, 6), "sphere:5", 1.0, 60.0);
@@ -116,7 +117,7 @@ void checkSphere()
       const double deep = depth + 5.0 * (1.0 - std::cos(angle * Degree));
       const double force = deep > 0.0 ? filter->GetTool()->GetForce(deep, 1.0) : 0.0;
       const Felt tilted = felt(filter->GetOutput(), depth, angle);
-      PALPATE_CHECK_NEAR(tilted.force, force, 1e-4 * force); // curves in floats, drops to 1e-8 R
+      PALPATE_CHECK_NEAR(tilted.force, force, 1e-4 * force); // curves as floats, drops to 1e-8 R
       PALPATE_CHECK_NEAR(tilted.torque, 5.0 * std::sin(angle * Degree) * force, 1e-4 * force);
     }
   }
@@ -126,7 +127,7 @@ void checkSphere()
   PALPATE_CHECK(felt(little->GetOutput(), 0.1, 19.0).state == 2);
 }
 
-/// Five degrees halve a flat end's force at shallow depth.
+/// Five degrees halve the force of a flat end at a small depth.
 void checkHalved()
 {
   const Filter filter = tiltable(planeBody(30.0, 6), "flat:1.6", 1.0, 10.0);
@@ -138,7 +139,7 @@ void checkHalved()
   PALPATE_CHECK_NEAR(felt(filter->GetOutput(), 0.32 - drop, 5.0).force / upright, 0.5757, 0.003);
 }
 
-/// Nothing of it without a tilt, not even what another response of the name had.
+/// Without a tilt no array remains, not even one from another response of the same name.
 void checkOff()
 {
   const auto body = planeBody(10.0, 4);
@@ -156,13 +157,13 @@ void checkOff()
   off->Update();
   PALPATE_CHECK(!has(off->GetOutput(), "ResponseTilt") &&
     !has(off->GetOutput(), "ResponseTiltDrop") && !has(off->GetOutput(), "ResponseTiltNode"));
-  // A tool whose tilts nobody knows is upright, and has no torque.
+  // A tool with unknown tilt counts as upright and has no torque.
   const Felt upright = felt(off->GetOutput(), 0.5, 20.0);
   PALPATE_CHECK_NEAR(upright.force, 2.0 * 0.5, 1e-6);
   PALPATE_CHECK(upright.torque == 0.0);
 }
 
-/// On a layer the tilts are a layer's, and trusted only so far.
+/// On a layer the tilts are those of a layer, and their validity is limited.
 void checkLayer()
 {
   const auto body = planeBody(30.0, 6);
@@ -176,8 +177,8 @@ void checkLayer()
     filter->Update();
     return filter;
   };
-  // tilt_layer_nu0.45.csv: flat, a/h = 0.5, D = 0.2, 5 degrees: 0.4052 of E*; by the equivalent
-  // profile within the 2.1 % of the reference sheet.
+  // tilt_layer_nu0.45.csv: flat, a/h = 0.5, D = 0.2, 5 degrees: 0.4052 of E*. The equivalent
+  // profile is within the 2.1 % of the reference sheet.
   const Filter half = layered(10.0, 2.0);
   const double drop = std::sin(5.0 * Degree);
   PALPATE_CHECK_NEAR(felt(half->GetOutput(), 0.2 - drop, 5.0).force, 0.4052, 0.025 * 0.4052);
@@ -191,7 +192,8 @@ void checkLayer()
   PALPATE_CHECK(validity(layered(25.0, 50.0), "ResponseLimit") != 8.0);
 }
 
-/// Thickness from point to point: laws with weights, through every form and a file.
+/// A thickness that varies from point to point: laws with weights, kept in every form and in a
+/// file.
 void checkKept(const std::string& folder)
 {
   const auto body = planeBody(30.0, 6);
@@ -239,7 +241,7 @@ void checkChoice()
   const Filter flat = tiltable(planeBody(10.0, 4), "flat:1", 0.5, 20.0);
   PALPATE_CHECK_TEXT(
     reasonOf(flat), "kept: ", "A tilt of ", "degrees changes the force by ", "N mm");
-  // A needle's tilt of a tenth of a degree is not felt.
+  // A tilt of a tenth of a degree has no effect for a needle.
   const Filter needle = tiltable(planeBody(10.0, 4), "cone:20", 0.5, 0.1);
   PALPATE_CHECK_TEXT(reasonOf(needle), "left: ", "Tilts of the tool are left out", "within 1 %");
 }

@@ -129,8 +129,8 @@ std::array<double, 3> blendedForce(vtkPolyData* body, const Nearest& contact)
 void checkBruteForce(vtkPolyData* body, vtkPolyData* tips, vtkPolyData* output)
 {
   vtkPointData* data = output->GetPointData();
-  // Coordinates of about 10 mm, forces of about 1 N, some 1e-15 lost in each of a few dozen steps;
-  // the area coordinates of the oracle lose the square root's cancellation, 1e-8 of a facet.
+  // Coordinates of about 10 mm, forces of about 1 N, about 1e-15 lost in each of a few dozen steps.
+  // The area coordinates of the reference lose the square root by cancellation, 1e-8 of a facet.
   constexpr double Length = 1e-11;
   constexpr double Force = 1e-7;
   std::array<int, 6> states{};
@@ -168,7 +168,7 @@ void checkBruteForce(vtkPolyData* body, vtkPolyData* tips, vtkPolyData* output)
     PALPATE_CHECK_NEAR(vtkMath::Norm(actual), normalForce, 1e-14 * normalForce);
     data->GetArray("Normal")->GetTuple(i, found);
     PALPATE_CHECK_NEAR(vtkMath::Dot(actual, found), normalForce, 1e-14 * normalForce);
-    // Two triangles may tie at an edge: the cell given must be as close.
+    // Two triangles may be equally near at an edge: the returned cell must be as close.
     const auto cell = static_cast<vtkIdType>(data->GetArray("ContactCell")->GetTuple1(i));
     double weights[3];
     double squared = 0.0;
@@ -177,7 +177,7 @@ void checkBruteForce(vtkPolyData* body, vtkPolyData* tips, vtkPolyData* output)
       tips->GetPoint(i), found, subId, actual, squared, weights);
     PALPATE_CHECK_NEAR(std::sqrt(squared), expected.distance, Length);
   }
-  PALPATE_CHECK(states[0] > 50 && states[2] > 50 && states[3] > 50); // the test meets all cases
+  PALPATE_CHECK(states[0] > 50 && states[2] > 50 && states[3] > 50); // the test includes all cases
 }
 
 void checkArrays(vtkPolyData* tips, vtkPolyData* output)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of the data contract: names, types, shapes and values; normals; what passes through.
+// The arrays of the data contract: names, types, shapes and values; normals; arrays that are passed
+// on.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -116,7 +117,7 @@ void checkPassThrough(vtkPolyData* input, vtkPolyData* output)
     input->GetFieldData()->GetAbstractArray("Origin"));
 }
 
-/// What must not change in an input: modification times and values.
+/// The parts of an input that must not change: modification times and values.
 struct Snapshot
 {
   explicit Snapshot(vtkPolyData* body)
@@ -151,7 +152,7 @@ struct Snapshot
   std::vector<vtkMTimeType> Times;
 };
 
-/// Angle-weighted normals (Thürmer and Wüthrich 1998) by VTK's own vector arithmetic.
+/// Angle-weighted normals (Thürmer and Wüthrich 1998), computed by VTK's own vector arithmetic.
 std::vector<std::array<double, 3>> angleWeighted(vtkPolyData* body)
 {
   std::vector<std::array<double, 3>> sum(static_cast<std::size_t>(body->GetNumberOfPoints()));
@@ -185,7 +186,7 @@ std::vector<std::array<double, 3>> angleWeighted(vtkPolyData* body)
 
 void checkNormals(vtkContactTool* tool)
 {
-  // Float unit vectors: components are off by up to 6e-8, lengths by 1e-7.
+  // Float unit vectors: components have an error of up to 6e-8, lengths 1e-7.
   constexpr double FloatUnit = 1.3e-7;
   Body body = decoratedBody();
   auto filter = makeFilter(body, tool);
@@ -201,7 +202,7 @@ void checkNormals(vtkContactTool* tool)
         expected[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)], FloatUnit);
     }
   }
-  addRadialNormals(body, 3.0); // given normals need not be of unit length
+  addRadialNormals(body, 3.0); // given normals need not have unit length
   filter->Update();
   vtkDataArray* given = filter->GetOutput()->GetPointData()->GetArray("ResponseNormal");
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
@@ -220,7 +221,7 @@ int TestToolContactResponse(int, char*[])
   Body body = decoratedBody();
   auto filter = makeFilter(body, tool);
   Messages messages(filter.Get());
-  body->BuildCells(); // the copy inside Snapshot builds them otherwise
+  body->BuildCells(); // otherwise the copy in Snapshot builds them
   const Snapshot before(body);
   filter->Update();
   PALPATE_CHECK(messages.none());
@@ -228,7 +229,7 @@ int TestToolContactResponse(int, char*[])
   checkContract(filter->GetOutput(), "Response", tool);
   checkPassThrough(body, filter->GetOutput());
 
-  // A second tool under another name, on the output of the first.
+  // A second tool with another name, on the output of the first.
   auto second = makeFilter(nullptr, tool);
   second->SetInputConnection(filter->GetOutputPort());
   second->SetResponseName("Other");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One touch, shown: forces by the tool's closed form, where the tip goes, what the four ports hold.
+// One touch, shown: forces by the tool's closed form, the position of the tip, the data of the four
+// ports.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -14,10 +15,11 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Modulus = 3.45; // that of withResponse
+constexpr double Modulus = 3.45; // as in withResponse
 constexpr double Range = 2.0;
-// What storing a float may cost, and the spline between samples: exact on them, and half of Range
-// is no sample. Of a paraboloid's power law the samples hold the curve to the floats.
+// Error of stored floats and of the spline between samples. The spline is exact at samples, but
+// half of Range is not a sample. For the power law of a paraboloid the samples reproduce the curve
+// to float rounding.
 constexpr double Stored = 1e-6;
 
 double number(vtkToolTouch* touch, const char* name, int component = 0)
@@ -40,7 +42,7 @@ vtkSmartPointer<vtkToolTouch> touchOf(vtkPolyData* body, double x, double y, dou
   return touch;
 }
 
-/// Largest distance between tail and any point of the arrow.
+/// Largest distance between the tail and any point of the arrow.
 double arrowLength(vtkToolTouch* touch)
 {
   vtkPolyData* arrow = touch->GetOutput(vtkToolTouch::ArrowPort);
@@ -58,7 +60,7 @@ double arrowLength(vtkToolTouch* touch)
   return longest;
 }
 
-/// A paraboloid on a plane: snapped from far above, half of Range deep; then where it is moved.
+/// A paraboloid on a plane: snapped from far above to half of Range, then moved.
 void checkForces()
 {
   const Body body = withResponse(planeBody(20.0, 40), "paraboloid:5", Range);
@@ -70,14 +72,15 @@ void checkForces()
   PALPATE_CHECK_NEAR(number(touch, "Force", 2), half, Stored * half);
   PALPATE_CHECK_NEAR(number(touch, "Deflection"), 0.5 * Range, 1e-6); // float coordinates
   const double slope = tool->GetStiffness(0.5 * Range, Modulus);
-  PALPATE_CHECK_NEAR(number(touch, "Stiffness"), slope, 1e-5 * slope); // the slope of the above
+  PALPATE_CHECK_NEAR(
+    number(touch, "Stiffness"), slope, 1e-5 * slope); // the derivative of the force above
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 0), 1.3, 1e-12);
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 1), -2.2, 1e-12);
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), -0.5 * Range, 1e-6);
   const double scale = number(touch, "ForceScale");
   PALPATE_CHECK_NEAR(arrowLength(touch), scale * half, 1e-5 * scale * half);
 
-  // The scale is that of the body: a deeper press, elsewhere, has a longer arrow by as much.
+  // The scale is that of the body: the arrow of a deeper press elsewhere is longer in proportion.
   touch->SetTipPosition(-4.0, 3.0, -7.0);
   touch->SetIndentation(1.5);
   touch->Update();
@@ -89,7 +92,7 @@ void checkForces()
   touch->Update();
   PALPATE_CHECK_NEAR(arrowLength(touch), 7.0 * deep, 1e-5 * 7.0 * deep);
 
-  // Without snap the tip is where it is.
+  // Without snap the tip stays at its position.
   touch->SnapOff();
   touch->SetIndentation(0.0);
   touch->SetTipPosition(0.4, 0.3, -0.7);
@@ -103,7 +106,7 @@ void checkForces()
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), -1.0, 1e-6);
 }
 
-/// Off the surface nothing is felt, and the text says how far off.
+/// Away from the surface there is no force, and the text states the distance.
 void checkNoContact()
 {
   const Body body = withResponse(planeBody(20.0, 40), "paraboloid:5", Range);
@@ -120,10 +123,11 @@ void checkNoContact()
   }
   double bounds[6];
   touch->GetOutput(vtkToolTouch::ToolPort)->GetBounds(bounds);
-  PALPATE_CHECK_NEAR(bounds[4], 3.25, 1e-9); // the tool stands on its tip
+  PALPATE_CHECK_NEAR(bounds[4], 3.25, 1e-9); // the tool is on its tip
 }
 
-/// The points go where the tool's own field says; arrays pass, the input stays, normals follow.
+/// The points move by the tool's own field. Arrays are passed on, the input is unchanged, and the
+/// normals follow.
 void checkDent()
 {
   constexpr double Depth = 0.8;
@@ -149,7 +153,8 @@ void checkDent()
   PALPATE_CHECK(dented->GetPointData()->HasArray("ResponseForce"));
   vtkDataArray* dent = dented->GetPointData()->GetArray("Dent (mm)");
   PALPATE_CHECK(dent && dent == dented->GetPointData()->GetScalars());
-  const double exact = 0.75 * 12.0 * tool->GetContactRadius(Depth); // from there on it fades
+  const double exact =
+    0.75 * 12.0 * tool->GetContactRadius(Depth); // the field fades beyond this distance
   int checked = 0;
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
@@ -171,7 +176,7 @@ void checkDent()
   }
   PALPATE_CHECK(checked > 1000);
 
-  // Beside the contact the surface falls towards it, so that its normal leans the same way.
+  // Near the contact the surface falls towards it, so its normal is tilted the same way.
   vtkDataArray* normals = dented->GetPointData()->GetNormals();
   PALPATE_CHECK(normals && normals != up);
   const vtkIdType beside = dented->vtkDataSet::FindPoint(3.0, 0.0, 0.0);
@@ -182,13 +187,14 @@ void checkDent()
   tool->GetSurfaceDisplacement(2.5, Depth, 0.45, below);
   tool->GetSurfaceDisplacement(3.5, Depth, 0.45, above);
   const double slope = std::atan2(below[1] - above[1], 1.0 + above[0] - below[0]);
-  // A vertex' facets span its neighbours, 0.5 mm to each side; their mean is weighted by area.
+  // The facets of a vertex reach its neighbours, 0.5 mm to each side; their mean is weighted by
+  // area.
   PALPATE_CHECK_NEAR(normals->GetComponent(beside, 0), -std::sin(slope), 0.15 * std::sin(slope));
   const vtkIdType corner = dented->vtkDataSet::FindPoint(20.0, 20.0, 0.0);
   PALPATE_CHECK_NEAR(normals->GetComponent(corner, 2), 1.0, 0.0);
 }
 
-/// Two flat ends: by themselves, and where they let one another down by Boussinesq's 1/(π E* r).
+/// Two flat ends: alone, and coupled by Boussinesq's 1/(π E* r).
 void checkSecondTip()
 {
   constexpr double Depth = 0.4;
@@ -233,7 +239,7 @@ void checkSecondTip()
     vtkDataArray* dent =
       touch->GetOutput(vtkToolTouch::BodyPort)->GetPointData()->GetArray("Dent (mm)");
     const vtkIdType under = response->GetOutput()->vtkDataSet::FindPoint(-3.0, 0.0, 0.0);
-    // What the other's field is under the tip, and what its law takes it for: a point's. 2 %.
+    // The other tip's field under the tip differs from its law, that of a point force, by 2 %.
     PALPATE_CHECK_NEAR(dent->GetTuple1(under),
       isCoupled ? Depth : Depth * (1.0 + 4.0 / (3.14159265358979323846 * Apart)), 0.02 * Depth);
     touch->SecondTipOff();
@@ -247,7 +253,7 @@ void checkSecondTip()
   }
 }
 
-/// A ball touched from any side: the tool stands along its radius, its tip in place.
+/// A ball pressed from any side: the tool is along its radius, with its tip in place.
 void checkTool()
 {
   constexpr double Radius = 30.0;
@@ -269,7 +275,8 @@ void checkTool()
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-    // The facets of the ball lie up to 0.04 mm within it; their normals are blended, off by 0.02.
+    // The facets of the ball are up to 0.04 mm inside it; their blended normals have an error of
+    // 0.02.
     PALPATE_CHECK_NEAR(lowest, Radius - 0.5 * Range, 0.05);
     PALPATE_CHECK_NEAR(highest, Radius - 0.5 * Range + 20.0, 0.1);
     PALPATE_CHECK_TEXT(
@@ -277,7 +284,7 @@ void checkTool()
   }
 }
 
-/// What the text says of how far to trust the number.
+/// The statement of the text on the validity of the number.
 void checkValidity()
 {
   const Body body = withResponse(planeBody(20.0, 40), "sphere:5", Range);
@@ -335,7 +342,7 @@ void checkErrors()
   PALPATE_CHECK(messages.none());
   PALPATE_CHECK(number(touch, "NormalForce") > 0.0);
 
-  // Another body in its place is touched as it is.
+  // Another body in the same place is pressed without any further call.
   touch->SetInputData(withResponse(planeBody(20.0, 10, 3.0), "flat:2", Range));
   touch->Update();
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), 2.0, 1e-6);

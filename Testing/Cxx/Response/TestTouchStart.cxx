@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a touch begins: on bodies of which it is known which ground is flat, and what is seen.
+// The start of a touch: on bodies with known flat parts, and its visibility.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "Response/Touch/TouchStart.h"
@@ -41,7 +41,7 @@ void movePoints(vtkPolyData* body, const std::function<Vector3(const Vector3&)>&
   body->GetPoints()->Modified();
 }
 
-/// A ball of 30 mm with a tail of 60 mm towards `tail`, which is the corner of its bounds.
+/// A ball of 30 mm with a tail of 60 mm towards `tail`, which is the corner of its bounding box.
 Body ballWithTail(const Vector3& tail)
 {
   const Body body = sphereBody(30.0, 5);
@@ -54,7 +54,7 @@ Body ballWithTail(const Vector3& tail)
   return withResponse(body, Tool, Range);
 }
 
-/// On the ball, not on the tail nor at its root; seen from the viewer, and facing him.
+/// On the ball, not on the tail or its root; visible from the viewer and facing the viewer.
 void checkTail()
 {
   const Vector3 tail(1.0, 1.0, 1.0);
@@ -66,29 +66,31 @@ void checkTail()
          Vector3(0, 0, -1), Vector3(1, 1, 1), Vector3(-1, 0.4, 0.3) })
   {
     const Vector3 start = startOf(body, towards, Vector3(0.1, 0.2, 1.0));
-    PALPATE_CHECK_NEAR(start.norm(), 30.0, 0.1); // the facets' sag is 0.02 mm, the root's foot less
+    PALPATE_CHECK_NEAR(
+      start.norm(), 30.0, 0.1); // the sag of the facets is 0.02 mm, the foot of the root less
     const double off = std::acos(start.normalized().dot(tail.normalized()));
     PALPATE_CHECK(off > 0.4); // where the tail is lower than 0.1 mm, exp(-8)
     PALPATE_CHECK(start.normalized().dot(towards.normalized()) > 0.5);
-    PALPATE_CHECK(start.normalized().dot(towards.normalized()) < 0.99); // not from its end
+    PALPATE_CHECK(start.normalized().dot(towards.normalized()) < 0.99); // not at its end
   }
 }
 
-/// Where all is alike the middle is best.
+/// If all places are equal, the middle is best.
 void checkPlane()
 {
   const Body plane = planeBody(20.0, 40, 5.0);
   movePoints(plane, [](const Vector3& x) { return Vector3(x + Vector3(70.0, -11.0, 0.0)); });
   const Vector3 start = startOf(withResponse(plane, Tool, Range));
   PALPATE_CHECK_NEAR((start - Vector3(70.0, -11.0, 5.0)).norm(), 0.0, 1e-9);
-  // From behind, or from its edge, nothing is seen: then from the next side where it is.
+  // From behind or from its edge nothing is visible: then the start is that of the next side with a
+  // view.
   const Body body = withResponse(plane, Tool, Range);
   PALPATE_CHECK_NEAR((startOf(body, { 0, 0, -1 }) - start).norm(), 0.0, 1e-9);
   PALPATE_CHECK_NEAR((startOf(body, { 1, 0, 0 }, { 0, 0, 1 }) - start).norm(), 0.0, 1e-9);
   PALPATE_CHECK_NEAR((startOf(body, { 0, 0, 1 }, { 0, 0, 1 }) - start).norm(), 0.0, 1e-9);
 }
 
-/// Off the edges of a box, however few triangles it has.
+/// Away from the edges of a box, for any number of triangles.
 void checkBox()
 {
   for (const int cells : { 1, 16 })
@@ -101,7 +103,8 @@ void checkBox()
   }
 }
 
-/// Rough in the middle: beside it. The shape alone tells, the response says nothing of validity.
+/// Rough in the middle: the start is next to it. Only the shape decides; the response states no
+/// validity.
 void checkRough()
 {
   const Body plane = planeBody(30.0, 60);
@@ -117,7 +120,7 @@ void checkRough()
   PALPATE_CHECK(start.head<2>().norm() > 12.0 + Contact && start.head<2>().norm() < 25.0);
 }
 
-/// What hides is touched, not what is hidden.
+/// The start is on the part in front, not on the hidden one.
 void checkHidden()
 {
   const Body far = planeBody(30.0, 30, 0.0);
@@ -141,7 +144,7 @@ void checkHidden()
   PALPATE_CHECK_NEAR((start - Vector3(0, 0, 15)).norm(), 0.0, 1e-9);
 }
 
-/// Where the law holds, and where there is a response at all.
+/// Only where the law is valid, and where there is a response at all.
 void checkResponse()
 {
   const Body plane = planeBody(20.0, 40);
@@ -158,7 +161,7 @@ void checkResponse()
   PALPATE_CHECK(valid.x() >= 4.0 && valid.x() < 8.0);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    validity->SetValue(i, 0.0F); // the same everywhere: the middle
+    validity->SetValue(i, 0.0F); // equal everywhere: the middle
   }
   PALPATE_CHECK_NEAR(startOf(body).norm(), 0.0, 1e-9);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
@@ -176,7 +179,7 @@ void checkResponse()
   PALPATE_CHECK(start[0] == 7.0 && start[1] == 8.0 && start[2] == 9.0);
 }
 
-/// A picture of a part: its middle, also in perspective; a picture of nothing: as if of all.
+/// A view of a part: its middle, also in perspective. A view of nothing: as for the whole body.
 void checkSight()
 {
   const Body body = withResponse(planeBody(40.0, 80), Tool, Range);
@@ -190,17 +193,19 @@ void checkSight()
   near.isNear = true;
   near.halfWidth = near.halfHeight = 0.02;
   PALPATE_CHECK_NEAR((middleOf(near) - Vector3(15, -8, 0)).norm(), 0.0, 1e-9);
-  near.halfWidth = near.halfHeight = 1.0; // all is in it; lines of sight differ, some lean better
+  near.halfWidth = near.halfHeight =
+    1.0; // all is visible; the lines of sight differ, and some have a better angle
   PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 8.0);
   near.halfWidth = near.halfHeight = 0.02;
-  near.towards = Vector3(1.0, 0.0, 0.2).normalized(); // looks past it
+  near.towards = Vector3(1.0, 0.0, 0.2).normalized(); // looks past the body
   PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 1e-9);
   near.towards = Vector3::UnitZ();
-  near.eye.z() = -20.0; // has it behind him
+  near.eye.z() = -20.0; // the body is behind the viewer
   PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 1e-9);
 }
 
-/// A touch whose position was never set begins there; one that was set stays, also at 0, 0, 0.
+/// A touch without a set position begins at the start. A position that was set is kept, even 0, 0,
+/// 0.
 void checkTouch()
 {
   const Body body = ballWithTail({ 1.0, 1.0, 1.0 });
@@ -217,12 +222,12 @@ void checkTouch()
       ->GetTuple(0, place);
     return Vector3(place);
   };
-  // Pressed in along the blended normal it projects a little beside, on facets.
+  // After the press along the blended normal its projection is slightly shifted on facets.
   PALPATE_CHECK_NEAR((tip() - start).norm(), 0.0, 0.02);
   const Body shifted = ballWithTail({ 1.0, 1.0, 1.0 });
   movePoints(shifted, [](const Vector3& x) { return Vector3(x + Vector3(500, 0, 0)); });
   touch->SetInputData(withResponse(shifted, Tool, Range));
-  PALPATE_CHECK_NEAR((tip() - Vector3(500, 0, 0) - start).norm(), 0.0, 0.02); // anew
+  PALPATE_CHECK_NEAR((tip() - Vector3(500, 0, 0) - start).norm(), 0.0, 0.02); // a new start
   touch->SetInputData(body);
   touch->SetTipPosition(1.0, 2.0, -50.0);
   PALPATE_CHECK(tip().z() < -29.0);

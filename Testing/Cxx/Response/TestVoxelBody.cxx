@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVoxelBody: volume, conformity, what is held, errors; and the compliance of what it makes.
+// vtkVoxelBody: volume, conformity, held points, errors; and the compliance of its output.
 #include "FilterChecks.h"
 
 #include "vtkCell.h"
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkVoxelBody> makeFilter(vtkPolyData* body, double spacing)
   return filter;
 }
 
-/// Volume of the grid's outer surface, and how far its points lie from the ball of a radius.
+/// Volume of the grid's outer surface, and the distance of its points from a ball of this radius.
 struct Shape
 {
   double volume = 0.0;
@@ -106,7 +106,7 @@ void checkBall()
             << "), distance " << conforming.meanDistance << " (" << stairs.meanDistance
             << ") mm, edges " << conforming.edgeShare << " (" << stairs.edgeShare << ")"
             << std::endl;
-  PALPATE_CHECK_NEAR(conforming.volume / exact, 1.0, 0.02); // faceted, some corners held back
+  PALPATE_CHECK_NEAR(conforming.volume / exact, 1.0, 0.02); // faceted, some corners are limited
   PALPATE_CHECK(stairs.volume < 0.95 * exact);              // only whole voxels
   PALPATE_CHECK(conforming.meanDistance < 0.02);            // 80 × 60 facets sag by up to 0.03 mm
   PALPATE_CHECK(conforming.edgeShare < 0.1 && stairs.edgeShare > 0.5);
@@ -127,7 +127,7 @@ void checkHeld()
     }
     return count;
   };
-  // A core of 4 × 2 × 1 voxels and the layer around it, whose corners are the body's.
+  // A core of 4 × 2 × 1 voxels and the layer around it, whose corners are those of the body.
   PALPATE_CHECK(held("z-") == 5 * 3);
   PALPATE_CHECK(held("x+") == 3 * 2);
   PALPATE_CHECK(held("z-, z+") == 2 * 5 * 3);

@@ -67,7 +67,7 @@ inline Grid block(int side, int height, int cellType = VTK_VOXEL)
   return grid;
 }
 
-/// x × y × z voxels of 1 mm, held where `isFixed(i, j)` says so of their corners along x and y.
+/// x × y × z voxels of 1 mm, held where `isFixed(i, j)` is true for their corners along x and y.
 inline Grid voxels(int x, int y, int z, const std::function<bool(int, int)>& isFixed)
 {
   auto grid = Grid::New();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is told of how much of a plate's bending its elements miss, against elements of half the
-// side; and how that is carried from place to place.
+// The stated share of a plate's bending that its elements miss, against elements of half the size;
+// and its transfer from place to place.
 #include "Solids/TrueShape/BendingError.h"
 
 #include "ShapedBodies.h"
@@ -9,7 +9,7 @@ namespace
 {
 using namespace palpate;
 
-/// 10 by 10 mm, 2 mm thick, held at two ends; quadratic tetrahedra of this side.
+/// A plate of 10 by 10 mm, 2 mm thick, held at two ends; quadratic tetrahedra of this side.
 ElasticBodyInput plate(double side)
 {
   const int along = static_cast<int>(10.0 / side + 0.5);
@@ -20,7 +20,7 @@ ElasticBodyInput plate(double side)
     10.0);
 }
 
-/// H at a place on the plate, and what is told of it.
+/// H at a place on the plate, and its stated error.
 struct Told
 {
   double self = 0.0; ///< mm/N
@@ -69,8 +69,8 @@ TEST(BendingError, IsCarriedByDistanceAndBending)
   EXPECT_EQ(BendingError({ { at(0.0), 1.0, 10.0 } }).at(at(1.0)), BendingError::Most);
 }
 
-// Single sources whose own field is a hundred times what bending makes of it, at the place itself
-// as well.
+// Single sources whose own field is a hundred times their effect by bending, also at the place
+// itself.
 TEST(BendingError, LeavesOutWhatIsNoBending)
 {
   std::vector<BendingError::Sample> samples;

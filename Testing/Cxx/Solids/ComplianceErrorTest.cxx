@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the error that is stated of a compliance holds: against the exact layer, a plate, and
-// meshes half as coarse of bodies that the estimate was not fitted to.
+// The stated error of a compliance must bound the true one: against the exact layer, a plate, and
+// meshes of half the element size, for bodies to which the estimate was not fitted.
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/EnergyError.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -25,7 +25,7 @@ bool goOn(double)
   return true;
 }
 
-/// Compliances of a body everywhere, and how far each may be off.
+/// Compliances at all points of a body, with their stated errors.
 struct Stated
 {
   ElasticBody body;
@@ -90,7 +90,7 @@ double exactLayer(double nu)
   return NotANumber;
 }
 
-/// The middle of its top.
+/// The middle of the top of the body.
 std::size_t middleOf(const Stated& stated)
 {
   const double middle = 0.5 * stated.body.mesh().nodes.row(0).maxCoeff();
@@ -98,8 +98,8 @@ std::size_t middleOf(const Stated& stated)
     pointAt(stated.body.surface(), Eigen::Vector3d(middle, middle, Height)));
 }
 
-/// How many compliances of a body on coarse elements differ from those on elements of half the side
-/// by more than is stated of the coarse ones, as a fraction of those with either.
+/// The share of compliances whose error exceeds the stated one: coarse elements are compared with
+/// elements of half the side, at the points that both have.
 double missed(const std::function<ElasticBodyInput(int)>& bodyOf)
 {
   const Stated coarse(bodyOf(1));
@@ -114,7 +114,7 @@ double missed(const std::function<ElasticBodyInput(int)>& bodyOf)
       fine.found.status[static_cast<std::size_t>(j)] == PatchStatus::Valid)
     {
       const double better = fine.found.compliance[static_cast<std::size_t>(j)];
-      // Of second order: a third of the step remains.
+      // Second order: a third of the step remains.
       const double error = 4.0 / 3.0 * std::abs(coarse.found.compliance[at] - better);
       ++compared;
       beyond += error > coarse.errors[at] ? 1 : 0;
@@ -148,8 +148,8 @@ TEST(ComplianceError, HoldsOnALayer)
   }
 }
 
-// Second order in the elements: a bound that does not shrink with them would be none. In the
-// middle, where C_g does not depend on them.
+// Second order in the elements: a useful bound must shrink with them. In the middle, where C_g does
+// not depend on the elements.
 TEST(ComplianceError, ShrinksWithTheElements)
 {
   const auto relative = [](Cells cells, int elements)
@@ -211,9 +211,9 @@ TEST(ComplianceError, EndsWhenToldTo)
   EXPECT_TRUE(complianceErrors(stated.body, stated.found, [](double) { return false; }).empty());
 }
 
-// Stress that is linear in space is its own mean; one that jumps by s between two halves of a bar
-// in tension lacks what linear slopes over the two elements beside the jump take: (s/2)²/3/E in
-// each.
+// Stress that is linear in space equals its own mean. If it jumps by s between two halves of a bar
+// in tension, the error is that of linear slopes over the two elements next to the jump: (s/2)²/3/E
+// in each.
 TEST(EnergyError, OfALinearFieldIsNothingAndOfAStepItsSlopes)
 {
   const VolumeMesh mesh = palpate::testing::hexahedronBlock(4, 2, 2, 1.0);
@@ -230,7 +230,7 @@ TEST(EnergyError, OfALinearFieldIsNothingAndOfAStepItsSlopes)
   const std::vector<double> found = energyErrors(body, { bent, step });
   const double jump = 3.0 * 0.2;
   const double section = 4.0;
-  EXPECT_NEAR(found[0], 0.0, 1e-12); // the modes bend without error
+  EXPECT_NEAR(found[0], 0.0, 1e-12); // the modes represent bending exactly
   EXPECT_NEAR(found[1], 2.0 * section * 0.25 * jump * jump / 3.0 / 3.0, 1e-12);
 }
 } // namespace compliance_error

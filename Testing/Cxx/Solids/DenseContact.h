@@ -15,8 +15,9 @@
 namespace palpate::testing
 {
 /**
- * A contact on the H of a fit without any angle mean: square cells of uniform pressure, Love's
- * half-space and H between their middles, the active set by turns. A second way from the same H.
+ * A contact from the H of a fit without angle means: square cells of uniform pressure, Love's
+ * half-space plus H between their centres, and an iterated active set. An independent second way
+ * from the same H.
  */
 class DenseContact
 {
@@ -52,7 +53,7 @@ public:
     this->Regular = side * side * carry * fit.values() * carry.transpose();
   }
 
-  /// The force at a depth under the gap f(r); `withRegular` false: on the half-space alone.
+  /// The force at a depth under the gap f(r). With `withRegular` false: on the half-space alone.
   double force(double depth, const std::function<double(double)>& gap, bool withRegular) const
   {
     const Eigen::MatrixXd whole =
@@ -92,13 +93,13 @@ public:
       {
         return pressure.sum() * this->Side * this->Side;
       }
-      active = kept; // cells once left do not come back: the contact only shrinks from f < depth
+      active = kept; // removed cells do not return: the contact only shrinks from f < depth
     }
     return NotANumber;
   }
 
 private:
-  /// Displacement at `at` from the middle of a square under unit pressure, over 1/(πE*); Love 1929.
+  /// Displacement at `at` from the centre of a square under unit pressure, over 1/(πE*); Love 1929.
   double love(const Eigen::Vector2d& at) const
   {
     const double h = 0.5 * this->Side;
@@ -111,7 +112,8 @@ private:
       corner(at[0] + h, at[1] - h) - corner(at[0] - h, at[1] + h);
   }
 
-  /// From the fit's points to the cells by a polynomial of degree 6, or 4 where there are few.
+  /// Interpolation from the points of the fit to the cells by a polynomial of degree 6, or 4 for
+  /// few points.
   Eigen::MatrixXd interpolation(const ContactKernelFit& fit, double radius) const
   {
     const int degree = fit.points().size() > 40 ? 6 : 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which of two curves a point gets: its own, or that of direct contact. On a bonded layer, whose
-// exact law tells.
+// exact law is known.
 #include "Solids/Curves/DirectCurve.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -25,7 +25,7 @@ constexpr double Depth = 0.4;
 constexpr int Samples = 8;
 constexpr ElasticMaterial Material{ 1.0, 0.45 };
 
-/// A layer on a rigid base at z = 0, its facets `side` long around the middle.
+/// A layer on a rigid base at z = 0, with facets `side` long around the middle.
 struct Layer
 {
   explicit Layer(double side)
@@ -46,7 +46,7 @@ struct Layer
 class DirectCurve : public ::testing::Test
 {
 protected:
-  /// The exact curve times a factor, to a depth, its stated error everywhere.
+  /// The exact curve times a factor, up to a depth, with the same stated error everywhere.
   void fill(double factor, double stated, double range = Depth)
   {
     for (int k = 0; k < Samples; ++k)
@@ -61,7 +61,7 @@ protected:
     this->Range = static_cast<float>(range);
   }
 
-  /// Of contacts on two meshes.
+  /// Result of contacts on two meshes.
   DirectOutcome take(const DirectPress& finer, const DirectPress& coarser, bool finite = false)
   {
     const DirectTerms terms{ this->Sphere.get(), Material, Depth, 0.05, nullptr, finite };
@@ -70,7 +70,7 @@ protected:
         &this->Status, &this->Limit, this->Error.data() });
   }
 
-  /// At a height over the base.
+  /// A press at a height over the base.
   static DirectPress press(const ElasticBody& body, const AxisymmetricTool& sphere, double height)
   {
     const DirectPlace at{ { 0.0, 0.0, height }, -Eigen::Vector3d::UnitZ() };
@@ -91,9 +91,10 @@ protected:
   unsigned char Limit = 0;
 };
 
-/// A law that is better known stays; so does any where nothing touches. One that states half of its
-/// force, one that is off by that and does not know, and one that ends at a fifth of the depth are
-/// replaced. Four facets over the contact's radius, as of DirectContactTest: 2 %.
+/// A law with a smaller error is kept; so is any law where the tool touches nothing. Three laws are
+/// replaced: one with a stated error of half of its force, one with that error but a small stated
+/// one, and one that ends at a fifth of the depth. Four facets over the contact radius, as in
+/// DirectContactTest: 2 %.
 TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
 {
   const Layer fine(0.45);
@@ -131,22 +132,22 @@ TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
       const double error = std::abs(static_cast<double>(this->Force[i]) / exact.force - 1.0);
       EXPECT_GT(this->Force[i], before) << k;
       before = this->Force[i];
-      if (k >= 3) // before, contacts are smaller than two facets: the former curve leads there
+      if (k >= 3) // before, contacts are smaller than two facets, and the former curve is used
       {
         EXPECT_LE(error, static_cast<double>(this->Error[i])) << factor << " " << k;
       }
       if (k == Samples - 1)
       {
         EXPECT_LT(error, 0.02) << factor;
-        // Slopes of a contact that grows by a third of its radius at a time.
+        // Slopes of a contact that grows by a third of its radius per step.
         EXPECT_NEAR(static_cast<double>(this->Stiffness[i]) / exact.stiffness, 1.0, 0.08);
       }
     }
   }
 }
 
-/// At finite strain: the exact law times what the axisymmetric solver's tables say. Where one of
-/// the meshes has no such contact the curve stays.
+/// At finite strain: the exact law times the factor from the axisymmetric solver's tables. If one
+/// of the meshes has no such contact the curve is kept.
 TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
 {
   const Layer fine(0.7);
@@ -177,7 +178,7 @@ TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
   DirectTerms terms{ this->Sphere.get(), Material, Depth, 0.05, nullptr, true };
   const double difference =
     std::abs(coarser.finite.evaluate(Depth).force / finer.finite.evaluate(Depth).force - 1.0);
-  ASSERT_GT(difference, 0.01); // what one mesh knows
+  ASSERT_GT(difference, 0.01); // difference of the two meshes
   EXPECT_TRUE(meshesAgree(finer, coarser, terms));
   terms.errorTolerance = 0.99 * difference;
   EXPECT_FALSE(meshesAgree(finer, coarser, terms));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a region yields by its direction: a matrix from its motions, and kernels between landmarks
-// against a beam, which is soft across and stiff along.
+// The compliance of a region by direction: a matrix from its motions, and kernels between landmarks
+// against a beam, which is soft across and stiff along its axis.
 #include "ShapedBodies.h"
 
 #include "Solids/TrueShape/DirectedCompliance.h"
@@ -23,7 +23,7 @@ Eigen::Vector3d tilted(double degrees)
 }
 } // namespace
 
-// Six normals tell all of Γ, but for the damping: a thousandth.
+// Six normals determine all of Γ, except for the damping: a thousandth.
 TEST(DirectedCompliance, IsFoundFromMotions)
 {
   Eigen::Matrix3d truth;
@@ -40,7 +40,8 @@ TEST(DirectedCompliance, IsFoundFromMotions)
   EXPECT_EQ(found.matrix(), found.matrix().transpose());
 }
 
-// One normal tells how its compliance changes as it turns: by 2 Δ·g at first.
+// The motion at one normal determines the first-order change of its compliance with rotation: 2
+// Δ·g.
 TEST(DirectedCompliance, TurnsByTheMotionOfOneNormal)
 {
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
@@ -58,8 +59,8 @@ TEST(DirectedCompliance, OfNoMotionIsNone)
   EXPECT_TRUE(none.matrix().isZero());
 }
 
-// A beam four times as wide as thick, held at one end: along a normal that leans by θ it yields by
-// cos²θ, and a sixteenth of sin²θ which the normals of its flat side do not tell.
+// A beam four times as wide as thick, held at one end. Along a normal tilted by θ its compliance is
+// cos²θ, plus a sixteenth of sin²θ, which the normals of its flat side do not contain.
 TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(20, 8, 2, 1.0);
@@ -87,7 +88,7 @@ TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
     return BlendedKernels(landmarks, { place, normal, {} }, around).at(1.0).coefficients(0, 0);
   };
   const double level = along(tilted(0.0));
-  // Of 1.5 mm around the place on a flat side: what the damping takes, alone.
+  // Within 1.5 mm of the place on a flat side: only the effect of the damping.
   EXPECT_NEAR(level, beam.fit->at(1.0).coefficients(0, 0), 2e-3 * level);
   for (const double degrees : { 10.0, 25.0, 40.0 })
   {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-// Of OpenBLAS, where that is the BLAS; otherwise null.
+// Functions of OpenBLAS, if it is the BLAS; otherwise null.
 extern "C"
 {
   __attribute__((weak)) int openblas_get_num_threads();
@@ -33,7 +33,7 @@ bool always(double)
   return true;
 }
 
-/// Sets OpenBLAS's threads, and puts them back.
+/// Sets the threads of OpenBLAS and restores them.
 class BlasThreads
 {
 public:
@@ -63,7 +63,7 @@ private:
   int Before;
 };
 
-/// A bonded block; its compliances at every point of the surface, and a solution.
+/// A bonded block with the compliances at all surface points, and a solution.
 struct Block
 {
   ElasticBodyInput input;
@@ -114,7 +114,7 @@ TEST(FiniteElementThreads, SameBitsForAnyNumber)
     EXPECT_TRUE(sameBits(found, alone)) << threads << " threads";
     if (BlasThreads::isThere())
     {
-      EXPECT_EQ(openblas_get_num_threads(), threads); // the setting of the host is put back
+      EXPECT_EQ(openblas_get_num_threads(), threads); // the setting of the host is restored
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gap of a triangulated body against that of the smooth body its points were taken from:
-// ellipsoids with bumps, drawn at random, whose triangles are between three times and half as long
-// as a contact is wide.
+// The gap of a triangulated body against that of the smooth body from which its points were taken:
+// random ellipsoids with bumps. Their triangles are between three times and half as long as the
+// contact is wide.
 #include "Solids/Curves/GapOfSurface.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -20,7 +20,7 @@ namespace
 {
 using namespace palpate;
 
-/// A triangulated ball of radius 1, its points moved a little along it.
+/// A triangulated ball of radius 1 whose points are moved a little along its surface.
 struct Ball
 {
   std::vector<Vector3> points;
@@ -103,7 +103,8 @@ Ball makeBall(int divisions, std::mt19937& random)
 
 using Implicit = std::function<double(const Vector3&)>; // > 0 outside
 
-/// `highest` of its bumps over its radius, and the `largest` number of waves per radius.
+/// `highest`: height of the bumps over the radius of the body; `largest`: largest number of waves
+/// per radius.
 Implicit bumpyEllipsoid(double highest, double largest, std::mt19937& random)
 {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -121,7 +122,7 @@ Implicit bumpyEllipsoid(double highest, double largest, std::mt19937& random)
   };
 }
 
-/// Where along from + t direction it is left; it is outside at the first.
+/// Distance along from + t direction at which the body ends. The first point is outside.
 double crossing(
   const Implicit& body, const Vector3& from, const Vector3& direction, double first, double last)
 {
@@ -140,16 +141,16 @@ double crossing(
   return 0.5 * (low + high);
 }
 
-/// The mean that a force feels: of (r/a)^2m under a flat punch's pressure.
+/// The mean that enters a force: of (r/a)^2m under the pressure of a flat punch.
 double feltMean(const GapTerms& gap)
 {
   return gap.drop[0] + 2.0 / 3.0 * gap.drop[1] + 8.0 / 15.0 * gap.drop[2];
 }
 
-constexpr double LeftOfFacets = 1.0 / 3.0; // as ShapedContact takes it
+constexpr double LeftOfFacets = 1.0 / 3.0; // as in ShapedContact
 
-/// How many gaps were compared with those of the bodies, how many differ by more than is stated,
-/// and the median of the differences over the gap.
+/// Number of gaps compared with those of the bodies, number with a difference above the stated
+/// error, and the median of the differences over the gap.
 struct Compared
 {
   int all = 0;
@@ -232,7 +233,7 @@ Compared compareGaps(double highest, double largest)
 }
 } // namespace
 
-// Bumps of at least the length of some triangles: what the points describe.
+// Bumps at least as long as some triangles: the points describe them.
 TEST(GapOfSurface, IsThatOfTheSmoothBody)
 {
   const Compared compared = compareGaps(0.06, 6.0);
@@ -241,7 +242,7 @@ TEST(GapOfSurface, IsThatOfTheSmoothBody)
   EXPECT_LT(compared.median, 0.05);
 }
 
-// Bumps that go on between the points.
+// Bumps shorter than the distances of the points.
 TEST(GapOfSurface, SaysWhatThePointsLeaveOpen)
 {
   const Compared compared = compareGaps(0.08, 12.0);
@@ -249,7 +250,7 @@ TEST(GapOfSurface, SaysWhatThePointsLeaveOpen)
   EXPECT_LE(compared.beyond, 0.05 * compared.all);
 }
 
-// Beyond the rim of a can there is nothing that faces the same way.
+// Beyond the rim of a can no surface faces the same way.
 TEST(GapOfSurface, EndsAtAnEdge)
 {
   std::vector<double> points;

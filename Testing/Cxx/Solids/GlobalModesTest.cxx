@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The modes of bodies that bend, against full solutions at points that are no landmarks, C_g and
-// beam theory; the dent that is taken off; bodies with few points or none to press, of several
-// parts, held along all of one side. Plate and filter: TestElasticComplianceModes.
+// The modes of bodies that bend, against full solutions at points that are not landmarks, C_g and
+// beam theory; the subtracted dent; bodies with few or no points to press, of several parts, held
+// along one whole side. Plate and filter: TestElasticComplianceModes.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/GlobalModes.h"
@@ -68,7 +68,8 @@ struct Solved
   }
 };
 
-/// How 1 N pressed in at `point` moves the surface: the sum that whoever has the modes makes.
+/// Motion of the surface under 1 N pressed in at `point`: the sum over the modes as a user computes
+/// it.
 Eigen::Matrix3Xd motion(const Solved& solved, const GlobalModes& modes, std::int32_t point)
 {
   Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, solved.surface().pointTotal());
@@ -102,7 +103,7 @@ ElasticBodyInput heldBlock(int nx, int ny, int nz, double modulus = 1.0)
   return input;
 }
 
-/// Two bodies in one input, the second moved up so that its faces look the same way.
+/// Two bodies in one input; the second is moved up, so that its faces have the same orientation.
 ElasticBodyInput both(ElasticBodyInput a, ElasticBodyInput b, const Eigen::Vector3d& offset)
 {
   const std::int32_t first = a.mesh.nodeTotal();
@@ -137,8 +138,8 @@ TEST(RegularField, IsTheWholeMotionWithoutTheDent)
   const Eigen::Matrix3Xd regular = beam.regular(point);
   const Eigen::Matrix3Xd whole = beam.body.displacement(
     (4.0 * patchForces(beam.body, point, 0.75) - patchForces(beam.body, point, 1.5)) / 3.0);
-  // At the point: -C_g, which is found from the energy of the patches, not from motions. Both are
-  // right to the fourth order of the patch's radius, 0.75 of a side of 4.
+  // At the point itself: -C_g, which comes from the energy of the patches, not from motions. Both
+  // are accurate to the fourth order of the patch's radius, 0.75 of a side of 4.
   EXPECT_TRUE(agrees(-regular(2, point), beam.compliance(point), 1e-3));
   const double reduced = 1.0 / (1.0 - Poisson * Poisson);
   const double rounding = 1e-9 * whole.cwiseAbs().maxCoeff();
@@ -146,13 +147,13 @@ TEST(RegularField, IsTheWholeMotionWithoutTheDent)
   {
     const Eigen::Vector3d taken = whole.col(surface.node(i)) - regular.col(i);
     const Eigen::Vector3d away = surface.position(i) - surface.position(point);
-    if (surface.normal(i)[2] < 0.4) // sides, ends and what is below show no dent
+    if (surface.normal(i)[2] < 0.4) // no dent on sides, ends and bottom
     {
       EXPECT_LT(taken.norm(), rounding) << i;
     }
     else if (surface.normal(i)[2] == 1.0 && away.norm() > 3.0 && away.norm() < 5.0)
     {
-      // That of the elements, some of them two from the force.
+      // Error of the elements, some of which are two elements from the force.
       EXPECT_NEAR(-taken[2] * Pi * reduced * away.norm(), 1.0, 0.05) << i;
     }
     else if (surface.normal(i)[2] == 1.0 && away.norm() > 7.0) // beyond the cut of 5.5
@@ -166,7 +167,7 @@ TEST(RegularField, IsTheWholeMotionWithoutTheDent)
   }
 }
 
-// Far from the support a bar moves as Timoshenko's: what lies beyond the force turns as one.
+// Far from the support a bar moves as by Timoshenko: the part beyond the force rotates rigidly.
 TEST(RegularField, BendsAsBeamTheoryHasIt)
 {
   const Solved beam(bar());
@@ -187,10 +188,10 @@ TEST(RegularField, BendsAsBeamTheoryHasIt)
 
 /**
  * Six modes of a bar are three for each direction of bending. By Euler's series, G = L³/EI Σ φ_k(ξ)
- * φ_k(η)/λ_k⁴ with |φ_k| <= 2 and λ = 1.875, 4.694, 7.855, 10.996, 14.137..., those from the fourth
- * on move no point by more than 4.7e-4 L³/EI: 0.5 % of the largest motion, ξ²(3-ξ)/6 L³/EI, under a
- * force at ξ = 1/2, and 2 % at ξ = 1/4. Shear, torsion and what is local in a cross-section come
- * on top, and the third mode is not quite Euler's: twice as much is allowed.
+ * φ_k(η)/λ_k⁴ with |φ_k| <= 2 and λ = 1.875, 4.694, 7.855, 10.996, 14.137..., the modes from the
+ * fourth on move no point by more than 4.7e-4 L³/EI: 0.5 % of the largest motion, ξ²(3-ξ)/6 L³/EI,
+ * under a force at ξ = 1/2, and 2 % at ξ = 1/4. Shear, torsion and local deformation of a
+ * cross-section add to that, and the third mode is not exactly Euler's: twice as much is allowed.
  */
 TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
 {
@@ -198,7 +199,7 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
   const GlobalModes modes = beam.modes(6);
   ASSERT_EQ(modes.fields.size(), 6U);
   EXPECT_EQ(modes.landmarks.size(), 48U);
-  EXPECT_LT(modes.asymmetry, 1e-3); // Betti
+  EXPECT_LT(modes.asymmetry, 1e-3); // by Betti
   int compared = 0;
   double worst = 0.0;
   for (int x = Length / 4; x < Length; ++x)
@@ -231,11 +232,12 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
   }
   EXPECT_GT(compared, 10);
   RecordProperty("worst", std::to_string(worst));
-  EXPECT_LT(modes.neglected, 0.01);               // of C_g, which the soft end decides
-  EXPECT_EQ(modes.signs, std::vector<int>(6, 1)); // it yields wherever it is pressed
+  EXPECT_LT(modes.neglected, 0.01); // relative to C_g, which is largest at the soft end
+  EXPECT_EQ(modes.signs, std::vector<int>(6, 1)); // positive compliance at every place
 }
 
-// An edge has no landmarks, as patches would wrap it; the modes hold there all the same.
+// An edge has no landmarks, since patches would wrap around it; the modes are valid there all the
+// same.
 TEST(GlobalModes, HoldWhereNoPatchIsValid)
 {
   const Solved beam(bar());
@@ -249,7 +251,7 @@ TEST(GlobalModes, HoldWhereNoPatchIsValid)
   const double largest = whole.colwise().norm().maxCoeff();
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
-    if ((surface.position(i) - surface.position(point)).norm() > 2 * Side) // Saint-Venant
+    if ((surface.position(i) - surface.position(point)).norm() > 2 * Side) // by Saint-Venant
     {
       // As under any force beyond half of the length, see above.
       EXPECT_LT((found.col(i) - whole.col(surface.node(i))).norm(), 0.01 * largest) << i;
@@ -270,7 +272,7 @@ TEST(GlobalModes, MoreModesNeglectLess)
   }
 }
 
-// One landmark: the one mode is its field, exactly, and the others are zero.
+// One landmark: one mode is exactly its field, and the others are zero.
 TEST(GlobalModes, MoreModesThanLandmarks)
 {
   const Solved block(heldBlock(4, 4, 4));
@@ -297,7 +299,7 @@ TEST(GlobalModes, ABodyWithoutAValidPatchHasNone)
   EXPECT_EQ(modes.neglected, 0.0);
 }
 
-// On a bonded block the support stiffens: C_g < 0, and so is the sign of what describes it.
+// On a bonded block the support makes it stiffer: C_g < 0, and so is the sign of its modes.
 TEST(GlobalModes, ABondedBlockHasNegativeOnes)
 {
   const Solved block(heldBlock(12, 12, 4));
@@ -306,13 +308,14 @@ TEST(GlobalModes, ABondedBlockHasNegativeOnes)
   const GlobalModes modes = block.modes(6);
   EXPECT_EQ(std::count(modes.signs.begin(), modes.signs.end(), -1), 6);
   const double found = -motion(block, modes, top)(2, top);
-  EXPECT_LT(found, 0.5 * block.compliance(top)); // most of it, although it is no body of few modes
+  EXPECT_LT(
+    found, 0.5 * block.compliance(top)); // the largest part, although such a body needs many modes
   EXPECT_GT(found, 1.1 * block.compliance(top));
 }
 
 TEST(GlobalModes, PartsDoNotMoveEachOther)
 {
-  // Equal bars, so that their eigenvalues are equal; the cut after six of them parts a group.
+  // Equal bars have equal eigenvalues, so the limit of six modes splits a group.
   const Solved bars(both(bar(16, 4), bar(16, 4), { 0.0, 0.0, 8.0 }));
   const GlobalModes modes = bars.modes(6);
   for (const double z : { 4.0, 12.0 })

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What finite elements will take: told from counts of nodes, against the symbolic analysis, and
-// that against what the factorisation then takes.
+// Forecast of the memory of finite elements: from counts of nodes, against the symbolic analysis,
+// and that analysis against the memory of the factorisation.
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/MemoryForecast.h"
@@ -38,7 +38,7 @@ TEST(MemoryForecast, IsThatOfTheSymbolicAnalysisWithinItsError)
   {
     GTEST_SKIP() << "built without CHOLMOD";
   }
-  // Cubes, plates, bars: a factor of 40 in nodes, of 8 in how thick they are.
+  // Cubes, plates, bars: a factor of 40 in the number of nodes, of 8 in thickness.
   const std::array<std::array<int, 3>, 6> sizes = { { { 10, 10, 10 }, { 16, 16, 16 },
     { 24, 24, 24 }, { 60, 60, 4 }, { 40, 40, 8 }, { 6, 6, 200 } } };
   for (const auto& [nx, ny, nz] : sizes)
@@ -65,7 +65,7 @@ TEST(MemoryForecast, TheEstimateIsWhatTheFactorisationTakes)
   resetPeakMemory();
   const double before = peakMemory();
   ASSERT_EQ(body.factorise(), "");
-  // 110 MB, and some that BLAS packs blocks in and that malloc keeps.
+  // 110 MB, plus blocks packed by BLAS and memory kept by malloc.
   EXPECT_NEAR((peakMemory() - before) / body.memoryEstimate(), 1.0, 0.2);
 }
 

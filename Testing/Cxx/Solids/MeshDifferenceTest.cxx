@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether what two meshes tell of the error of the finer one holds: against elements of half its
-// side, at points, tools and depths drawn at random.
+// The error of the finer mesh, estimated from two meshes, must be valid: against elements of half
+// the size, at random points, tools and depths.
 #include "ShapedBodies.h"
 
 #include "Solids/TrueShape/MeshDifference.h"
@@ -54,7 +54,7 @@ struct Solved
   }
 };
 
-/// Points of the surface that can be pressed, drawn at random.
+/// Random points of the surface that can be pressed.
 std::vector<Eigen::Vector3d> drawn(const ElasticBody& body, std::size_t count)
 {
   std::mt19937 random(11);
@@ -71,8 +71,8 @@ std::vector<Eigen::Vector3d> drawn(const ElasticBody& body, std::size_t count)
   return places;
 }
 
-/// Forces that were compared, those that differ from those on finer elements by more than is
-/// stated, and what is stated of the elements in the mean, from the two meshes and without.
+/// Number of compared forces, number whose difference from finer elements exceeds the stated error,
+/// and the mean stated error of the elements, with the two meshes and without.
 struct Compared
 {
   int all = 0;
@@ -87,7 +87,7 @@ Compared compare(BodyOf bodyOf)
   const Solved coarse(bodyOf(1));
   const Solved fine(bodyOf(2));
   const std::vector<Eigen::Vector3d> places = drawn(fine.body, 12);
-  // Of as many sources, so that the elements alone differ.
+  // With the same number of sources, so that only the elements differ.
   const Solved truth(bodyOf(4), places, fine.body.surface().spacing(0));
   const MeshDifference meshes(LandmarkKernels(*fine.green), LandmarkKernels(*coarse.green));
   std::mt19937 random(3);
@@ -115,7 +115,7 @@ Compared compare(BodyOf bodyOf)
       const ContactSample errors = here.errorsAt(depth);
       const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
       const double better = there.evaluate(depth).force;
-      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // of second order
+      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // second order
       ++compared.all;
       compared.beyond += error > stated ? 1 : 0;
       compared.error += error;
@@ -130,7 +130,7 @@ Compared compare(BodyOf bodyOf)
   return compared;
 }
 
-/// Of quadratic tetrahedra as long as it is thick, twice as long on the coarser mesh.
+/// Quadratic tetrahedra as long as the plate is thick, twice as long on the coarser mesh.
 ElasticBodyInput thinPlate(int finer)
 {
   const int layers = std::max(1, finer / 2);
@@ -140,7 +140,7 @@ ElasticBodyInput thinPlate(int finer)
   return heldAtTheEnds(std::move(mesh), 10.0);
 }
 
-/// Of two layers of them.
+/// Two layers of them.
 ElasticBodyInput plate(int finer)
 {
   return heldAtTheEnds(
@@ -156,7 +156,7 @@ ElasticBodyInput heldBlock(int finer)
   return { std::move(mesh), { { 0.1, 0.4 } }, fixed };
 }
 
-/// A cap of a ball of 8 mm on a block, its nodes on the ball itself, held below.
+/// A cap of a ball of 8 mm on a block, with its nodes on the ball itself, held below.
 ElasticBodyInput heldCap(int finer)
 {
   constexpr double radius = 8.0;
@@ -174,7 +174,7 @@ ElasticBodyInput heldCap(int finer)
 }
 } // namespace
 
-// In 95 of 100 cases; and narrower than what elements alone let expect.
+// Valid in 95 of 100 cases, and smaller than the expected error of the elements alone.
 TEST(MeshDifference, BoundsWhatFinerElementsChange)
 {
   Compared all;
@@ -188,7 +188,7 @@ TEST(MeshDifference, BoundsWhatFinerElementsChange)
   EXPECT_LE(all.beyond, 0.05 * all.all);
 }
 
-// Two estimates weigh together as their squares' harmonic mean.
+// Two estimates combine as the harmonic mean of their squares.
 TEST(MeshDifference, StandsBesideAnotherEstimate)
 {
   const MissedCompliance told{ { 0.5, 2.0 }, { 3.0, 4.0 } };

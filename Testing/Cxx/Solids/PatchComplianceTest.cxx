@@ -28,7 +28,7 @@ std::array<PatchLoad, 2> twoLoads(const ElasticBody& body, std::int32_t point, d
     makePatchLoad(body.mesh(), body.surface(), point, 2.0 * radius) };
 }
 
-/// A block on a fixed base; the solver that is fast on small ones.
+/// A block on a fixed base, with the solver that is fast for small ones.
 void makeBlock(ElasticBody& body, VolumeMesh mesh, const std::vector<ElasticMaterial>& materials)
 {
   const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
@@ -62,8 +62,8 @@ TEST(PatchSelfTerm, TendsToTheDiscOnAHalfSpace)
   {
     const double radius = k == 0 ? 0.75 : 1.5;
     const double exact = 16.0 / (3.0 * Pi * Pi * radius) * (1.0 - 0.3 * 0.3);
-    // Elements of the size of the patch: 19 % and 6 % were measured; the point is that they are
-    // below, and nearer with a larger patch.
+    // Elements of the size of the patch: 19 % and 6 % were measured. The values must be too small,
+    // and closer with a larger patch.
     EXPECT_LT(found[k], exact);
     EXPECT_GT(found[k], (k == 0 ? 0.75 : 0.9) * exact);
   }
@@ -83,11 +83,11 @@ TEST(PatchSelfTerm, EqualCutOutsAreFoundToBeEqual)
   const LocalPatch here = cut(3, 3, 3, 0.3);
   EXPECT_EQ(patchKey(here), patchKey(cut(5, 3, 3, 0.3)));
   EXPECT_NE(patchKey(here), patchKey(cut(3, 3, 3, 0.31)));
-  EXPECT_NE(patchKey(here), patchKey(cut(1, 3, 3, 0.3))); // beside an edge
+  EXPECT_NE(patchKey(here), patchKey(cut(1, 3, 3, 0.3))); // next to an edge
   EXPECT_NEAR(patchSelfTerms(here)[1][0], patchSelfTerms(cut(5, 3, 3, 0.3))[1][0], 1e-13);
 }
 
-// Two identical halves of a problem must give identical numbers, whatever the axis.
+// Two identical halves of a problem must give identical numbers, for any axis.
 TEST(PatchCompliance, FollowsTheSymmetryOfTheBody)
 {
   ElasticBody body;
@@ -117,7 +117,7 @@ TEST(PatchCompliance, StatusOfEdgesAndSupports)
   };
   EXPECT_EQ(statusAt(2, 2, 6), PatchStatus::Valid);
   EXPECT_EQ(statusAt(0, 2, 6), PatchStatus::Edge);
-  EXPECT_EQ(statusAt(1, 2, 6), PatchStatus::Edge); // the larger patch, 1.5, wraps it
+  EXPECT_EQ(statusAt(1, 2, 6), PatchStatus::Edge); // the larger patch, 1.5, wraps around it
   EXPECT_EQ(statusAt(2, 2, 0), PatchStatus::OutOfReach);
   EXPECT_EQ(statusAt(0, 2, 3), PatchStatus::Valid);
   EXPECT_EQ(statusAt(0, 2, 2), PatchStatus::OutOfReach); // its ring reaches the lowest element
@@ -173,10 +173,11 @@ TEST(PatchCompliance, TheHalfSpaceIsThatOfTheMaterialAtThePoint)
     return patchCompliances(body, { point }, 0.0, always)
       .compliance[static_cast<std::size_t>(point)];
   };
-  // On a base a hundred times as stiff: nearly that of the layer alone on a rigid base.
+  // On a base a hundred times as stiff: nearly the value of the layer alone on a rigid base.
   const double rigid = centre({ { 1.0, 0.3 } }, palpate::testing::hexahedronBlock(6, 6, 3, 1.0));
   EXPECT_LT(centre(base, mesh), 0.0);
-  // The base yields 1 % of what the upper layers do, and adds its own 1/(πE*h) of E = 100.
+  // The deflection of the base is 1 % of that of the upper layers and adds its own 1/(πE*h) for E =
+  // 100.
   EXPECT_TRUE(agrees(centre(base, mesh), rigid, 0.1));
   EXPECT_GT(centre(soft, mesh), centre(base, mesh));
 }

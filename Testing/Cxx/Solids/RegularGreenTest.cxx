@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The singular field, the sources and the law on small bodies: equations they have to fulfil,
-// threads, abort, and what is answered in words.
+// The singular field, the sources and the law on small bodies: equations that they must satisfy,
+// threads, abort, and error messages.
 #include "ShapedBodies.h"
 
 #include "Agreement.h"
@@ -33,7 +33,7 @@ void makeBody(ElasticBody& body, VolumeMesh mesh, const std::vector<ElasticMater
   ASSERT_EQ(body.factorise(), "");
 }
 
-/// Young's modulus 2 where x > 4, else 1.
+/// Young's modulus 2 for x > 4, else 1.
 std::vector<ElasticMaterial> twoMaterials(const VolumeMesh& mesh)
 {
   std::vector<ElasticMaterial> materials;
@@ -45,7 +45,7 @@ std::vector<ElasticMaterial> twoMaterials(const VolumeMesh& mesh)
 }
 } // namespace
 
-// ε and σ by central differences of u: error 1e-8 of step² and as much of rounding.
+// ε and σ by central differences of u: an error of 1e-8 from step² and the same from rounding.
 TEST(BoussinesqField, StrainAndStressAreThoseOfTheDisplacement)
 {
   const ElasticMaterial material{ 3.0, 0.35 };
@@ -66,14 +66,14 @@ TEST(BoussinesqField, StrainAndStressAreThoseOfTheDisplacement)
     stress.diagonal().array() += 3.0 * 0.35 / (1.35 * 0.3) * strain.trace();
     EXPECT_LT((field.stress(at) - stress).norm(), 1e-6 * stress.norm());
   }
-  // On the plane the surface is free, and sinks by 1/(πE*r).
+  // The plane surface is free and sinks by 1/(πE*r).
   const Eigen::Vector3d on(0.6, 0.8, 0.0);
   EXPECT_LT(field.stress(on).col(2).norm(), 1e-16);
   EXPECT_TRUE(
     agrees(field.displacement(on)[2], (1.0 - 0.35 * 0.35) / (3.0 * 3.14159265358979), 1e-12));
 }
 
-// Without a kernel the law is that of a half-space, which each tool knows in closed form.
+// Without a kernel the law is that of a half-space, which has a closed form for each tool.
 TEST(ShapedContact, IsTheToolsOwnOnAHalfSpace)
 {
   ContactKernel none;
@@ -87,14 +87,14 @@ TEST(ShapedContact, IsTheToolsOwnOnAHalfSpace)
       const ShapedContact::Contact found = contact.at(radius, none, 1.7);
       EXPECT_TRUE(found.stable);
       EXPECT_TRUE(agrees(found.deflection, pressed->depthAtContactRadius(radius), 1e-12)) << name;
-      // The rule of 48 points over g.
+      // Error of the rule of 48 points over g.
       EXPECT_TRUE(agrees(found.force, pressed->force(found.deflection, 1.7), 1e-9)) << name;
       EXPECT_TRUE(agrees(found.stiffness, 2.0 * 1.7 * radius, 1e-12)) << name;
     }
   }
 }
 
-// A constant kernel is a compliance in series, whatever the tool and the radius.
+// A constant kernel is a compliance in series, for any tool and radius.
 TEST(ShapedContact, AConstantKernelIsInSeries)
 {
   ContactKernel constant;
@@ -108,8 +108,9 @@ TEST(ShapedContact, AConstantKernelIsInSeries)
   EXPECT_TRUE(agrees(found.deflection, local + 0.07 * force, 1e-10));
 }
 
-// A contact that leans by s pushes aside by s of its force: beside a compliance along the normal it
-// has 2 s of what couples both ways, and s² of that aside.
+// A contact tilted by s has a tangential force of s times its force: in addition to the normal
+// compliance, 2 s times the coupling of both directions and s² times the tangential compliance
+// count.
 TEST(ShapedContact, SaysWhatLeaningAsideMayDo)
 {
   static constexpr double self = 0.07;
@@ -141,7 +142,7 @@ TEST(ShapedContact, SaysWhatLeaningAsideMayDo)
   EXPECT_NEAR(last.direction, stiffness * (2.0 * lean * 0.3 + lean * lean * 4.0), 1e-12);
 }
 
-// A power of δ is a straight line in the curve's own coordinates; its stiffness is its derivative.
+// A power of δ is a straight line in the curve's own coordinates. Its stiffness is its derivative.
 TEST(ContactCurve, KeepsAPowerAndItsDerivative)
 {
   std::vector<ContactSample> samples;
@@ -249,20 +250,21 @@ TEST(RegularGreen, SaysWhatIsWrong)
   const ContactKernelFit fit(green, at(2, 4, 3));
   EXPECT_EQ(fit.site().status, PatchStatus::Valid);
   EXPECT_EQ(fit.site().limitedBy, PatchStatus::Edge);
-  EXPECT_NEAR(fit.site().largestRadius, 2.0, 1e-9); // the edge and the other material are as near
+  EXPECT_NEAR(
+    fit.site().largestRadius, 2.0, 1e-9); // the edge and the other material are at this distance
   EXPECT_TRUE(std::isnan(green.at(at(2, 4, 3), at(8, 8, 3))));
   EXPECT_EQ(fit.at(std::numeric_limits<double>::quiet_NaN()).order, 0);
   EXPECT_EQ(fit.at(0.0).order, 0);
-  EXPECT_GT(fit.at(100.0).order, 0); // all points there are
+  EXPECT_GT(fit.at(100.0).order, 0); // all existing points
   const ContactKernelFit unknown(green, at(8, 8, 3));
   EXPECT_EQ(unknown.site().status, PatchStatus::Degenerate);
   const auto pressed = palpate::testing::tool("sphere:6.35");
   EXPECT_TRUE(ShapedContact(*pressed).curve(unknown).isEmpty());
 }
 
-// A mouth: the line on which the subtracted field is singular passes through the upper jaw. What
-// the jaw changes is known without any subtraction, from nodal forces on both bodies: next to
-// nothing.
+// A mouth: the line on which the subtracted field is singular passes through the upper jaw. The
+// effect of the jaw is known without any subtraction, from nodal forces on both bodies: almost
+// zero.
 TEST(RegularGreen, SeesPastABodyThatStandsOverItself)
 {
   const VolumeMesh whole = hexahedronBlock(12, 10, 11, 1.0);
@@ -312,7 +314,8 @@ TEST(RegularGreen, SeesPastABodyThatStandsOverItself)
   }
 }
 
-// Aslant through the facets of a block's top, between whose corners it is nearer than they are.
+// Diagonally through the facets of a block's top: the rim is nearer between their corners than at
+// them.
 TEST(SurfaceDisc, EndsAtTheEdgeOfWhatIsHeld)
 {
   constexpr int cells = 6;
@@ -333,7 +336,8 @@ TEST(SurfaceDisc, EndsAtTheEdgeOfWhatIsHeld)
   EXPECT_NEAR(disc.limit, std::sqrt(0.5), 1e-12); // the corners are 1 away
 }
 
-// To the edges of what is held, not to its corners; of those only that face as the place does.
+// The distance is to the edges of the held part, not to its corners; only to those edges whose
+// faces have the orientation of the place.
 TEST(HeldRim, IsWhereWhatIsHeldEnds)
 {
   ElasticBodyInput input;
@@ -349,13 +353,14 @@ TEST(HeldRim, IsWhereWhatIsHeldEnds)
   const HeldRim rim(body);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   EXPECT_NEAR(rim.distance({ 3.25, 2.6, 2.0 }, up), 1.25, 1e-12);
-  EXPECT_NEAR(rim.distance({ 5.0, 7.0, 2.0 }, up), std::sqrt(10.0), 1e-12); // past its end
-  // The base ends at the sides, which only they see.
+  EXPECT_NEAR(
+    rim.distance({ 5.0, 7.0, 2.0 }, up), std::sqrt(10.0), 1e-12); // past the end of the edge
+  // The base ends at the sides, which counts only for places on the sides.
   EXPECT_NEAR(rim.distance({ 6.0, 3.0, 0.5 }, Eigen::Vector3d::UnitX()), 0.5, 1e-12);
   EXPECT_EQ(HeldRim().distance({ 0.0, 0.0, 0.0 }, up), Infinity);
 }
 
-// Rows are what a contact needs, and the forecast is above what they take, but not by far.
+// A contact needs only rows. The forecast is above the memory used, but not far above.
 TEST(RegularGreen, ForecastsItsMemory)
 {
   ElasticBody body;

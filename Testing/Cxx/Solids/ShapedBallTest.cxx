@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pole of a hemisphere that slips on its base, against the series for a ball loaded at both
-// poles (Data/Reference/shape/ball_regular.csv) and contacts on that (hemisphere.csv).
+// poles (Data/Reference/shape/ball_regular.csv) and contacts on that ball (hemisphere.csv).
 #include "ShapedBodies.h"
 
 #include "Mechanics/GeneralTool.h"
@@ -16,7 +16,7 @@ using palpate::testing::ShapedBody;
 constexpr double BallRadius = 10.0;
 constexpr double CircleNumber = 3.14159265358979323846;
 
-/// Hexahedra of a cube [-1, 1]² × [0, 1], bent outwards the more the farther they lie.
+/// Hexahedra of a cube [-1, 1]² × [0, 1], bent outwards more with their distance from the centre.
 VolumeMesh hemisphere(int n)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(2 * n, 2 * n, n, 1.0 / n);
@@ -30,7 +30,7 @@ VolumeMesh hemisphere(int n)
   return mesh;
 }
 
-/// The base slips; a point of it is held, and another against turning.
+/// The base slips; one of its points is held, and another one against rotation.
 std::vector<unsigned char> slippingBase(const VolumeMesh& mesh)
 {
   std::vector<unsigned char> fixed(static_cast<std::size_t>(mesh.nodeTotal()), 0);
@@ -45,7 +45,7 @@ std::vector<unsigned char> slippingBase(const VolumeMesh& mesh)
   return fixed;
 }
 
-/// Quadratic tetrahedra; their mid-edge nodes on the ball, or on the chords of its surface.
+/// Quadratic tetrahedra with mid-edge nodes on the ball, or on the chords of its surface.
 VolumeMesh quadraticHemisphere(int n, bool curved)
 {
   VolumeMesh mesh = palpate::testing::quadratic(palpate::testing::tetrahedra(hemisphere(n)));
@@ -69,7 +69,7 @@ ShapedBody ball(VolumeMesh mesh, double nu)
     Eigen::Vector3d(0.0, 0.0, BallRadius), 0.45 * BallRadius);
 }
 
-/// πE*R·H at an angle, between the rows of the series.
+/// πE*R·H at an angle, interpolated between the rows of the series.
 double seriesAt(const ReferenceTable& series, double angle, const std::string& column)
 {
   std::size_t i = 0;
@@ -82,8 +82,8 @@ double seriesAt(const ReferenceTable& series, double angle, const std::string& c
   return (1.0 - t) * series.number(i, column) + t * series.number(i + 1, column);
 }
 
-/// A sphere as it meets the ball: the table takes the gap of the ball to be r²/2R; what the curve
-/// itself knows of it more is taken off the tool here.
+/// The sphere as in the table, which takes r²/2R for the gap of the ball. The curve knows the exact
+/// gap, so the difference is removed from the tool here.
 GeneralTool sphereOfTheTable(double radius)
 {
   const auto circle = [](double r, double of) { return of - std::sqrt(of * of - r * r); };
@@ -125,8 +125,9 @@ double largestForceError(const ContactKernelFit& fit, double nu)
 }
 } // namespace
 
-// Elements of R/6: H errs by 0.013 to 0.015 of its unit everywhere (0.028 with R/4, the square of
-// the ratio), which are 2 %; the force by less than 1 %, as most of it is the half-space's.
+// Elements of R/6: the error of H is 0.013 to 0.015 of its unit everywhere (0.028 with R/4, the
+// square of the ratio), which is 2 %. The error of the force is below 1 %, since most of it is that
+// of the half-space.
 TEST(ShapedBall, HexahedraOfASixthOfTheRadius)
 {
   for (const double nu : { 0.3, 0.45 })
@@ -154,21 +155,21 @@ TEST(ShapedBall, HexahedraOfAQuarterOfTheRadius)
   }
 }
 
-// Corners at R/4. Mid-edge nodes on the ball: measured 0.4 %.
+// Corners at R/4, mid-edge nodes on the ball: measured 0.4 %.
 TEST(ShapedBall, CurvedQuadraticTetrahedra)
 {
   EXPECT_LT(largestForceError(*ball(quadraticHemisphere(4, true), 0.45).fit, 0.45), 0.008);
 }
 
-// On the chords, as a mesh made quadratic from a linear one has them: H misses the facets' part,
-// and would err by 22 % of the force if these nodes were not lifted to the surface.
+// Mid-edge nodes on the chords, as in a linear mesh that is made quadratic: H lacks the part of the
+// facets. Without moving these nodes to the surface the force would have an error of 22 %.
 TEST(ShapedBall, StraightQuadraticTetrahedra)
 {
   EXPECT_LT(largestForceError(*ball(quadraticHemisphere(4, false), 0.45).fit, 0.45), 0.02);
 }
 
-// Another code's finite elements in contact, a sphere on a ball whose middle plane slips: no Green
-// function, no law of angle means. Their error is 0.1 %; R/6 leaves less than 1 % of the force.
+// Finite elements in contact by another code, a sphere on a ball whose middle plane slips: no Green
+// function, no angle means. Their error is 0.1 %; R/6 gives less than 1 % of the force.
 TEST(ShapedBall, AgainstElementsInContact)
 {
   const ReferenceTable table("deep/curvature_sphere_on_ball.csv");

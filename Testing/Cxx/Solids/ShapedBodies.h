@@ -27,7 +27,8 @@ inline VolumeMesh gridBlock(
   return mesh;
 }
 
-/// Coordinates from 0 outwards: `side` up to `fine`, then growing by `ratio` up to `end`; mirrored.
+/// Coordinates from 0 outwards: steps of `side` up to `fine`, then growing by `ratio` up to `end`;
+/// mirrored.
 inline std::vector<double> gradedLine(double side, double fine, double ratio, double end)
 {
   std::vector<double> half = { 0.0 };
@@ -47,7 +48,7 @@ inline std::vector<double> gradedLine(double side, double fine, double ratio, do
   return line;
 }
 
-/// Those of gradedLine() that are not below 0.
+/// The coordinates of gradedLine() that are not negative.
 inline std::vector<double> gradedHalf(double side, double fine, double ratio, double end)
 {
   const std::vector<double> line = gradedLine(side, fine, ratio, end);
@@ -67,7 +68,7 @@ inline std::vector<double> gradedDepth(double side, double fine, double ratio, d
   return heights;
 }
 
-/// A body of one material that is held at x = 0 and x = `length`.
+/// A body of one material, held at x = 0 and x = `length`.
 inline ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
 {
   std::vector<unsigned char> fixed;
@@ -78,15 +79,15 @@ inline ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
   return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
 }
 
-/// What elements, order and the tilt beside an edge leave open of a force, relative, as
-/// shapedResponse() states it; `exponent`: d ln F / d ln δ.
+/// Relative error of a force from the elements, the order of the fit and the tilt near an edge, as
+/// shapedResponse() states it. `exponent`: d ln F / d ln δ.
 inline double statedOfElements(const ContactSample& errors, double exponent)
 {
   constexpr double leftOfTilt = 0.2;
   return std::hypot(errors.elements(), leftOfTilt * errors.harmonics * exponent);
 }
 
-/// A factorised body, its Green function solved for contacts at one place.
+/// A factorised body with its Green function for contacts at one place.
 struct ShapedBody
 {
   ElasticBody body;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts beside the edge of a block against full two-dimensional contact on another code's H
-// (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and where the edge ends them.
+// Contacts near the edge of a block, against full two-dimensional contact on another code's H
+// (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and their end at the edge.
 #include "ShapedBodies.h"
 
 #include "DenseContact.h"
@@ -17,7 +17,7 @@ using palpate::testing::ShapedBody;
 
 constexpr double EdgeDistance = 3.0;
 
-/// The table's block, 60 × 60 × 30 mm; the contact in the middle of a side.
+/// The block of the table, 60 × 60 × 30 mm, with the contact in the middle of a side.
 ShapedBody edgeBlock(double side, double ratio, double radius = 5.0)
 {
   VolumeMesh mesh =
@@ -30,8 +30,8 @@ ShapedBody edgeBlock(double side, double ratio, double radius = 5.0)
 }
 } // namespace
 
-// To a/e = 0.83. What the law leaves out (harmonics from the second on) is 0.6 % of the widest
-// flat's force and less of the others'; elements of e/4 leave 1 % of C_g, that is 0.3 % of the
+// Up to a/e = 0.83. The law ignores harmonics from the second on: 0.6 % of the force on the widest
+// flat, less for the others. Elements of e/4 have an error of 1 % of C_g, which is 0.3 % of the
 // force.
 TEST(ShapedEdge, FollowsTheFullContact)
 {
@@ -47,7 +47,7 @@ TEST(ShapedEdge, FollowsTheFullContact)
     const double error = curve.evaluate(depth).force / table.number(i, "full 2-D: F") - 1.0;
     const bool flat = name[0] == 'f';
     EXPECT_LT(std::abs(error), flat ? 0.01 : 0.005) << name << " " << depth;
-    // The tilt's part of the force is what the law without it misses, by the table.
+    // The tilt's part of the force is the error of the law without it, by the table.
     const IndentationPoint found = curve.evaluate(depth);
     const double part = curve.errorsAt(depth).harmonics * found.stiffness * depth / found.force;
     const double missed = -0.01 * table.number(i, "axisymmetric error %");
@@ -55,9 +55,9 @@ TEST(ShapedEdge, FollowsTheFullContact)
   }
 }
 
-// The same H without angle means, the tilt among them. Both of these know H as well, so that what
-// is left is what the law leaves out: 0.6 % of the widest flat. The cells' own error, the same
-// without H, is taken off by the closed form.
+// The same H without angle means, so it includes the tilt. Both contacts use H, so the difference
+// is the error of the law: 0.6 % for the widest flat. The error of the cells, which is the same
+// without H, is removed by the closed form.
 TEST(ShapedEdge, IsWhatAllHarmonicsGive)
 {
   const ShapedBody block = edgeBlock(1.0, 1.6, 2.6);
@@ -70,7 +70,7 @@ TEST(ShapedEdge, IsWhatAllHarmonicsGive)
     const double radius = curve.evaluate(depth).contactRadius;
     const palpate::testing::DenseContact dense(*block.fit, 1.25 * radius, radius / 9.0);
     const auto gap = [&](double r) { return pressed->profile(r); };
-    // On the half-space pressed as deep as makes the contact as wide.
+    // On the half-space, pressed to the depth with the same contact radius.
     const bool flat = pressed->smallestContactRadius() > 0.0;
     const double alone = flat ? depth : pressed->depthAtContactRadius(radius);
     const double cells =

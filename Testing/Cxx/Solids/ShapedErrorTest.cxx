@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the error that is stated of a contact on finite elements holds: against elements of half
-// the side, at points, tools and depths drawn at random, on bodies that the estimate was not fitted
-// to. What a finer mesh does not change (small strain) is not in it.
+// The stated error of a contact on finite elements must bound the true one: against elements of
+// half the size, at random points, tools and depths, on bodies to which the estimate was not
+// fitted. It does not include errors that a finer mesh does not change (small strain).
 #include "ShapedBodies.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -46,7 +46,7 @@ struct Solved
 
 using BodyOf = std::function<ElasticBodyInput(int finer)>;
 
-/// Points of the coarse body's surface that can be pressed, drawn at random.
+/// Random points of the coarse body's surface that can be pressed.
 std::vector<Eigen::Vector3d> drawn(const BodyOf& bodyOf, std::size_t count)
 {
   ElasticBody body;
@@ -70,8 +70,8 @@ std::vector<Eigen::Vector3d> drawn(const BodyOf& bodyOf, std::size_t count)
   return places;
 }
 
-/// Forces that were compared, and those that differ from those on finer elements by more than is
-/// stated.
+/// Number of compared forces, and number whose difference from finer elements exceeds the stated
+/// error.
 struct Compared
 {
   int all = 0;
@@ -102,7 +102,7 @@ Compared compare(const BodyOf& bodyOf, double radius)
       const ContactSample errors = here.errorsAt(depth);
       const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
       const double better = there.evaluate(depth).force;
-      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // of second order
+      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // second order
       ++compared.all;
       compared.beyond += error > stated ? 1 : 0;
     }
@@ -133,13 +133,13 @@ ElasticBodyInput barThatBends(int finer)
   return heldBelow(block(5, 5, 16, finer), { { 0.1, 0.35 } });
 }
 
-/// Two elements thick, held at two ends; pressed from the side, too.
+/// Two elements thick, held at two ends; also pressed from the side.
 ElasticBodyInput thinPlate(int finer)
 {
   return heldAtTheEnds(block(14, 14, 2, finer), 14.0);
 }
 
-/// So many quadratic tetrahedra of 1 mm thick.
+/// A plate of quadratic tetrahedra of 1 mm, `Thickness` layers thick.
 template <int Thickness>
 ElasticBodyInput plateOfTetrahedra(int finer)
 {
@@ -168,7 +168,8 @@ ElasticBodyInput quadraticTetrahedra(int finer)
     { { 0.1, 0.45 } });
 }
 
-/// Hills and hollows of 8 mm from top to top, curved by up to 0.15/mm, on one element in eight.
+/// Hills and hollows with a wavelength of 8 mm, a curvature of up to 0.15/mm, on one element in
+/// eight.
 ElasticBodyInput underHills(int finer)
 {
   VolumeMesh mesh = block(16, 16, 8, finer);
@@ -185,7 +186,7 @@ ElasticBodyInput underHills(int finer)
 /// A ball of 2 mm, 2 mm below the top, ten times as stiff.
 ElasticBodyInput overANodule(int finer)
 {
-  constexpr int n = 8; // places along each side of a voxel
+  constexpr int n = 8; // sample points along each side of a voxel
   VolumeMesh mesh = block(10, 10, 8, finer);
   std::vector<ElasticMaterial> materials;
   for (const VolumeElement& element : mesh.elements)
@@ -203,7 +204,7 @@ ElasticBodyInput overANodule(int finer)
   }
   return heldBelow(std::move(mesh), materials);
 }
-/// Held below, and on its top up to x = 4 mm: beside that a contact may not spread.
+/// Held below, and on its top up to x = 4 mm: a contact must not extend beyond that.
 ElasticBodyInput heldOnTop(int finer)
 {
   ElasticBodyInput input = heldBelow(block(10, 8, 5, finer), { { 0.1, 0.45 } });
@@ -216,8 +217,8 @@ ElasticBodyInput heldOnTop(int finer)
 }
 } // namespace
 
-// Contacts that come as near as a tenth of their radius to what is held, against elements of a
-// third of the side: what these change is a quarter, and it is stated.
+// Contacts up to a tenth of their radius from the held part, against elements of a third of the
+// side: these change the force by a quarter, and that is stated.
 TEST(ShapedError, HoldsBesideWhatIsHeld)
 {
   const std::vector<Eigen::Vector3d> places = { { 5.0, 4.0, 5.0 }, { 6.0, 4.0, 5.0 },
@@ -245,7 +246,7 @@ TEST(ShapedError, HoldsBesideWhatIsHeld)
   EXPECT_GT(largest, 0.02);
 }
 
-// In 95 of 100 cases.
+// Valid in 95 of 100 cases.
 TEST(ShapedError, HoldsAtRandom)
 {
   Compared all;

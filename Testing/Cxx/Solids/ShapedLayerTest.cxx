@@ -42,7 +42,7 @@ ShapedBody layerOf(Cells cells, double side, double nu, double reach = 15.0, dou
     Eigen::Vector3d(0.0, 0.0, Thickness), reach, spacing);
 }
 
-/// The largest errors of force and stiffness over a/h = 0.1 .. 1.48, fractions.
+/// The largest relative errors of force and stiffness over a/h = 0.1 .. 1.48.
 struct Errors
 {
   double force = 0.0;
@@ -92,8 +92,8 @@ Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const 
 const std::vector<const char*> Smooth = { "paraboloid:10", "sphere:40" };
 } // namespace
 
-// Reference sheet: 1 % with two elements through the thickness, of which C_g errs by 3 %. The
-// stiffness takes the steps of the fit, from 9 to 21 to 37 points, in full.
+// Reference sheet: 1 % with two elements through the thickness, for which C_g has an error of 3 %.
+// The stiffness contains the full steps of the fit, from 9 to 21 to 37 points.
 TEST(ShapedLayer, TwoHexahedraThroughTheThickness)
 {
   const ShapedBody layer = layerOf(Cells::Hexahedra, 5.0, 0.45);
@@ -103,7 +103,7 @@ TEST(ShapedLayer, TwoHexahedraThroughTheThickness)
   EXPECT_LT(errorsOn(*layer.fit, 0.45, { "cone:80" }).force, 0.01);
 }
 
-// 0.35 % with four, in both respects but the stiffness between two orders of the fit.
+// 0.35 % with four elements, for both, except for the stiffness between two orders of the fit.
 TEST(ShapedLayer, FourHexahedraThroughTheThickness)
 {
   for (const double nu : { 0.3, 0.45 })
@@ -117,8 +117,8 @@ TEST(ShapedLayer, FourHexahedraThroughTheThickness)
   }
 }
 
-// Sources a quarter of the thickness apart on elements of an eighth; the point itself is none of
-// them or is one, as it comes.
+// Sources a quarter of the thickness apart on elements of an eighth. The point itself may or may
+// not be a source.
 TEST(ShapedLayer, SomeSourcesStandForAll)
 {
   const ShapedBody all = layerOf(Cells::Hexahedra, 1.25, 0.45, 7.5);
@@ -128,8 +128,8 @@ TEST(ShapedLayer, SomeSourcesStandForAll)
   EXPECT_LT(errorsOn(*some.fit, 0.45, Smooth, 0.75).force, 0.0035);
 }
 
-// Nodes moved by up to a quarter of the elements' side in all directions, but for those outside and
-// X.
+// Nodes moved by up to a quarter of the elements' side in all directions, except those on the
+// outside and X.
 TEST(ShapedLayer, IrregularHexahedra)
 {
   const std::vector<double> line = palpate::testing::gradedLine(2.5, 15.0, 1.5, 60.0);
@@ -149,12 +149,12 @@ TEST(ShapedLayer, IrregularHexahedra)
   const ShapedBody layer(
     { std::move(mesh), { { 1.0, 0.45 } }, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 15.0);
   const Errors errors = errorsOn(*layer.fit, 0.45, Smooth);
-  EXPECT_LT(errors.force, 0.0035); // as of regular ones
+  EXPECT_LT(errors.force, 0.0035); // as for regular ones
   EXPECT_LT(errors.stiffness, 0.005);
 }
 
-// Moduli that scatter by 2 % about their mean, as those of an image do, are no border; the force
-// lies between those of the softest and the hardest, up to what the elements do.
+// Moduli that scatter by 2 % about their mean, as those from an image, are no border. The force is
+// between those of the softest and the hardest modulus, within the error of the elements.
 TEST(ShapedLayer, ScatteredModuliAreNoBorder)
 {
   const std::vector<double> line = palpate::testing::gradedLine(2.5, 7.5, 1.6, 60.0);
@@ -171,7 +171,7 @@ TEST(ShapedLayer, ScatteredModuliAreNoBorder)
   EXPECT_LT(errorsOn(*layer.fit, 0.45, Smooth, 0.74).force, 0.02 + 0.0035);
 }
 
-// Two bonded layers of 5 mm, Poisson's ratio and modulus with a jump between them, against the
+// Two bonded layers of 5 mm with a jump of Poisson's ratio and modulus between them, against the
 // exact stack. Reference sheet: 1 % with two elements through a layer.
 TEST(ShapedLayer, PoissonsRatioMayJump)
 {
@@ -220,8 +220,8 @@ TEST(ShapedLayer, TwoQuadraticTetrahedraThroughTheThickness)
   EXPECT_LT(errors.stiffness, 0.01);
 }
 
-// Linear tetrahedra lock: with four through the thickness 3.6 % too stiff at ν = 0.45, 0.25 % at
-// 0.3. The bound below says that the error keeps its sign.
+// Linear tetrahedra lock: with four through the thickness they are 3.6 % too stiff at ν = 0.45,
+// 0.25 % at 0.3. The bound below requires that the error keeps its sign.
 TEST(ShapedLayer, LinearTetrahedraAreTooStiff)
 {
   const ShapedBody locked = layerOf(Cells::Tetrahedra, 2.5, 0.45);
@@ -232,8 +232,8 @@ TEST(ShapedLayer, LinearTetrahedraAreTooStiff)
   EXPECT_LT(errorsOn(*other.fit, 0.3, Smooth).force, 0.0035);
 }
 
-// The estimate from the spacing is to be neither far below the error nor ten times above it where
-// it matters, up to a/h = 0.75.
+// The estimate from the spacing must not be far below the error, nor ten times above it in the
+// relevant range, up to a/h = 0.75.
 TEST(ShapedLayer, TellsTheErrorOfItsElements)
 {
   for (const double side : { 5.0, 2.5 })

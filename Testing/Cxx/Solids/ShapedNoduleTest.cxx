@@ -19,7 +19,7 @@ using palpate::testing::ShapedBody;
 constexpr double NoduleRadius = 3.0;
 constexpr double Height = 40.0;
 
-/// The part of a box that lies within the nodule, by 8³ places.
+/// Fraction of a box inside the nodule, from 8³ points.
 double filled(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double depth)
 {
   constexpr int n = 8;
@@ -34,8 +34,8 @@ double filled(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double de
   return inside / static_cast<double>(n * n * n);
 }
 
-/// Voxels of 1 mm around the nodule; a block as wide as the table's cylinder is large, whose sides
-/// change the force by less than 0.1 %.
+/// Voxels of 1 mm around the nodule, in a block as wide as the table's cylinder. Its sides change
+/// the force by less than 0.1 %.
 ShapedBody noduleBlock(double depth, double ratio, double radius)
 {
   const std::vector<double> line = palpate::testing::gradedLine(1.0, 4.0, 1.6, 53.0);
@@ -53,7 +53,7 @@ ShapedBody noduleBlock(double depth, double ratio, double radius)
     { std::move(mesh), materials, fixed }, Eigen::Vector3d(0.0, 0.0, Height), radius);
 }
 
-/// Largest errors of force and stiffness over the table's rows, fractions.
+/// Largest relative errors of force and stiffness over the table's rows.
 std::pair<double, double> noduleErrors(double depth, double ratio)
 {
   const ShapedBody block = noduleBlock(depth, ratio, 3.1);
@@ -81,8 +81,8 @@ std::pair<double, double> noduleErrors(double depth, double ratio)
 }
 } // namespace
 
-// Reference sheet: voxels of 1 mm, harmonic where hard, geometric where soft, d = 1: 3.6 and 2.8 %;
-// the nodule changes the force by up to 67 %.
+// Reference sheet: voxels of 1 mm, harmonic for hard, geometric for soft, d = 1: 3.6 and 2.8 %. The
+// nodule changes the force by up to 67 %.
 TEST(ShapedNodule, OneMillimetreDeep)
 {
   for (const double ratio : { 10.0, 0.2 })
@@ -104,7 +104,7 @@ TEST(ShapedNodule, TwoMillimetresDeep)
   }
 }
 
-// What the block itself does is then most of it: 0.15 % of the table's own mesh.
+// Here most of the error is that of the block itself: 0.15 % from the table's own mesh.
 TEST(ShapedNodule, FiveMillimetresDeep)
 {
   const auto [force, stiffness] = noduleErrors(5.0, 10.0);
@@ -112,8 +112,8 @@ TEST(ShapedNodule, FiveMillimetresDeep)
   EXPECT_LT(stiffness, 0.004);
 }
 
-// The same H without angle means or a fit that follows the contact. Over a nodule 1 mm deep on
-// cells of 1 mm the two ways through the points between differ by up to 1.5 %.
+// The same H without angle means and without a fit that follows the contact. Over a nodule 1 mm
+// deep on cells of 1 mm the two interpolations between the points differ by up to 1.5 %.
 TEST(ShapedNodule, IsWhatAllHarmonicsGive)
 {
   const ShapedBody block = noduleBlock(1.0, 10.0, 2.6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both factors against a dense solution; floating parts; what cannot be factorised.
+// Both factors against a dense solution; floating parts; matrices that cannot be factorised.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 
@@ -29,7 +29,7 @@ struct Small
     assembleStiffness(this->mesh, this->topology, { { 1.0, 0.3 } }, this->fixed, this->stiffness);
   }
 
-  /// Loads of one to seven unknowns, spread over the body; enough for several blocks.
+  /// Loads on one to seven unknowns, spread over the body; enough for several blocks.
   std::vector<SparseLoad> loads() const
   {
     std::vector<SparseLoad> made;
@@ -43,7 +43,7 @@ struct Small
       }
       made.push_back(load);
     }
-    made.emplace_back(); // of nothing
+    made.emplace_back(); // an empty load
     return made;
   }
 };
@@ -90,7 +90,7 @@ TEST(StiffnessFactor, CompliancesAreThoseOfTheDenseMatrix)
     const Eigen::MatrixXd many = Eigen::MatrixXd::Random(dense.rows(), 5);
     EXPECT_LT(
       (factor->solveAll(many) - exact.solve(many)).norm(), 1e-11 * exact.solve(many).norm());
-    // At least the lower triangle of K has to be held, at most all of it and its factor.
+    // Between the size of the lower triangle of K and that of K with its factor.
     const auto n = static_cast<double>(dense.rows());
     EXPECT_GT(
       factor->memoryEstimate(), 8.0 * static_cast<double>(small.stiffness.lower.nonZeros()));
@@ -154,13 +154,13 @@ TEST(FloatingPart, IsNamedWithTheMotionsLeft)
   }
   EXPECT_NE(fault().find("cell 1 is floating"), std::string::npos) << fault();
   EXPECT_NE(fault().find("6 of 6"), std::string::npos) << fault();
-  fixed[8] = 7; // a corner: three turns left
+  fixed[8] = 7; // one corner: three rotations remain
   EXPECT_NE(fault().find("3 of 6"), std::string::npos) << fault();
-  fixed[9] = 7; // an edge: turns about it
+  fixed[9] = 7; // an edge: rotations about it remain
   EXPECT_NE(fault().find("1 of 6"), std::string::npos) << fault();
   fixed[10] = FixedZ;
   EXPECT_EQ(fault(), "");
-  fixed[0] = fixed[1] = 0; // six points are still enough for the first
+  fixed[0] = fixed[1] = 0; // six points are still enough for the first part
   EXPECT_EQ(fault(), "");
 }
 
@@ -172,7 +172,7 @@ TEST(MeshTopology, AFaceOfThreeElementsIsAFault)
   EXPECT_NE(topology.build(mesh).find("more than two cells share a face"), std::string::npos);
 }
 
-/// Of two cubes that share an edge and one that shares a face with the first, which is held below.
+/// Two cubes share an edge, and one shares a face with the first, which is held below.
 TEST(MeshTopology, WhatHangsByAnEdgeIsNotHeld)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(2, 1, 2, 1.0);

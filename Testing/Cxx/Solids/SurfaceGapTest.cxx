@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts on a half-space whose surface has a shape of its own, to second order and solved
-// (UnevenContact): planes that lean and unequal curvatures in closed form, and waves drawn at
-// random against square cells and an active set, which know nothing of rings and harmonics.
+// Contacts on a half-space whose surface has its own shape, to second order and solved
+// (UnevenContact): inclined planes and unequal curvatures in closed form, and random waves against
+// square cells with an active set, a method without rings and harmonics.
 #include "Mechanics/Numerics/Constants.h"
 #include "Solids/TrueShape/ShapedContact.h"
 #include "Solids/TrueShape/UnevenContact.h"
@@ -46,7 +46,7 @@ enum class Way
   Solved
 };
 
-/// A half-space with that surface.
+/// A half-space with this surface.
 class Shaped : public ContactKernels
 {
 public:
@@ -80,13 +80,13 @@ private:
   Way Taken;
 };
 
-/// What the cells of a solved contact do to its force.
+/// Error of a solved contact from its cells.
 double ofCells(Way way)
 {
   return way == Way::Solved ? 2e-3 : 0.0;
 }
 
-/// The force by square cells of uniform pressure (Love 1929), the active set by turns; E* = 1.
+/// The force by square cells of uniform pressure (Love 1929) and an iterated active set; E* = 1.
 double cellForce(
   const AxisymmetricTool& pressed, const Height& height, double depth, double extent, double side)
 {
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, SurfaceGapOf, ::testing::Values(Way::SecondOrder,
   [](const ::testing::TestParamInfo<Way>& way)
   { return way.param == Way::Solved ? "Solved" : "SecondOrder"; });
 
-// A paraboloid on a plane that leans by s is one that presses deeper by R s²/2, and stands aside.
+// A paraboloid on a plane inclined by s is a paraboloid that is R s²/2 deeper and shifted sideways.
 TEST_P(SurfaceGapOf, APlaneThatLeans)
 {
   constexpr double radius = 6.35;
@@ -177,8 +177,8 @@ TEST_P(SurfaceGapOf, APlaneThatLeans)
       const double more = 0.5 * radius * slope * slope / depth;
       const double exact = 4.0 / 3.0 * std::sqrt(radius) * std::pow(depth * (1.0 + more), 1.5);
       const double error = std::abs(curve.evaluate(depth).force / exact - 1.0);
-      // To second order what is left is of fourth order in the slope: 3/8 of the square of what it
-      // adds.
+      // For the second-order method the error is of fourth order in the slope: 3/8 of the square of
+      // the added part.
       const double left = GetParam() == Way::Solved ? 0.0 : 0.5 * more * more;
       EXPECT_LT(error, left + ofCells(GetParam()) + 1e-4) << slope << ' ' << depth;
       EXPECT_LT(error, curve.errorsAt(depth).gap + 1e-4) << slope << ' ' << depth;
@@ -186,7 +186,7 @@ TEST_P(SurfaceGapOf, APlaneThatLeans)
   }
 }
 
-// Hertz: an ellipse of contact, of the same mean curvature.
+// Hertz: an ellipse of contact with the same mean curvature.
 TEST_P(SurfaceGapOf, UnequalCurvatures)
 {
   const auto pressed = tool("paraboloid:6.35");
@@ -195,13 +195,13 @@ TEST_P(SurfaceGapOf, UnequalCurvatures)
     const double e2 = 1.0 - ratio * ratio; // its eccentricity squared
     const double k = std::comp_ellint_1(std::sqrt(e2));
     const double e = std::comp_ellint_2(std::sqrt(e2));
-    // Johnson 1985, 4.26: half curvatures A, B and depth, of the long half axis a = 1, all over
+    // Johnson 1985, 4.26: half curvatures A, B and depth, for the long half axis a = 1, all over
     // p₀/E*.
     const double low = ratio / e2 * (k - e);
     const double high = ratio / e2 * (e / (ratio * ratio) - k);
     const double deep = ratio * k;
     const double push = 2.0 / 3.0 * Pi * ratio;
-    // Scaled to the mean curvature of tool and body together at a depth of 1: lengths l, z as l².
+    // Scaled to the combined mean curvature of tool and body at a depth of 1: lengths l, z as l².
     constexpr double curvature = 1.0 / 6.35 + 0.05;
     const double length = std::sqrt((low + high) / (deep * curvature));
     const double exact = push / deep * length;
@@ -215,11 +215,11 @@ TEST_P(SurfaceGapOf, UnequalCurvatures)
     const double left = GetParam() == Way::Solved ? 0.0 : 2.0 * part * part; // of fourth order
     EXPECT_LT(error, left + 1.5 * ofCells(GetParam()) + 2e-4) << ratio;
     EXPECT_LT(error, curve.errorsAt(1.0).gap + 2e-4) << ratio;
-    EXPECT_GT(part, ratio < 0.8 ? 0.01 : 0.0); // it is seen
+    EXPECT_GT(part, ratio < 0.8 ? 0.01 : 0.0); // the effect is visible
   }
 }
 
-// Cells turn and shift with the contact, and a surface of revolution changes nothing.
+// The cells rotate and shift with the contact, and a surface of revolution has no effect.
 TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
 {
   const auto pressed = tool("sphere:6.35");
@@ -237,10 +237,10 @@ TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
   };
   const UnevenContact::Change straight = changeAt(0.0);
   EXPECT_TRUE(straight.isInside);
-  EXPECT_LT(straight.deflection, -0.02); // what stands out is pressed first
+  EXPECT_LT(straight.deflection, -0.02); // the part that stands out is pressed first
   for (const double turn : { 0.3, 0.8, 2.5 })
   {
-    // As much as is stated for the cells.
+    // Within the stated error of the cells.
     EXPECT_NEAR(changeAt(turn).deflection, straight.deflection, 0.05 * -straight.deflection)
       << turn;
   }
@@ -249,8 +249,8 @@ TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
   EXPECT_NEAR(UnevenContact(*pressed, round).at(2.0, 3.0).deflection, 0.0, 1e-6);
 }
 
-// A flat end on a plane that leans by s touches with a cell of its rim, s a before its middle is
-// down, and from a depth of 2 s a on as if the plane were level.
+// A flat end on a plane inclined by s first touches with one cell of its rim, s a before its middle
+// touches. From a depth of 2 s a on the contact is as on a level plane.
 TEST(UnevenContact, APunchThatBeginsAtOnePointOfItsRimCloses)
 {
   const auto pressed = tool("flat:1.6");
@@ -269,7 +269,7 @@ TEST(UnevenContact, APunchThatBeginsAtOnePointOfItsRimCloses)
   EXPECT_NEAR(uneven.at(radius, 2.0 * 1.6 * 1.1).deflection, 0.0, 1e-4); // solved in floats
 }
 
-// A contact that slides off the surface that is known says so.
+// A contact that slides off the known surface reports that.
 TEST(UnevenContact, TheEndOfTheSurfaceIsTold)
 {
   const auto pressed = tool("sphere:6.35");
@@ -283,12 +283,13 @@ TEST(UnevenContact, TheEndOfTheSurfaceIsTold)
   { return 0.1 * at[0] + 0.02 * (at[0] * at[0] - at[1] * at[1]); };
   const SurfaceGap enough = surfaceOf(uneven, SurfaceGap::reachFor(1.5));
   EXPECT_TRUE(UnevenContact(*pressed, enough).at(1.5, load).isInside);
-  const SurfaceGap under = surfaceOf(uneven, 1.5); // just the contact on the mean surface
+  const SurfaceGap under = surfaceOf(uneven, 1.5); // only the contact on the mean surface
   EXPECT_FALSE(UnevenContact(*pressed, under).at(1.5, load).isInside);
 }
 
-// Surfaces of six waves each, 1.5 to 12 mm long and more, that change the force by up to a half.
-// The stated error holds for 19 of 20 and the law is off by a small part of what the shape does.
+// Surfaces of six waves each, 1.5 to 12 mm long and more, that change the force by up to one half.
+// The stated error is valid in 19 of 20 cases, and the error of the law is a small part of the
+// effect of the shape.
 TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
 {
   struct Wave
@@ -323,7 +324,8 @@ TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
         level += waves.back().height * std::sin(waves.back().phase);
         slope += waves.back().height * std::cos(waves.back().phase) * waves.back().number;
       }
-      // A vertex's normal is not quite that of the surface: a third of the slope is left.
+      // The normal of a vertex differs a little from that of the surface: a third of the slope
+      // remains.
       const Height height = [=](const Eigen::Vector2d& at)
       {
         double sum = -level - 0.7 * slope.dot(at);
@@ -338,9 +340,9 @@ TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
       const ContactCurve curve = ShapedContact(*pressed).curve(kernels);
       if (curve.isEmpty() || !(depth < curve.deepest()))
       {
-        continue; // it says so by its range
+        continue; // reported by its range
       }
-      // The cells' own error is that on a plane.
+      // The error of the cells is that on a plane.
       const double side = pressed->contactRadius(depth) / 8.0;
       const double extent = 1.6 * pressed->contactRadius(depth);
       const double plane = pressed->force(depth, 1.0);
@@ -349,7 +351,7 @@ TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
           *pressed, [](const Eigen::Vector2d&) { return 0.0; }, depth, extent, side);
       const double truth = scale * cellForce(*pressed, height, depth, extent, side);
       const double error = std::abs(curve.evaluate(depth).force / truth - 1.0);
-      constexpr double ofTruth = 1e-3; // what sides half as long change
+      constexpr double ofTruth = 1e-3; // change with sides of half the length
       ++all;
       beyond += error > curve.errorsAt(depth).gap + ofTruth ? 1 : 0;
       changed += std::abs(truth / plane - 1.0);

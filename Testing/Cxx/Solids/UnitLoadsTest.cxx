@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body under unit loads at a place: far from it as under any other loads of the same resultant;
-// and a part cut out of it, which with what its cut does moves as it does in the whole.
+// A body under unit loads at a place. Far from the loads it moves as under any other loads of the
+// same resultant. A part cut out of it, with the forces of its cut, moves as in the whole body.
 #include "Solids/FiniteElements/UnitLoads.h"
 #include "Solids/ShapedBodies.h"
 
@@ -35,7 +35,7 @@ void solve(VolumeMesh mesh, double heldUpTo, ElasticBody& body)
   ASSERT_EQ(body.factorise(), "");
 }
 
-/// Where the element's own coordinates are in its middle.
+/// The local coordinates of an element's centre.
 ElementPlace inMiddle(const VolumeMesh& mesh, std::int32_t element)
 {
   const bool isHexahedron =
@@ -43,7 +43,7 @@ ElementPlace inMiddle(const VolumeMesh& mesh, std::int32_t element)
   return { element, Eigen::Vector3d::Constant(isHexahedron ? 0.0 : 0.25) };
 }
 
-/// To rounding: the same elements, parted.
+/// To rounding: the same elements, separated.
 TEST(UnitLoads, APartMovesAsItDoesInTheWhole)
 {
   for (const bool isOfTetrahedra : { false, true })
@@ -74,8 +74,8 @@ TEST(UnitLoads, APartMovesAsItDoesInTheWhole)
   }
 }
 
-/// Two widths from the load what a force on one node does, and a couple on two, is the same but for
-/// a hundredth (St. Venant).
+/// At two widths from the load a force on one node and a couple on two have the same effect to a
+/// hundredth (St. Venant).
 TEST(UnitLoads, FarAwayOnlyTheResultantCounts)
 {
   ElasticBody body;

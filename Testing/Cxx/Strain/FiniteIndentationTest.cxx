@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Indentation at finite strain: against the exact laws where the strain is small, against tables of
-// another code where it is not (Data/Reference/deep), and by what must hold.
+// Indentation at finite strain: against the exact laws at small strain, against tables of another
+// code at large strain (Data/Reference/deep), and by general properties.
 #include "Strain/FiniteIndentation.h"
 #include "Strain/GradedMesh.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -49,8 +49,8 @@ FiniteCurve press(const AxisymmetricTool& given, const FiniteLayer& layer,
   return pressTool(outline, problem);
 }
 
-/// The force of a table's row nearest to a depth, carried there by its own growth (F ∝ δ^m between
-/// rows a hundredth of a percent away).
+/// The force of the table row nearest to a depth, scaled to the depth by F ∝ δ^m (rows are a
+/// hundredth of a per cent apart).
 double tabulated(const ReferenceTable& table, const std::string& depthColumn,
   const std::string& forceColumn, double depth, double exponent, double nu, double second,
   const std::string& secondColumn)
@@ -82,14 +82,14 @@ TEST(FiniteIndentation, AtSmallStrainItIsTheExactLaw)
     const FiniteCurve curve =
       press(*sphere, unitLayer(nu, StrainModel::Linear), { 0.03, 0.09 }, 0.1, 0.05);
     ASSERT_EQ(curve.fault, "");
-    // The far field held at a thousand contact radii: 1e-3; the mesh as much.
+    // The far field is held at a thousand contact radii: 1e-3; the mesh adds the same.
     EXPECT_TRUE(agrees(curve.points[1].force, sphere->force(0.09, 1.0), 2e-3)) << nu;
     EXPECT_TRUE(agrees(curve.points[0].force, sphere->force(0.03, 1.0), 4e-3)) << nu;
   }
 }
 
-/// c - 1 is in proportion to the contact radius: 0.087 a/R at ν = 0.3, by another code. What is met
-/// at no depth is the exact law to 0.1 %.
+/// c - 1 is proportional to the contact radius: 0.087 a/R at ν = 0.3, from another code. At zero
+/// depth the limit is the exact law to 0.1 %.
 TEST(FiniteIndentation, ItsLimitAtNoDepthIsTheExactLaw)
 {
   const auto sphere = tool("sphere:1");
@@ -99,7 +99,8 @@ TEST(FiniteIndentation, ItsLimitAtNoDepthIsTheExactLaw)
     const FiniteCurve linear =
       press(*sphere, unitLayer(0.3, StrainModel::Linear), { depth }, 0.1, 0.05);
     EXPECT_EQ(finite.fault + linear.fault, "");
-    // The linear one is the exact law to 2e-3 (above), of mesh and far field, which both have.
+    // The linear solution equals the exact law to 2e-3 (above), the error of mesh and far field,
+    // which both solutions have.
     return finite.points.at(0).force / linear.points.at(0).force;
   };
   const double near = factor(0.0025); // a/R = 0.05
@@ -146,13 +147,14 @@ TEST(FiniteIndentation, LayersOfOneMaterialAreOneLayer)
   problem.layers[1].thickness = 0.6;
   const FiniteCurve two = pressTool(outline, problem);
   ASSERT_EQ(one.fault + two.fault, "");
-  EXPECT_TRUE(agrees(two.points[0].force, one.points[0].force, 5e-4)); // another mesh
-  // A stiffer layer below is felt.
+  EXPECT_TRUE(agrees(two.points[0].force, one.points[0].force, 5e-4)); // a different mesh
+  // A stiffer layer below increases the force.
   problem.layers[1].youngsModulus *= 3.0;
   EXPECT_GT(pressTool(outline, problem).points.at(0).force, 1.1 * one.points[0].force);
 }
 
-/// At small strain a ball, pressed from two sides, and a cavity, pressed at one, by another code.
+/// At small strain a ball, pressed from two sides, and a cavity, pressed at one, against another
+/// code.
 TEST(FiniteIndentation, OnABallAndInACavityAsTabulated)
 {
   const ReferenceTable table("deep/curvature_sphere_on_ball.csv");
@@ -244,7 +246,7 @@ TEST(FiniteIndentation, AConeIsWrongByTheSameFractionAtEveryDepth)
     }
     const FiniteCurve curve = press(*cone, unitLayer(0.45), { 0.3 }, 0.15);
     ASSERT_EQ(curve.fault, "");
-    // The tip that it lacks is felt less the deeper it is; the table's own spread is 3e-3.
+    // The missing tip has a smaller effect at larger depth. The table's own spread is 3e-3.
     EXPECT_NEAR(curve.points[0].force / cone->force(0.3, 1.0),
       table.number(row, "c=F/F_small (any depth)"), 6e-3);
   }
@@ -286,7 +288,7 @@ TEST(FiniteIndentation, OgdenAndDemirayAsTabulated)
         << alpha << " at " << depths[i];
     }
   }
-  // α = 2 is Neo-Hooke by another way of writing it.
+  // α = 2 is another form of Neo-Hooke.
   const FiniteCurve two = press(*sphere, unitLayer(0.495, StrainModel::Ogden, 2.0), { 0.25 });
   ASSERT_EQ(two.fault, "");
   const FiniteCurve same = press(*sphere, unitLayer(0.495), { 0.25 });

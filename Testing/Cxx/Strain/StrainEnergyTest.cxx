@@ -31,7 +31,7 @@ constexpr std::array<Case, 7> Cases = { { { StrainModel::NeoHooke, 0.0 },
   { StrainModel::Ogden, 2.0 }, { StrainModel::Ogden, 9.0 }, { StrainModel::Ogden, -5.0 },
   { StrainModel::Demiray, 0.5 }, { StrainModel::Demiray, 8.0 }, { StrainModel::Linear, 0.0 } } };
 
-/// As a book writes it: from the stretches of F = 1 + H.
+/// The textbook form: from the stretches of F = 1 + H.
 Real fromStretches(const Case& energy, const Gradient& h)
 {
   Eigen::Matrix<Real, 3, 3> f = Eigen::Matrix<Real, 3, 3>::Identity();
@@ -107,7 +107,7 @@ TEST(StrainEnergy, IsTheOneOfTheBook)
     for (int i = 0; i < 200; ++i)
     {
       const Gradient h = randomGradient(random, 0.3);
-      // The long double sum cancels to about 1e-18 of its terms.
+      // Cancellation in long double leaves about 1e-18 of its terms.
       EXPECT_TRUE(agrees(valueAt(energy, h), static_cast<double>(fromStretches(each, h)), 1e-12))
         << static_cast<int>(each.model) << " " << each.parameter;
     }
@@ -116,8 +116,8 @@ TEST(StrainEnergy, IsTheOneOfTheBook)
 
 TEST(StrainEnergy, KeepsItsDigitsAtTinyStrains)
 {
-  // Far from a contact, where a difference of large numbers would leave nothing: there all are
-  // Hooke's law, but for terms of the next order, 1e-8 of it.
+  // Far from a contact, where the difference of large numbers would lose all digits. There every
+  // model is Hooke's law, except for terms of the next order, 1e-8 of it.
   std::mt19937 random(8);
   const StrainEnergy linear(StrainModel::Linear, Mu);
   for (const Case& each : Cases)
@@ -137,7 +137,7 @@ TEST(StrainEnergy, KeepsItsDigitsAtTinyStrains)
 TEST(StrainEnergy, StressAndTangentAreItsDerivatives)
 {
   std::mt19937 random(9);
-  // Also where two stretches in the plane are nearly the same, or exactly.
+  // Also for two nearly or exactly equal stretches in the plane.
   const std::array<double, 4> sizes = { 0.25, 0.03, 1e-4, 0.0 };
   for (const Case& each : Cases)
   {

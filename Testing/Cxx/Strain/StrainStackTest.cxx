@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finite strain on layers on each other, by what must hold of any solver: equal layers are one
-// layer, equal layers on a half-space are that half-space, little depth is the exact law.
+// Finite strain on stacked layers, by properties of any solver: equal layers are one layer, equal
+// layers on a half-space are that half-space, a small depth gives the exact law.
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -23,7 +23,7 @@ namespace
 constexpr double Ratio = 0.45;
 const StrainLaw NeoHooke{ StrainModel::NeoHooke, 0.0 };
 
-/// Nothing is kept: what is tested is solved for.
+/// Disables the cache, so that every tested value is solved.
 class StrainStack : public ::testing::Test
 {
 protected:
@@ -67,7 +67,7 @@ TEST_F(StrainStack, EqualLayersAreOneLayer)
   for (const double nu : { 0.3, 0.495 })
   {
     const auto two = correction(*sphere, 0.9, stackOf({ { 0.8, 0.1, nu }, { 1.2, 0.1, nu } }));
-    // A table of another mesh, 0.003 as it says; and as much of the solution.
+    // A table from another mesh, stated error 0.003; the solution adds the same.
     const auto one = correction(*sphere, 0.9, layerOf(2.0, nu));
     for (const double depth : { 0.1, 0.3, 0.6, 0.9 })
     {
@@ -86,7 +86,7 @@ TEST_F(StrainStack, EqualLayersOnASlipperyBaseAreOneLayer)
   const auto bonded = correction(*sphere, 0.6, layerOf(2.0, Ratio));
   for (const double depth : { 0.1, 0.3, 0.6 })
   {
-    // One mesh has a line of nodes more.
+    // One mesh has an additional line of nodes.
     EXPECT_NEAR(two->at(depth, Ratio, 0.8, 1.2).factor, one->at(depth, Ratio, 2.0).factor, 1e-3);
   }
   EXPECT_GT(std::abs(one->at(0.6, Ratio, 2.0).factor - bonded->at(0.6, Ratio, 2.0).factor), 0.01);
@@ -146,13 +146,14 @@ TEST_F(StrainStack, ToSmallDepthsItIsTheExactLaw)
       EXPECT_EQ(found.fault, "");
       return found.fault.empty() ? found.points[0].force : static_cast<double>(NAN);
     };
-    // The exact law at any depth, where the strain is said to be small. The elements grow away from
-    // the contact: half of a layer wide, it is seen well.
+    // The exact law at any depth, if the strain is declared small. The elements grow away from the
+    // contact; if it is half a layer wide, it is resolved well.
     const double exact =
       contact.evaluate(0.1, reducedModulus(top.youngsModulus, top.poissonsRatio)).force;
-    // The far field of a half-space is off by as much again.
+    // The far field of a half-space adds the same error.
     EXPECT_NEAR(solve(0.1, StrainModel::Linear) / exact, 1.0, stack.hasHalfSpace ? 2e-3 : 1e-3);
-    // Finite strain at a depth of 1e-4 radii: what is left is some 0.05 a/R, and a/R 0.01.
+    // Finite strain at a depth of 1e-4 radii: the remaining effect is about 0.05 a/R, with a/R =
+    // 0.01.
     EXPECT_NEAR(solve(5e-4, StrainModel::NeoHooke) / solve(5e-4, StrainModel::Linear), 1.0, 1e-3);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read and write of a bridge touch no heap: alive, silent, greeting again, and flooded.
+// read and write of a bridge do not use the heap: alive, silent, during a new greeting, and
+// flooded.
 #include "AllocationCount.h"
 #include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"
@@ -33,7 +34,7 @@ void describe(BridgePeer& peer, std::uint32_t nonce)
   peer.send(bytes.data(), bytes.size());
 }
 
-/// Takes what has come; greetings are answered. How many there were.
+/// Receives the pending datagrams and answers greetings. Returns the number of greetings.
 int serve(BridgePeer& peer)
 {
   int greetings = 0;
@@ -70,7 +71,7 @@ TEST(BridgeAllocation, NoneInTheTick)
   {
     again += serve(peer);
     const bool silent = i % 1000 > 500;
-    for (int j = 0; !silent && j < (i % 100 == 0 ? 100 : 1); ++j) // more than one tick takes
+    for (int j = 0; !silent && j < (i % 100 == 0 ? 100 : 1); ++j) // more than one tick reads
     {
       send(peer, static_cast<std::uint32_t>(200 * i + j));
     }

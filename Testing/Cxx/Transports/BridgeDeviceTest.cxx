@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bridge, with a device's program on the other end that does what the test says, in virtual
-// time: what is lost, late, damaged or of somebody else, and a program that dies and returns.
+// The bridge with a scripted device program at the other end, in virtual time: lost, late, damaged
+// and foreign datagrams, and a program that dies and returns.
 #include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -41,7 +41,7 @@ DescriptionReport described()
   return description;
 }
 
-/// A device's program: answers greetings, keeps the last force, sends the states it is told to.
+/// A device's program: answers greetings, keeps the last force, sends the states given to it.
 class Program
 {
 public:
@@ -50,7 +50,7 @@ public:
   {
   }
 
-  /// Takes what has come.
+  /// Receives the pending datagrams.
   void serve()
   {
     HapticReportBytes bytes{};
@@ -108,7 +108,7 @@ std::string addressOf(const std::string& kind, const std::string& path)
   return kind == "unix" ? "unix:" + path : "udp:0";
 }
 
-/// Opening waits for an answer: the program serves meanwhile.
+/// Opening waits for an answer, so the program serves in the meantime.
 std::unique_ptr<BridgeDevice> opened(Program& program)
 {
   std::unique_ptr<BridgeDevice> device;
@@ -133,7 +133,7 @@ protected:
     , device(opened(*this->program))
   {
   }
-  /// One tick of both, the program's state first.
+  /// One tick of both; the program's state comes first.
   DeviceSample tick(const Vector3d& position = Vector3d::Zero())
   {
     this->time += 1e-3;
@@ -150,7 +150,7 @@ protected:
   SocketFolder Folder;
   std::unique_ptr<Program> program;
   std::unique_ptr<BridgeDevice> device;
-  double time = 1000.0; // a host's clock need not begin at zero
+  double time = 1000.0; // a host's clock need not start at zero
 };
 
 INSTANTIATE_TEST_SUITE_P(
@@ -159,10 +159,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
 {
-  EXPECT_FALSE(isTold(tick().orientation)); // of a program that tells none
+  EXPECT_FALSE(isTold(tick().orientation)); // the program reports none
   EXPECT_TRUE(device->writeWrench({ { 1, 0, 0 }, { 0.1, 0, 0 } }));
   program->serve();
-  EXPECT_EQ(program->force.torque, Vector3d::Zero()); // nor can it take a torque
+  EXPECT_EQ(program->force.torque, Vector3d::Zero()); // and does not accept a torque
   EXPECT_EQ(program->force.force, Vector3d(1, 0, 0));
 
   device.reset();
@@ -178,7 +178,7 @@ TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
   program->orientation = turnedBy(Vector3d(0.0, 0.3, 0.0));
   const DeviceSample sample = tick();
   ASSERT_TRUE(sample.valid);
-  // Single precision, as the protocol's.
+  // Single precision, as in the protocol.
   EXPECT_LE(turnBetween(sample.orientation, program->orientation).norm(), 1e-6);
   EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0.25, 0, 0 } }));
   program->serve();
@@ -191,7 +191,7 @@ TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d::Zero());
   EXPECT_EQ(program->force.force, Vector3d::Zero());
-  EXPECT_TRUE(device->write({ 0, 1, 0 })); // a force alone takes the torque away
+  EXPECT_TRUE(device->write({ 0, 1, 0 })); // a force without a torque sets the torque to zero
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d::Zero());
 }
@@ -332,7 +332,7 @@ TEST_P(Bridge, NoForceInTheFirstTickAfterTheTimeOut)
 
 TEST_P(Bridge, AProgramThatDiesAndReturnsIsUsedAgain)
 {
-  const std::string address = program->Peer.address(); // the same port, too
+  const std::string address = program->Peer.address(); // also the same port
   for (int round = 0; round < 5; ++round)
   {
     ASSERT_TRUE(tick().valid || tick().valid) << round;
@@ -345,7 +345,7 @@ TEST_P(Bridge, AProgramThatDiesAndReturnsIsUsedAgain)
     EXPECT_FALSE(silentTick().valid);
     EXPECT_EQ(device->status(), "silent, waiting for it to return");
     program = std::make_unique<Program>(address);
-    program->sequence = 17; // its numbers begin again
+    program->sequence = 17; // its numbers restart
     for (int i = 0; i < 400 && !tick().valid; ++i)
     {
     }

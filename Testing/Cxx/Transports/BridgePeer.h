@@ -20,7 +20,8 @@
 
 namespace palpate::testing
 {
-/// A folder of the test's own for sockets; short, since a socket's path is, and removed.
+/// A temporary folder for sockets, with a short name, since paths of sockets must be short. It is
+/// removed at the end.
 class SocketFolder
 {
 public:
@@ -40,11 +41,11 @@ private:
   std::string Path = ::testing::TempDir() + "palpate-XXXXXX";
 };
 
-/// What a device's program does on its socket, step by step, as the test says.
+/// A device's program at its socket, controlled step by step by the test.
 class BridgePeer
 {
 public:
-  /// Binds "unix:/PATH", or "udp:PORT" of the loopback address; udp:0: a free one.
+  /// Binds "unix:/PATH", or "udp:PORT" of the loopback address; udp:0 takes a free port.
   explicit BridgePeer(const std::string& address)
     : Unix(address.rfind("unix:", 0) == 0)
     , File(socket(this->Unix ? AF_UNIX : AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0))
@@ -85,7 +86,7 @@ public:
 
   const std::string& address() const { return this->Name; }
 
-  /// The next datagram, whose sender is the host from then on; its size, or -1.
+  /// Receives the next datagram; its sender becomes the host. Returns its size, or -1.
   long receive(HapticReportBytes& bytes)
   {
     Any from{};
@@ -103,7 +104,7 @@ public:
   {
     sendto(this->File, bytes, size, MSG_DONTWAIT, &this->Host.any, this->HostSize);
   }
-  /// To the host that another peer knows.
+  /// Sends to the host of another peer from now on.
   void imitate(const BridgePeer& other)
   {
     this->Host = other.Host;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `palpate --list-devices` knows and says.
+// The content and the text of `palpate --list-devices`.
 #include "Transports/DeviceList.h"
 
 #include "FakeHidBus.h"
@@ -34,7 +34,7 @@ void plugOneOfEach(FakeHidBus& bus)
   bus.plug(made("/dev/hidraw1", 0x046D, 0xC31C, 1, 6));      // a keyboard
   bus.plug(made("/dev/hidraw2", 0x046D, 0xC626, 1, 8));      // an older SpaceNavigator
   bus.plug(made("/dev/hidraw3", 0x046D, 0xC077, 1, 2));      // a mouse
-  bus.plug(made("/dev/hidraw5", 0x1209, 0x0001, 0xFF00, 1)); // another vendor's own
+  bus.plug(made("/dev/hidraw5", 0x1209, 0x0001, 0xFF00, 1)); // a vendor-defined device
 }
 } // namespace
 

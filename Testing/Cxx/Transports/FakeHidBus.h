@@ -16,7 +16,7 @@
 
 namespace palpate::testing
 {
-/// The far side of a made-up HID device: what it sends, what it was sent, how it misbehaves.
+/// The far side of a fake HID device: sent and received reports, and its faults.
 class FakeHidDevice
 {
 public:
@@ -26,7 +26,7 @@ public:
   }
 
   HidEntry Entry;
-  std::vector<std::uint8_t> Feature; ///< empty: it has none
+  std::vector<std::uint8_t> Feature; ///< empty: no feature report
 
   void send(const std::uint8_t* bytes, std::size_t size);
   template <class Report>
@@ -39,16 +39,16 @@ public:
 
   /// Reads and writes fail from now on.
   void unplug();
-  /// Each write takes so long.
+  /// Sets the duration of each write.
   void setWriteTime(std::chrono::milliseconds time);
-  /// Writes do not return until released.
+  /// `yes`: writes do not return until released.
   void hang(bool yes);
-  /// Writes fail, though it is plugged in.
+  /// `yes`: writes fail although the device is plugged in.
   void refuse(bool yes);
 
-  /// Every report sent to it so far.
+  /// All reports sent to it so far.
   std::vector<std::vector<std::uint8_t>> written() const;
-  ForceReport lastForce() const; ///< a default one if there is none, or if the last is not sound
+  ForceReport lastForce() const; ///< a default one if there is none or if the last is invalid
   int openPorts() const;
 
 private:
@@ -66,12 +66,12 @@ private:
   int Ports = 0;
 };
 
-/// A bus to which such devices are plugged. Must outlive what uses it.
+/// A bus with such devices. It must outlive its users.
 class FakeHidBus final : public HidBus
 {
 public:
   void plug(std::shared_ptr<FakeHidDevice> device);
-  /// Takes it off the list, too.
+  /// Also removes it from the list.
   void unplug(const std::string& path);
   void setObstacle(const std::string& path, const std::string& words);
 
@@ -86,8 +86,8 @@ private:
   std::string Obstacle;
 };
 
-/// Waits until it is so, a minute at most; for what another thread does, which takes milliseconds
-/// unless the machine is busy.
+/// Waits until the condition holds, at most a minute. For actions of another thread, which take
+/// milliseconds unless the machine is busy.
 template <class Condition>
 bool eventually(const Condition& condition)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 64-byte reports, byte by byte, and that nothing damaged passes for one.
+// The 64-byte reports, byte by byte; a damaged report is never accepted.
 #include "Transports/Hid/HapticReport.h"
 
 #include "KnownReports.h"
@@ -31,7 +31,7 @@ ReportDefect defectOf(const HapticReportBytes& bytes)
 
 TEST(HapticReport, CheckSumIsThatOfEthernet)
 {
-  // The check value of CRC-32/ISO-HDLC, the one of IEEE 802.3 and zlib.
+  // The check value of CRC-32/ISO-HDLC, used by IEEE 802.3 and zlib.
   const std::uint8_t digits[] = { '1', '2', '3', '4', '5', '6', '7', '8', '9' };
   EXPECT_EQ(reportCheckSum(digits, sizeof digits), 0xCBF43926U);
   EXPECT_EQ(reportCheckSum(digits, 0), 0U);
@@ -176,7 +176,8 @@ TEST(HapticReport, ANameOfAllItsBytesNeedsNoZero)
 
 TEST(HapticReport, NoiseIsNoReport)
 {
-  // 2⁻³² of noise with the right mark and version passes the check sum: of 10⁶, none is expected.
+  // A fraction of 2⁻³² of random data with the right mark and version passes the checksum: of 10⁶,
+  // none is expected.
   std::mt19937 random(20260801);
   for (int i = 0; i < 1000000; ++i)
   {
@@ -201,7 +202,7 @@ TEST(DescribedSpecification, IsBelievedWhereItIsCredible)
   EXPECT_EQ(limits.maximumStiffness, 2500.0);
   EXPECT_TRUE(std::isinf(limits.maximumForceRate));
   EXPECT_EQ(limits.maximumDamping, 8.0);
-  EXPECT_EQ(limits.workspace, knownDescription().workspace); // flat, as a planar device may be
+  EXPECT_EQ(limits.workspace, knownDescription().workspace); // flat, as for a planar device
   EXPECT_EQ(limits.rate, 4000.0);
   EXPECT_EQ(limits.sampleTimeOut, static_cast<double>(0.01F));
   EXPECT_TRUE(limits.outputsForce);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read and write of the HID devices touch no heap, connected or not.
+// read and write of the HID devices do not use the heap, connected or not.
 #include "AllocationCount.h"
 #include "FakeHidBus.h"
 #include "Transports/Hid/HidDevice.h"
@@ -24,7 +24,7 @@ HidEntry entryNumber(std::uint16_t product)
   return entry;
 }
 
-/// Ticks, and what they asked of the heap.
+/// Runs ticks and returns the number of their heap allocations.
 long ticks(HapticDevice& device, int count, int& valid)
 {
   const long before = allocationCount();
@@ -59,7 +59,8 @@ TEST(HidAllocation, ForceDevice)
       for (int i = 0; i < 200; ++i)
       {
         ++state.sequence;
-        state.fault = i % 50 == 24; // not the last: should this thread end first, ticks are valid
+        state.fault =
+          i % 50 == 24; // not in the last: should this thread end first, ticks are valid
         far->send(state);
         std::this_thread::sleep_for(std::chrono::microseconds(500));
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HidDevice between a tick and a device that may do anything; a made-up bus, so that the sanitizers
-// see its threads. The same on the real hidapi: Testing/Devices.
+// HidDevice between a tick and a device with any behaviour, on an emulated bus, so that the
+// sanitizers see its threads. The same with the real hidapi: Testing/Devices.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -31,7 +31,7 @@ HidEntry entryAtPath(const std::string& path)
   return entry;
 }
 
-/// A force device on a bus, and the host's end of it.
+/// A force device on a bus with the host's end of it.
 struct Bench
 {
   FakeHidBus bus;
@@ -69,7 +69,7 @@ struct Bench
     this->far->send(state);
   }
 
-  /// Until the tick sees this position.
+  /// Waits until the tick reads this position.
   bool arrives(const Vector3d& position)
   {
     return eventually(
@@ -158,7 +158,7 @@ TEST(HidDevice, WhatIsNoneIsCountedAndNotUsed)
   wrong.position = { 0.5, 0.5, 0.5 };
   HapticReportBytes bytes;
   pack(wrong, bytes);
-  bench.far->send(bytes.data(), 10); // short
+  bench.far->send(bytes.data(), 10); // too short
   bytes[2] = 2;                      // another version
   bench.far->send(bytes.data(), bytes.size());
   pack(wrong, bytes);
@@ -179,11 +179,11 @@ TEST(HidDevice, OldReportsAreNotUsedAndLostOnesCounted)
 {
   Bench bench;
   ASSERT_TRUE(bench.connect());
-  bench.sequence += 3; // three never come
+  bench.sequence += 3; // three are lost
   bench.sendState({ 0.5, 0.0, 0.0 });
   ASSERT_TRUE(bench.arrives({ 0.5, 0.0, 0.0 }));
   EXPECT_EQ(bench.device->errors().lost, 3U);
-  bench.sequence -= 2; // one comes late after all, and another twice
+  bench.sequence -= 2; // one arrives late, and another twice
   bench.sendState({ 0.75, 0.0, 0.0 });
   bench.sendState({ 0.75, 0.0, 0.0 });
   ASSERT_TRUE(eventually([&] { return bench.device->errors().stale == 2; }));
@@ -258,8 +258,8 @@ TEST(HidDevice, AFaultTakesTheForceAway)
 
 TEST(HidDevice, UnpluggedInMidContactAndBack)
 {
-  // Every time: in the first tick after the loss is reported the sample is not valid, and no force
-  // is taken. It returns at one of two paths, with a number of its own.
+  // In the first tick after the report of the loss the sample is always invalid and no force is
+  // accepted. The device returns at one of two paths with its own number.
   Bench bench;
   ASSERT_TRUE(bench.connect());
   for (int round = 0; round < 8; ++round)
@@ -369,7 +369,7 @@ TEST(HidDevice, ADriverThatHangsDoesNotHangTheProgram)
   bench.device->write({ 1.0, 0.0, 0.0 });
   bench.sendState({ 0.5, 0.0, 0.0 });
   EXPECT_TRUE(bench.arrives({ 0.5, 0.0, 0.0 })) << "reading goes on";
-  bench.device.reset(); // comes back, though the writer's thread does not
+  bench.device.reset(); // returns although the writer's thread does not
   EXPECT_EQ(bench.far->openPorts(), 1);
   bench.far->hang(false);
   EXPECT_TRUE(eventually([&] { return bench.far->openPorts() == 0; })) << "and ends when it can";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A HID device that tells how its tool is turned and is sent a torque; and one that does neither.
+// A HID device that reports the orientation of its tool and receives a torque; and one that does
+// neither.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -20,7 +21,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A force device on a bus, and the host's end of it.
+/// A force device on a bus with the host's end of it.
 struct Bench
 {
   FakeHidBus bus;
@@ -44,7 +45,7 @@ struct Bench
     EXPECT_EQ(error, "");
   }
 
-  /// The sample by which the tick sees a state at this x.
+  /// Sends a state with this x and orientation. Returns the sample in which the tick reads it.
   DeviceSample tell(double x, const ToolOrientation& orientation)
   {
     StateReport state;
@@ -62,7 +63,7 @@ struct Bench
       }));
     return sample;
   }
-  /// What arrives of it.
+  /// Writes a wrench and returns the force report that arrives.
   ForceReport write(const Wrench& wrench)
   {
     const std::size_t before = this->far->written().size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A SpaceMouse as a tick sees it: two modes, rest, limits, loss and return.
+// A SpaceMouse in a tick: two modes, rest, limits, loss and return.
 #include "Transports/Hid/SpaceMouseDevice.h"
 
 #include "FakeHidBus.h"
@@ -46,7 +46,8 @@ struct Bench
     this->bus.plug(this->far);
   }
 
-  /// Right, towards the user, down; counts. Waits until it has been taken over, by the button.
+  /// Counts to the right, towards the user and down. Waits for the button, which shows that the
+  /// counts have been read.
   bool push(int x, int y, int z)
   {
     const auto low = [](int value) { return static_cast<std::uint8_t>(value & 0xFF); };
@@ -93,8 +94,8 @@ TEST(SpaceMouse, RateModeMovesWhileItIsPushed)
   bench.run(Period);
   ASSERT_TRUE(bench.push(350, 0, 0));
   const DeviceSample moved = bench.run(0.2);
-  // Full speed, 0.05 m/s, behind a low-pass of 20 ms: 0.05 · (0.2 − 0.02 (1 − e⁻¹⁰)) m; explicit
-  // Euler at 1 ms is ahead by half a tick's way.
+  // Full speed, 0.05 m/s, behind a low-pass filter of 20 ms: 0.05 · (0.2 − 0.02 (1 − e⁻¹⁰)) m.
+  // Explicit Euler at 1 ms is ahead by half the path of a tick.
   const double way = 0.05 * (0.2 - 0.02 * (1.0 - std::exp(-10.0)));
   EXPECT_NEAR(moved.position.x(), way, 0.05 * Period);
   EXPECT_NEAR(moved.velocity.x(), 0.05, 1e-4); // e⁻¹⁰ of it is missing

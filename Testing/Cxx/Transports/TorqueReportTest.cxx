@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orientation and torque in the 64-byte reports, from either side; and that a side of before, which
-// knows of neither, is understood and understands.
+// Orientation and torque in the 64-byte reports, from both sides; and compatibility with an older
+// side that has neither.
 #include "Transports/Hid/HapticReport.h"
 
 #include "KnownReports.h"
@@ -22,16 +22,16 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// Components are sent in single precision, 6e-8 of at most 1; the fourth follows from three with
-/// at most √3 times that.
+/// Components are sent in single precision, 6e-8 of at most 1. The fourth follows from three, with
+/// at most √3 times that error.
 constexpr double Single = 2e-7;
 
 void putSingle(HapticReportBytes& bytes, std::size_t offset, float value)
 {
-  std::memcpy(bytes.data() + offset, &value, sizeof value); // little-endian hosts alone test this
+  std::memcpy(bytes.data() + offset, &value, sizeof value); // this test needs a little-endian host
 }
 
-/// How far two orientations are turned apart, rad; q and -q are one.
+/// Rotation between two orientations, rad; q and -q are equal.
 double apart(const ToolOrientation& a, const ToolOrientation& b)
 {
   return turnBetween(a, b).norm();
@@ -58,7 +58,7 @@ TEST(TorqueReport, BytesAreThoseOfTheProtocol)
   StateReport state;
   ASSERT_EQ(parse(TurnedStateBytes.data(), 64, state), ReportDefect::None);
   EXPECT_LE(apart(state.orientation, knownTurnedState().orientation), 2.0 * Single);
-  EXPECT_GT(state.orientation.y(), 0.0); // the largest is told positive
+  EXPECT_GT(state.orientation.y(), 0.0); // the largest component is sent as positive
   EXPECT_EQ(state.forceSequence, 6U);
   ForceReport force;
   ASSERT_EQ(parse(TorqueBytes.data(), 64, force), ReportDefect::None);
@@ -86,7 +86,7 @@ TEST(TorqueReport, EveryOrientationArrives)
     ASSERT_TRUE(isTold(back.orientation));
     ASSERT_NEAR(back.orientation.norm(), 1.0, 1e-15);
     ASSERT_LE(apart(back.orientation, report.orientation), 4.0 * Single) << i;
-    // The device's side in C sends the same bytes, but for the roundings of a single.
+    // The device's side in C sends the same bytes, except for single-precision rounding.
     palpate_hid hid{};
     palpate_hid_start(&hid, 6.0F, 20000);
     const ToolOrientation& told = report.orientation;
@@ -102,7 +102,7 @@ TEST(TorqueReport, EveryOrientationArrives)
 
 TEST(TorqueReport, ADeviceOfBeforeTellsNoTurnAndNoTorque)
 {
-  StateReport state = knownTurnedState(); // what was there is not kept
+  StateReport state = knownTurnedState(); // old content must be overwritten
   ASSERT_EQ(parse(StateBytes.data(), 64, state), ReportDefect::None);
   EXPECT_FALSE(isTold(state.orientation));
   DescriptionReport description = knownTorqueDescription();
@@ -115,7 +115,7 @@ TEST(TorqueReport, ADeviceOfBeforeTellsNoTurnAndNoTorque)
   ForceReport force = knownTorque();
   ASSERT_EQ(parse(ForceBytes.data(), 64, force), ReportDefect::None);
   EXPECT_EQ(force.torque, Vector3d::Zero());
-  // A host of before reads the name up to its zero, and of all else the same bytes as ever.
+  // An older host reads the name up to its zero. All other bytes are as before.
   HapticReportBytes seen = TorqueDescriptionBytes;
   EXPECT_EQ(seen[43], 0);
   seen[3] = DescriptionBytes[3];
@@ -131,14 +131,15 @@ TEST(TorqueReport, WhatIsNoOrientationOrTorqueIsRefused)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      HapticReportBytes bytes = TurnedStateBytes; // 0.9² alone is more than the largest leaves
+      HapticReportBytes bytes =
+        TurnedStateBytes; // 0.9² alone exceeds the remainder of the largest component
       putSingle(bytes, 48 + 4 * i, wrong);
       seal(bytes);
       StateReport state;
       state.sequence = 4711;
       EXPECT_EQ(parse(bytes.data(), bytes.size(), state), ReportDefect::Content);
       EXPECT_EQ(state.sequence, 4711U);
-      bytes[3] &= 3; // not told: not looked at
+      bytes[3] &= 3; // flagged as absent, so it is not read
       seal(bytes);
       EXPECT_EQ(parse(bytes.data(), bytes.size(), state), ReportDefect::None);
       bytes = TorqueBytes;
@@ -159,11 +160,11 @@ TEST(TorqueReport, TheDeviceKeepsItsOwnLimitAndLetsGo)
   palpate_hid hid{};
   palpate_hid_start(&hid, 6.0F, 20000);
   float torque[3] = { 1.0F, 1.0F, 1.0F };
-  EXPECT_FALSE(palpate_hid_torque(&hid, 1, torque)); // none came yet
+  EXPECT_FALSE(palpate_hid_torque(&hid, 1, torque)); // none has come yet
   EXPECT_EQ(torque[0], 0.0F);
   ASSERT_TRUE(palpate_hid_receive(&hid, TorqueBytes.data(), TorqueBytes.size(), 1000));
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
-  EXPECT_EQ(torque[0], 0.0F); // firmware that has not said it can: none
+  EXPECT_EQ(torque[0], 0.0F); // firmware without torque support gets none
   hid.maximum_torque = 1.0F;
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
   EXPECT_EQ(torque[0], 0.0625F);
@@ -171,7 +172,7 @@ TEST(TorqueReport, TheDeviceKeepsItsOwnLimitAndLetsGo)
   EXPECT_EQ(torque[2], 2e-3F);
   hid.maximum_torque = 0.05F;
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
-  EXPECT_NEAR(std::hypot(torque[0], torque[1], torque[2]), 0.05F, 1e-8F); // a single's rounding
+  EXPECT_NEAR(std::hypot(torque[0], torque[1], torque[2]), 0.05F, 1e-8F); // rounding of a single
   EXPECT_LT(torque[1], 0.0F);
   EXPECT_FALSE(palpate_hid_torque(&hid, 1000 + 20001, torque)); // the watchdog
   EXPECT_EQ(torque[1], 0.0F);

@@ -24,12 +24,12 @@ TEST(Proportion, IntervalOfNoneAndOfAllInClosedForm)
 
 TEST(Proportion, PublishedIntervals)
 {
-  // Mendel's peas (Conover 1971), the example of R's binom.test, printed to seven digits.
+  // Mendel's peas (Conover 1971), the example of R's binom.test, with seven digits.
   const auto peas = proportionOf(682, 925);
   EXPECT_NEAR(peas.share, 0.7372973, 5e-8);
   EXPECT_NEAR(peas.lower, 0.7076683, 5e-8);
   EXPECT_NEAR(peas.upper, 0.7654066, 5e-8);
-  // 5 of 10, in every table of the interval, to four digits.
+  // 5 of 10, as in every table of this interval, to four digits.
   EXPECT_NEAR(proportionOf(5, 10).lower, 0.1871, 5e-5);
   EXPECT_NEAR(proportionOf(5, 10).upper, 0.8129, 5e-5);
 }
@@ -50,7 +50,7 @@ TEST(Proportion, TailsAreThoseOfTheBinomialDistribution)
       atLeast += i >= k ? weight(interval.lower) : 0.0;
       atMost += i <= k ? weight(interval.upper) : 0.0;
     }
-    EXPECT_NEAR(atLeast, 0.05, 1e-12); // the interval's rounding, times a slope of a few
+    EXPECT_NEAR(atLeast, 0.05, 1e-12); // rounding of the interval, times a slope of a few
     EXPECT_NEAR(atMost, 0.05, 1e-12);
   }
 }

@@ -34,7 +34,7 @@ TEST(TrialPlan, EveryRoundAsksEveryPairInBothOrders)
     for (auto begin = pairs.begin(); begin != pairs.end(); begin += round)
     {
       const std::set<std::pair<int, int>> asked(begin, begin + round);
-      EXPECT_EQ(asked.size(), static_cast<std::size_t>(round)); // none twice
+      EXPECT_EQ(asked.size(), static_cast<std::size_t>(round)); // no pair occurs twice
       for (const auto& [x, y] : asked)
       {
         EXPECT_NE(x, y);
@@ -48,7 +48,7 @@ TEST(TrialPlan, TheSeedIsTheOrder)
 {
   EXPECT_EQ(pairsOf(planTrials(4, 10, 3)), pairsOf(planTrials(4, 10, 3)));
   EXPECT_NE(pairsOf(planTrials(4, 10, 3)), pairsOf(planTrials(4, 10, 4)));
-  // More rounds begin with the same ones.
+  // A plan with more rounds begins with the same ones.
   auto longer = pairsOf(planTrials(4, 11, 3));
   longer.resize(120);
   EXPECT_EQ(longer, pairsOf(planTrials(4, 10, 3)));

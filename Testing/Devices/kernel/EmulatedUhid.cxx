@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The EmulatedHid of the umockdev tests, this time by the kernel itself.
+// The EmulatedHid of the umockdev tests, implemented with the real kernel.
 #include "EmulatedHid.h"
 
 #include "UhidDevice.h"

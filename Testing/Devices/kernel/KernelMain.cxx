@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first process of an emulated machine (boot.sh): prepares what the tests need of a system,
-// runs them, says on the console how they ended, and ends the machine.
+// The first process of an emulated machine (boot.sh): prepares the system for the tests, runs them,
+// prints their results on the console, and ends the machine.
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -25,7 +25,7 @@ bool failed(const char* what)
 
 bool mounted(const char* type, const char* place)
 {
-  mkdir(place, 0755); // the kernel has made some of them
+  mkdir(place, 0755); // the kernel has created some of them
   return mount(type, place, type, 0, nullptr) == 0 || errno == EBUSY || failed(place);
 }
 
@@ -63,6 +63,6 @@ int main(int argc, char* argv[])
   std::printf("palpate kernel job: %s\n", result == 0 && ran > 0 ? "passed" : "failed");
   std::fflush(stdout);
   tcdrain(STDOUT_FILENO);
-  reboot(RB_AUTOBOOT); // the emulator ends instead: -no-reboot
+  reboot(RB_AUTOBOOT); // with -no-reboot the emulator ends instead
   return 1;
 }

@@ -28,7 +28,7 @@ bool give(int file, const uhid_event& event)
   return write(file, &event, sizeof event) == static_cast<ssize_t>(sizeof event);
 }
 
-/// The fields are packed: no reference may be taken to them.
+/// The fields are packed, so references to them are not allowed.
 void put(__u8* field, std::size_t size, const std::string& text)
 {
   std::memcpy(field, text.c_str(), std::min(size - 1, text.size()));
@@ -127,7 +127,7 @@ void UhidDevice::serve()
     }
     else if (event.type == UHID_OUTPUT && event.u.output.size > 0)
     {
-      const __u8* data = event.u.output.data; // begins with the report's number
+      const __u8* data = event.u.output.data; // begins with the number of the report
       const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Reports.emplace_back(data + 1, data + event.u.output.size);
     }

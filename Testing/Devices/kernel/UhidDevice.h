@@ -17,23 +17,23 @@ namespace palpate::testing
 {
 /**
  * A HID device that this process plugs into the real kernel by /dev/uhid: a real /dev/hidrawN, with
- * the kernel's own queues, reports and unplugging. A thread answers what the kernel asks.
+ * the queues, reports and unplugging of the kernel. A thread answers the requests of the kernel.
  */
 class UhidDevice
 {
 public:
-  /// Throws std::runtime_error if the kernel does not take it, or shows no hidraw within 5 s.
+  /// Throws std::runtime_error if the kernel rejects it, or if there is no hidraw within 5 s.
   explicit UhidDevice(const HidModel& model);
   ~UhidDevice();
   UhidDevice(const UhidDevice&) = delete;
   UhidDevice& operator=(const UhidDevice&) = delete;
 
   const std::string& path() const { return this->Path; }
-  /// Device → host. False when it is unplugged.
+  /// Device → host. False if it is unplugged.
   bool send(const std::uint8_t* bytes, std::size_t size);
-  /// Host → device: the next output report, without its number. False when there is none.
+  /// Host → device: the next output report, without its number. False if there is none.
   bool receive(std::vector<std::uint8_t>& report);
-  /// UHID_DESTROY: gone, whoever has it open.
+  /// UHID_DESTROY: removes the device even if it is open.
   void unplug();
 
 private:
@@ -45,7 +45,7 @@ private:
   int File = -1;
   std::string Path;
   std::mutex Mutex;
-  std::deque<std::vector<std::uint8_t>> Reports; ///< under Mutex: from the host
+  std::deque<std::vector<std::uint8_t>> Reports; ///< under Mutex; from the host
   std::atomic<bool> Plugged{ false };
   std::atomic<bool> Stopping{ false };
   std::thread Thread;

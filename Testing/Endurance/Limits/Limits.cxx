@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body of many points through everything that precedes a tick: its response against the closed
-// form, the flat file and back to the bit, the kernel, ticks against a search of all triangles, and
-// the memory it took. The body is the bumpy sphere of the benchmarks.
+// A body with many points in all steps before a tick: its response against the closed form, the
+// flat file and back to the bit, the kernel, ticks against a search of all triangles, and the
+// memory used. The body is the bumpy sphere of the benchmarks.
 #include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"
@@ -31,14 +31,15 @@ using palpate::Vector3;
 using palpate::testing::peakMemory;
 using Body = vtkSmartPointer<vtkPolyData>;
 
-constexpr double TipRadius = 5.0; // mm, of a paraboloid
+constexpr double TipRadius = 5.0; // mm; the tool is a paraboloid
 constexpr double Modulus = 2.0;   // MPa; ν = 0
 constexpr double Range = 2.0;     // mm
 constexpr double LargestDepth = 1.5;
-// Half an ulp of a float at 64 to 128 mm from the centre; a little more for the centre's own.
+// Half an ulp of a float at 64 to 128 mm from the centre, plus a little for the rounding of the
+// centre.
 constexpr double KeptWithin = 3.9e-6;
-// Twice what the study of scale found at eight million points (Data/Studies/scale): 975 bytes,
-// beside some megabytes of libraries.
+// Twice the result of the scale study at eight million points (Data/Studies/scale): 975 bytes. The
+// libraries add some megabytes.
 constexpr double MostBytesPerPoint = 2000.0;
 constexpr double BytesOfLibraries = 1e9;
 
@@ -48,7 +49,7 @@ double law(double depth)
   return 4.0 / 3.0 * Modulus * std::sqrt(TipRadius) * std::pow(depth, 1.5);
 }
 
-/// What was found, and whether it was what it should be; in the order of the finding.
+/// Results and their checks, in the order of the checks.
 class Findings
 {
 public:
@@ -58,7 +59,7 @@ public:
     this->Figures += this->Figures.empty() ? "" : ", ";
     this->Figures += "\"" + std::string(name) + "\": " + number(value);
   }
-  /// value <= most; never for NaN.
+  /// Records a check value <= most. NaN fails.
   void expect(const char* name, double value, double most)
   {
     this->tell(name, value);
@@ -98,14 +99,14 @@ Body respond(vtkPolyData* body)
   filter->SetYoungsModulus(Modulus);
   filter->SetPoissonRatio(0.0);
   filter->SetMaximumDeflection(Range);
-  filter->CurvatureCorrectionOff(); // the closed form of a flat body
+  filter->CurvatureCorrectionOff(); // the closed form holds for a flat body
   filter->Update();
   auto output = Body::New();
   output->ShallowCopy(filter->GetOutput());
   return output;
 }
 
-/// The largest relative error of all stored forces.
+/// Largest relative error of all stored forces.
 double responseError(vtkPolyData* body)
 {
   vtkDataArray* force = body->GetPointData()->GetArray("ResponseForce");
@@ -122,7 +123,7 @@ double responseError(vtkPolyData* body)
   return worst;
 }
 
-/// How many arrays of a response are not there to the bit in another body.
+/// Number of response arrays that are not bitwise equal in the two bodies.
 int arraysThatDiffer(vtkPolyData* one, vtkPolyData* other)
 {
   int differ = palpate::copyPoints(one) == palpate::copyPoints(other) ? 0 : 1;
@@ -141,7 +142,7 @@ int arraysThatDiffer(vtkPolyData* one, vtkPolyData* other)
   return differ;
 }
 
-/// Through the flat file and back, which is then what goes on.
+/// Writes the body to a flat file and reads it back. The run continues with the body that was read.
 Body throughFile(const Body& body, const std::string& file, Findings& findings)
 {
   std::string error = palpate::writeFlatBody(body, "Response", file);
@@ -180,7 +181,7 @@ void compareTicks(vtkPolyData* body, int tips, Findings& findings)
   double touched = 0.0;
   for (int i = 0; i < tips; ++i)
   {
-    // 0.1 to 1.5 mm under the smooth body, all over it.
+    // Depths from 0.1 to 1.5 mm, all over the smooth body.
     const double depth = 0.1 + (LargestDepth - 0.1) * (i % 29) / 28.0;
     const Vector3 tip = palpate::testing::windingTip(depth, 61.7 * i);
     contact.reset();
@@ -194,7 +195,7 @@ void compareTicks(vtkPolyData* body, int tips, Findings& findings)
   findings.tell("tips", tips);
   findings.expect("tips_that_felt_nothing", tips - touched, 0.0);
   findings.expect("deflection_off_mm", depthError, 1e-10); // rounding at 100 mm
-  findings.expect("force_off_relative", forceError, 1e-6); // stored in floats
+  findings.expect("force_off_relative", forceError, 1e-6); // forces are stored as floats
 }
 } // namespace
 

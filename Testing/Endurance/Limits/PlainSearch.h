@@ -14,28 +14,27 @@
 namespace palpate::endurance
 {
 /**
- * The closest point of a surface by looking at every triangle: in long double, those apart that
- * their longest edge and the distance of their first corner put out of the question.
- *
- * Takes the coordinates as the kernel keeps them, which roundedBy() compares with those of the
- * input.
+ * Finds the closest point of a surface by a search over every triangle, in long double. A triangle
+ * is skipped only if its longest edge and the distance of its first corner exclude it.
+ * The search uses the coordinates as the kernel stores them. roundedBy() compares these with the
+ * coordinates of the input.
  */
 class PlainSearch
 {
 public:
   explicit PlainSearch(const PackedMesh& mesh);
 
-  /// The triangle is one of the input.
+  /// The triangle number is that of the input.
   testing::Nearest nearest(const Vector3& tip) const;
 
-  /// How far the kernel's coordinates lie from `points` (x, y, z each) at most, mm.
+  /// Largest distance of a kernel coordinate from `points` (x, y, z each), mm.
   double roundedBy(const std::vector<double>& points) const;
 
 private:
   struct Triangle
   {
-    std::array<Eigen::Vector3f, 3> corner; ///< about Centre
-    float reach;                           ///< of the first corner, mm, rounded up
+    std::array<Eigen::Vector3f, 3> corner; ///< relative to Centre
+    float reach; ///< largest distance from the first corner, mm, rounded up
   };
   const PackedMesh& Mesh;
   std::vector<Triangle> Triangles;

@@ -17,7 +17,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double PathStep = 2e-3; // s
 
-/// A few of each per second at 4 kHz; what ends the force is rarer, so that there is one.
+/// Rates for a few faults of each kind per second at 4 kHz. Faults that end the force are rarer, so
+/// that there is a force between them.
 DeviceFaults faultsOf(std::uint64_t seed)
 {
   DeviceFaults faults;

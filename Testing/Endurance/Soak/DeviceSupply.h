@@ -13,9 +13,9 @@
 namespace palpate::endurance
 {
 /**
- * One device after the other: a stiff hand, a mass in a hand that gives way, a trajectory that is
- * played; each with faults of its own (FaultyDevice), for some seconds. All press on and off a
- * nearly round body while they wander around it.
+ * Supplies devices in turn: a stiff hand, a mass in a compliant hand, and a trajectory that is
+ * played back. Each lasts some seconds and has its own faults (FaultyDevice). All press repeatedly
+ * on a nearly round body while they wander around it.
  */
 class DeviceSupply
 {

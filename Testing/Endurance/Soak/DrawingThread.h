@@ -15,8 +15,8 @@
 
 namespace palpate::endurance
 {
-/// Draws body and tip off screen, a small picture some 30 times a second, in a thread with a window
-/// of its own.
+/// Draws body and tip off screen in its own thread and window: a small picture about 30 times a
+/// second.
 class DrawingThread
 {
 public:
@@ -27,9 +27,9 @@ public:
 
   void start();
   void stop();
-  /// A copy is drawn from the next frame on.
+  /// Draws a copy of the body from the next frame on.
   void show(vtkPolyData* body);
-  /// Where the tip is, mm.
+  /// Sets the position of the tip, mm.
   void move(const Vector3& tip) { this->Tip.write(tip); }
   std::uint64_t frames() const { return this->Frames.load(); }
 
@@ -40,7 +40,7 @@ private:
   std::atomic<bool> Stopping{ false };
   std::atomic<std::uint64_t> Frames{ 0 };
   LatestValue<Vector3> Tip{ Vector3::Zero() };
-  std::mutex Lock; ///< of Body: between two threads that may wait
+  std::mutex Lock; ///< of Body; both threads may wait for it
   vtkSmartPointer<vtkPolyData> Body;
   std::thread Thread;
 };

@@ -6,13 +6,13 @@
 
 namespace palpate::endurance
 {
-/// In which ticks there must be no force, whatever is felt: without a place to feel it at, and when
-/// nothing new has come for longer than the time-out. After that, or longer without a place, not
-/// until the tip was outside.
+/// Decides in which ticks there must be no force, whatever body is in contact. There is no force
+/// without a valid position, and none if no new sample has come for longer than the time-out. If
+/// one of these lasts longer than the time-out, the force stays off until the tip has been outside.
 class LossRule
 {
 public:
-  /// s
+  /// Time-out in s.
   explicit LossRule(double timeOut)
     : TimeOut(timeOut)
   {
@@ -38,7 +38,7 @@ public:
     return isOld;
   }
 
-  /// Of a tick that is lost: the last new place is no older than the time-out.
+  /// True for a lost tick if the last new sample is no older than the time-out.
   bool isGap(const DeviceSample& sample, double time) const
   {
     return !isPlaced(sample) && this->HasHeard && time - this->LastNew <= this->TimeOut;

@@ -8,30 +8,33 @@
 namespace palpate::endurance
 {
 /**
- * The memory of this process over a run: what is resident, and what of the heap is in use (bytes
- * that were asked for and not given back, however the allocator holds them).
- *
- * It grows where the largest reading of the last quarter of the run exceeds that of the second by
- * more than is allowed; the first quarter is for caches, pools and compiled shaders.
+ * The memory of this process over a run: the resident memory, and the heap in use (bytes allocated
+ * and not yet freed, whatever the allocator keeps).
+ * Memory counts as growing if the largest reading of the last quarter of the run exceeds the
+ * largest reading of the second quarter by more than the allowance. The first quarter is left out
+ * because of caches, pools and compiled shaders.
  */
 class MemoryWatch
 {
 public:
-  /// MiB. Pages, not bytes: what fragments where bodies come and go, and what a thread touches for
-  /// the first time. Measured on a busy machine: up to 0.3.
+  /// Allowed growth of the resident memory, MiB. It is counted in pages, not bytes: it includes
+  /// fragmentation by bodies that come and go, and pages that a thread uses for the first time.
+  /// Measured on a busy machine: up to 0.3.
   static constexpr double ResidentAllowed = 4.0;
-  /// MiB. What other threads hold for a moment (a frame that is drawn, a device on its way),
-  /// measured up to 0.1. A body with its kernel is 0.2: kept at each swap, four show. In an hour,
-  /// from the second quarter to the last, this is 440 bytes a swap, or a byte in nine ticks.
+  /// Allowed growth of the heap, MiB. Other threads hold up to 0.1 for a moment (a frame that is
+  /// drawn, a device that is handed over; measured). A body with its kernel takes 0.2: if one is
+  /// kept at each swap, four swaps exceed the allowance. In an hour, from the second quarter to the
+  /// last, the allowance is 440 bytes a swap, or a byte in nine ticks.
   static constexpr double HeapAllowed = 0.75;
 
-  /// So many readings will come at most, so that keeping them does not count.
+  /// `readings` is the largest number of readings. Their memory is reserved here, so that it does
+  /// not count.
   explicit MemoryWatch(std::size_t readings);
   void read();
 
   struct Course
   {
-    double first = 0.0; ///< MiB, as all
+    double first = 0.0; ///< MiB, as are all below
     double last = 0.0;
     double second = 0.0; ///< largest of the second quarter
     double fourth = 0.0; ///< largest of the last quarter

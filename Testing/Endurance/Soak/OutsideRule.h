@@ -4,8 +4,9 @@
 
 namespace palpate::endurance
 {
-/// Whether the tip has been outside since the last loss. A depth of next to nothing is neither in
-/// nor out: then it may have been, and what the loop thinks is seen from what it sends.
+/// Whether the tip has been outside since the last loss. At a depth near zero the tip is neither
+/// inside nor outside: then it may have been outside. The sent force shows which of the two the
+/// loop has decided.
 class OutsideRule
 {
 public:

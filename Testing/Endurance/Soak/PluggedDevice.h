@@ -10,7 +10,8 @@
 
 namespace palpate::endurance
 {
-/// The device within, as it is: keeps what it said last, so that one sees when another is told.
+/// Passes the inner device on unchanged and keeps its last sample, so that a different reported
+/// sample is noticed.
 class TrueHand final : public HapticDevice
 {
 public:
@@ -35,15 +36,15 @@ private:
   DeviceSample Last;
 };
 
-/// One that is plugged in for a while.
+/// A device that is plugged in for a while.
 struct PluggedDevice
 {
   std::unique_ptr<HapticDevice> device;
-  const TrueHand* hand = nullptr;                          ///< within it
+  const TrueHand* hand = nullptr;                          ///< inside `device`
   double absence = 0.0;                                    ///< s without any device before it
   double life = 0.0;                                       ///< s
-  double hangAt = std::numeric_limits<double>::infinity(); ///< s of its life
-  double hangFor = 0.0; ///< s that one reading keeps the loop waiting
+  double hangAt = std::numeric_limits<double>::infinity(); ///< s after it was plugged in
+  double hangFor = 0.0; ///< s by which one reading delays the loop
   std::unique_ptr<PluggedDevice> next;
 };
 

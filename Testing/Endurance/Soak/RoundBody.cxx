@@ -12,7 +12,7 @@ namespace palpate::endurance
 {
 namespace
 {
-constexpr double Waves = 6.0; ///< to a radian
+constexpr double Waves = 6.0; ///< per radian
 
 /// Radius of the body over that of the ellipsoid, minus 1, in a unit direction.
 double wave(const Vector3& u)
@@ -35,7 +35,8 @@ RoundBody::RoundBody(const BodyForm& form, int times)
   const double height = form.bumps / radius;
   for (const Vector3& u : unit.points)
   {
-    // x = (1 + h w(u)) D u, whose normal is D⁻¹ (u (1 + h w) - h P∇w), P across u.
+    // x = (1 + h w(u)) D u. Its normal is D⁻¹ (u (1 + h w) - h P∇w), with P the projection across
+    // u.
     const double stretch = 1.0 + height * wave(u);
     const Vector3 gradient = waveGradient(u);
     const Vector3 along = gradient - u * u.dot(gradient);
@@ -63,7 +64,8 @@ RoundBody::RoundBody(const BodyForm& form, int times)
   }
 }
 
-/// The nearest point of a triangle: of its plane if that lies within, of its three sides otherwise.
+/// The nearest point of a triangle: of its plane if that point is inside the triangle, else of its
+/// three sides.
 RoundBody::Foot RoundBody::foot(
   const Vector3& tip, const std::array<std::int32_t, 3>& triangle) const
 {
@@ -108,7 +110,8 @@ RoundBody::Foot RoundBody::foot(
 
 std::vector<RoundBody::Touch> RoundBody::touch(const Vector3& tip) const
 {
-  double most = std::numeric_limits<double>::infinity(); // no nearest point is farther
+  double most =
+    std::numeric_limits<double>::infinity(); // upper bound of the distance of the nearest point
   for (std::size_t i = 0; i < this->Middles.size(); ++i)
   {
     most = std::min(most, (tip - this->Middles[i]).squaredNorm());
@@ -139,7 +142,8 @@ std::vector<RoundBody::Touch> RoundBody::touch(const Vector3& tip) const
       touch.modulus += foot.weights[static_cast<Eigen::Index>(k)] * this->Moduli[corner];
     }
     touch.normal.normalize();
-    // At an edge or corner of a gentle body the tip lies within some 0.2 rad of the normals there.
+    // At an edge or corner of a gentle body the direction to the tip is within about 0.2 rad of the
+    // normals there.
     touch.depth = (tip - foot.point).dot(touch.normal) < 0.0 ? foot.distance : -foot.distance;
     touches.push_back(touch);
   }

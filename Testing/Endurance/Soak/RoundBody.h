@@ -12,28 +12,27 @@ namespace palpate::endurance
 {
 using Vector3 = Eigen::Vector3d;
 
-/// What shape and how stiff.
+/// Shape and stiffness of a body.
 struct BodyForm
 {
   Vector3 centre = Vector3::Zero();             ///< mm
   Vector3 halfAxes = Vector3(50.0, 50.0, 50.0); ///< mm
-  double bumps = 0.0;                           ///< height, mm, of gentle waves
+  double bumps = 0.0;                           ///< height of the gentle waves, mm
   double modulus = 0.1;                         ///< reduced, E*, MPa
   double variation = 0.0;                       ///< of the modulus from point to point, relative
 };
 
 /**
- * A nearly round, triangulated body with a modulus at each point, and where a tip touches it: found
- * among all triangles, anew for each tip, by nothing but the distance.
- *
- * The bodies are gentle (no edge sharper than some 0.2 rad) and touched a few mm deep, so that the
- * contact a tick follows is the nearest point of all, and the only question is which of two
- * equally near ones it is: then both are told.
+ * A nearly round, triangulated body with a modulus at each point. It finds the contact of a tip by
+ * brute force over all triangles, from the distance alone, with no memory of earlier tips.
+ * The bodies are gentle (no edge sharper than about 0.2 rad) and the indentation is a few mm. So
+ * the contact that a tick follows is the global nearest point. Only two nearly equally near points
+ * are ambiguous: then both are returned.
  */
 class RoundBody
 {
 public:
-  /// 20·4^times triangles.
+  /// A body of 20·4^times triangles.
   RoundBody(const BodyForm& form, int times);
 
   /// A nearest point.
@@ -41,14 +40,14 @@ public:
   {
     double depth = 0.0;               ///< below the surface, mm; negative above it
     Vector3 normal = Vector3::Zero(); ///< the three point normals blended, unit
-    double modulus = 0.0;             ///< likewise, MPa
+    double modulus = 0.0;             ///< blended in the same way, MPa
   };
-  /// All that are as near as the nearest to within NearestTolerance; at least one.
+  /// All points that are as near as the nearest to within NearestTolerance; at least one.
   std::vector<Touch> touch(const Vector3& tip) const;
-  /// mm; the kernel keeps coordinates as float32 about the centre of the body: 2^-25 of 64 mm in
-  /// each, so 7e-6 mm between two distances at most.
+  /// mm. The kernel keeps coordinates as float32 about the centre of the body: an error of 2^-25 of
+  /// 64 mm in each, so at most 7e-6 mm between two distances.
   static constexpr double NearestTolerance = 2e-5;
-  /// Of one depth, likewise.
+  /// mm, for one depth; same reason.
   static constexpr double DepthTolerance = 1e-5;
 
   const std::vector<Vector3>& points() const { return this->Points; }
@@ -69,7 +68,7 @@ private:
   std::vector<Vector3> Normals;
   std::vector<double> Moduli;
   std::vector<std::array<std::int32_t, 3>> Triangles;
-  /// Of each triangle: a sphere around it, for what cannot be near.
+  /// A bounding sphere of each triangle, to skip triangles that cannot be near.
   std::vector<Vector3> Middles;
   std::vector<double> Radii;
 };

@@ -11,20 +11,22 @@
 
 namespace palpate::endurance
 {
-/// Which scenes are felt, and how much of each: one, or for 50 ms after a change the old and the
-/// new, straight in time, no tick counting for more than a tenth of the way.
+/// The scenes in contact and their shares. Usually this is one scene. For 50 ms after a change it
+/// is the old and the new one. The share of the new scene grows linearly with time, but by at most
+/// a tenth per tick.
 class SceneRule
 {
 public:
   explicit SceneRule(FeltScene first) { this->Scenes.emplace(0, std::move(first)); }
 
-  /// The next one that may come.
+  /// Adds the next scene that may come.
   void offer(FeltScene next) { this->Scenes.emplace(++this->Offered, std::move(next)); }
   std::uint32_t offered() const { return this->Offered; }
-  /// Which one is felt, or gone over to.
+  /// Number of the scene in contact, or of the new one during a change.
   std::uint32_t current() const { return this->Current; }
 
-  /// What a tick says it feels; false if that was not offered, or one was passed over.
+  /// Checks the scene that a tick reports. False if that scene was not offered, or if one was
+  /// skipped.
   bool enter(std::uint32_t scene)
   {
     if (scene == this->Current)
@@ -42,7 +44,7 @@ public:
     this->IsFirst = true;
     return true;
   }
-  /// A tick that touches, `elapsed` s after the one before.
+  /// A tick in contact, `elapsed` s after the one before.
   void advance(double elapsed)
   {
     constexpr double ramp = 0.05;
@@ -55,14 +57,14 @@ public:
   void lose() { this->IsChanging = false; }
 
   bool isChanging() const { return this->IsChanging; }
-  /// Of the newer scene.
+  /// Share of the newer scene.
   double share() const { return this->IsChanging ? this->Share : 1.0; }
   const FeltScene& newer() const { return this->Scenes.at(this->Current); }
-  /// While changing.
+  /// The older scene; only during a change.
   const FeltScene& older() const { return this->Scenes.at(this->Current - 1); }
 
 private:
-  /// Of two hundred steps added up.
+  /// Rounding error of a sum of two hundred steps.
   static constexpr double Rounding = 1e-9;
 
   std::map<std::uint32_t, FeltScene> Scenes; ///< from the older one on

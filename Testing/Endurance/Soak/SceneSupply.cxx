@@ -19,9 +19,9 @@ namespace palpate::endurance
 namespace
 {
 constexpr double PoissonRatio = 0.45;
-constexpr double Reach = 6.0;            // mm, deeper than any device goes
+constexpr double Reach = 6.0;            // mm, deeper than any device presses
 constexpr const char* Modulus = "Young"; // point array
-// Strength, s: within a press, and within a visit.
+// Strength and time constant (s): the first relaxes within a press, the second within a visit.
 constexpr std::array<std::array<double, 2>, 2> Relaxations = { { { 0.6, 0.03 }, { 0.4, 0.5 } } };
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const RoundBody& body)
@@ -91,7 +91,7 @@ SceneSupply::SceneSupply(unsigned seed, Supplied bodies)
     { this->Centre, { r - 1.0, r + 1.0, r + 0.5 }, 0.0, 0.06, 0.3 },
     { this->Centre, { r, r, r }, 0.5, 0.12, 0.2 },
     { this->Centre, { r - 0.5, r - 0.5, r - 0.5 }, 0.0, 0.3, 0.5 },
-    { this->Centre, { r, r - 0.5, r }, 0.2, 0.08, 0.2 } }; // the last one relaxes
+    { this->Centre, { r, r - 0.5, r }, 0.2, 0.08, 0.2 } }; // only the last one relaxes
   for (const BodyForm& form : forms)
   {
     constexpr int times = 3; // 1280 triangles of some 7 mm
@@ -105,7 +105,7 @@ SceneSupply::SceneSupply(unsigned seed, Supplied bodies)
 
 SuppliedScene SceneSupply::make()
 {
-  // One of all pairs but the last.
+  // Any pair except the last one.
   const std::size_t pairs = this->Count * this->Tools.size();
   this->Last = (this->Last + 1 + this->draw(pairs - 1)) % pairs;
   const std::size_t body = this->From + this->Last / this->Tools.size();
@@ -122,7 +122,7 @@ SuppliedScene SceneSupply::make()
   response->SetPoissonRatio(PoissonRatio);
   response->SetMaximumDeflection(Reach);
   response->SetResponseName(ResponseName);
-  response->CurvatureCorrectionOff(); // the closed form of a flat body
+  response->CurvatureCorrectionOff(); // the closed form holds for a flat body
   response->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, Modulus);
   for (const auto& [strength, seconds] : Relaxations)
   {

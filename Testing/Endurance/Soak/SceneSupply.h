@@ -19,16 +19,16 @@ struct ContactBody;
 
 namespace palpate::endurance
 {
-/// A scene as the model knows it, and as a session is given it.
+/// A scene for the model of the checker and for the session.
 struct SuppliedScene
 {
   FeltScene felt;
   vtkSmartPointer<vtkPolyData> body;                  ///< with the responses of the tool
-  std::shared_ptr<const palpate::ContactBody> kernel; ///< made of it; null after an error
+  std::shared_ptr<const palpate::ContactBody> kernel; ///< made from `body`; null after an error
   std::string error;
 };
 
-/// Which bodies are supplied.
+/// The bodies that are supplied.
 enum class Supplied
 {
   All,
@@ -36,18 +36,19 @@ enum class Supplied
   Relaxing ///< the one that does
 };
 
-/// Several bodies about the same place under several tools, with and without friction; responses
-/// by vtkToolContactResponse, kernel by the session's own conversion, both anew each time.
+/// Several bodies at about the same place under several tools, with and without friction. The
+/// responses come from vtkToolContactResponse, the kernel from the session's own conversion. Both
+/// are made again each time.
 class SceneSupply
 {
 public:
   explicit SceneSupply(unsigned seed, Supplied bodies = Supplied::All);
 
-  /// Another one than the last, in body or tool.
+  /// A scene that differs from the last one in body or tool.
   SuppliedScene make();
 
   const Vector3& centre() const { return this->Centre; }
-  static constexpr double Radius = 50.0; ///< of all bodies, mm, but for 1.5
+  static constexpr double Radius = 50.0; ///< of all bodies, mm, to within 1.5
   static constexpr const char* ResponseName = "Response";
 
 private:
@@ -61,7 +62,7 @@ private:
   std::vector<vtkSmartPointer<vtkPolyData>> Shapes;
   std::vector<ToolLaw> Tools;
   std::mt19937 Random;
-  std::size_t From; ///< of the bodies, which is supplied first
+  std::size_t From; ///< index of the first body that is supplied
   std::size_t Count;
   std::size_t Last = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session that goes on and on, while everything goes wrong around it; each of its ticks is
-// checked. Exit code: 0 if all holds, 1 if not, 2 for a wrong call or no display.
+// A long session with faults of every kind around it; each of its ticks is checked. Exit code: 0 if
+// all holds, 1 if not, 2 for a wrong call or no display.
 #include "SoakRun.h"
 
 #include <CLI/CLI.hpp>

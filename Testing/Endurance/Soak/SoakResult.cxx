@@ -8,15 +8,16 @@ namespace palpate::endurance
 {
 namespace
 {
-/// From so many s on each kind of trouble comes often enough to be asked for.
+/// From this duration on, s, each kind of trouble is frequent enough to be required.
 constexpr double LongEnough = 30.0;
-/// s: what keeps the last 10 s of ticks fills its memory for so long. The first quarter must be
+/// s. The buffers that keep the last 10 s of ticks fill up in this time. The first quarter must be
 /// longer.
 constexpr double WarmUp = 10.0;
-/// Of the ticks, at the least: with a force; the rest is air, losses and what follows them.
+/// Smallest share of ticks with a force. The rest is air, losses and the time after them.
 constexpr double FeltShare = 0.05;
-/// Of the ticks with a force, at the least: so far from the one before that a stale one shows.
-/// Where samples are dropped, and where the force is at its limit, there is no difference.
+/// Smallest share of ticks, of those with a force, whose force differs enough from that of the tick
+/// before to detect a stale one. There is no difference where samples are dropped or the force is
+/// at its limit.
 constexpr double StaleShare = 0.5;
 
 template <class... Parts>

@@ -14,21 +14,21 @@
 
 namespace palpate::endurance
 {
-/// What a soak did and found.
+/// Counts and findings of a soak.
 struct SoakResult
 {
   double seconds = 0.0;
   double rate = 0.0;
-  std::string granted; ///< what the system gave the servo thread
+  std::string granted; ///< scheduling that the system gave the servo thread
   std::uint64_t ticks = 0;
-  std::uint64_t missed = 0;   ///< ticks that the machine was too busy for
-  std::uint64_t overruns = 0; ///< ticks that nobody saw
+  std::uint64_t missed = 0;   ///< ticks missed because the machine was too busy
+  std::uint64_t overruns = 0; ///< ticks that were not drained in time
   TickTally tally;
   std::vector<std::string> faults; ///< the first ones, in words
   std::uint64_t swapsAsked = 0;
   std::uint64_t swapsSeen = 0;
-  std::uint64_t swapsLate = 0;   ///< not in the next tick that could
-  std::uint64_t bodiesKept = 0;  ///< that should have been freed before the next swap
+  std::uint64_t swapsLate = 0;   ///< swaps not in the next possible tick
+  std::uint64_t bodiesKept = 0;  ///< bodies that should have been freed before the next swap
   std::uint64_t bodiesAlive = 0; ///< after the end
   bool isForceLeft = false;      ///< on the device, after the end
   DeviceTroubles troubles;
@@ -38,7 +38,7 @@ struct SoakResult
   MemoryWatch::Course heap;
   std::array<double, 3> wakeUp{}; ///< median, 99 %, longest; µs
 
-  /// What does not hold, a line each; empty if all does.
+  /// The requirements that do not hold, one line each; empty if all hold.
   std::vector<std::string> complaints() const;
   void print(std::ostream& out) const;
   void writeJson(std::ostream& out) const;

@@ -37,19 +37,19 @@ struct SoakOptions
 };
 
 /**
- * A session in real time, as an application has it (vtkHapticSession: servo thread, safety chain,
- * mapping, scenes handed over), on a device that comes and goes, with bodies that are swapped under
- * it and a picture that is drawn beside it. The thread that owns it drains every tick and checks
- * it.
+ * A session in real time, as in an application (vtkHapticSession: servo thread, safety chain,
+ * mapping, scenes handed over). The device comes and goes, the bodies are swapped during contact,
+ * and a picture is drawn at the same time. The thread that owns the run drains and checks every
+ * tick.
  */
 class SoakRun
 {
 public:
   explicit SoakRun(const SoakOptions& options);
 
-  /// Why it does not start, or "".
+  /// Starts the run. Returns the reason why it cannot start, or "".
   std::string start();
-  /// Goes on for the whole time.
+  /// Runs for the whole time.
   void run();
   /// Ends it.
   SoakResult finish();
@@ -73,13 +73,13 @@ private:
   DrawingThread Drawing;
   std::unique_ptr<TickChecker> Checker;
   vtkSmartPointer<vtkHapticSession> Session;
-  UnsteadyDevice* Device = nullptr; ///< the session's
+  UnsteadyDevice* Device = nullptr; ///< owned by the session
 
-  std::vector<DeviceRecord> Records; ///< whose ticks have not come yet
+  std::vector<DeviceRecord> Records; ///< records whose ticks have not come yet
   std::uint64_t Checked = 0;
-  std::uint64_t CheckedBefore = 0; ///< when the last drain began
+  std::uint64_t CheckedBefore = 0; ///< number of ticks checked when the last drain began
   SwapWatch Swaps;
-  std::uint64_t SettledAt = 0; ///< the tick after which only one body was felt
+  std::uint64_t SettledAt = 0; ///< the tick from which on only one body is in contact
   std::vector<std::weak_ptr<const palpate::ContactBody>> Bodies; ///< all that may be alive
   SoakResult Result;
 };

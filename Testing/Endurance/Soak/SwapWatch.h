@@ -6,20 +6,20 @@
 
 namespace palpate::endurance
 {
-/// Whether each swap asked for is felt, in the next tick that can know of it. Ticks are numbered
-/// from 0; one swap is asked for after the other was seen.
+/// Checks that each requested swap takes effect in the next tick that can know of it. Ticks are
+/// numbered from 0. A swap is requested only after the one before was seen.
 class SwapWatch
 {
 public:
-  /// `made`: how many ticks were over when the swap had been handed over. One more may have been
-  /// under way, and have looked before; the one after it must know.
+  /// `made`: number of ticks completed when the swap had been handed over. One more tick may have
+  /// been in progress and may have read the scene before. The tick after it must know.
   void ask(std::uint64_t made)
   {
     ++this->Asked;
     this->Due = made + 1;
     this->IsOpen = true;
   }
-  /// A tick, and which scene it felt.
+  /// A tick and the number of its scene.
   void see(std::uint64_t tick, std::uint32_t scene)
   {
     this->Seen += scene != this->Scene ? 1 : 0;
@@ -34,7 +34,7 @@ public:
 
   std::uint64_t asked() const { return this->Asked; }
   std::uint64_t seen() const { return this->Seen; }
-  /// Not felt when they had to be, whether later or never.
+  /// Number of swaps that took effect too late or never.
   std::uint64_t late() const { return this->Late; }
 
 private:

@@ -11,17 +11,18 @@ namespace palpate::endurance
 namespace
 {
 constexpr double MillimetresPerMetre = 1000.0;
-/// N: double rounding of forces of some N.
+/// N; rounding of doubles for forces of some N.
 constexpr double Rounding = 1e-11;
-/// Of two hundred steps added up, each of a time of up to 1e5 s.
+/// Rounding of a sum of two hundred steps, each of a time of up to 1e5 s.
 constexpr double ShareRounding = 1e-6;
-/// mm: of tips some 100 mm from the device's origin.
+/// mm; for tips some 100 mm from the device's origin.
 constexpr double TipRounding = 1e-10;
-/// Of a force: normals are stored as float32 (1e-7), and the place is off by up to 1e-5 mm on
-/// facets of some mm, between whose corners normal and modulus change by a fifth.
+/// Relative error of the direction of a force. Normals are stored as float32 (1e-7). The position
+/// error is up to 1e-5 mm on facets of some mm, and normal and modulus change by a fifth between
+/// their corners.
 constexpr double DirectionError = 2e-6;
-/// Of the instantaneous force at some depth: elements take chords for curves, and what is left of a
-/// curve remembers its deepest press for a while.
+/// Relative to the instantaneous force at ChordDepth. The elements use chords instead of curves,
+/// and the rest of a curve remembers its deepest press for a while.
 constexpr double ChordError = 0.01;
 constexpr double ChordDepth = 2.0; // mm
 
@@ -169,7 +170,8 @@ TickChecker::Fit TickChecker::fit(
     fit.error = std::max(std::abs(along - normal), across - scene.friction * normal);
     if (scene.relaxation > 0.0)
     {
-      // Drag: what new material stores over a way, at most Σ w u²/4 P/2a, and Σ w u² <= δ f.
+      // Drag: the energy stored by new material over a path is at most Σ w u²/4 P/2a, and Σ w u² <=
+      // δ f.
       const double radius = scene.tool.contactRadius(depth);
       const double drag = radius > 0.0 ? scene.relaxation * depth * normal / (8.0 * radius) : 0.0;
       const double instant = (1.0 + scene.relaxation) * normal;
@@ -183,12 +185,13 @@ TickChecker::Fit TickChecker::fit(
       normal > 0.0 ? share * scene.tool.cappedForce(depth, touch.modulus, most) / normal : 1.0;
     best = fit.excess < best.excess ? fit : best;
   }
-  // A force that is no number fits nowhere.
+  // A force that is not finite never fits.
   best.excess = force.allFinite() ? best.excess : std::numeric_limits<double>::infinity();
   return best;
 }
 
-/// The contact force is that of this place; `expected` is what of it the device is good for.
+/// Checks that the contact force fits this position. `expected` is the part of the force within the
+/// limits of the device.
 TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expected& expected)
 {
   this->Scenes.advance(elapsed);
@@ -197,8 +200,8 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   {
     return fault(TickFault::Tip, tick, tick.tip.transpose(), " mm instead of ", tip.transpose());
   }
-  // Shares are added up step by step, and differ by what rounding of the time makes of the steps.
-  // Of the two, the one that is told is what the forces are made with.
+  // Shares are sums of many steps. They differ by the rounding of the time in each step. The forces
+  // use the share that the tick reports, not the one computed here.
   const double share = tick.sceneShare;
   if (!(std::abs(share - this->Scenes.share()) <= ShareRounding && share <= 1.0))
   {
@@ -211,7 +214,8 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
     return fault(TickFault::Contact, tick, tick.contactForce.transpose(), " N at a depth of ",
       newer.depth, " mm: ", newer.excess, " N too far off");
   }
-  // What is not of the newer scene must be of the older; without one it must be nothing.
+  // The rest of the force must come from the older scene. Without an older scene the rest must be
+  // zero.
   const Vector3 rest = tick.idealForce - share * tick.contactForce;
   Fit older;
   older.depth = newer.depth;
@@ -228,7 +232,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   this->Tally.nearest = std::max(this->Tally.nearest, newer.error / newer.tolerance);
   expected.force =
     this->Frame.axes.transpose() * (newer.cap * share * tick.contactForce + older.cap * rest);
-  // The cap follows the stored curve, which is off by as much as the force.
+  // The cap follows the stored curve, whose error is that of the force.
   expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance) + Rounding;
   const double nothing = RoundBody::DepthTolerance;
   expected.isInside = newer.depth > nothing || (older.depth > nothing && 1.0 - share > 1e-6);
@@ -238,7 +242,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   if (expected.isBound)
   {
     expected.force = this->Frame.axes.transpose() * tick.idealForce;
-    expected.isInside = false; // whether the body is felt there is its own affair
+    expected.isInside = false; // the relaxing body itself decides whether there is contact
     return this->checkVisit(tick, expected.isOutside && share == 1.0);
   }
   this->Visit.lose();
@@ -264,7 +268,8 @@ TickVerdict TickChecker::checkVisit(const TickFacts& tick, bool isOutside)
   return {};
 }
 
-/// Slew limit, from what was sent by the tick before, and limit of the magnitude.
+/// Applies the slew limit, starting from the force sent by the tick before, and the limit of the
+/// magnitude.
 Vector3 TickChecker::limited(const Vector3& wanted, double time) const
 {
   const double most = this->HasSent ? this->Limits.forceRate * (time - this->SentTime) : 0.0;

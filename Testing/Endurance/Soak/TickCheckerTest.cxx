@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The soak's checker on series of ticks: it accepts those of the real servo step, in virtual time,
-// and finds what is done to them afterwards.
+// The soak's checker on series of ticks. It accepts those of the real servo step, in virtual time,
+// and finds the faults that are added afterwards.
 #include "TickSeries.h"
 
 #include "Haptics/Servo/ServoStep.h"
@@ -18,7 +18,7 @@ namespace palpate::endurance
 {
 namespace
 {
-/// The fault must be of this kind and in this tick.
+/// Expects this kind of fault in this tick.
 void expectFound(const TickSeries& series, TickFault fault, std::size_t tick)
 {
   const TickSeries::Finding found = series.firstFault();
@@ -26,8 +26,8 @@ void expectFound(const TickSeries& series, TickFault fault, std::size_t tick)
   EXPECT_EQ(found.tick, tick) << found.text;
 }
 
-/// With friction and without: `spoil` is given a copy of a series and a tick in which the force
-/// moves, for many such ticks.
+/// Calls `spoil` for many ticks in which the force moves, with friction and without. It gets a copy
+/// of the series and the tick.
 template <class Spoil>
 void spoilTicks(unsigned seed, const Spoil& spoil)
 {
@@ -69,7 +69,7 @@ TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
   }
 }
 
-// Where the time is large, steps of it are rounded, and shares that add them up differ.
+// At large times the time steps are rounded, so sums of shares differ.
 TEST(TickChecker, AcceptsWhatComesAfterAnHour)
 {
   for (const double begin : { 2000.0, 3600.0, 1e5, 1e5 + 0.7 })
@@ -104,7 +104,7 @@ TEST(TickChecker, FindsAContactThatIsOneTickOld)
       stale.ticks[i].idealForce = before.idealForce;
       stale.send(i, before.sent);
       expectFound(stale, TickFault::Contact, i);
-      // With the place of then it is consistent in itself, but not where the device is.
+      // With the earlier position the tick is consistent in itself, but does not match the device.
       stale.ticks[i].tip = before.tip;
       expectFound(stale, TickFault::Tip, i);
     });
@@ -185,7 +185,7 @@ TEST(TickChecker, FindsASmallJump)
     expectFound(jumped, TickFault::Sent, tick);
     jumped.send(tick, Eigen::AngleAxisd(0.01, force.unitOrthogonal()) * force);
     expectFound(jumped, TickFault::Sent, tick);
-    jumped.send(tick, Vector3::Zero()); // for no reason
+    jumped.send(tick, Vector3::Zero()); // without a reason
     expectFound(jumped, TickFault::Sent, tick);
   }
 }
@@ -193,7 +193,7 @@ TEST(TickChecker, FindsASmallJump)
 TEST(TickChecker, FindsAForceAfterALoss)
 {
   const TickSeries series(7);
-  // Without a sample, in the first tick as in the last; and until the tip was outside.
+  // Without a sample, in the first tick and in the last, and afterwards until the tip was outside.
   for (const std::size_t tick : { TickSeries::Absent, TickSeries::Absent + TickSeries::Gap - 1,
          TickSeries::Absent + TickSeries::Gap + 5 })
   {
@@ -202,7 +202,7 @@ TEST(TickChecker, FindsAForceAfterALoss)
     held.send(tick, series.ticks[TickSeries::Absent - 1].sent);
     ASSERT_GT(held.ticks[tick].sent.norm(), 0.01);
     expectFound(held, TickFault::AfterLoss, tick);
-    held.send(tick, Vector3(0.0, 1e-300, 0.0)); // exactly none
+    held.send(tick, Vector3(0.0, 1e-300, 0.0)); // the force must be exactly zero
     expectFound(held, TickFault::AfterLoss, tick);
   }
   TickSeries held = series;
@@ -214,7 +214,7 @@ TEST(TickChecker, FindsAForceAfterALoss)
 TEST(TickChecker, FindsAForceOfADeviceThatHasFallenSilent)
 {
   const TickSeries series(7);
-  const std::size_t lost = TickSeries::Silent + 81; // 20.25 ms after the last that was new
+  const std::size_t lost = TickSeries::Silent + 81; // 20.25 ms after the last new sample
   EXPECT_GT(series.ticks[lost - 1].sent.norm(), 0.01);
   ASSERT_TRUE(series.ticks[lost].sent.isZero(0.0));
   TickSeries held = series;
@@ -233,7 +233,8 @@ TEST(TickChecker, FindsFrictionOutOfTheCone)
     {
       continue;
     }
-    // More across than 0.4 of what is along: atan 0.4 = 22°; half a radian more, either way.
+    // The tangential part exceeds 0.4 of the normal part: atan 0.4 = 22°. The rotation is by half a
+    // radian, in either direction.
     const Vector3 axis = tick.contactForce.unitOrthogonal();
     TickSeries turned = series;
     turned.ticks[i].contactForce = Eigen::AngleAxisd(0.5, axis) * tick.contactForce;
@@ -262,7 +263,7 @@ TEST(TickChecker, AcceptsBodiesThatRelax)
     const TickSeries::Finding found = series.firstFault();
     EXPECT_EQ(found.fault, TickFault::None) << seed << ": " << found.text;
     EXPECT_EQ(series.tally().visits, 2U);
-    EXPECT_LT(series.tally().largestGain, 0.0); // what flows takes
+    EXPECT_LT(series.tally().largestGain, 0.0); // flow dissipates energy
   }
 }
 
@@ -298,8 +299,8 @@ TEST(TickChecker, FindsMoreThanABodyThatRelaxesCanGive)
 
 TEST(TickChecker, FindsEnergyThatABodyThatRelaxesGives)
 {
-  // The force of the way in, on the way out, and the other way round: within all bounds, tick by
-  // tick.
+  // The force of the way in is used on the way out, and the other way round. Each tick is within
+  // all bounds.
   TickSeries series(1, false, 0.0, 0.0, Supplied::Relaxing);
   for (std::size_t i = 1; i < TickSeries::Length; ++i)
   {
@@ -315,7 +316,7 @@ TEST(TickChecker, FindsEnergyThatABodyThatRelaxesGives)
 
 TEST(TickChecker, FindsAForceThatRisesTooFast)
 {
-  // 1 mm deeper from one tick to the next: what the contact gives comes at 40 N/s only.
+  // The tip is 1 mm deeper from one tick to the next. The sent force rises at 40 N/s only.
   SceneSupply supply(1, Supplied::Elastic);
   const SuppliedScene scene = supply.make();
   ServoStep step(std::make_unique<ServoScene>(scene.kernel),
@@ -355,7 +356,7 @@ TEST(TickChecker, LetsPassivityTakeButNotAddOrTurn)
   const TickSeries series(6);
   const std::size_t tick = TickSeries::Swap - 200;
   const Vector3 force = series.ticks[tick].sent;
-  // Only one tick: the next starts from what was sent last, as the slew limit does.
+  // Only one tick: the next would start from the force sent last, as the slew limit does.
   const auto first = [&](const Vector3& sent)
   {
     TickSeries changed = series;

@@ -16,15 +16,16 @@ struct Tick;
 
 namespace palpate::endurance
 {
-/// A body, a tool and what resists sliding: what can be felt at a time.
+/// A body, a tool and the resistance to sliding: one scene in contact.
 struct FeltScene
 {
   std::shared_ptr<const RoundBody> body;
   ToolLaw tool{ ToolLaw::Flat, 1.0 };
   double friction = 0.0; ///< Coulomb's coefficient
-  /// P, by which the instantaneous modulus of a body that relaxes exceeds the slow one; 0: elastic.
+  /// P: relative excess of the instantaneous modulus of a relaxing body over the slow one. 0:
+  /// elastic.
   double relaxation = 0.0;
-  int elements = 16; ///< with which it is felt
+  int elements = 16; ///< number of relaxation elements of the servo step
 };
 
 /// From the device's frame to the body's: x = axes (1000 scale x_device) + origin.
@@ -44,24 +45,24 @@ struct DeviceFrame
   }
 };
 
-/// One tick. What the device was asked for and given is from the device itself, the rest is what
-/// the loop says it did.
+/// One tick. The sample and the sent force are recorded at the device itself; the rest is reported
+/// by the loop.
 struct TickFacts
 {
-  double time = 0.0; ///< s, the device was told
+  double time = 0.0; ///< s, given to the device
   DeviceSample sample;
-  Vector3 sent = Vector3::Zero(); ///< N, device frame: what the device was given
+  Vector3 sent = Vector3::Zero(); ///< N, device frame, given to the device
 
-  std::uint32_t scene = 0;                ///< how many changes came before
-  double sceneShare = 1.0;                ///< of that scene in the ideal force
+  std::uint32_t scene = 0;                ///< number of changes before
+  double sceneShare = 1.0;                ///< share of that scene in the ideal force
   Vector3 tip = Vector3::Zero();          ///< mm, body frame, as all below
-  Vector3 contactForce = Vector3::Zero(); ///< N, of that scene
-  Vector3 idealForce = Vector3::Zero();   ///< N, of all scenes felt
-  Vector3 saidSent = Vector3::Zero();     ///< N, device frame: what was recorded as sent
-  bool isPassivityLimited = false;        ///< the passivity control took some of the force
+  Vector3 contactForce = Vector3::Zero(); ///< N, from that scene
+  Vector3 idealForce = Vector3::Zero();   ///< N, from all scenes in contact
+  Vector3 saidSent = Vector3::Zero();     ///< N, device frame, recorded as sent
+  bool isPassivityLimited = false;        ///< the passivity control removed some of the force
 };
 
-/// What the device saw beside what the loop says of the same tick.
+/// Combines the record of the device and the report of the loop for the same tick.
 TickFacts factsOf(double time, const DeviceSample& sample, const Vector3& sent, const Tick& tick);
 } // namespace palpate::endurance
 

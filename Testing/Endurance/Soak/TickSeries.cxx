@@ -15,7 +15,8 @@ namespace palpate::endurance
 {
 namespace
 {
-/// Height over the body, mm: in and out, three times; in at all the times above.
+/// Height over the body, mm. The tip goes in and out three times. It is inside at all the times
+/// named in the header.
 double height(double time)
 {
   struct Knot

@@ -14,9 +14,9 @@
 namespace palpate::endurance
 {
 /**
- * Two seconds of ticks of the real servo step, in virtual time, over two scenes: what a checker
- * must accept, and what a test spoils. In and out of the body three times, with a swap and three
- * losses while in contact.
+ * Two seconds of ticks of the real servo step, in virtual time, over two scenes. A checker must
+ * accept them; a test spoils them. The tip goes in and out of the body three times. A swap and
+ * three losses happen during contact.
  */
 class TickSeries
 {
@@ -30,23 +30,23 @@ public:
   static constexpr std::size_t Broken = 7000; ///< one NaN
   static constexpr std::size_t Gap = 100;     ///< 25 ms, longer than the time-out
 
-  /// Of the device.
+  /// The frame of the device.
   static DeviceFrame frame();
   static SafetySettings safety();
 
-  /// Of the body that relaxes, without swaps, there are no losses either: its visits are whole.
-  /// Without `swaps` the first scene is felt throughout; a `friction` of its own for both scenes,
-  /// if it is not negative.
+  /// Without `swaps` the first scene stays in contact. A `friction` that is not negative applies to
+  /// both scenes. With the relaxing body and without swaps there are no losses either: its visits
+  /// are complete.
   explicit TickSeries(unsigned seed, bool swaps = true, double friction = -1.0, double begin = 0.0,
     Supplied bodies = Supplied::Elastic);
 
-  /// Sent, and said so.
+  /// Changes the sent force and its record.
   void send(std::size_t tick, const Vector3& force)
   {
     this->ticks[tick].sent = force;
     this->ticks[tick].saidSent = force;
   }
-  /// Whether the force of a tick is so far from that of the one before that it can be told.
+  /// True if the force of a tick differs enough from that of the tick before to be distinguished.
   bool moves(std::size_t tick) const;
 
   struct Finding
@@ -57,7 +57,7 @@ public:
   };
   /// The first fault, from the beginning.
   Finding firstFault() const;
-  /// Of all ticks.
+  /// The counts over all ticks.
   TickTally tally() const;
 
   std::vector<TickFacts> ticks;

@@ -64,7 +64,7 @@ double ToolLaw::contactRadius(double depth) const
     default:
       break;
   }
-  // Between 0 and the paraboloid's: by halves, to the last bit but a few.
+  // Bisection between 0 and the radius of the paraboloid, down to the last few bits.
   double low = 0.0;
   double high = std::fmin(std::sqrt(r * depth), r);
   for (int i = 0; i < 50; ++i)

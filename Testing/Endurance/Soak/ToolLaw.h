@@ -5,15 +5,15 @@
 namespace palpate::endurance
 {
 /**
- * What a rigid tool feels δ deep in a half-space of reduced modulus E*, written down once more from
- * the closed forms (Sneddon 1965): for every profile dF/dδ = 2 E* a, with
+ * Force on a rigid tool at a deflection δ of a half-space of reduced modulus E*. The closed forms
+ * are written here a second time (Sneddon 1965). For every profile dF/dδ = 2 E* a, with
  *
  *   flat of radius R   a = R            F = 2 E* R δ
  *   paraboloid         a = √(R δ)       F = 4/3 E* √R δ^1.5
  *   cone               δ = π a / (2 tan α)   F = 2/π E* tan α δ²
  *   exact sphere       δ = a atanh(a/R) F = E* ((a² + R²) atanh(a/R) - a R)
  *
- * mm, N, MPa; depths δ >= 0. Shares nothing with Filters/Mechanics.
+ * mm, N, MPa; depths δ >= 0. Shares no code with Filters/Mechanics.
  */
 class ToolLaw
 {
@@ -26,7 +26,7 @@ public:
     Sphere
   };
 
-  /// `size`: the radius in mm, of a cone the angle α from its axis in degrees.
+  /// `size`: the radius in mm; for a cone the angle α from its axis in degrees.
   ToolLaw(Shape shape, double size);
 
   Shape shape() const { return this->Kind; }
@@ -36,10 +36,10 @@ public:
   double contactRadius(double depth) const;
   double force(double depth, double modulus) const;
   double stiffness(double depth, double modulus) const;
-  /// ∫₀^δ min(dF/dδ, most), the stiffness being one that does not fall.
+  /// ∫₀^δ min(dF/dδ, most). The stiffness must not decrease with depth.
   double cappedForce(double depth, double modulus, double most) const;
-  /// How far, relative, a response stored in 8 samples may be off: the laws that are powers of the
-  /// depth are kept to the rounding of float32; the manual's figure of the exact sphere is 2e-4.
+  /// Relative error of a response stored in 8 samples. For laws that are powers of the depth it is
+  /// the rounding of float32; for the exact sphere it is 2e-4, as stated in the manual.
   double storageError() const;
 
 private:
@@ -47,7 +47,7 @@ private:
 
   Shape Kind;
   double Size;
-  double Tangent; ///< of a cone's angle
+  double Tangent; ///< tan α of a cone
 };
 } // namespace palpate::endurance
 

@@ -14,7 +14,7 @@
 
 namespace palpate::endurance
 {
-/// What was read and written in one tick, as the device saw it.
+/// Sample read and force written in one tick, recorded at the device.
 struct DeviceRecord
 {
   double time = 0.0;
@@ -22,37 +22,36 @@ struct DeviceRecord
   Eigen::Vector3d sent = Eigen::Vector3d::Zero();
 };
 
-/// How often what was done to the loop.
+/// Number of disturbances of each kind.
 struct DeviceTroubles
 {
   std::uint64_t unplugs = 0;
   std::uint64_t absent = 0;     ///< readings without a valid sample
   std::uint64_t notANumber = 0; ///< readings that claim to be valid
   std::uint64_t dropped = 0;    ///< not new: lost or stalled
-  std::uint64_t late = 0;       ///< old, but told as new
-  std::uint64_t hangs = 0;      ///< readings that kept the loop waiting
+  std::uint64_t late = 0;       ///< old, but reported as new
+  std::uint64_t hangs = 0;      ///< readings that delayed the loop
 };
 
 /**
- * A device that comes and goes: each of those offered is plugged in for its life, then there is
- * none for a while. Writes down every reading and force. Devices are handed over and back by two
- * pointers, so that a tick neither allocates nor frees.
- *
- * read and write are the servo thread's, all else is for one other.
+ * A device that comes and goes. Each offered device is plugged in for its life, followed by a time
+ * without a device. Every reading and force is recorded. Devices are handed over and back by two
+ * pointers, so that a tick neither allocates nor frees memory.
+ * Only the servo thread calls read and write. One other thread calls all other functions.
  */
 class UnsteadyDevice final : public HapticDevice
 {
 public:
-  /// `capacity`: ticks kept until they are drained.
+  /// `capacity`: number of ticks kept until they are drained.
   UnsteadyDevice(const DeviceSpecification& specification, std::size_t capacity);
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
   DeviceSample read(double time) noexcept override;
   bool write(const Eigen::Vector3d& force) noexcept override;
 
-  /// Whether the last one offered was taken.
+  /// True if the last device offered was taken.
   bool wantsDevice() const { return this->Wants.load(); }
-  /// The next one. Frees those that are gone.
+  /// Offers the next device. Frees the devices that are gone.
   void offer(std::unique_ptr<PluggedDevice> device);
 
   template <class Sink>
@@ -62,7 +61,7 @@ public:
   }
   std::uint64_t overruns() const { return this->Records.overruns(); }
   DeviceTroubles troubles() const;
-  /// After the loop has ended: the force that was left on the device.
+  /// The force that was left on the device. Call after the loop has ended.
   const Eigen::Vector3d& lastForce() const { return this->LastForce; }
 
 private:
@@ -75,9 +74,9 @@ private:
   SceneExchange<PluggedDevice> Devices;
   std::atomic<bool> Wants{ true };
 
-  std::unique_ptr<PluggedDevice> Current; ///< the servo thread's, as all below
+  std::unique_ptr<PluggedDevice> Current; ///< for the servo thread only, as all below
   std::unique_ptr<PluggedDevice> Next;
-  double Since = 0.0; ///< when Current came, or the one before it went
+  double Since = 0.0; ///< time when Current came, or the one before it went
   DeviceRecord Open;
   bool IsOpen = false;
   Eigen::Vector3d LastForce = Eigen::Vector3d::Zero();

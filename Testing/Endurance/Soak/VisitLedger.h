@@ -7,22 +7,22 @@
 namespace palpate::endurance
 {
 /**
- * The work of the contact force on the tip from being outside to being outside again, by
- * trapezoids: what a hand gets out of a body in one visit. None may be left over, but for what the
- * force forms leave on facets (study stability: 1 % of force times way), whatever the body
- * remembers of being pressed.
+ * Work of the contact force on the tip from one time outside to the next, by the trapezoidal rule:
+ * the energy that a hand gains from a body in one visit. It must not be positive, except for the
+ * error of the force forms on facets (stability study: 1 % of force times path), whatever
+ * relaxation adds.
  */
 class VisitLedger
 {
 public:
-  static constexpr double Allowed = 0.01; ///< of force times way
-  static constexpr double Least = 0.01;   ///< N mm, of force times way: else it was no visit
-  /// mm: over a longer way in one tick, as after a late reading, trapezoids are too coarse.
+  static constexpr double Allowed = 0.01; ///< of force times path
+  static constexpr double Least = 0.01;   ///< N mm of force times path; below it there was no visit
+  /// mm. Trapezoids are too coarse for a longer path in one tick, as after a late reading.
   static constexpr double LongestStep = 0.2;
 
-  /// Begins anew when the tip is outside: something was not seen.
+  /// Discards the visit; a new one starts when the tip is outside. For missed ticks.
   void lose() noexcept { this->IsOpen = false; }
-  /// `force` on the tip, N, at `tip`, mm. True where a visit ends.
+  /// Adds the force on the tip, N, at `tip`, mm. True if a visit ends.
   bool move(const Eigen::Vector3d& tip, const Eigen::Vector3d& force, bool isOutside) noexcept
   {
     const Eigen::Vector3d way = tip - this->Tip;
@@ -45,7 +45,7 @@ public:
     this->Force = force;
     return isJudged;
   }
-  /// Of the visit that has ended: got out, over force times way.
+  /// Energy gained in the visit that has ended, over force times path.
   double gain() const noexcept { return this->Gain; }
 
 private:

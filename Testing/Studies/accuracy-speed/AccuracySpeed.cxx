@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpateAccuracySpeed: the rows of the study of accuracy against speed as CSV. Columns in
+// palpateAccuracySpeed prints the rows of the study of accuracy against speed as CSV. Columns in
 // README.md.
 #include "ColdRead.h"
 #include "MethodErrors.h"
@@ -43,11 +43,11 @@ struct Options
   bool isDeep = false;
 };
 
-/// An empty field for what is not known.
+/// A number of a CSV row; unknown values (not finite) give an empty field.
 struct Field
 {
   double value;
-  int digits; ///< that count
+  int digits; ///< significant ones
 };
 std::ostream& operator<<(std::ostream& stream, const Field& field)
 {
@@ -120,7 +120,8 @@ void studyTools(const StudyScene& scene, const Options& options, MethodTimer* ti
     const StudyTips tips = scene.tips(tool);
     MethodList methods = studyMethods(scene, tool);
     const StudyBody& body = *scene.bodies.front();
-    methods.push_back({ scene.reference(law), body.pointCount(), body.meshBytes() }); // last
+    methods.push_back(
+      { scene.reference(law), body.pointCount(), body.meshBytes() }); // the reference comes last
     const ErrorJudge judge(tips, *methods.back().method, scene.stride);
     std::vector<MethodTimes> times(methods.size());
     if (timer != nullptr)

@@ -9,23 +9,23 @@
 namespace palpate::testing
 {
 
-/// One way to render what a tool feels. All methods of a scene answer the same tips.
+/// A method that computes the force on a tool. All methods of a scene get the same tips.
 class ContactMethod
 {
 public:
   virtual ~ContactMethod() = default;
 
-  /// What the method is called in tables and charts.
+  /// Name of the method in tables and charts.
   virtual std::string name() const = 0;
 
   /// Force on the tool at this tip, mm -> N, without friction. Tips come in the order of a path; a
-  /// method may start from where the last one was.
+  /// method may start its search at the last tip.
   virtual Vector3 force(const Vector3& tip) = 0;
 
-  /// The next tip has nothing to do with the last one.
+  /// Call this if the next tip is unrelated to the last one.
   virtual void forget() {}
 
-  /// What the tick reads from: tables, mesh and index, bytes in all.
+  /// Bytes that the tick reads: tables, mesh and index.
   virtual std::size_t bytes() const = 0;
 };
 

@@ -16,10 +16,10 @@ namespace palpate::testing
 namespace
 {
 constexpr double Patience = 6.0;      // s for the tips of one kind
-constexpr double Quick = 2e-4;        // s: such a method is asked at every tip
+constexpr double Quick = 2e-4;        // s: a method faster than this is evaluated at every tip
 constexpr std::size_t FewestTips = 4; // per kind, of methods that take seconds
 
-/// Of three calls, s.
+/// The shortest of three calls, s.
 double shortestCall(const StudyTips& tips, ContactMethod& method)
 {
   using Clock = std::chrono::steady_clock;
@@ -157,7 +157,7 @@ double errorAgainstCurve(
   {
     throw std::runtime_error(error);
   }
-  // They are for E = 0.1 MPa and the scene's Poisson's ratio; the material is linear in E.
+  // The curves are for E = 0.1 MPa and the scene's Poisson's ratio. The material is linear in E.
   const double scale =
     scene.material.reducedModulus / reducedModulus(0.1, scene.material.poissonRatio);
   const MeasuredCurve& curve = measured.curves.front();

@@ -9,28 +9,28 @@
 
 namespace palpate::testing
 {
-/// How far forces are off. Relative RMS: √(Σ|F - F'|² / Σ|F'|²), F' being right.
+/// Errors of forces. Relative RMS: √(Σ|F - F'|² / Σ|F'|²), with F' the reference.
 struct MethodErrors
 {
   double all = 0.0;     ///< over sites and path
   double sites = 0.0;   ///< random sites and depths, each a new contact
   double path = 0.0;    ///< the sliding path
-  double noticed = 0.0; ///< share of the tips at which |F - F'| > 10 % of |F'|
-  std::size_t tips = 0; ///< compared
+  double noticed = 0.0; ///< share of the tips with |F - F'| > 10 % of |F'|
+  std::size_t tips = 0; ///< number compared
   std::size_t unanswered = 0;
 };
 
-/// Asks methods and compares them with the reference of their scene.
+/// Evaluates methods and compares them with the reference of their scene.
 class ErrorJudge
 {
 public:
-  /// The just-noticeable difference of force that `noticed` counts by.
+  /// Just-noticeable difference of force; `noticed` counts errors above it.
   static constexpr double Noticeable = 0.1;
 
-  /// The reference is asked at every `stride`-th tip.
+  /// The reference is evaluated at every `stride`-th tip.
   ErrorJudge(const StudyTips& tips, ContactMethod& reference, std::size_t stride);
 
-  /// Methods that take long are asked at fewer of the same tips, each as a new contact.
+  /// A slow method is evaluated at fewer of the same tips, each as a new contact.
   MethodErrors judge(ContactMethod& method) const;
 
 private:
@@ -58,8 +58,8 @@ private:
 };
 
 /// Relative RMS error of the normal force against finite elements with finite strain
-/// (FOLDER/PREFIX-TOOL-neohooke.csv), at the depths of the curve within the tool's range. NaN where
-/// there is no such curve. Throws std::runtime_error where it cannot be read.
+/// (FOLDER/PREFIX-TOOL-neohooke.csv), at the depths of the curve within the tool's range. NaN if
+/// there is no such curve. Throws std::runtime_error if the file cannot be read.
 double errorAgainstCurve(
   const std::string& folder, const StudyScene& scene, const StudyTool& tool, ContactMethod& method);
 } // namespace palpate::testing

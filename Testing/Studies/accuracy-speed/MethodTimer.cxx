@@ -22,7 +22,7 @@ double median(std::vector<double> values)
 }
 } // namespace
 
-/// ns, without forgetting.
+/// Time of one call, ns. forget() is not counted.
 double MethodTimer::call(ContactMethod& method, const StudyTip& tip) const
 {
   if (tip.isNew)
@@ -35,7 +35,7 @@ double MethodTimer::call(ContactMethod& method, const StudyTip& tip) const
   return this->Clock.nanoseconds(CallClock::stop() - start);
 }
 
-/// Of one call along the path, s: the median of three.
+/// Time of one call along the path, s: the median of three.
 double MethodTimer::estimate(ContactMethod& method, const StudyTips& tips) const
 {
   method.forget();

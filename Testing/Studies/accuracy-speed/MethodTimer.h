@@ -19,9 +19,9 @@ struct MethodTimes
 };
 
 /**
- * Times methods side by side. Hot and onset: passes over the same tips, in which all methods take
- * turns, and of each call the fastest pass, since what else the machine does comes at random. Cold:
- * call by call, methods taking turns.
+ * Times methods side by side. Hot and onset: several passes over the same tips, in which all
+ * methods take turns. The fastest pass of each call counts, since other work of the machine
+ * interrupts at random. Cold: call by call, methods taking turns.
  */
 class MethodTimer
 {
@@ -29,7 +29,7 @@ public:
   int passes = 5;
   std::size_t calls = 2000;
   std::size_t coldCalls = 21;
-  double seconds = 0.5; ///< per method for each of the three; fewer calls if they took longer
+  double seconds = 0.5; ///< per method for each of the three; a slow method gets fewer calls
 
   std::vector<MethodTimes> run(const MethodList& methods, const StudyTips& tips);
 

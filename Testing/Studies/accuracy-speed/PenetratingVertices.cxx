@@ -8,7 +8,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// ∫ (δ - f(r))⁺ 2πr dr, mm³: what springs of 1 N/mm³ would feel.
+/// ∫ (δ - f(r))⁺ 2πr dr, mm³: the force of springs of 1 N/mm³.
 double volumeWithin(const AxisymmetricTool& tool, double depth)
 {
   constexpr double pi = 3.14159265358979323846;
@@ -77,11 +77,11 @@ double PenetratingVertices::magnitude(const TouchedPlace& place)
   {
     const Vertex& vertex = this->Vertices[static_cast<std::size_t>(this->Queue[i])];
     const Vector3 away = vertex.position.cast<double>() - foot;
-    const double above = away.dot(place.normal); // of the plane through the contact
+    const double above = away.dot(place.normal); // above the plane through the contact
     const double r = (away - above * place.normal).norm();
     force += static_cast<double>(vertex.stiffness) *
       std::max(0.0, this->penetration(r, place.depth + above));
-    // Farther on as long as a vertex one edge nearer would be inside.
+    // The search goes on from this vertex if a vertex one edge nearer would be inside.
     if (this->penetration(std::max(0.0, r - 1.5 * edge), place.depth + above) > 0.0)
     {
       mesh.visitAround(this->Queue[i],

@@ -9,11 +9,11 @@
 namespace palpate::testing
 {
 /**
- * Forces from the vertices of the mesh that lie inside the tool: each is pushed out by a spring as
- * strong as the area it stands for, and all are summed along the normal of the contact, which is
- * also the tool's axis. (With springs that know no area, half the edge would be four times the
- * force.) The springs per area are calibrated so that on an endless fine mesh the tool `known`,
- * pressed half its range, feels what it should at the body's first point.
+ * Forces from the mesh vertices inside the tool. A spring pushes each vertex out; its stiffness is
+ * proportional to the area of the vertex. The sum of the forces acts along the normal of the
+ * contact, which is also the tool's axis. (Without the areas, half the edge length would give four
+ * times the force.) The springs per area are calibrated on an infinitely fine mesh: there the tool
+ * `known`, pressed to half its range, gets the correct force at the first point of the body.
  */
 class PenetratingVertices final : public TrackedMethod
 {
@@ -28,16 +28,16 @@ protected:
 private:
   struct Vertex
   {
-    Eigen::Vector3f position; ///< local
+    Eigen::Vector3f position; ///< in local coordinates
     float stiffness;          ///< N/mm
   };
   void visit(std::int32_t vertex);
-  /// How far the tool's surface reaches below the undeformed one, r from its axis; mm.
+  /// Depth of the tool's surface below the undeformed one at the distance r from its axis, mm.
   double penetration(double r, double depth) const { return depth - this->Tool->profile(r); }
 
   std::shared_ptr<const AxisymmetricTool> Tool;
   std::vector<Vertex> Vertices;
-  std::vector<std::uint32_t> SeenAt; ///< the tick in which a vertex was met last
+  std::vector<std::uint32_t> SeenAt; ///< the last tick in which a vertex was visited
   std::uint32_t Tick = 0;
   std::vector<std::int32_t> Queue;
 };

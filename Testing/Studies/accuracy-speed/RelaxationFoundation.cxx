@@ -11,7 +11,8 @@ RelaxationFoundation::RelaxationFoundation(
   : Series(series)
   , Elements(count)
 {
-  // Chords of δ^m between the gaps (j/n)²: the slope changes by the weight at each.
+  // Chords of δ^m between the gaps (j/n)². At each gap the slope changes by the weight of the
+  // element.
   const auto gapOf = [count](std::size_t j)
   { return std::pow(static_cast<double>(j) / static_cast<double>(count), 2.0); };
   double slope = 0.0;
@@ -55,7 +56,7 @@ double RelaxationFoundation::press(double depth, double elapsed)
       element.over[i] *= decay[i];
       kept += element.over[i];
     }
-    // What would leave it without a force: u + Σ h_i = 0.
+    // The depth at which the element has no force: u + Σ h_i = 0.
     const double free = (stiffening * element.depth - kept) / (1.0 + stiffening);
     const double now = std::max(depth - element.gap, free);
     const double way = now - element.depth;

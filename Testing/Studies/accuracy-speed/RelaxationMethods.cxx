@@ -53,8 +53,8 @@ private:
   ToolContact Contact;
 };
 
-/// What is usually done: the branches follow the force of the curve, and what pulls is cut off.
-/// Where memory keeps the pull that nobody felt, the next press is wrong.
+/// The usual method: the branches follow the force of the curve, and a negative total force is cut
+/// off. The memory still contains the negative part, so the next press is wrong.
 class ClampedMethod final : public ContactMethod
 {
 public:
@@ -104,7 +104,7 @@ private:
   double Slow = 0.0;
 };
 
-/// Many elements of the very law, evaluated in the tick.
+/// Many elements of the exact law, evaluated in the tick.
 class ManyMethod final : public ContactMethod
 {
 public:

@@ -9,11 +9,11 @@
 
 namespace palpate::testing
 {
-/// Ways to render a body that relaxes, of f = δ^exponent N to 1 mm, on a plate in z = 0: each a
-/// tick of RelaxationPeriod at every force(). The last is what is right.
+/// Methods for a body that relaxes, with f = δ^exponent N to 1 mm, on a plate in z = 0. Each
+/// force() is a tick of RelaxationPeriod. The last method is the exact one.
 std::vector<std::unique_ptr<ContactMethod>> relaxationMethods(
   double exponent, const PronySeries& series);
 
-/// On this plate, away from edges and corners of its triangles.
+/// A tip at this depth over the plate, away from edges and corners of its triangles.
 Vector3 relaxationTip(double depth);
 } // namespace palpate::testing

@@ -23,7 +23,7 @@ constexpr int TrueSubsteps = 4;            // 16 differ by 4e-6
 
 using Knots = std::vector<std::pair<double, double>>; // s, mm
 
-/// Straight between knots, at each tick after 0.
+/// Depths at each tick after 0, linear between the knots.
 std::vector<double> along(const Knots& knots)
 {
   std::vector<double> depths;
@@ -54,7 +54,7 @@ std::vector<double> sine(double seconds, int times)
   return depths;
 }
 
-/// Presses of random depth and speed, that come back to a dent before it is gone.
+/// Presses of random depth and speed that return to a dent before it has recovered.
 Knots randomPresses()
 {
   std::mt19937 random(8);
@@ -97,7 +97,7 @@ double largestOf(const std::vector<double>& forces)
   return *std::max_element(forces.begin(), forces.end());
 }
 
-/// One path for each press of the table.
+/// Adds one path for each press of the table.
 void addTing(const std::string& folder, std::vector<RelaxationPath>& paths)
 {
   auto rows = tableOf(folder + "/Reference/rate/ting_golden.csv");

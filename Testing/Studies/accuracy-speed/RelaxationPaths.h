@@ -9,30 +9,32 @@
 
 namespace palpate::testing
 {
-/// A press over time, and what is right for a tool of f = δ^m on a material that relaxes. mm, s, N.
+/// A press over time, with the exact forces on a tool of f = δ^m on a material that relaxes. mm, s,
+/// N.
 struct RelaxationPath
 {
   std::string name;
-  std::string source; ///< of the truth
+  std::string source; ///< of the exact forces
   double exponent = 1.0;
   PronySeries series;
-  std::vector<double> depths; ///< at each tick, the first one after a tick outside; <= 1 mm
-  /// Ticks that are compared, from 0, and the forces there.
+  std::vector<double> depths; ///< at each tick, <= 1 mm; the tick before the first is outside
+  /// Ticks to compare, counted from 0, and the exact forces there.
   std::vector<std::size_t> ticks;
   std::vector<double> forces;
-  double largest = 0.0; ///< force of the whole path
+  double largest = 0.0; ///< force on the whole path
 };
 
 constexpr double RelaxationPeriod = 1e-3; // s
 
-/// All of the study: the tables of `folder`/Reference/rate (stop and go; Ting's points) for flat,
-/// paraboloid and cone, and presses, holds and sines whose truth is a foundation of so many
-/// elements (RelaxationFoundation) that another number hardly changes it.
+/// All paths of the study: the tables of `folder`/Reference/rate (stop and go; Ting's points) for
+/// flat, paraboloid and cone, and presses, holds and sines. The exact forces of these come from a
+/// foundation (RelaxationFoundation) with so many elements that a different number hardly changes
+/// them.
 std::vector<RelaxationPath> relaxationPaths(const std::string& folder);
-/// The path of stop and go, of three branches: the one that is timed and drawn.
+/// The stop-and-go path with three branches, which is timed and drawn.
 RelaxationPath stopAndGo(const std::string& folder, double exponent);
 
-/// F of f = δ^m of a foundation of `elements`, stepped `substeps` times a tick along straight ways.
+/// F for f = δ^m of a foundation of `elements`, in `substeps` steps per tick with linear depth.
 std::vector<double> foundationForces(
   const RelaxationPath& path, std::size_t elements, int substeps);
 

@@ -27,7 +27,7 @@ std::vector<double> forcesAlong(const RelaxationPath& path, ContactMethod& metho
   return forces;
 }
 
-/// Branch by branch, "0.5:0.02 0.8:0.2".
+/// One entry per branch: "0.5:0.02 0.8:0.2".
 std::string materialOf(const PronySeries& series)
 {
   std::string text = textOf(series);
@@ -101,7 +101,7 @@ void studyRelaxation(std::ostream& stream, const std::string& folder, MethodTime
   for (const RelaxationPath& path : relaxationPaths(folder))
   {
     writeErrors(stream, path);
-    // A press that comes back to a dent, of the material that remembers most.
+    // A press that returns to a dent, on the material with the strongest memory.
     if (path.name == "two triangles" && path.exponent == 1.5 && path.series.total() == 4.0)
     {
       writeCurves(stream, path);

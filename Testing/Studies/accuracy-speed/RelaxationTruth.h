@@ -8,9 +8,9 @@
 
 namespace palpate::testing
 {
-/// Rows of the methods that render a body which relaxes, as CSV: `part` is `force` (largest error
-/// on a path, of its largest force), `time` (of a tick along stop and go of a sphere; without
-/// `timer` none) or `curve` (forces over time). `folder`: Data. Throws what is wrong with its
-/// tables.
+/// Writes rows for the methods of a relaxing body, as CSV. `part` is `force` (largest error on a
+/// path, relative to its largest force), `time` (of a tick on the stop-and-go path of a sphere;
+/// absent without `timer`) or `curve` (forces over time). `folder`: Data. Throws an error that
+/// states the fault of its tables.
 void studyRelaxation(std::ostream& stream, const std::string& folder, MethodTimer* timer);
 } // namespace palpate::testing

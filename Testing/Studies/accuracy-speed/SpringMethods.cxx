@@ -47,7 +47,7 @@ private:
   std::vector<float> Stiffness;
 };
 
-/// ∫ F δ dδ / ∫ δ² dδ of each point, by the midpoint rule in √δ, where curves are stored.
+/// ∫ F δ dδ / ∫ δ² dδ at each point, at steps of √δ like those of the stored curves.
 std::vector<double> bestStiffness(const StudyBody& body, const StudyLaw& known)
 {
   constexpr int samples = 32;
@@ -93,7 +93,8 @@ std::unique_ptr<ContactMethod> fixedPatch(const StudyBody& body, const StudyLaw&
   const double punch = 1.0 / (2.0 * modulus * radius);
   const StudyLaw flat(
     studyTool("flat:" + shortestDecimals(radius), known.tool().range), known.material());
-  const SampledCurves curves = flat.sample(body.spots(), 2); // linear: any sample will do
+  const SampledCurves curves =
+    flat.sample(body.spots(), 2); // the law is linear, so two samples suffice
   std::vector<double> stiffness;
   for (std::size_t p = 0; p < body.pointCount(); ++p)
   {

@@ -9,22 +9,23 @@
 #include <string>
 #include <vector>
 
-/// Forces that are proportional to the deflection. What they are calibrated with is a tool of their
-/// own, `known`: the force of a point does not know what presses it.
+/// Forces proportional to the deflection. They are calibrated with one tool, `known`: the force of
+/// a point does not depend on the tool that presses it.
 namespace palpate::testing
 {
-/// One spring for the whole body: the mean of the points' best ones.
+/// One spring for the whole body: the mean of the best springs of its points.
 std::unique_ptr<ContactMethod> oneSpring(const StudyBody& body, const StudyLaw& known);
 
-/// A spring at each point, the best fit to the exact curve of `known` there: least squares over all
+/// A spring at each point, the least-squares fit to the exact curve of `known` there, over all
 /// depths of its range.
 std::unique_ptr<ContactMethod> pointSprings(
   const std::string& name, const StudyBody& body, const StudyLaw& known);
 
 /**
- * The displacement of a fixed patch under a uniform traction, as haptic finite-element works have
- * it: one compliance per point. The patch has the contact radius of `known` at half its range. On a
- * layer: the uniform patch on a half-space, and what a flat punch of that radius yields less there.
+ * The displacement of a fixed patch under a uniform traction, as in haptic finite-element work: one
+ * compliance per point. The patch has the contact radius of `known` at half its range. On a layer
+ * it is the uniform patch on a half-space, less the reduction of the deflection by the layer for a
+ * flat punch of that radius.
  */
 std::unique_ptr<ContactMethod> fixedPatch(const StudyBody& body, const StudyLaw& known);
 } // namespace palpate::testing

@@ -158,7 +158,7 @@ private:
 
   ResponseSampling Sampling;
   double Range;
-  SampleRecords<Number> Records; ///< force and stiffness of sample after sample
+  SampleRecords<Number> Records; ///< force and stiffness per sample
 };
 } // namespace
 

@@ -9,19 +9,21 @@
 #include <memory>
 #include <string>
 
-/// Responses stored at each point, interpolated in the tick.
+/// Responses stored at each point and interpolated in the tick.
 namespace palpate::testing
 {
-/// Palpate's own kernel, ToolContact: cubic Hermite in √δ from forces and stiffnesses, float32.
+/// Palpate's own kernel, ToolContact: cubic Hermite interpolation in √δ of forces and stiffnesses,
+/// float32.
 std::unique_ptr<ContactMethod> hermite(const std::string& name, const StudyBody& body,
   const SampledCurves& curves, ContactSurface surface = ContactSurface::Facets);
 
-/// The same kernel on the compact form: the fewest numbers per point that keep curves within
-/// `tolerance`.
+/// The same kernel on the compact form, with the fewest numbers per point that keep the curves
+/// within `tolerance`.
 std::unique_ptr<ContactMethod> reducedBasis(
   const std::string& name, const StudyBody& body, const SampledCurves& curves, double tolerance);
 
-/// Straight lines between the same samples (and 0 at the surface), float32, without stiffnesses.
+/// Linear interpolation between the same samples (and 0 at the surface), float32, without
+/// stiffnesses.
 std::unique_ptr<ContactMethod> linear(
   const std::string& name, const StudyBody& body, const SampledCurves& curves);
 
@@ -31,7 +33,7 @@ enum class FloatWidth
   Single = 32,
   Double = 64
 };
-/// The Hermite form with its samples stored in another width; ResponseSampling evaluates.
+/// The Hermite form with samples of another width; evaluated by ResponseSampling.
 std::unique_ptr<ContactMethod> hermiteIn(
   FloatWidth width, const std::string& name, const StudyBody& body, const SampledCurves& curves);
 } // namespace palpate::testing

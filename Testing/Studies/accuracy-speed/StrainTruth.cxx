@@ -27,7 +27,7 @@ constexpr int StoredSamples = 8;
 constexpr double PressedHalf = 10.0; // of the meshed face, mm
 constexpr double PressedEdge = 1.0;  // mm
 
-/// F/E* over depth, by a code that knows finite strain.
+/// F/E* over depth, from a code with finite strain.
 struct Truth
 {
   std::string code;
@@ -39,8 +39,8 @@ struct Truth
   std::vector<double> forces;
 };
 
-/// The solver's curves of Neo-Hooke that serve here: all but those of another mesh or fillet, and
-/// of ratios where a response takes another one's correction.
+/// The usable Neo-Hooke curves of the solver. Excluded are curves of another mesh or fillet, and of
+/// Poisson's ratios for which a response uses the correction of another ratio.
 std::vector<Truth> solved(const std::string& folder)
 {
   CsvReader csv(folder + "/finite-strain/curves.csv");
@@ -85,7 +85,8 @@ Truth fromCalculix(const std::string& file, double thickness, double ball, doubl
   const MeasuredCurve& curve = read.curves.front();
   for (std::size_t i = 0; i < curve.deflection.size(); ++i)
   {
-    if (curve.deflection[i] >= 0.04 * read.tool.Radius) // below, a contact of few nodes
+    if (curve.deflection[i] >=
+      0.04 * read.tool.Radius) // at smaller depths the contact has few nodes
     {
       truth.depths.push_back(curve.deflection[i]);
       truth.forces.push_back(curve.force[i] / reducedModulus(0.1, ratio));
@@ -94,8 +95,8 @@ Truth fromCalculix(const std::string& file, double thickness, double ball, doubl
   return truth;
 }
 
-/// Spheres on balls to δ = 0.09 R, by another finite-element code. Not in cavities, and not at ν =
-/// 0, where what the ball yields as a whole is no constant.
+/// Spheres on balls to δ = 0.09 R, from another finite-element code. Cavities are excluded, and ν =
+/// 0, for which the global deflection of the ball is not a constant.
 std::vector<Truth> balls(const std::string& file)
 {
   CsvReader csv(file);
@@ -139,7 +140,7 @@ std::vector<Truth> truths(const std::string& folder)
   return all;
 }
 
-/// What a response takes into account.
+/// The effects that a response includes.
 struct Terms
 {
   const char* name;
@@ -149,7 +150,7 @@ struct Terms
 constexpr std::array<Terms, 3> AllTerms{ Terms{ "small strain", false, false },
   Terms{ "small strain, curvature", true, false }, Terms{ "finite strain, stored", true, true } };
 
-/// A response of the flat mesh, as Laws make it; and the error that it states at its samples.
+/// A response of the flat mesh, from Laws, and the error that it states at its samples.
 struct Stored
 {
   SampledCurves curves;
@@ -206,7 +207,7 @@ Stored store(const Truth& truth, const StudyTool& tool, std::size_t points, cons
   return stored;
 }
 
-/// Between the samples, whose places are even in √δ.
+/// Interpolates between the samples, which are evenly spaced in √δ.
 double statedError(const Stored& stored, double depth)
 {
   const double place = StoredSamples * std::sqrt(depth / stored.curves.range) - 1.0;
@@ -215,7 +216,7 @@ double statedError(const Stored& stored, double depth)
   return stored.errors[below] + part * (stored.errors[below + 1] - stored.errors[below]);
 }
 
-/// Depths at which Neo-Hooke is a table; the solver is asked beyond.
+/// Largest depth of the Neo-Hooke tables. Beyond it the solver is used.
 double tableEnd(const Truth& truth, double radius)
 {
   return truth.thickness > 0.0           ? 0.5 * truth.thickness

@@ -11,7 +11,7 @@
 
 namespace palpate::testing
 {
-/// A meshed body and what lies under each of its points.
+/// A meshed body with a Spot at each of its points.
 class StudyBody
 {
 public:
@@ -19,22 +19,23 @@ public:
 
   const Surface& surface() const { return this->Mesh; }
   const std::vector<Spot>& spots() const { return this->Spots; }
-  /// The spot between the points of a triangle of packed().
+  /// The Spot at a place between the points of a triangle of packed().
   Spot spotAt(const TriangleCorners& corners, const Vector3& weights) const;
   std::size_t pointCount() const { return this->Mesh.points.size(); }
   double meanEdge() const { return this->MeanEdge; }
 
-  /// Surface and index as the kernel packs them; its responses are of no meaning.
+  /// Surface and index as the kernel packs them. The responses in it are placeholders.
   const ContactBody& contact() const { return *this->Contact; }
   const PackedMesh& packed() const { return this->Contact->surface; }
-  /// What every method reads: surface and index, bytes.
+  /// Bytes that every method reads: surface and index.
   std::size_t meshBytes() const { return this->packed().memory() + this->Contact->tree.memory(); }
 
-  /// The body with these curves at its points, and the normals of its mesh; of a tool that may be
+  /// The body with these curves at its points and the normals of its mesh. For a tool that may be
   /// tilted, with its tilts.
   std::unique_ptr<ContactBody> respond(
     const SampledCurves& curves, const TiltViews& tilts = {}) const;
-  /// The same with the fewest numbers that keep every curve within `tolerance`.
+  /// The same in the compact form, with the fewest numbers that keep every curve within
+  /// `tolerance`.
   std::unique_ptr<ContactBody> respondReduced(const SampledCurves& curves, double tolerance) const;
 
   /// Values of the points in the order of packed().
@@ -52,7 +53,7 @@ public:
   }
 
 private:
-  /// A response in the memory of a moment.
+  /// The arrays of a response while a body is made.
   struct Store;
   Store store(const SampledCurves& curves) const;
 
@@ -64,13 +65,14 @@ private:
   std::unique_ptr<ContactBody> Contact;
 };
 
-/// The square |x|, |y| <= half of the plane z = 0, normal +z, in squares of `edge` cut in two.
+/// The square |x|, |y| <= half of the plane z = 0, normal +z, in squares of `edge`, each cut into
+/// two triangles.
 Surface flatTop(double half, double edge);
 
 /**
- * A body that a script has prepared: the line "palpate-study POINTS TRIANGLES\n", then in the byte
- * order of the machine x, y, z of each point (double, mm), 1/thickness of the layer there (double,
- * 1/mm; 0 where there is none) and three indices of each triangle (int32). Throws
+ * Reads a body that a script has prepared: the line "palpate-study POINTS TRIANGLES\n", then in the
+ * byte order of the machine x, y, z of each point (double, mm), 1/thickness of the layer there
+ * (double, 1/mm; 0 without a layer) and three indices of each triangle (int32). Throws
  * std::runtime_error with the file's name.
  */
 std::unique_ptr<StudyBody> readStudyBody(const std::string& file);

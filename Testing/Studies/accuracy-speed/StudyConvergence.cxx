@@ -13,7 +13,7 @@ namespace palpate::testing
 namespace
 {
 constexpr double BallRadius = 40.0;
-constexpr int Samples = 16; // so many that their own error is out of the way
+constexpr int Samples = 16; // enough that the error of the samples is negligible
 
 void judgeMesh(const std::string& name, const StudyBody& body, const StudyLaw& law,
   const ErrorJudge& judge, std::vector<ConvergencePoint>& points)
@@ -28,7 +28,7 @@ void judgeMesh(const std::string& name, const StudyBody& body, const StudyLaw& l
     "penetrating vertices", std::make_unique<PenetratingVertices>("", body, law, law.tool().shape));
 }
 
-/// Between 1/12 and 1/8 /mm, waves of some 20 mm.
+/// Inverse thickness between 1/12 and 1/8 /mm, in waves of about 20 mm.
 Spot unevenSpot(double x, double y)
 {
   const double wave = std::sin(0.3 * x + 0.4) * std::cos(0.25 * y - 0.3);

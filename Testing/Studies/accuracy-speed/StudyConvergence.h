@@ -9,7 +9,7 @@
 
 namespace palpate::testing
 {
-/// Relative RMS error of one method in one size.
+/// Relative RMS error of one method at one size.
 struct ConvergencePoint
 {
   std::string body;
@@ -19,9 +19,9 @@ struct ConvergencePoint
 };
 
 /**
- * Error over the size of the mesh, with the first tool: a ball of 40 mm, half-space law, against
- * the ball itself; a flat face over an uneven base (8 to 12 mm), against the law with the thickness
- * at the place itself; the head's meshes, if there are any, against its reference.
+ * Error over the size of the mesh, with the first tool. Bodies: a ball of 40 mm with the half-space
+ * law, against the ball without a mesh; a flat face over an uneven base (8 to 12 mm), against the
+ * law with the local thickness; and the head's meshes, if given, against their reference.
  */
 std::vector<ConvergencePoint> meshConvergence(
   const StudyEffort& effort, const StudyScene* head, bool isQuick);

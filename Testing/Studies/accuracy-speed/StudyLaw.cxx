@@ -34,7 +34,7 @@ private:
   std::function<IndentationPoint(double)> Law;
 };
 
-/// One curve of many, as ResponseSampling reads it.
+/// One curve of SampledCurves, in the form that ResponseSampling reads.
 struct OneCurve
 {
   const SampledCurves& curves;
@@ -140,7 +140,7 @@ SampledCurves StudyLaw::sample(const std::vector<Spot>& spots, int samples) cons
   return curves;
 }
 
-/// A thickness at each point: from the kernel's table, in a microsecond each.
+/// Samples a different thickness at each point, from the kernel's table, in a microsecond each.
 void StudyLaw::sampleLayers(const std::vector<Spot>& spots, SampledCurves& curves) const
 {
   const ResponseSampling sampling(curves.samples, 1.0);
@@ -177,7 +177,7 @@ void StudyLaw::sampleLayers(const std::vector<Spot>& spots, SampledCurves& curve
   }
 }
 
-/// Largest, relative, at 64 depths from 1 % of the range on.
+/// Largest relative error at 64 depths, from 1 % of the range on.
 double StudyLaw::storageError(
   const SampledCurves& curves, std::size_t point, const Spot& spot) const
 {

@@ -11,7 +11,7 @@
 
 namespace palpate::testing
 {
-/// What lies under a point of a body, besides its material.
+/// Properties of the body under one point, except its material.
 struct Spot
 {
   double inverseThickness = 0.0; ///< of a layer bonded to a rigid base, 1/mm; 0: a half-space
@@ -29,7 +29,7 @@ struct StudyMaterial
   double poissonRatio = 0.45;
 };
 
-/// A tool, and how deep it is pressed in the study.
+/// A tool and its largest depth in the study.
 struct StudyTool
 {
   std::string name;   ///< as on a command line
@@ -38,7 +38,7 @@ struct StudyTool
 };
 StudyTool studyTool(const std::string& name, double range);
 
-/// Curves of many points: n samples each, as ResponseSampling places them.
+/// Curves of many points: n samples each, at the depths of ResponseSampling.
 struct SampledCurves
 {
   int samples = 0;
@@ -48,8 +48,8 @@ struct SampledCurves
   std::vector<double> stiffness; ///< N/mm
 };
 
-/// What a tool feels, exactly within linear elasticity: closed forms on a half-space, the exact
-/// layer, either in series with a compliance. Serves one thread.
+/// Force on a tool, exact within linear elasticity: closed forms on a half-space, the exact layer,
+/// and either in series with a compliance. Not thread-safe.
 class StudyLaw
 {
 public:
@@ -59,7 +59,8 @@ public:
   const StudyMaterial& material() const { return this->Material; }
   IndentationPoint evaluate(const Spot& spot, double deflection) const;
 
-  /// Of each spot; the exponent is the one of the tip or 1, whichever stores the curves better.
+  /// Samples the curve of each Spot. The exponent is that of the tip or 1, whichever stores the
+  /// curves better.
   SampledCurves sample(const std::vector<Spot>& spots, int samples) const;
 
 private:

@@ -13,12 +13,12 @@ namespace palpate::testing
 namespace
 {
 constexpr std::array<int, 4> SampleCounts{ 3, 5, 8, 16 };
-constexpr int Usual = 8; // samples
+constexpr int Usual = 8; // number of samples that is normally used
 constexpr double Tolerance = 0.01;
 constexpr std::array<const char*, 3> Sizes{ "fine", "medium", "coarse" };
 
-/// What a tick of `exact law` leaves out is what the scene is about, where the body yields as a
-/// whole.
+/// True if the body has a global compliance. The method `exact law` leaves out the compliance,
+/// which is the point of such a scene.
 bool isGlobal(const StudyBody& body)
 {
   return body.spots().front().compliance != 0.0;

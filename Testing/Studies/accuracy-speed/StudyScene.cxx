@@ -26,7 +26,7 @@ std::size_t verticesOf(const FiniteMesh& mesh)
   return side * side;
 }
 
-/// Finite elements on such a body, made when first asked for.
+/// Finite-element methods on this body. They are created at the first use.
 std::function<std::vector<MethodPointer>(const StudyTool&)> finiteOn(const FiniteScene& body)
 {
   const auto made = std::make_shared<FiniteBodyPointer>();
@@ -40,7 +40,8 @@ std::function<std::vector<MethodPointer>(const StudyTool&)> finiteOn(const Finit
   };
 }
 
-/// As deep as the finite-element curves go; the cone so deep that its contact is 2 mm wide.
+/// The tools and the largest depths of the finite-element curves. The cone's depth gives a contact
+/// 2 mm wide.
 std::vector<StudyTool> localTools()
 {
   return { studyTool("sphere:6.35", 2.0), studyTool("sphere:1.6", 0.8), studyTool("flat:1.6", 0.6),

@@ -12,7 +12,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Shallowest = 0.05; // of the range
+constexpr double Shallowest = 0.05; // share of the range
 constexpr double Step = 0.1;        // mm per tick
 
 double depthOnPath(std::size_t i, double range)
@@ -21,7 +21,7 @@ double depthOnPath(std::size_t i, double range)
   return range * (Shallowest + (1.0 - Shallowest) * wave);
 }
 
-/// Places on a body, and whether it is gently curved there.
+/// Finds out if a body is gently curved at a place.
 class GentleBody
 {
 public:
@@ -138,7 +138,7 @@ StudyTips flatTips(double half, double range, std::size_t sites, std::size_t pat
   }
   for (std::size_t i = 0; i < path; ++i)
   {
-    // A Lissajous figure that does not close, 0.1 mm per tick in the middle.
+    // A Lissajous figure that does not close; 0.1 mm per tick in the middle.
     const double way = Step * static_cast<double>(i) / half;
     tips.path.push_back(
       { { half * std::sin(0.8 * way), half * std::sin(0.6 * way + 1.0), -depthOnPath(i, range) },

@@ -11,11 +11,11 @@ namespace palpate::testing
 struct StudyTip
 {
   Vector3 position;   ///< mm
-  bool isNew = false; ///< has nothing to do with the one before
+  bool isNew = false; ///< unrelated to the one before
 };
 
-/// Where a method is asked: random places and depths, each a new contact, and a sliding path of
-/// 0.1 mm per tick with changing depth. Depths are 5 to 100 % of the range; the same on every run.
+/// The tips of a study: random places and depths, each a new contact, and a sliding path of 0.1 mm
+/// per tick with changing depth. Depths are 5 to 100 % of the range. Every run has the same tips.
 struct StudyTips
 {
   std::vector<StudyTip> sites;
@@ -28,6 +28,6 @@ StudyTips flatTips(double half, double range, std::size_t sites, std::size_t pat
 /// On a ball about the origin; no path.
 StudyTips ballTips(double radius, double range, std::size_t sites);
 
-/// On a body where it is gently curved: no normal within `Gentle` mm turns by more than 0.35 rad.
+/// On a body where it is gently curved: no normal within 4 mm turns by more than 0.35 rad.
 StudyTips bodyTips(const StudyBody& body, double range, std::size_t sites, std::size_t path);
 } // namespace palpate::testing

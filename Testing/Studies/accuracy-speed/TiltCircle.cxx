@@ -14,7 +14,7 @@ namespace palpate::testing
 namespace
 {
 constexpr std::size_t Radii = 64;
-constexpr int Angles = 24; // of half a circle: the other one is the same
+constexpr int Angles = 24; // of half a circle; the other half is symmetric
 constexpr int Places = 30;
 
 /// ∫_0^r √(a² - r²) dr.
@@ -24,13 +24,13 @@ double underCircle(double a, double r)
   return 0.5 * a * a * (share * std::sqrt(1.0 - share * share) + std::asin(share));
 }
 
-/// The largest force of any circle about x, F/E*.
+/// Largest force of all circles about x, F/E*.
 double forceAbout(const TiltedSurface& surface, double x, double depth, double reach)
 {
   const double limit = depth + 2.0 * reach;
   const double step = reach / Radii;
   std::array<double, Radii + 1> pressed{}; // u
-  std::size_t known = 0;                   // radii all of whose circle has a tool above it
+  std::size_t known = 0;                   // number of radii whose whole circle is below the tool
   for (std::size_t i = 0; i <= Radii; ++i, ++known)
   {
     const double r = step * static_cast<double>(i);
@@ -69,7 +69,7 @@ double circleForce(const AxisymmetricTool& tool, double angle, double depth)
   const TiltedSurface surface(tool, angle);
   const SurfaceBox box = surface.below(depth);
   const double reach = std::max(0.5 * (box.right - box.left), box.halfWidth);
-  // Golden section: to and fro along the tilt, there is one best place.
+  // Golden-section search along the tilt: there is one best place.
   constexpr double golden = 0.6180339887498949;
   double left = box.left;
   double right = box.right;

@@ -20,10 +20,10 @@ namespace
 constexpr double PlateHalf = 6.0; // of the plate, mm
 constexpr double PlateEdge = 0.5;
 constexpr double Ratio = 0.45;
-constexpr double Modulus = 1.0 - Ratio * Ratio; // MPa: E* = 1
+constexpr double Modulus = 1.0 - Ratio * Ratio; // MPa; gives E* = 1
 constexpr int PlateSamples = 8;
 
-/// A plate with the response of a tool that may lean.
+/// A plate with the response of a tool that may be tilted.
 class LeaningPlate
 {
 public:
@@ -95,11 +95,11 @@ SharedPlate wedgeOf(const StudyTool& tool)
   return std::make_shared<LeaningPlate>(tool, std::move(spots), std::move(values));
 }
 
-/// What the tick is told of the tool.
+/// Orientation of the tool that the tick gets.
 enum class Told
 {
   NoAxis,
-  NoAxisDeeper, ///< and a tip as deep as the tool's deepest point
+  NoAxisDeeper, ///< no axis, and the tip is as deep as the tool's deepest point
   Upright,
   Axis
 };
@@ -146,7 +146,7 @@ private:
   double Deeper = 0.0;
 };
 
-/// What needs no tables: a force at a depth and an angle, found in the tick.
+/// A force from depth and angle, computed in the tick without tables.
 class LeaningLaw final : public TiltMethod
 {
 public:

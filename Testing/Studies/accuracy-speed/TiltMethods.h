@@ -10,8 +10,8 @@
 
 namespace palpate::testing
 {
-/// A method that may be told how the tool leans, from then on: by an angle (rad) towards +x. The
-/// tip that it is asked about lies on the tool's axis, above or under the plane z = 0.
+/// A method that takes the tilt of the tool: an angle (rad) towards +x that holds from then on. The
+/// tip is a point on the tool's axis, above or below the plane z = 0.
 class TiltMethod : public ContactMethod
 {
 public:
@@ -19,13 +19,13 @@ public:
 };
 using TiltMethodList = std::vector<std::unique_ptr<TiltMethod>>;
 
-constexpr double LargestTilt = 25.0 / 180.0 * 3.14159265358979323846; ///< of the study, rad
+constexpr double LargestTilt = 25.0 / 180.0 * 3.14159265358979323846; ///< in the study, rad
 
-/// Those whose force is asked for, of a tool on a half-space: without a tilt, its tip or its
-/// deepest point as deep; the table in the tick; circles; boundary elements.
+/// Methods whose force is evaluated, for a tool on a half-space: an upright tool at the depth of
+/// the tip or of the deepest point; the table in the tick; circles; boundary elements.
 TiltMethodList tiltMethods(const StudyTool& tool);
 
-/// The same tick on the same body, for its time: without an axis, upright, leaning; and on a layer
-/// whose thickness varies, so that each point has weights of its own among several laws.
+/// The same tick on the same body, for its time: without an axis, upright, and tilted; and on a
+/// layer whose thickness varies, so that each point has its own weights of several laws.
 TiltMethodList tiltTicks(const StudyTool& tool);
 } // namespace palpate::testing

@@ -17,18 +17,18 @@ namespace palpate::testing
 namespace
 {
 constexpr double Degree = LargestTilt / 25.0;
-constexpr double Deepest = 1.0;  // mm: the size of each tool
+constexpr double Deepest = 1.0;  // mm, equal to the size of each tool
 constexpr double TimedTilt = 10; // degrees
 constexpr double TimedDepth = 0.8;
 
-/// A tool, and what the table of the other code calls it; "" where that has none.
+/// A tool and its name in the table of the other code; "" if it is not in that table.
 struct Leaning
 {
   const char* tool;
   const char* name;
-  std::vector<double> depths; ///< of the presses that are solved for here, mm
+  std::vector<double> depths; ///< of the presses solved here, mm
 };
-/// A cone has no length: all its depths are one. To a sphere a tilt is nothing.
+/// A cone has no length scale, so one depth is enough. A tilt has no effect on a sphere.
 std::vector<Leaning> leaningTools()
 {
   const std::vector<double> all{ 0.05, 0.1, 0.2, 0.5, 1.0 };
@@ -36,7 +36,7 @@ std::vector<Leaning> leaningTools()
     { "cone:60", "cone60", { 1.0 } }, { "sphere:1", "", { 0.2, 1.0 } } };
 }
 
-/// One press, and the force that is right.
+/// One press and its exact force.
 struct TiltPress
 {
   const char* source;
@@ -117,7 +117,7 @@ void writeTimes(std::ostream& stream, const StudyTool& tool, MethodTimer& timer)
     }
   };
   take(tiltTicks(tool), 0);
-  take(tiltMethods(tool), 3);                                  // those that are no ticks
+  take(tiltMethods(tool), 3); // skips the first three, which are ticks
   timer.coldCalls = std::min<std::size_t>(timer.coldCalls, 5); // each flushes 96 MiB
   const std::vector<MethodTimes> times = timer.run(methods, flatTips(4.0, TimedDepth, 500, 1000));
   for (std::size_t m = 0; m < methods.size(); ++m)

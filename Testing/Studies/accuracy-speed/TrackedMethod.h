@@ -11,10 +11,10 @@
 
 namespace palpate::testing
 {
-/// Where a tip touches the facets of a body.
+/// The contact of a tip with the facets of a body.
 struct TouchedPlace
 {
-  TriangleCorners corners{};         ///< points, in packed order
+  TriangleCorners corners{};         ///< point numbers in packed order
   Vector3 weights = Vector3::Zero(); ///< area coordinates
   double depth = 0.0;                ///< mm
   Vector3 point = Vector3::Zero();
@@ -34,7 +34,7 @@ struct TouchedPlace
   }
 };
 
-/// A method that follows the contact as Palpate does, so that methods differ in the force alone.
+/// A method that follows the contact as Palpate does, so that methods differ only in the force.
 class TrackedMethod : public ContactMethod
 {
 public:
@@ -70,9 +70,9 @@ public:
   std::size_t bytes() const override { return this->Body.meshBytes() + this->modelBytes(); }
 
 protected:
-  /// N.
+  /// Magnitude of the force, N.
   virtual double magnitude(const TouchedPlace& place) = 0;
-  /// Besides the mesh.
+  /// Bytes in addition to the mesh.
   virtual std::size_t modelBytes() const = 0;
 
   const StudyBody& Body;

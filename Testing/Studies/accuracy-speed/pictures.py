@@ -4,7 +4,7 @@ import math
 
 import rows as study
 
-# Family: colour, mark, how its methods' names begin.
+# Family: colour, mark, prefixes of the names of its methods.
 FAMILIES = (
     ("point springs", "#999999", "v", ("one spring", "point spring")),
     ("penetrating vertices", "#d55e00", "X", ("penetrating",)),

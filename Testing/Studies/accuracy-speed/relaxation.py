@@ -18,7 +18,7 @@ METHODS = {
     "exact: 256 elements": ("#000000", "h"),
 }
 TOOLS = ("flat", "sphere", "cone")
-FLOOR = 1e-5     # of the largest force: float32 samples, and the digits of the tables
+FLOOR = 1e-5     # of the largest force: rounding of float32 samples and of the digits of the tables
 
 
 def read(text):

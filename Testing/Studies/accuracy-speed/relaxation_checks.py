@@ -18,8 +18,8 @@ class RelaxationChecks:
         self.assertEqual({row["tool"] for row in rows}, set(relaxation.TOOLS))
 
     def test_the_foundation_is_the_theory(self):
-        # Against tables of another code: 256 elements at one step a tick, of second order each: (16/256)² of 16's 0.26 %, and
-        # (T/τ)²/12 of a sharp turn, τ = 20 ms.
+        # Against tables of another code: 256 elements at one step a tick, each of second order:
+        # (16/256)² of the 0.26 % of 16 elements, and (T/τ)²/12 at a sharp turn, τ = 20 ms.
         for path in ("stop and go", "Ting"):
             for tool in relaxation.TOOLS:
                 self.assertLess(self.error("exact: 256 elements", tool, path=path), 2e-4)
@@ -34,13 +34,14 @@ class RelaxationChecks:
                 self.assertLess(more, 0.6 * fewer)   # nearly second order
 
     def test_one_sided(self):
-        # 0.01 % flat, 10 % sphere, 12 % cone; other presses than the sheet's.
+        # 0.01 % flat, 10 % sphere, 12 % cone in the reference sheet, for other presses.
         self.assertLess(self.error("quasi-linear, one-sided", "flat"), 2e-4)
         self.assertLess(self.error("quasi-linear, one-sided", "sphere"), 0.13)
         self.assertLess(self.error("quasi-linear, one-sided", "cone"), 0.15)
 
     def test_clamped(self):
-        # One press of a flat is right; the next one remembers a pull that nobody felt. Of rounded tools the first is wrong.
+        # A single press of a flat is correct. The next one is wrong, because the memory contains
+        # the negative force that was cut off. For rounded tools the first press is already wrong.
         self.assertLess(self.error("quasi-linear, clamped", "flat", path="Ting"), 2e-4)
         self.assertLess(self.error("quasi-linear, clamped", "flat", path="hold and release"), 2e-4)
         for tool in relaxation.TOOLS:

@@ -4,8 +4,8 @@ import csv
 import math
 
 REFERENCE = "reference"
-ALL = "all"               # tools together
-ROUNDING = 1e-6           # errors below are float32's: equal
+ALL = "all"               # all tools together
+ROUNDING = 1e-6           # errors below are rounding of float32 and count as equal
 TEXTS = ("part", "scene", "tool", "method")
 POOLED_SQUARES = ("error", "error_sites", "error_path", "error_calculix")
 POOLED_MEANS = ("bytes_per_vertex", "model_bytes_per_vertex", "noticed", "vertices", "edge_mm")

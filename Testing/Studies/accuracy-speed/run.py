@@ -44,7 +44,7 @@ def measure(program, options, heads=()):
     command = [str(program), "--curves", str(CURVES)] + list(options)
     for file in heads:
         command += ["--head", str(file)]
-    # One thread: what a tick has; and the threads of BLAS would wait for each other on a busy machine.
+    # One thread, as in a tick; several BLAS threads would wait for each other on a busy machine.
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
     return subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
 

@@ -13,8 +13,8 @@ COLUMNS = ("body", "tool", "case", "method", "depth_mm", "true_force_N", "force_
            "points", "hot_ns")
 TEXTS = COLUMNS[:4]
 BODIES = ("edge", "horn", "nodule")
-DEEPER = 1.1                # curves end a tenth below the deepest press
-TICKS, PASSES, WANDER = 4000, 7, 0.4    # of the path that is timed; mm around the place
+DEEPER = 1.1                # curves extend a tenth beyond the deepest press
+TICKS, PASSES, WANDER = 4000, 7, 0.4    # of the timed path; mm around the place
 
 
 def read(text):
@@ -51,13 +51,13 @@ class Response:
         law.SetYoungsModulus(shape_bodies.YOUNG)
         law.SetPoissonRatio(shape_bodies.POISSON)
         law.SetMaximumDeflection(deepest)
-        law.AddObserver("WarningEvent", lambda *_: None)    # most points are not pressed, and have no response
+        law.AddObserver("WarningEvent", lambda *_: None)    # most points are not pressed and have no response
         law.Update()
         self.made = time.perf_counter() - began
         self.surface = law.GetOutput()
         status = self.surface.GetPointData().GetArray("ResponseStatus")
         states = [status.GetTuple1(i) for i in range(status.GetNumberOfTuples())]
-        self.points = sum(state in (0, 5) for state in states)      # 5, next to an edge, has a curve as well
+        self.points = sum(state in (0, 5) for state in states)      # state 5, next to an edge, has a curve as well
         self.place = self.surface.GetPoint(self.surface.FindPoint(*body.place))
         self.middle = (0.0, 0.0, 0.0) if body.name == "horn" else None
 
@@ -115,7 +115,7 @@ class Response:
             began = time.perf_counter()
             probe.Update()
             times.append(time.perf_counter() - began)
-        vtkSMPTools.Initialize(0)                           # as many as there are again
+        vtkSMPTools.Initialize(0)                           # resets to the default number of threads
         states = probe.GetOutput().GetPointData().GetArray("ContactState")
         felt = sum(states.GetTuple1(i) in (1, 2) for i in range(TICKS))
         return 1e9 * sorted(times)[PASSES // 2] / TICKS if felt == TICKS else None
@@ -167,7 +167,7 @@ def measure(quick, say):
         if isinstance(body, str):
             say(body)
         else:
-            # C_g of all points takes half a minute.
+            # C_g of all points takes half a minute, so a quick run leaves it out.
             rows += rows_of(body, [method for method in METHODS if not (quick and method == IN_SERIES)])
     return rows
 
@@ -274,7 +274,7 @@ def draw(rows, file):
     figure, panels = pyplot.subplots(1, 3, figsize=(14.5, 5.8), sharey=True)
     for panel, (body, (title, label)) in zip(panels, PANELS.items()):
         for number, (method, colour) in enumerate(METHODS.items()):
-            aside = ASIDE[body] * (number - 2)            # what would hide each other stands side by side
+            aside = ASIDE[body] * (number - 2)            # moves overlapping marks apart
             for mark, line, mine in lines_of(rows, body, method):
                 panel.plot([abscissa(row) + aside for row in mine], [100 * row["error"] for row in mine], color=colour,
                            marker=mark, linestyle=line, linewidth=1.0, markersize=6,

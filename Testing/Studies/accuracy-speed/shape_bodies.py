@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkRectilin
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 REFERENCE = pathlib.Path(__file__).resolve().parents[3] / "Data" / "Reference" / "shape"
-YOUNG, POISSON = 1.0, 0.45          # of all three, as the tables have them
+YOUNG, POISSON = 1.0, 0.45          # of all three bodies, as in the tables
 EDGE_DISTANCE = 3.0
 BALL = 10.0
 NODULE = 3.0
@@ -29,7 +29,7 @@ class Body:
     def __init__(self, name, fine, coarse, place, cases):
         self.name = name
         self.meshes = {"fine": fine, "coarse": coarse}
-        self.place = np.array(place)                        # of the coarse mesh the nearest point
+        self.place = np.array(place)                        # in the coarse mesh the nearest point
         self.cases = cases                                  # (tool, case, depth, force)
 
     def tools(self):

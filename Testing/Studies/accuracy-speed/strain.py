@@ -6,7 +6,7 @@ import rows as study
 METHODS = {"small strain": ("#d55e00", "-"), "small strain, curvature": ("#e69f00", "--"),
            "finite strain, stored": ("#0072b2", "-")}
 PRESSED = (0.3, 0.9)       # contact radius over tool radius
-ON_BALL = 0.15             # where on: that code did not go beyond 0.3 there
+ON_BALL = 0.15             # the same on a ball: that code ends at 0.3 there
 THICKNESS = (0.1, 0.5)     # depth over thickness
 TEXTS = ("part", "code", "tool", "method")
 
@@ -97,7 +97,7 @@ def draw(rows, file):
                 continue
             for method, (colour, line) in METHODS.items():
                 if method.endswith("curvature") and not key[3]:
-                    continue  # the same as without
+                    continue  # equal to the row without
                 mine = of(rows, key, method)
                 lines = key[0] != "CalculiX"
                 panel.plot([place(row) for row in mine], [100 * row["error"] for row in mine], color=colour,

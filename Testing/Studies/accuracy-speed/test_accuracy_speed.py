@@ -78,8 +78,9 @@ class Quick(unittest.TestCase):
                 self.assertEqual(row["unanswered"], 0)
 
     def test_stored_curves_hold(self):
-        # Flat bodies: nothing but storage is missing. 1 % is what Hermite 8 must keep; the contract promises
-        # 5e-4 for layers and spheres, and up to 1.4 % in the first per cent of the depth of a soft plate.
+        # On flat bodies the only error is that of storage. Hermite 8 must keep 1 %. The contract
+        # promises 5e-4 for layers and spheres, and up to 1.4 % in the first per cent of the depth
+        # of a soft plate.
         for scene in self.scenes()[:3]:
             for tool in self.tools(scene):
                 for method in STORED:
@@ -94,11 +95,12 @@ class Quick(unittest.TestCase):
             for tool in self.tools(scene):
                 for kind in ("linear", "Hermite"):
                     errors = [max(self.error(scene, tool, "{} {}".format(kind, n)), 1e-6) for n in (3, 5, 8, 16)]
-                    # A flat's law is a line: what is left there is the reference's, whatever the samples.
+                    # The law of a flat is linear: the remaining error is that of the reference, for
+                    # any number of samples.
                     for fewer, more in zip(errors, errors[1:]):
                         with self.subTest(scene=scene, tool=tool, kind=kind):
                             self.assertLessEqual(more, 1.001 * fewer)
-        # Straight lines: second order; Hermite cubics: fourth, until rounding.
+        # Linear interpolation has second order; Hermite cubics have fourth, down to rounding.
         for row in study.select(self.convergence, part="samples", method="linear"):
             if "flat" not in row["scene"]:
                 self.assertAlmostEqual(row["order"], -2.0, delta=0.2)
@@ -109,23 +111,23 @@ class Quick(unittest.TestCase):
     def test_widths(self):
         for scene in self.scenes()[:2]:
             for tool in self.tools(scene):
-                # Half an ulp of float16 is 2^-11; a cubic between samples at most doubles it.
+                # Half an ulp of float16 is 2^-11; the cubic between samples at most doubles it.
                 self.assertLess(self.error(scene, tool, "Hermite 8, float16"), 2.0 ** -10)
                 self.assertGreater(self.error(scene, tool, "Hermite 8, float16"), 1e-5)
                 self.assertLess(self.error(scene, tool, "Hermite 8, float32"), 2e-6)
 
     def test_springs_know_one_depth_and_one_tool(self):
-        # The best straight line through δ^1.5 on (0, 1): with weight 1, √(1 - (1/3.5)²/(1/3 · 1/4)) = 14.3 %;
-        # the sites begin at 5 % and are few. The exact sphere is a little less bent.
+        # The best straight line through δ^1.5 on (0, 1), with weight 1: √(1 - (1/3.5)²/(1/3 · 1/4))
+        # = 14.3 %. The sites begin at 5 % and are few. The exact sphere is slightly less curved.
         spring = self.error("half-space block", "sphere:6.35", "point spring per vertex and tool", "error_sites")
         self.assertAlmostEqual(spring, 0.143, delta=0.025)
-        # For a flat punch a line is the law.
+        # The law of a flat punch is linear.
         self.assertLess(self.error("half-space block", "flat:1.6", "point spring per vertex and tool"), 1e-6)
         for scene in ("half-space block", "10 mm layer"):
             for tool in ("sphere:1.6", "cone:60"):
                 for method in ("one spring", "point spring per vertex", "fixed-traction patch"):
                     self.assertGreater(self.error(scene, tool, method), 1.0)
-        # Where the body gives way as a whole they do well: the paper's St. Venant.
+        # Springs are good if the global deflection dominates: the St. Venant case of the paper.
         for tool in self.tools("plate on edges"):
             self.assertLess(self.error("plate on edges", tool, "point spring per vertex"), 0.25)
         self.assertLess(self.error("plate on edges", "sphere:6.35", "point spring per vertex"), 0.03)
@@ -134,7 +136,7 @@ class Quick(unittest.TestCase):
         for tool in ("sphere:1.6", "flat:1.6", "cone:60"):
             for size in ("fine", "medium", "coarse"):
                 self.assertGreater(self.error("half-space block", tool, "penetrating vertices, " + size), 0.3)
-        # A coarse mesh has no vertex under a narrow tool most of the time: area π 1.6² of 4² mm².
+        # A coarse mesh seldom has a vertex under a narrow tool: area π 1.6² against 4² mm².
         self.assertGreater(self.error("half-space block", "flat:1.6", "penetrating vertices, coarse"),
                            self.error("half-space block", "flat:1.6", "penetrating vertices, fine"))
 
@@ -147,7 +149,8 @@ class Quick(unittest.TestCase):
         self.assertGreater(self.error("plate on edges", "flat:1.6", "Table 1 at run time"), 1.0)
 
     def test_order_over_the_mesh(self):
-        # Facets lie h²/(6R) under the ball; responses between vertices miss h²/6 |f″|: second order. Three and four sizes.
+        # Facets are h²/(6R) below the ball. Interpolation between vertices has an error of h²/6
+        # |f″|: second order. Three and four sizes.
         for body in ("ball", "uneven layer"):
             found = study.select(self.convergence, part="mesh", scene=body, method="Hermite, facets")
             self.assertAlmostEqual(found[0]["order"], 2.0, delta=0.25)
@@ -157,14 +160,16 @@ class Quick(unittest.TestCase):
             self.assertLess(one["error"], 0.05 * other["error"])
 
     def test_curved_and_uneven_body(self):
-        # 2 mm edges over 90 mm: the facets' sag of h²/(6R) and the layer's waves; 1 % and less on the smooth surface.
+        # Edges of 2 mm over a radius of 90 mm: errors from the sag of the facets, h²/(6R), and the
+        # waves of the layer; at most 1 % on the smooth surface.
         for tool in self.tools("head"):
             self.assertLess(self.error("head", tool, "Hermite 8, smooth surface"), 0.01)
             self.assertLess(self.error("head", tool, "Hermite 8"), 0.05)
             self.assertLess(self.error("head", tool, "reduced basis, 1 %"), 0.06)
 
     def test_finite_elements_agree_with_the_references(self):
-        # Finite strain against small strain, and their meshes (Data/Studies/calculix): a few per cent.
+        # Finite strain against small strain, and the errors of the meshes (Data/Studies/calculix):
+        # a few per cent.
         for scene in ("half-space block", "10 mm layer"):
             for tool in ("sphere:6.35", "sphere:1.6", "flat:1.6"):
                 self.assertLess(self.error(scene, tool, study.REFERENCE, "error_calculix"), 0.03)
@@ -182,11 +187,12 @@ class StrainChecks:
     def test_finite_strain_is_stored(self):
         for row in self.errors("finite strain, stored", ball_mm=0.0):
             if not strain.is_pressed(row) or row["tool"].startswith("flat"):
-                continue  # CalculiX's flat takes its rim along: a few per cent
+                continue  # in CalculiX the rim of the flat moves with it: a few per cent
             with self.subTest(row=row):
                 if row["code"] == "CalculiX" and row["nu"] == 0.3 and abs(row["depth_mm"] / 6.35 - 0.098) < 0.003:
-                    continue  # one stray point of that curve
-                # Tables, storage, two meshes: 0.5 %. CalculiX's layers: 1.3 % at the deepest, see ../calculix/README.md.
+                    continue  # one outlier of that curve
+                # Errors of tables, storage and two meshes: 0.5 %. Layers by CalculiX: 1.3 % at the
+                # largest depth, see ../calculix/README.md.
                 calculix_layer = row["thickness_mm"] and row["code"] == "CalculiX"
                 self.assertLess(abs(row["error"]), 0.014 if calculix_layer else 0.005)
 
@@ -197,7 +203,8 @@ class StrainChecks:
         for row in self.errors("small strain", code="solver", thickness_mm=0.0):
             near = [each for each in table if each["nu"] == row["nu"] and abs(each["delta_over_R"] - row["depth_mm"]) < 0.02]
             if row["tool"] == "sphere:1" and near and row["depth_mm"] > 0.1:
-                # c moves by 0.1 per radius of depth: 0.2 % within 0.02; and 0.5 % between the codes.
+                # c changes by 0.1 per radius of depth: 0.2 % within 0.02; and 0.5 % between the
+                # codes.
                 self.assertAlmostEqual(row["error"], 1 / near[0]["c=F/F_small"] - 1, delta=0.007)
                 compared += 1
         self.assertGreater(compared, 10)
@@ -205,7 +212,7 @@ class StrainChecks:
     def test_the_stated_error_covers(self):
         for method in ("small strain", "finite strain, stored"):
             rows = [row for row in self.errors(method, code="solver") if strain.is_pressed(row)]
-            held = sum(abs(row["error"]) <= row["stated_error"] + 0.001 for row in rows)  # their mesh
+            held = sum(abs(row["error"]) <= row["stated_error"] + 0.001 for row in rows)  # 0.001: their mesh
             self.assertGreater(len(rows), 60)
             self.assertGreaterEqual(held, 0.95 * len(rows))
 
@@ -214,7 +221,7 @@ class StrainChecks:
         self.assertEqual(len(rows), 9)
         for row, flat in zip(rows, self.errors("small strain", code="another code")):
             self.assertLess(abs(row["error"]), 0.5 * abs(flat["error"]))
-            # What is left is what the ball gives way as a whole.
+            # The remaining error is the global deflection of the ball.
             self.assertAlmostEqual(row["error"], -0.46 * row["contact_radius_mm"] / row["ball_mm"], delta=0.005)
 
 
@@ -235,7 +242,7 @@ class StrainCommitted(StrainChecks, unittest.TestCase):
         def median(method):
             return study.median([row["hot_ns"] for row in self.rows if row["part"] == "time" and row["method"] == method])
 
-        # One kernel, other numbers: what a busy machine scatters.
+        # The same kernel with other numbers: the tolerance is the scatter on a busy machine.
         for method in strain.METHODS:
             self.assertAlmostEqual(median(method) / median("small strain"), 1, delta=0.1)
 
@@ -289,13 +296,14 @@ class ShapeCommitted(unittest.TestCase):
 
     def of(self, body, method):
         found = shape.of(self.rows, body, method)
-        self.assertEqual(len(found), {"edge": 4, "horn": 6, "nodule": 2 * 4 * 8}[body])     # rows of the tables
+        self.assertEqual(len(found), {"edge": 4, "horn": 6, "nodule": 2 * 4 * 8}[body])  # rows of the tables
         return found
 
     def test_true_shape(self):
         for row in self.of("edge", shape.TRUE) + self.of("horn", shape.TRUE):
-            # The table's edge without harmonics is off by 0.6 %, elements of a quarter of the distance 0.3 % of the force;
-            # the table of the ball, on meshes as fine as this, by 0.4 %, and facets of 1 mm, h²/6R deep, by 0.3 %.
+            # The table of the edge without harmonics has an error of 0.6 %; elements of a quarter
+            # of the distance add 0.3 % of the force. The table of the ball, on meshes as fine as
+            # this, has an error of 0.4 %; facets of 1 mm, h²/6R deep, add 0.3 %.
             self.assertLess(abs(row["error"]), 0.01, row)
         for row in self.of("nodule", shape.TRUE):
             # Mixed cells of 1 mm, vtkNoduleMaterial: 1.5 % from two cells on, 4 % at one.
@@ -303,12 +311,14 @@ class ShapeCommitted(unittest.TestCase):
 
     def test_coarse(self):
         for row in self.of("edge", shape.COARSE) + self.of("horn", shape.COARSE):
-            # Twice the elements, second order: four times the edge's 0.3 %; facets of 2 mm, h²/6R: 1 % of the force.
+            # Twice the element size, second order: four times the 0.3 % of the edge; facets of 2
+            # mm, h²/6R: 1 % of the force.
             self.assertLess(abs(row["error"]), 0.015, row)
         for row in self.of("nodule", shape.COARSE):
             if shape.abscissa(row) >= 2:
-                self.assertLess(abs(row["error"]), 0.04, row)   # one cell of 2 mm, as above
-        # A cell twice as large as the depth of the top reaches the surface, and is no longer what it is made of.
+                self.assertLess(abs(row["error"]), 0.04, row)   # one cell of 2 mm, see above
+        # A cell twice as large as the depth of the top reaches the surface; its mixed material is
+        # no longer valid there.
         self.assertGreater(max(abs(row["error"]) for row in self.of("nodule", shape.COARSE) if row["error"]), 0.1)
 
     def test_half_space_is_off_by_what_the_tables_say(self):
@@ -316,12 +326,12 @@ class ShapeCommitted(unittest.TestCase):
         for row, given in zip(self.of("edge", shape.HALF_SPACE), shape_table("edge_axisymmetric_vs_full.csv")):
             size, depth = float(row["tool"].split(":")[1]), float(given["delta"])
             force = reduced * (2 * size * depth if row["tool"].startswith("flat") else sphere_on_half_space(size, depth))
-            self.assertAlmostEqual(row["error"], force / float(given["full 2-D: F"]) - 1, delta=2e-4)   # five digits, samples
+            self.assertAlmostEqual(row["error"], force / float(given["full 2-D: F"]) - 1, delta=2e-4) # digits, samples
             self.assertGreater(row["error"], 0.2)
         given = {(each["tool"].replace("sphere", "sphere:"), "a/R=" + each["a/R"]): float(each["err Hertz R_eff only %"])
                  for each in shape_table("hemisphere.csv") if each["nu"] == "0.45"}
         for row in self.of("horn", shape.HALF_SPACE):
-            # Sphere on ball by Hertz; the facets of the mesh take 0.3 % more.
+            # Sphere on ball by Hertz; the facets of the mesh add 0.3 %.
             self.assertAlmostEqual(row["error"], given[row["tool"], row["case"]] / 100, delta=0.005)
         given = [each for each in shape_table("nodule_forces.csv") if each["R_nodule"] == "3.0"]
         for row in self.of("nodule", shape.HALF_SPACE):
@@ -332,9 +342,10 @@ class ShapeCommitted(unittest.TestCase):
 
     def test_a_number_in_series(self):
         for row in self.of("edge", shape.IN_SERIES):
-            self.assertLess(abs(row["error"]), 0.035, row)      # what the table misses without the tilt
-        # Over a nodule C_g is that of a point alone: by the table's H00, F = δ/(1/(2E*a) + H00) of the flat, 2 mm above a hard
-        # one, is 26 % too large, above a soft one 13 % too small; a sphere that is pressed as wide as the nodule is more off.
+            self.assertLess(abs(row["error"]), 0.035, row)      # error of a table without the tilt
+        # Over a nodule C_g belongs to a single point. By H00 of the table, F = δ/(1/(2E*a) + H00)
+        # of the flat 2 mm above a hard nodule is 26 % too large, above a soft one 13 % too small.
+        # The error is larger for a sphere whose contact is as wide as the nodule.
         wide = [row for row in self.of("nodule", shape.IN_SERIES) if row["tool"] == "sphere:6.35" and row["depth_mm"] == 1.2]
         for row in wide:
             if shape.abscissa(row) <= 2 and row["error"] is not None:
@@ -345,10 +356,10 @@ class ShapeCommitted(unittest.TestCase):
             for method in (shape.TRUE, shape.IN_SERIES):
                 for row in self.of(body, method):
                     if row["error"] is not None:
-                        self.assertLess(abs(row["error"]), row["stated_error"] + 0.0015, row)   # the tables': 0.15 %
+                        self.assertLess(abs(row["error"]), row["stated_error"] + 0.0015, row)   # tables: 0.15 %
         for row in self.of("edge", shape.HALF_SPACE) + self.of("horn", shape.HALF_SPACE):
             self.assertLess(abs(row["error"]), row["stated_error"], row)
-        # A half-space knows nothing of what lies below.
+        # The response of a half-space ignores the structure below.
         for row in self.of("nodule", shape.HALF_SPACE):
             if shape.abscissa(row) == 1:
                 self.assertGreater(abs(row["error"]), 2 * row["stated_error"], row)
@@ -363,8 +374,8 @@ class ShapeNow(unittest.TestCase):
         body.cases = body.at("flat:1.5")
         found, = shape.rows_of(body, (shape.COARSE,), timed=False)
         kept, = [row for row in ShapeCommitted.rows_kept() if row["tool"] == "flat:1.5" and row["method"] == shape.COARSE]
-        self.assertAlmostEqual(found["force_N"], kept["force_N"], delta=1e-4 * kept["force_N"])     # five digits are kept
-        self.assertAlmostEqual(found["error"], 0, delta=0.015)      # as of the table above
+        self.assertAlmostEqual(found["force_N"], kept["force_N"], delta=1e-4 * kept["force_N"])  # five digits
+        self.assertAlmostEqual(found["error"], 0, delta=0.015)      # as for the table above
 
 
 class Fronts(unittest.TestCase):

@@ -6,7 +6,7 @@ import rows as study
 TEXTS = ("part", "tool", "method", "source")
 COLUMNS = ("part", "tool", "method", "source", "tilt_deg", "depth_mm", "true_force_mm2", "force_mm2", "error", "hot_ns",
            "onset_ns", "cold_ns")
-OTHER = "tilt_bem.csv"                  # of another code; all else is solved here
+OTHER = "tilt_bem.csv"                  # from the other code; all other forces are solved here
 TIP, DEEPEST, TABLE, CIRCLES, ELEMENTS = ("upright, tip as deep", "upright, deepest point as deep", "table in the tick",
                                           "circles", "boundary elements, 64")
 # Method: colour, mark.
@@ -17,7 +17,7 @@ ONE_LAW = ", 1 law"
 TOOLS = {"flat:1": "flat end, radius 1 mm", "truncated:1,45": "truncated cone, 1 mm, 45°", "cone:60": "cone, 60°",
          "sphere:1": "sphere, 1 mm"}
 SHOWN_DEPTH = 0.2                       # mm; the band has all depths
-FLOOR = 1e-5                            # what the boundary elements leave of smooth tools
+FLOOR = 1e-5                            # error of the boundary elements for smooth tools
 
 
 def read(text):

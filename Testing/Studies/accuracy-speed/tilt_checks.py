@@ -15,8 +15,8 @@ def committed():
 class TiltChecks:
     """Errors that hold on every machine: of closed forms, of circles, which are a bound, and of another code's table."""
 
-    # The flat end's law leaves out that its wall leans too, 1.7 %; pixels and nodes 1 % of other ends with a rim, 0.1 % of
-    # the smooth ones.
+    # The law of the flat end ignores that its wall is tilted too, 1.7 %. Pixels and nodes have an
+    # error of 1 % for other ends with a rim, 0.1 % for smooth ones.
     TABLE = {"flat:1": 0.02, "truncated:1,45": 0.01, "cone:60": 1e-3, "sphere:1": 1e-3}
 
     @classmethod
@@ -38,10 +38,10 @@ class TiltChecks:
             self.assertLess(abs(row["error"]), self.TABLE[row["tool"]], row)
 
     def test_boundary_elements(self):
-        for row in self.of(method=tilt.ELEMENTS):              # 64 pixels: 0.5 % at sharp rims, else 1e-4 and the table's own
+        for row in self.of(method=tilt.ELEMENTS):  # 64 pixels: 0.5 % at sharp rims, else 1e-4; plus the table's error
             self.assertLess(abs(row["error"]), 5e-3 if row["tool"] in ("flat:1", "truncated:1,45") else 5e-4, row)
 
-    def test_upright_tools_feel_no_tilt(self):                 # closed forms; forces are written with five digits
+    def test_upright_tools_feel_no_tilt(self):                 # closed forms; forces have five digits
         for row in self.of(tool="flat:1", method=tilt.DEEPEST):
             self.assertAlmostEqual(row["force_mm2"], 2 * row["depth_mm"], delta=5e-5)
         for row in self.of(tool="flat:1", method=tilt.TIP):
@@ -51,24 +51,25 @@ class TiltChecks:
             upright = 2 / math.pi * math.tan(math.radians(60)) * row["depth_mm"] ** 2
             self.assertAlmostEqual(row["force_mm2"], upright, delta=5e-5 * upright)
         for row in self.of(tool="sphere:1", method=tilt.DEEPEST):
-            self.assertLess(abs(row["error"]), 1e-3)           # turning about its middle is nothing
+            self.assertLess(abs(row["error"]), 1e-3)           # a rotation about the centre of a sphere has no effect
 
     def test_what_a_tilt_is_worth(self):
-        # T = 0.576 and 0.378 of the flat end at 5 and 10 degrees, 0.2 of its radius deep (tilt_bem.csv); T is over a force
-        # upright that its staircase makes 0.24 % too small.
+        # T = 0.576 and 0.378 for the flat end at 5 and 10 degrees, at a depth of 0.2 radii
+        # (tilt_bem.csv). T is relative to an upright force that is 0.24 % too small because of the
+        # staircase of pixels.
         for degrees, left in ((5, 0.5757), (10, 0.3784)):
             row, = self.of(tool="flat:1", method=tilt.DEEPEST, source=tilt.OTHER, tilt_deg=degrees, depth_mm=0.2)
             self.assertAlmostEqual(row["error"], 1 / left - 1, delta=3e-3 / left)
 
     def test_circles_are_a_bound(self):
         for row in self.of(method=tilt.CIRCLES):
-            # The truth itself is too small by its rims' staircase.
+            # The exact force itself is too small because of the staircase of pixels at the rim.
             self.assertLess(row["error"], 5e-3 if row["tool"] in ("flat:1", "truncated:1,45") else 1e-3, row)
         for row in self.of(tool="flat:1", method=tilt.CIRCLES):
             q = row["depth_mm"] / math.sin(math.radians(row["tilt_deg"]))
-            if q >= 3:                                         # all of the end touches: the circle is its rim
+            if q >= 3:                                         # the whole end is in contact: the circle is its rim
                 self.assertLess(abs(row["error"]), 0.03, row)
-            elif q <= 1.5:                                     # a crescent
+            elif q <= 1.5:                                     # the contact is a crescent
                 self.assertLess(row["error"], -0.1, row)
         for row in self.of(tool="sphere:1", method=tilt.CIRCLES):
             self.assertLess(abs(row["error"]), 1e-3, row)

@@ -14,7 +14,7 @@ class Body:
     name: str
     poisson_ratio: float
     thickness: float
-    half_length: float  # radius of a round body
+    half_length: float  # for a round body its radius
     half_width: float   # 0: round, hence axisymmetric; otherwise a quarter model
     support: str        # "base" bonded, "rim" clamped, "ends" |x| = half_length held in z only
     description: str
@@ -69,7 +69,7 @@ CASES = {case.name: case for case in [
     for tool, deepest in depths.items()
     for material in (["linear"] if body is QUARTER_LAYER else ["linear", "neohooke"])
 ] + [
-    # How deep small-strain theory holds.
+    # Cases for the depth up to which small-strain theory is valid.
     Case(BLOCK, LARGE, "neohooke", 5.0, "-deep"),
     Case(LAYER, LARGE, "neohooke", 4.5, "-deep"),
     Case(LAYER, HUGE, "neohooke", 4.5, "-deep")]}
@@ -89,7 +89,7 @@ def body_mesh(case, coarseness):
     if body.half_width > 0:
         return quarter_mesh(body, tool, coarseness)
     if tool.shape == "flat":
-        # Finer elements at the rim, where the pressure is singular, do not survive large strain.
+        # Finer elements at the rim, where the pressure is singular, fail at large strain.
         first = (0.01 if case.material == "linear" else 0.08) * coarseness
         radii = mesh.graded_about(tool.radius, first, body.half_length, 1.3, 0.2 * coarseness)
         depths = mesh.graded(first, first, body.thickness, 1.3, largest * coarseness)
@@ -102,7 +102,8 @@ def body_mesh(case, coarseness):
 
 
 def quarter_mesh(body, tool, coarseness):
-    # The circle of the flat's rim is a line of the mesh, the sphere's contact lies within its first rings.
+    # The rim of the flat is a line of the mesh; the contact of the sphere is within its first
+    # rings.
     side = max(2, round(3 / coarseness))
     if tool.shape == "flat":
         inner = tool.radius - mesh.graded(0.05 * coarseness, 0.05 * coarseness, 0.7 * tool.radius, 1.8)[::-1]

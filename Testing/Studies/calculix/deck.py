@@ -6,7 +6,7 @@ import numpy as np
 
 import cases
 
-# N/mm^3. Under the mean pressures here (0.02 to 0.05 MPa) the tool enters by 1e-4 mm.
+# N/mm^3. Under the mean pressures here (0.02 to 0.05 MPa) the tool penetrates by 1e-4 mm.
 CONTACT_STIFFNESS = 400.0
 # CalculiX expands an axisymmetric element to a wedge of 2 degrees and prints the forces on it.
 WEDGES = 180
@@ -54,7 +54,7 @@ def write(case, coarseness):
     points, height = body.points, body.points[:, -1]
     radius = np.abs(points[:, 0]) if axial else np.hypot(points[:, 0], points[:, 1])
 
-    # Only the surface that the tool can reach is searched for contact.
+    # Contact is searched only on the part of the surface that the tool can reach.
     body.contact = [(e, face) for e, face in body.contact
                     if np.min(radius[body.elements[e]]) < 0.95 * case.tool.radius]
     text = "** {}: {}\n".format(case.name, case.body.description)
@@ -91,17 +91,20 @@ def write(case, coarseness):
 def steps(case, axial, up):
     flat, deflections = case.tool.shape == "flat", cases.deflections(case)
     geometry = ", NLGEOM" if case.material == "neohooke" else ""
-    # Nodal forces on second-order faces have both signs under any pressure; those on edges do not.
+    # Nodal forces on second-order faces have both signs under any pressure; those on edges have
+    # one.
     totals = "YES" if flat and axial else "ONLY"
-    # Without contact and large strain CalculiX takes a step in one increment: then one step per depth.
+    # Without contact and large strain CalculiX solves a step in one increment. Then there is one
+    # step per depth.
     ends = deflections if flat and not geometry else deflections[-1:]
-    # The first increment out of no contact is the least accurate: the wide steps of the quarter models
-    # are halved, so that it is not among the depths.
+    # The first increment after zero contact is the least accurate. The wide steps of the quarter
+    # models are halved, so that this increment is not one of the depths.
     substeps = 1 if axial or flat else 2
     for end in ends:
         yield "*STEP, INC={}{}\n*STATIC, DIRECT\n{:.12g}, {:.12g}\n".format(
             2 * substeps * len(deflections), geometry, 1 / (substeps * len(deflections)), 1 / len(ends))
-        # Residuals ten times below CalculiX's default (of contact), so that tool and support balance.
+        # Residuals ten times below CalculiX's default for contact, so that tool and support
+        # balance.
         yield "*CONTROLS, PARAMETERS=FIELD\n{:g}\n".format(1e-6 if flat else 5e-4)
         yield "*BOUNDARY\nTOOL, {0}, {0}, {1:.12g}\n".format(up, -end)
         yield "*NODE PRINT, NSET=TOOL, TOTALS={}\nRF\n".format(totals)
@@ -118,12 +121,13 @@ def forces(text, case, factor):
     totals = {"TOOL": [], "SUPPORT": []}
     for name, time, *vector in re.findall(
             r"total force \(fx,fy,fz\) for set (\w+) and time" + 4 * number, text):
-        # Increments between the depths are skipped, and one of length 0 that CalculiX may add at the end.
+        # Skips increments between the depths, and an increment of length 0 that CalculiX may add at
+        # the end.
         if len(totals[name]) < count and np.isclose(float(time) * count, len(totals[name]) + 1, rtol=1e-5):
             totals[name].append(float(vector[1 if axial else 2]))
     pressed, held = -factor * np.array(totals["TOOL"]), factor * np.array(totals["SUPPORT"])
     pressed = pressed[:len(held)]
-    # The residual that CalculiX tolerates is relative to the mean nodal force.
+    # The residual tolerance of CalculiX is relative to the mean nodal force.
     if np.any(np.abs(pressed - held) > 2e-3 * np.abs(pressed).max(initial=0)):
         raise ValueError("{}: tool and support differ by {:.2g} N".format(
             case.name, np.abs(pressed - held).max()))

@@ -26,7 +26,7 @@ def graded(first, uniform, length, growth, largest=np.inf):
         step = min(step * growth, largest)
         corners.append(corners[-1] + step)
     corners = np.array(corners)
-    # Stretched, so that the last corner falls on the end.
+    # Stretched so that the last corner is at the end.
     tail = corners[count:] - corners[count]
     if length > uniform * (1 + 1e-9):
         corners[count:] = corners[count] + tail * (length - corners[count]) / tail[-1]
@@ -89,7 +89,8 @@ def quarter_plane(side, rings, rectangle=None):
     radius = rings[0]
     s = np.linspace(0, 1, 2 * side + 1)
     u, v = np.meshgrid(s, s, indexing="ij")
-    # Corner of the core at 0.42 R on the diagonal: no angle of the elements around it is above 150 degrees.
+    # The corner of the core on the diagonal is at 0.42 R: no angle of the elements around it
+    # exceeds 150 degrees.
     bulge = 1 - 0.16 * u * v
     x, y = 0.5 * radius * u * bulge, 0.5 * radius * v * bulge
     points = [np.column_stack([x.ravel(), y.ravel()])]
@@ -108,7 +109,7 @@ def quarter_plane(side, rings, rectangle=None):
             np.column_stack([np.linspace(half_x, 0, quarter + 1), np.full(quarter + 1, half_y)])[1:]])
         for t in with_middles(corners)[1:]:
             curves.append((1 - t) * rings[-1] * circle + t * edge)
-    lattice = np.array(curves)  # curve, place along it
+    lattice = np.array(curves)  # curve, position along it
     points.append(lattice.reshape(-1, 2))
     index = np.arange(lattice.shape[0] * lattice.shape[1]).reshape(lattice.shape[:2]) + x.size
     elements.append(quadrilaterals(index))

@@ -88,7 +88,7 @@ def run(case, arguments, folder):
         write_curve(path, case, forces, nodes)
         return nodes, seconds, None
     fine = read_forces(path)
-    # Not at the first depths, where the contact covers a few elements only.
+    # Without the first depths, where the contact covers only a few elements.
     return nodes, seconds, np.max(np.abs(forces / fine - 1)[len(fine) // 4:])
 
 

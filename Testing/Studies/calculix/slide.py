@@ -31,7 +31,7 @@ import theory
 from run import version
 
 REDUCED_MODULUS = 3.45  # MPa: the rubber of Mahvash and Hayward 2002
-FAR = 100.0             # mm: radius and height of the body, held at its side and base
+FAR = 100.0             # mm: radius and height of the body, which is held at its side and base
 LEGS = {"out": (0, 1), "back": (1, -1), "forth": (-1, 1)}  # x of the tool over u at start and end
 
 
@@ -41,10 +41,10 @@ class Slide:
     radius: float             # mm
     depth: float              # mm
     poisson_ratio: float
-    legs: int = 2             # of the tool's way after the press
+    legs: int = 2             # of the path of the tool after the press
     friction: float = 0.5
     press_friction: float = 0.5
-    first: float = 0.025      # increment of the way after a turn, over u
+    first: float = 0.025      # first increment after a turn, over u
     suffix: str = ""
 
     @property
@@ -76,17 +76,19 @@ class Slide:
         return 0.15 * self.contact_stiffness
 
 
-# Within small strain, a/R = 0.25; beyond, 0.62; and the paper's: 14 N on the half-space, deeper than R.
+# Within small strain, a/R = 0.25; beyond it, 0.62; and the case of the paper: 14 N on the
+# half-space, deeper than R.
 BODIES = {"control": (6.35, 0.4), "mid": (1.6, 0.65), "deep": (1.6, 1.95885)}
 CONTROL = BODIES["control"]
 CASES = {case.name: case for case in [
     Slide("control", *CONTROL, 0.3, legs=1), Slide("control", *CONTROL, 0.49, legs=3),
-    # Pressed with the whole friction these hardly converge, and they start to move by tiny increments only.
+    # With the full friction during the press these hardly converge. They start to move only by tiny
+    # increments.
     Slide("mid", *BODIES["mid"], 0.3, legs=1, press_friction=0.01, first=0.0005),
     Slide("mid", *BODIES["mid"], 0.49, legs=1, press_friction=0.01, first=0.002),
     Slide("deep", *BODIES["deep"], 0.3, legs=1, press_friction=0.01, first=0.0004),
     Slide("deep", *BODIES["deep"], 0.49, legs=1, press_friction=0.01),
-    # What the press would be without friction: the error of mesh and support.
+    # The press without friction shows the error of mesh and support.
     Slide("control", *CONTROL, 0.3, legs=0, friction=0.0, press_friction=0.0, suffix="-frictionless"),
     Slide("control", *CONTROL, 0.49, legs=0, friction=0.0, press_friction=0.0, suffix="-frictionless")]}
 
@@ -131,7 +133,7 @@ def write(case):
     fixed = np.isclose(points[:, 2], -FAR) | np.isclose(radius, FAR)
     text += deck.node_set("SUPPORT", fixed) + deck.node_set("YPLANE", np.isclose(points[:, 1], 0) & ~fixed)
     text += "*BOUNDARY\nSUPPORT, 1, 3\nYPLANE, 2, 2\nTOOL, 1, 2\n"
-    # A tenth of the radius at most.
+    # At most a tenth of the radius.
     press = min(1 / 4, 0.1 * case.radius / case.depth)
     text += step(case, press, press, 3, -case.depth)
     change = "*CHANGE FRICTION, INTERACTION=RUBBING\n" + rubbing(case, case.friction)
@@ -148,7 +150,8 @@ def rubbing(case, coefficient):
 
 def step(case, first, largest, direction, displacement, change=""):
     return ("*STEP, INC=400, NLGEOM\n{}*STATIC\n{:g}, 1, 1e-4, {:g}\n".format(change, first, largest) +
-            # Residuals of 0.1 % of the force; the default compares with a mean over all those idle nodes.
+            # Residuals of 0.1 % of the force. The default compares with a mean over the many
+            # unloaded nodes.
             "*CONTROLS, PARAMETERS=FIELD\n0.005, 0.01, {0:g}, {0:g}, 0.02, 1e-5, 1e-3, 1e-8\n".format(
                 0.2 * case.force) +
             "*BOUNDARY\nTOOL, {0}, {0}, {1:g}\n".format(direction, displacement) +
@@ -165,7 +168,7 @@ def read(text, case):
     rows, legs = [("press", 0.0, 0.0, 0.0, 0.0)], list(LEGS.items())
     for tool, held in zip(totals["TOOL"], totals["SUPPORT"]):
         moment, drag, _, normal = held * np.array([1, -2, 2, 2])
-        # Residuals are tolerated; what is left out of balance must be small beside the force.
+        # Some residual is allowed, but the unbalanced force must be small compared with the force.
         apart = 2 * max(abs(tool[1] + held[1]), abs(tool[3] + held[3]))
         if apart > 0.01 * case.force:
             raise ValueError("{}: tool and support differ by {:.2g} N".format(case.name, apart))
@@ -175,7 +178,7 @@ def read(text, case):
             number = min(int(np.ceil(moment - 1 - 1e-6)), len(legs)) - 1
             leg, (start, end) = legs[number]
             row = (leg, case.depth, case.reach * (start + (moment - 1 - number) * (end - start)), normal, drag)
-        # CalculiX may end a step with an increment of next to no length.
+        # CalculiX may end a step with an increment of almost zero length.
         if rows[-1][0] == row[0] and np.allclose(rows[-1][1:3], row[1:3], atol=1e-5 * case.depth):
             rows.pop()
         rows.append(row)
@@ -215,7 +218,7 @@ def write_curve(path, case, rows, nodes):
     with open(path, "w", encoding="utf-8") as out:
         out.writelines("# {}\n".format(line) for line in head)
         out.write("leg,depth_mm,slide_mm,normal_N,friction_N\n")
-        # Without friction, and until the tool moves sideways, the rest is round-off.
+        # Without friction, and until the tool moves sideways, the sideways force is round-off.
         out.writelines("{},{:.6g},{:.6g},{:.6g},{:.6g}\n".format(
             *row[:4], row[4] if abs(row[4]) > 1e-6 * case.force else 0.0) for row in rows)
 

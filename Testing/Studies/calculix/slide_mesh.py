@@ -10,7 +10,7 @@ import mesh
 
 def half_plane(plane, elements):
     """8-node elements of the quarter plane x, y >= 0 and of its mirror image in x."""
-    mirrored = elements[:, [0, 3, 2, 1, 7, 6, 5, 4]] + len(plane)  # turned, to count the same way round
+    mirrored = elements[:, [0, 3, 2, 1, 7, 6, 5, 4]] + len(plane)  # reordered, to keep the orientation
     points = np.vstack([plane, plane * [-1, 1]])
     _, first, inverse = np.unique(np.round(points, 9), axis=0, return_index=True, return_inverse=True)
     return mesh.renumber(points[first], inverse.ravel()[np.vstack([elements, mirrored])])

@@ -56,18 +56,19 @@ class TestTheory(unittest.TestCase):
             layer = theory.BondedLayer(10, float(nu))
             for a, kappa in zip(stiffening[stiffening <= 1], values[nu]):
                 self.assertAlmostEqual(layer.force("flat", 10 * a, 1, 1) / (20 * a), kappa, delta=1e-8)
-            # chi = sqrt(R depth) / h; the table is of the paraboloid. Seven digits of bisection.
+            # chi = sqrt(R depth) / h; the table is for the paraboloid. Bisection to seven digits.
             for chi, expected in zip(ratios[ratios <= 1], spheres[nu]):
                 depth = (10 * chi) ** 2 / 6.35
                 hertz = 4 / 3 * np.sqrt(6.35) * depth ** 1.5
                 self.assertAlmostEqual(layer.force("paraboloid", 6.35, 1, depth) / hertz, expected, delta=1e-6)
 
     def test_thin_plate(self):
-        # Infinitely wide: 0.01695 P L^2 / D (Timoshenko and Woinowsky-Krieger, article 36, four digits).
+        # Infinitely wide plate: 0.01695 P L^2 / D (Timoshenko and Woinowsky-Krieger, article 36,
+        # four digits).
         rigidity = 0.1 * 6 ** 3 / (12 * (1 - 0.45 ** 2))
         wide = theory.thin_plate_compliance(60, 6000, 6, 0.1, 0.45)
         self.assertAlmostEqual(wide * rigidity / 60 ** 2, 0.01695, delta=2e-5)
-        # Narrow: a beam, L^3 / 48 EI; anticlastic bending adds terms of (width / length)^2.
+        # Narrow plate: a beam, L^3 / 48 EI. Anticlastic bending adds terms of (width / length)^2.
         narrow = theory.thin_plate_compliance(60, 0.6, 6, 0.1, 0.45)
         self.assertAlmostEqual(narrow * 48 * 0.1 * 0.6 * 6 ** 3 / 12 / 60 ** 3, 1, delta=2e-4)
 
@@ -96,14 +97,15 @@ class TestLocalBodies(unittest.TestCase):
     and the layer bonded to a rigid base."""
 
     def test_flat_in_small_strain(self):
-        # The contact area is given, so that the problem is linear, the very one of the theory.
+        # The contact area is given, so the problem is linear and identical to that of the theory.
         for body in (cases.BLOCK, cases.LAYER):
             _, _, ratio = ratio_to_theory(body, cases.FLAT, "linear")
             np.testing.assert_allclose(ratio, 1, atol=0.002)
 
     def test_spheres_at_small_contact(self):
-        # Beyond, CalculiX's small strain departs from theory, most likely because it brings displaced
-        # points into contact and presses along the sphere's normal; theory knows neither.
+        # At larger depths CalculiX's small strain differs from theory. Most likely it lets
+        # displaced points come into contact and presses along the sphere's normal, both unlike the
+        # theory.
         for body in (cases.BLOCK, cases.LAYER):
             for tool in (cases.LARGE, cases.SMALL):
                 _, contact, ratio = ratio_to_theory(body, tool, "linear")
@@ -111,22 +113,23 @@ class TestLocalBodies(unittest.TestCase):
                 np.testing.assert_allclose(ratio[contact < 0.26], 1, atol=MESH)
 
     def test_small_strain_depends_on_contact_over_radius_only(self):
-        # A half-space has no length of its own: the two spheres' departures from theory are one curve.
+        # A half-space has no length scale: the deviations of both spheres from theory form one
+        # curve.
         _, large_contact, large = ratio_to_theory(cases.BLOCK, cases.LARGE, "linear")
         _, small_contact, small = ratio_to_theory(cases.BLOCK, cases.SMALL, "linear")
         np.testing.assert_allclose(np.interp(large_contact[2:], small_contact, small), large[2:], atol=MESH)
         self.assertLess(large[-1], 0.97)
 
     def test_finite_strain_follows_the_exact_law(self):
-        # Neo-Hooke stays within 1.5 % of the exact sphere's small-strain law up to a/R = 0.65 on the block,
-        # within 3 % up to a depth of 0.3 of the layer.
+        # Neo-Hooke stays within 1.5 % of the small-strain law of the exact sphere up to a/R = 0.65
+        # on the block, and within 3 % up to a depth of 0.3 layer thicknesses.
         for body, tool, allowed in ((cases.BLOCK, cases.LARGE, 0.015), (cases.BLOCK, cases.SMALL, 0.015),
                                     (cases.LAYER, cases.LARGE, 0.03), (cases.LAYER, cases.SMALL, 0.03)):
             _, _, ratio = ratio_to_theory(body, tool, "neohooke")
             np.testing.assert_allclose(ratio, 1, atol=allowed)
 
     def test_paraboloid_would_not(self):
-        # Hertz's parabola in place of the sphere: visible in the same data.
+        # The same data show the error of Hertz's parabola in place of the sphere.
         case, deflections, forces = curve(cases.BLOCK, cases.SMALL, "neohooke")
         modulus = compare.reduced_modulus(case.body)
         hertz = 4 / 3 * modulus * np.sqrt(case.tool.radius) * deflections ** 1.5
@@ -145,7 +148,7 @@ class TestLocalBodies(unittest.TestCase):
         layer = theory.BondedLayer(case.body.thickness, case.body.poisson_ratio)
         modulus = compare.reduced_modulus(case.body)
         law = np.array([layer.force("sphere", case.tool.radius, modulus, d) for d in deflections])
-        # The quarter model's elements are more than three times as large.
+        # The elements of the quarter model are more than three times as large.
         np.testing.assert_allclose(forces / law, np.interp(deflections, axial, expected), atol=2 * MESH)
 
 
@@ -160,7 +163,8 @@ class TestPlates(unittest.TestCase):
         return compare.compliance(*curve(body, tool, material)) * compare.reduced_modulus(body)
 
     def test_tools_approach_each_other(self):
-        # (largest - smallest force) / mean at one depth. On a half-space it falls to 0.64 and rises again.
+        # (largest - smallest force) / mean at one depth. On a half-space it falls to 0.64 and rises
+        # again.
         for body, deepest in ((cases.CLAMPED, 0.18), (cases.EDGES, 0.11)):
             for material in ("linear", "neohooke"):
                 forces = self.forces(body, material)
@@ -174,39 +178,43 @@ class TestPlates(unittest.TestCase):
             self.assertGreater(np.ptp(local) / local.mean(), 0.6)
 
     def test_clamped_plate_compliance(self):
-        # C_g E* = 3.4516 /mm: the regular part of the Green function of the same plate (b = 30, t = 4,
-        # nu = 0.3), hence of a small contact: that of the large sphere at the first depth, a = 0.4 mm.
-        # A wide contact feels less: the series model's error is of order (a/t)^3 of the local part.
+        # C_g E* = 3.4516 /mm is the regular part of the Green function of the same plate (b = 30, t
+        # = 4, nu = 0.3), so it holds for a small contact: the large sphere at the first depth, a =
+        # 0.4 mm. For a wide contact the value is smaller: the error of the series model is of order
+        # (a/t)^3 of the local part.
         first = self.compliance(cases.CLAMPED, cases.LARGE)[0]
         self.assertAlmostEqual(first / 3.4516, 1, delta=0.003)
         for tool in self.TOOLS:
-            # The flat: 0.064 of the local part 1/(2a), times 1.5 to 3.
+            # For the flat: 0.064 of the local part 1/(2a), times 1.5 to 3.
             np.testing.assert_allclose(self.compliance(cases.CLAMPED, tool) / 3.4516, 1, atol=0.02)
 
     def test_plate_on_edges_compliance(self):
-        # Kirchhoff's plate leaves shear out, which for the clamped plate is 2.8 % (3.4516 / 3.3572) at
-        # thickness / radius 0.13; here the span is ten times the thickness.
+        # Kirchhoff's plate ignores shear. For the clamped plate shear adds 2.8 % (3.4516 / 3.3572)
+        # at thickness / radius 0.13; here the span is ten times the thickness.
         thin = theory.thin_plate_compliance(60, 40, 6, cases.YOUNGS_MODULUS, cases.EDGES.poisson_ratio)
         thin *= compare.reduced_modulus(cases.EDGES)
         for tool in self.TOOLS:
-            # From the second depth on: at the first the small sphere's contact covers few elements.
+            # From the second depth on: at the first depth the contact of the small sphere covers
+            # few elements.
             found = self.compliance(cases.EDGES, tool)[1:]
             self.assertTrue(np.all((found > thin) & (found < 1.03 * thin)), found / thin)
 
     def test_one_tool_predicts_the_others(self):
-        # C_g from the flat's first depth, then delta = delta_hs(F) + C_g F for the spheres.
+        # C_g comes from the first depth of the flat; then delta = delta_hs(F) + C_g F for the
+        # spheres.
         for body in (cases.CLAMPED, cases.EDGES):
             identified = compare.compliance(*curve(body, cases.FLAT, "linear"))[0]
             for tool in (cases.LARGE, cases.SMALL):
                 _, deflections, forces = curve(body, tool, "linear")
                 model = [theory.series_force(tool.shape, tool.radius, compare.reduced_modulus(body),
                                              identified, depth) for depth in deflections]
-                # 1.3 % at the first depth of the clamped plate, where the sphere's contact is far
-                # smaller than the flat's (above); scatter of the contact search.
+                # 1.3 % at the first depth of the clamped plate, where the contact of the sphere is
+                # far smaller than that of the flat (above), plus scatter of the contact search.
                 np.testing.assert_allclose(model[1:], forces[1:], rtol=0.013)
 
     def test_finite_strain_stiffens_plates(self):
-        # Pressed by half their thickness plates carry by stretching too, which no C_g holds: 3 to 6 %.
+        # At a depth of half their thickness plates also carry by stretching, which C_g does not
+        # include: 3 to 6 %.
         for body in (cases.CLAMPED, cases.EDGES):
             ratio = self.forces(body, "neohooke")[:, -1] / self.forces(body, "linear")[:, -1]
             self.assertTrue(np.all((ratio > 1.02) & (ratio < 1.07)), ratio)
@@ -224,7 +232,7 @@ class TestValidity(unittest.TestCase):
         deflections, _, ratio = ratio_to_theory(cases.LAYER, cases.HUGE, "neohooke", "-deep")
         five, ten = (compare.depth_of_error(deflections, ratio, error) / cases.LAYER.thickness
                      for error in (0.05, 0.1))
-        # Two per cent of the force are 0.05 of the thickness here.
+        # Two per cent of the force correspond to 0.05 of the thickness here.
         self.assertAlmostEqual(five, 0.25, delta=0.03)
         self.assertAlmostEqual(ten, 0.41, delta=0.03)
 

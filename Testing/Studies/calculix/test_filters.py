@@ -52,7 +52,8 @@ def curve(body, tool, material):
 
 class TestFilters(unittest.TestCase):
     def test_half_space_and_layer(self):
-        # The flat in small strain is the filters' own problem; the spheres are compared in finite strain.
+        # The filters solve the small-strain problem of the flat exactly; the spheres are compared
+        # at finite strain.
         for body, thickness in ((cases.BLOCK, 0.0), (cases.LAYER, cases.LAYER.thickness)):
             for tool, material, allowed in ((cases.FLAT, "linear", 0.002), (cases.LARGE, "neohooke", 0.03),
                                             (cases.SMALL, "neohooke", 0.015)):
@@ -61,12 +62,12 @@ class TestFilters(unittest.TestCase):
                                            err_msg=case.name)
 
     def test_layer_is_not_a_half_space(self):
-        # The comparison above can tell them apart: the layer is at least 15 % stiffer.
+        # The comparison above would notice the wrong body: the layer is at least 15 % stiffer.
         case, forces = curve(cases.LAYER, cases.FLAT, "linear")
         self.assertTrue(np.all(forces > 1.15 * response(case)))
 
     def test_plate_in_series(self):
-        # The compliance from the flat's curve; the filter then predicts the spheres.
+        # The compliance is identified from the flat's curve; the filter then predicts the spheres.
         for body in (cases.CLAMPED, cases.EDGES):
             flat, forces = curve(body, cases.FLAT, "linear")
             identified = compare.compliance(flat, cases.deflections(flat), forces)[0]

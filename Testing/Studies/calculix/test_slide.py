@@ -33,12 +33,13 @@ class TestMesh(unittest.TestCase):
         body = slide_mesh.half_body(2, np.array([1.0, 2.0, 4.0]), np.array([-3.0, -1.0, 0.0]))
         parts = volumes(body)
         self.assertTrue(np.all(parts > 0))
-        # The rim is a polygon of 16 sides to these corners: sin(π/8) / (π/8) of the circle at least.
+        # The rim is a polygon of 16 sides through these corners: its area is at least sin(π/8) /
+        # (π/8) of the circle.
         half = 0.5 * np.pi * 4 ** 2 * 3
         self.assertLess(parts.sum(), half)
         self.assertGreater(parts.sum(), 0.97 * half)
         self.assertTrue(np.all(body.points[:, 1] > -1e-12))
-        # x and -x alike: none lost, none double.
+        # Each point at x has one at -x; no point is missing or doubled.
         keys = {tuple(p) for p in np.round(body.points, 8) + 0.0}
         self.assertEqual(len(keys), len(body.points))
         self.assertEqual(keys, {(-x + 0.0, y, z) for x, y, z in keys})
@@ -55,7 +56,7 @@ class TestMesh(unittest.TestCase):
         self.assertAlmostEqual(z.max(), 1.6 + 1.6 * (2.4 - 0.5 * np.pi), places=12)
 
     def test_face_one_is_outside(self):
-        # Nodes 1 to 4, face 1 of CalculiX, of every element of the tool lie on the outside.
+        # Nodes 1 to 4 (face 1 in CalculiX) of every element of the tool are on the outside.
         tool = slide_mesh.half_tool(6.35, 0.5, 2, 2, 0.6)
         corners = tool.points[tool.elements[:, :4]].reshape(-1, 3) - [0, 0, 6.35]
         np.testing.assert_allclose(np.linalg.norm(corners, axis=1), 6.35, rtol=1e-12)
@@ -82,7 +83,7 @@ class TestReading(unittest.TestCase):
         self.assertEqual([row[0] for row in rows], ["press"] * 3 + ["out"] * 2 + ["back"] * 2 + ["forth"] * 2)
         np.testing.assert_allclose([row[1] for row in rows], [0, 0.5 * depth] + [depth] * 7)
         np.testing.assert_allclose([row[2] for row in rows], np.array([0, 0, 0, 0.25, 1, 0, -1, 0, 1]) * u)
-        # Half a model: twice the reaction.
+        # Half a model: the reaction is doubled.
         np.testing.assert_allclose([row[3] for row in rows[1:]], 3.0)
         np.testing.assert_allclose([row[4] for row in rows[3:5]], [1.0, 1.6])
         self.assertTrue(slide.finished(self.CASE, rows))
@@ -116,15 +117,16 @@ class TestFiles(unittest.TestCase):
                 np.testing.assert_allclose(depth[dragged], case.depth, rtol=1e-5)
                 self.assertLess(np.abs(reach).max(), case.reach * (1 + 1e-5) + 1e-12)
                 self.assertTrue(np.all(np.diff(normal[~dragged]) > 0))
-                # Either the whole way, or the file says that it is not.
+                # Either the path is complete, or the file states that it is not.
                 whole = slide.finished(case, [(row["leg"], d, x) for row, d, x in zip(rows, depth, reach)])
                 self.assertEqual(whole, "# end: of the way\n" in head)
                 self.assertTrue(whole or "gave up here\n" in head)
 
     def test_frictionless_press(self):
-        # The body is 100 mm high: a bonded layer, 1.4 % (nu = 0.3) and 1.8 % (0.49) stiffer than a half-space,
-        # and held at its side too. What is left at 0.49 is the mesh: four elements across the contact radius.
-        # At 0.3 the surface moves inward under the tool by (1 - 2 nu), as linear theory leaves out: 2.4 %.
+        # The body is 100 mm high: a bonded layer, 1.4 % (nu = 0.3) and 1.8 % (0.49) stiffer than a
+        # half-space, and also held at its side. At 0.49 the remaining error is that of the mesh:
+        # four elements across the contact radius. At 0.3 the surface moves inward under the tool by
+        # (1 - 2 nu), which linear theory ignores: 2.4 %.
         for nu, allowed in ((0.3, 0.03), (0.49, 0.006)):
             case = slide.CASES["control-nu{:g}-neohooke-frictionless".format(nu)]
             with open(DATA / (case.name + ".csv"), encoding="utf-8") as lines:

@@ -59,7 +59,7 @@ class BondedLayer:
     def __init__(self, thickness, poisson_ratio, nodes=16):
         self.thickness = thickness
         self.nodes, self.weights = np.polynomial.legendre.leggauss(nodes)
-        # 1 - W falls as omega^2 exp(-2 omega): nothing is left at 25.
+        # 1 - W falls as omega^2 exp(-2 omega), which is negligible at 25.
         x, w = np.polynomial.legendre.leggauss(100)
         self.omega = 12.5 * (x + 1)
         k, decay = 3 - 4 * poisson_ratio, np.exp(-2 * self.omega)
@@ -105,8 +105,8 @@ def thin_plate_compliance(length, width, thickness, young, poisson_ratio, terms=
     b, nu, total = 0.5 * width, poisson_ratio, 0.0
     for m in range(1, terms, 2):
         alpha = m * np.pi / length
-        # W(y) of sin(alpha x), 0 <= y <= b, from functions falling from the load and from the free edge;
-        # the derivatives are with respect to alpha y.
+        # W(y) of sin(alpha x), 0 <= y <= b, from functions that decay from the load and from the
+        # free edge. The derivatives are with respect to alpha y.
         fall = np.exp(-alpha * b)
 
         def derivatives(t, scale):
@@ -117,7 +117,7 @@ def thin_plate_compliance(length, width, thickness, young, poisson_ratio, terms=
         at_edge = np.hstack([derivatives(alpha * b, fall), signs * derivatives(0, 1)])
         equations = np.array([at_load[1], at_load[3], at_edge[2] - nu * at_edge[0],
                               at_edge[3] - (2 - nu) * at_edge[1]])
-        # Half of the mode's share 2/L of the unit load, carried by each side: D W''' = 1/L.
+        # Each side carries half of the mode's part 2/L of the unit load: D W''' = 1/L.
         unknowns = np.linalg.solve(equations, [0, 1 / (length * rigidity * alpha ** 3), 0, 0])
         total += at_load[0] @ unknowns
     return total

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpateContinuity: the rows of the continuity study as CSV, on the standard output. One row per
-// body, mesh, force form and surface; columns in README.md. --quick: one mesh of each, short paths.
+// palpateContinuity prints the rows of the continuity study as CSV on the standard output. One row
+// per body, mesh, force form and surface; columns in README.md. --quick: one mesh of each, short
+// paths.
 #include "ContinuityMeasures.h"
 #include "Contact/ToolContact.h"
 
@@ -29,7 +30,7 @@ struct Case
 {
   SmoothBody shape;
   MeshNormals normals;
-  std::array<int, 3> cuts; ///< each half as wide as the one before
+  std::array<int, 3> cuts; ///< each refinement halves the width
 };
 
 std::vector<Case> cases()
@@ -41,7 +42,7 @@ std::vector<Case> cases()
     { smoothBumpySphere(), MeshNormals::AngleWeighted, { 50, 100, 200 } } };
 }
 
-/// Median time of a tick, ns: batches of 100 along a path around the body, 0.1 mm per tick, the
+/// Median time of a tick, ns, in batches of 100 along a path around the body, 0.1 mm per tick; the
 /// best of five passes.
 double tickTime(const MeshedBody& body, const ContactSettings& settings)
 {
@@ -57,7 +58,7 @@ double tickTime(const MeshedBody& body, const ContactSettings& settings)
     tips.push_back(body.shape.point(direction) - Depth * body.shape.normal(direction));
   }
   double best = 1e300;
-  double sum = 0.0; // so that the work is not thought idle
+  double sum = 0.0; // keeps the compiler from removing the work
   for (int pass = 0; pass < 5; ++pass)
   {
     ToolContact contact(*body.contact, settings);

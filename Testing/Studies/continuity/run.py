@@ -18,7 +18,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 FORMS = ("Paper", "NormalizedDirection", "EnergyConsistent")
 SURFACES = ("Facets", "Smooth")
-# Column, title, below this it is rounding or the quadrature of the study and has no order.
+# Column, title, floor: smaller values are rounding or quadrature error of the study and have no
+# order.
 MEASURES = (
     ("jump_equal", "force jump, equal responses", 1e-8),
     ("jump_differing", "force jump, differing responses", 1e-8),
@@ -27,8 +28,8 @@ MEASURES = (
     ("error_size", "error of the force", 3e-6),
     ("error_direction_rad", "error of its direction, rad", 1e-5),
 )
-# By the facets with equal responses; h the longest edge, R the smallest radius, d the depth. Of the loop
-# energy only the order: a loop crosses jumps of many signs.
+# Effect of the facets with equal responses; h is the longest edge, R the smallest radius, d the
+# depth. For the loop energy only the order is expected: a loop crosses jumps of both signs.
 EXPECTED = {
     "jump_equal": ("dh/R²", lambda h, r, d: d * h / r ** 2),
     "loop_equal": ("h²/(Rd)", lambda h, r, d: h * h / (r * d)),

@@ -44,7 +44,7 @@ class Committed(unittest.TestCase):
                     self.assertLess(row["loop_equal"], FLOOR["loop_equal"])
 
     def test_orders(self):
-        # Largest values among edges of a grid: half an order of scatter.
+        # Largest values over the edges of a grid scatter by half an order.
         for form in ("Paper", "NormalizedDirection"):
             for _, rows in self.cases(surface="Facets", form=form):
                 self.assertAlmostEqual(run.order(rows, "jump_equal", 0.0), 1.0, delta=0.55)
@@ -72,7 +72,8 @@ class Quick(unittest.TestCase):
         for row in rows:
             same = run.select(committed, **{name: row[name] for name in ("body", "normals", "form", "surface", "edge_mm")})
             self.assertEqual(len(same), 1)
-            # The largest on a part of the paths and places: no larger (printed to four digits).
+            # The largest value over a part of the paths and places must not be larger (printed to
+            # four digits).
             for name in FLOOR:
                 self.assertLessEqual(row[name], 1.001 * max(same[0][name], FLOOR[name]))
 

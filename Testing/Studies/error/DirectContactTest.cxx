@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Direct contact, on meshes small enough for a test: against the exact law of a bonded layer,
-// straight and aslant, and however the body lies in space.
+// Direct contact on meshes small enough for a test: against the exact law of a bonded layer,
+// straight and oblique, and for rotated bodies.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Solids/ShapedBodies.h"
@@ -21,8 +21,8 @@ constexpr double Young = 1.0;
 constexpr double Poisson = 0.45;
 constexpr double Thickness = 4.0;
 
-/// A layer on a rigid base at z = 0; five times as wide as thick, its facets `side` long around the
-/// middle.
+/// A layer on a rigid base at z = 0, five times as wide as thick. Facets around the middle are
+/// `side` long.
 VolumeMesh layer(double side, bool isOfTetrahedra)
 {
   const std::vector<double> across = gradedLine(side, 1.75, 1.5, 2.5 * Thickness);
@@ -57,8 +57,8 @@ double exact(const AxisymmetricTool& pressed, double depth)
 const Eigen::Vector3d Top(0.0, 0.0, Thickness);
 const DirectPlace Straight{ Top, -Eigen::Vector3d::UnitZ() };
 
-/// The sheet's nodal contact has +0.5 to 1 % with five facets over the contact's radius; linear
-/// ones need more.
+/// The nodal contact of the reference sheet has +0.5 to 1 % with five facets over the contact
+/// radius. Linear elements need more facets.
 TEST(DirectContact, SphereOnALayer)
 {
   const auto sphere = tool("sphere:6.35");
@@ -73,8 +73,8 @@ TEST(DirectContact, SphereOnALayer)
   }
 }
 
-/// Its pressure is infinite at the rim, somewhere in a facet: an error that goes with their length,
-/// here 0.2 of the radius.
+/// The pressure is infinite at the rim, which is inside a facet. So the error is proportional to
+/// the facet length, here 0.2 of the radius.
 TEST(DirectContact, FlatOnALayer)
 {
   const auto flat = tool("flat:1.6");
@@ -83,7 +83,8 @@ TEST(DirectContact, FlatOnALayer)
   EXPECT_NEAR(contact.at(0.3).force / exact(*flat, 0.3), 1.0, 0.03);
 }
 
-/// The same however it lies in space, but for what the tool's frame has to do with the facets.
+/// A rotation of the whole problem does not change the force, except through the position of the
+/// tool's frame relative to the facets.
 TEST(DirectContact, TurnedInSpace)
 {
   const Eigen::Matrix3d turn =
@@ -97,9 +98,9 @@ TEST(DirectContact, TurnedInSpace)
   EXPECT_NEAR(other.at(0.3).force / one.at(0.3).force, 1.0, 1e-8);
 }
 
-/// Pressed aslant by α without friction, a ball of radius R whose lowest point begins in the
-/// surface is R - (R - δ) cos α deep in it, and what it takes to hold it there, along the way it
-/// came, is cos α of the force.
+/// A ball of radius R, pressed obliquely by α without friction. Its lowest point starts in the
+/// surface and ends at a depth of R - (R - δ) cos α. The force along its path is cos α times the
+/// normal force.
 TEST(DirectContact, Aslant)
 {
   constexpr double radius = 6.35;
@@ -109,7 +110,7 @@ TEST(DirectContact, Aslant)
   for (const double degrees : { 10.0, 15.0 })
   {
     const double aslant = degrees * std::acos(-1.0) / 180.0;
-    // The point that touches first comes to lie in the fine middle.
+    // The point of first contact ends up in the fine middle.
     const Eigen::Vector3d inward(std::sin(aslant), 0.0, -std::cos(aslant));
     const Eigen::Vector3d place((radius - depth) * -std::sin(aslant), 0.0, 0.0);
     const DirectPlace at{ Top - place, inward };

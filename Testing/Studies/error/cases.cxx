@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/* Stated beside true errors of forces, at contacts drawn at random: a row per law and depth.
+/*
+ * Compares stated and true errors of forces at random contacts: a row per law and depth.
  *
  *   palpateErrorCases FAMILY COUNT SEED     FAMILY: half-space, layer, stack, ball, cavity
  *
- * Cost: 5 to 20 s of a processor for each contact.
+ * Cost: 5 to 20 s of processor time for each contact.
  */
 #include "RandomContact.h"
 

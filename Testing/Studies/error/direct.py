@@ -24,11 +24,11 @@ import true_shape
 from cover import LIMITS, areas, force_on_layer, poly
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[3] / "build" / "release" / "bin" / "palpateDirectContact"
-CELLS = 30000      # of the surface away from the tool
-FACETS = 0.3       # under the tool, by the contact's radius: a ball's pole is within 1 %
-RIM = 0.12         # at a flat end's rim, likewise: within 2 %
-AROUND = 1.4       # of the contact's radius has such facets
-RANGES = ((0.0, 0.05), (0.05, 0.1), (0.1, 0.3))  # of the stated error
+CELLS = 30000      # number of cells away from the tool
+FACETS = 0.3       # facet size under the tool over the contact radius: for a ball's pole the error is within 1 %
+RIM = 0.12         # the same at the rim of a flat end: within 2 %
+AROUND = 1.4       # such facets extend to this multiple of the contact radius
+RANGES = ((0.0, 0.05), (0.05, 0.1), (0.1, 0.3))  # intervals of the stated error
 COLUMNS = ("body", "tool", "point", "x", "y", "z", "stated", "limit", "force_N", "direct_N", "open", "error")
 
 
@@ -107,7 +107,7 @@ def judge(name, body, fixed, count, times, own, seed=5):
     """Rows of COLUMNS; `own`: own_error() of each tool."""
     surface = smooth(body, times)
     made = true_shape.press(surface, fixed, small=True)
-    facets = smooth(body, times + 1 if times else 0)  # left 1.5 mm long on the bunny they take 2 % off a force
+    facets = smooth(body, times + 1 if times else 0)  # on the bunny, facets of 1.5 mm reduce a force by 2 %
     places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     spacing = np.sqrt(8.7 * areas(surface).sum() / CELLS)
     random = np.random.default_rng(seed)

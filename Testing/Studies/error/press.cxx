@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/* The force of a tool pressed straight into a body of quadratic tetrahedra (DirectContact,
- * pressAtFiniteStrain).
+/*
+ * Computes the force of a tool that is pressed straight into a body of quadratic tetrahedra
+ * (DirectContact, pressAtFiniteStrain).
  *
  *   palpateDirectContact BODY.vtu YOUNG POISSON TOOL DEPTH X Y Z NX NY NZ
  *
- * BODY as vtkGradedBody makes it; the tool is pressed at X Y Z, DEPTH mm along the unit vector N.
- * Prints three forces in N: at small strain, of pressures along the mean normal, and of those each
- * along its own; and at finite strain, nan where no equilibrium is found or for a tool with a flat
- * end.
+ * BODY is an output of vtkGradedBody. The tool is pressed at X Y Z by DEPTH mm along the unit
+ * vector N. Prints three forces in N. The first two are at small strain: with all pressures along
+ * the mean normal, and with each pressure along its own normal. The third is at finite strain: nan
+ * if no equilibrium is found or if the tool has a flat end.
  */
 #include "Mechanics/Tools/ToolSpecification.h"
 #include "Solids/TrueShape/DirectContact.h"
@@ -28,7 +29,7 @@ namespace
 {
 using namespace palpate;
 
-/// Returns what is wrong, or "".
+/// Returns the reason of a failure, or "".
 std::string take(vtkUnstructuredGrid* grid, const ElasticMaterial& material, ElasticBody& body)
 {
   ElasticBodyInput input;

@@ -36,8 +36,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build" / "release" / "bin" / "palpateErrorCases"
 SCAN = pathlib.Path("/usr/share/mricron/templates/ch2.nii.gz")  # Debian's mricron-data: Colin 27
 FAMILIES = ("half-space", "layer", "stack", "ball", "cavity")
-SOLVER = 0.004  # what the solver's own force may be off
-DIRECT = 0.01  # and that of direct contact, besides what its two ways differ by
+SOLVER = 0.004  # error of the solver's own force
+DIRECT = 0.01  # error of direct contact, in addition to the difference between its two ways
 
 
 def solve(family, count, seed):
@@ -132,7 +132,7 @@ def write_solid(files, fixed, finer, output):
         stream.write("body,points,tool,share_within_5_percent,beyond_stated,compared,median_error,median_surface_error,rest_by_limit\n")
         for name, body in bodies(files):
             if name == "head" and len(files) > 0:
-                continue  # its own layers, not a solid
+                continue  # the study takes its own layers, not a solid
             try:
                 made = true_shape.press(body, fixed)
                 better = true_shape.press(body, fixed, finer, coarser=0) if finer else None

@@ -35,7 +35,7 @@ class Committed(unittest.TestCase):
     def test_errors_are_those_of_the_forces(self):
         for row in self.rows:
             error = abs(float(row["exact_N"]) / float(row["force_N"]) - 1.0)
-            self.assertAlmostEqual(error, float(row["error"]), delta=2e-5)  # six and five digits
+            self.assertAlmostEqual(error, float(row["error"]), delta=2e-5)  # the rows have six and five digits
 
     def test_the_bound_holds_in_95_of_100_on_a_true_shape(self):
         rows = run.read(DATA / "solid.csv")
@@ -58,7 +58,7 @@ class Committed(unittest.TestCase):
         for row in rows:
             law, both, of_these = (float(row[name]) for name in ("share_by_law", "share_by_both", "share_of_these"))
             self.assertGreaterEqual(int(row["pressed"]), 40)
-            self.assertLessEqual(both, law + (1.0 - law) * of_these + 1e-3)  # three digits
+            self.assertLessEqual(both, law + (1.0 - law) * of_these + 1e-3)  # the rows have three digits
             self.assertGreaterEqual(both, law)
             self.assertGreaterEqual(both, {"bunny": 0.95, "dragon": 0.8}[row["body"]], row)
 

@@ -6,12 +6,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from cover import areas, shares
 
-TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the others share its solutions
-HELD = 4  # of Status
-CELLS = 20000  # as palpate --solid, and so are the sources
+TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the others reuse its solutions
+HELD = 4  # a value of Status
+CELLS = 20000  # as in palpate --solid; SOURCES as well
 SOURCES = 10000
-SMALL = "Small"  # what responses at small strain are called by
-COARSER = 2  # cells of the second mesh, by those of the first
+SMALL = "Small"  # prefix of responses at small strain
+COARSER = 2  # cell size of the second mesh over that of the first
 
 
 def contact_tool(text):
@@ -51,7 +51,7 @@ def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coa
     pressed = palpate.vtkElasticContactResponse()
     for longer, connect in ((1, pressed.SetInputConnection), (coarser, pressed.SetCoarserConnection)):
         if longer:
-            filled = solid(body, fixed, longer * side)  # which its port does not keep
+            filled = solid(body, fixed, longer * side)  # keeps the filter; its port does not
             connect(filled.GetOutputPort())
     pressed.SetYoungsModulus(0.05)
     pressed.SetPoissonRatio(poisson)
@@ -84,7 +84,7 @@ def cover(made, tool, depth=1.0, tolerance=0.05):
     """The share of the area that is not held where the stated error at the depth is within the tolerance, and the rest by what
     limits validity: what is largest where the error first passes the tolerance, seen from below."""
     free = np.where(array(made, tool, "Status") != HELD, areas(made), 0.0)
-    reached = array(made, tool, "Range") > 0.999 * depth  # a curve that ends before is not covered
+    reached = array(made, tool, "Range") > 0.999 * depth  # excludes curves that end before
     share, rest = shares(made, tool, np.where(reached, free, 0.0), tolerance)
     part = free[reached].sum() / free.sum()
     return share * part, dict({name: value * part for name, value in rest.items()}, **{"ends before": float(1.0 - part)})

@@ -18,8 +18,8 @@ import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linear
 
-STEP = 7.5  # degrees an element turns by
-FIRST, GROWTH = 0.07, 1.25  # of the elements around the load
+STEP = 7.5  # degrees per element
+FIRST, GROWTH = 0.07, 1.25  # size of the elements around the load
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1],
                     [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], float)
 GAUSS = [(x, y, z) for x in (-3**-0.5, 3**-0.5) for y in (-3**-0.5, 3**-0.5) for z in (-3**-0.5, 3**-0.5)]
@@ -82,7 +82,7 @@ def displacement(turn, poisson, reach):
     nodes, cells, held, loaded = wedge(turn, reach)
     free = np.flatnonzero(~held.ravel())
     load = np.zeros(nodes.size)
-    load[3 * loaded + 2] = -0.5  # on the half that is here
+    load[3 * loaded + 2] = -0.5  # the model is one half
     solver = linear.splu(stiffness(nodes, cells, poisson)[free][:, free], permc_spec="MMD_AT_PLUS_A",
                          diag_pivot_thresh=0.0, options={"SymmetricMode": True})
     found = np.zeros(nodes.size)

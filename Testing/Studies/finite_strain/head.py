@@ -18,7 +18,7 @@ import time
 import numpy as np
 
 SCAN = "/usr/share/mricron/templates/ch2.nii.gz"
-SKIN, DEEPEST = 1.5, 20.0  # mm; how deep bone is looked for
+SKIN, DEEPEST = 1.5, 20.0  # mm; SKIN thickness and the depth to which bone is searched
 
 
 def head(resolution):
@@ -69,7 +69,7 @@ def main():
                 "skin over fat" if stack else "one layer", strain if isinstance(strain, str) else "%s %g" % strain,
                 *small, *once, *again), flush=True)
 
-    # Between the nodes: three thicknesses in a body of all, and each alone.
+    # Between the nodes of the table: three thicknesses, in one body of all and each alone.
     between = np.array([2.6, 6.0, 13.0])
     os.environ["PALPATE_CACHE"] = ""
     for strain in ("neohooke", ("ogden", 9.0)):
@@ -77,7 +77,7 @@ def main():
             fat = np.repeat(thicknesses, 3)
             made = palpate.response(plate(len(thicknesses)), tool, young=0.035, poisson=0.48, layer=SKIN,
                                     layers=[(fat, 0.002, 0.49)], strain=strain)
-            return np.array(palpate.curves(made, 3 * np.arange(len(thicknesses))).force)[:, 1:]  # not of touch itself
+            return np.array(palpate.curves(made, 3 * np.arange(len(thicknesses))).force)[:, 1:]  # without first contact
         table = forces(np.concatenate([between, [whole.min() - SKIN, whole.max() - SKIN]]))[:3]
         alone = np.concatenate([forces(between[i:i + 1]) for i in range(3)])
         print("between nodes, %s: force off by %.4f at most" % (strain, np.abs(table / alone - 1).max()))

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/* One curve by the solver of finite strain, as CSV: what other laws are judged by. The cases that
- * the studies use, and their file: make_curves.py.
+/*
+ * Prints one curve of the finite-strain solver as CSV, the reference for other laws. make_curves.py
+ * runs the cases of the studies and writes their file.
  *
  *   palpatePress TOOL THICKNESS NU MODEL PARAMETER DEEPEST COUNT EDGE FILLET
  *
  * TOOL as "sphere:1.6"; THICKNESS (mm) of a layer bonded to a rigid base, 0: a half-space; MODEL
- * linear, neohooke, ogden or demiray; DEEPEST (mm), COUNT depths at even √δ from a fifth of its
- * root on; EDGE of the elements, in contact radii; FILLET (mm) of corners. E* = 1 MPa. Columns:
- * depth (mm), F/E* (mm²), radius of the contact in the deformed body (mm), least J, iterations of
- * Newton's method. Ends where no equilibrium was found, and says so on the standard error.
+ * linear, neohooke, ogden or demiray; DEEPEST depth (mm); COUNT depths, evenly spaced in √δ from a
+ * fifth of the largest root on; EDGE length of the elements, in contact radii; FILLET (mm) of
+ * corners. E* = 1 MPa. Columns: depth (mm), F/E* (mm²), radius of the contact in the deformed body
+ * (mm), least J, iterations of Newton's method. The curve ends at the depth without an equilibrium,
+ * with a message on the standard error.
  */
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/Layers/LayerContact.h"

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/* The tables of Mechanics/FiniteStrain/NeoHookeTables.inc, by the solver of the same room: what
- * finite strain (Neo-Hooke) does to the force of small strain, on one mesh, at the same depth.
+/*
+ * Computes the tables of Mechanics/FiniteStrain/NeoHookeTables.inc with the finite-strain solver:
+ * the ratio of the force at finite strain (Neo-Hooke) to that at small strain, on one mesh, at the
+ * same depth.
  *
  *   finite_strain_tables sphere|flat|cone45|cone60|cone75|layer0.5|…|spherelayer2|…|flatlayer2|…
  *
  * prints one table: the tool on a half-space; a sphere on a layer of that thickness, to half of it;
  * a sphere and a flat on a layer to the depth of thickLayerReach.
  *
- * Lengths in radii (cone: of the depth, which does not matter). A row is a Poisson's ratio; a
- * column a root of the depth over the deepest, 0.3 to 1. Where the solver did not come so far: 0.
- * Cost: some 15 minutes a table on a half-space, one minute a layer.
+ * Lengths in radii (cone: in depths, which have no effect). A row is a Poisson's ratio; a column is
+ * the square root of the depth over the deepest, 0.3 to 1. 0 if the solver did not converge to that
+ * depth. Cost: about 15 minutes for a table on a half-space, one minute for a layer.
  */
 #include "Strain/FiniteOverSmall.h"
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
@@ -74,7 +76,8 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
   }
   problem.layers = { layer };
   problem.contactRadius = tool.contactRadius(given.deepest);
-  // Twice as many as are printed, so that a corner's rims are joined near where they end.
+  // Solves twice as many depths as are printed, so that the rims at a corner are joined near their
+  // ends.
   const auto depthOf = [&](double root) { return given.deepest * root * root; };
   for (std::size_t k = 0; k < Columns; ++k)
   {
@@ -92,7 +95,8 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
     for (std::size_t k = 0; k < Columns; ++k)
     {
       const double c = all[2 * k];
-      // An equilibrium on another branch than the row's: a deep flat on a thin layer finds some.
+      // A jump of c means an equilibrium on another branch than that of the row. A deep flat on a
+      // thin layer finds some.
       isKnown = isKnown && c > 0.0 &&
         (k < 2 || std::abs(c - 2.0 * factors[k - 1] + factors[k - 2]) < LargestBend);
       factors.push_back(isKnown ? c : 0.0);
@@ -103,7 +107,7 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
   const auto end = std::find(factors.begin(), factors.end(), 0.0);
   if (end != factors.begin() && end != factors.end())
   {
-    // A rim that is rounder from the start, joined at the last column.
+    // Beyond the last solved column: values of a rounder rim, scaled to match at that column.
     const std::vector<double> rounder = columnsWith(2.0 * given.fillet);
     const auto last = static_cast<std::size_t>(end - factors.begin()) - 1;
     const double ratio = rounder[last] > 0.0 ? factors[last] / rounder[last] : 0.0;

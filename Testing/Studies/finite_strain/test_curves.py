@@ -48,7 +48,7 @@ def long_2011(depth, thickness):
 
 class Curves(unittest.TestCase):
     def test_spheres_are_those_of_another_code(self):
-        # 0.5 %: two meshes and far fields, and what is straight between depths.
+        # 0.5 %: errors of two meshes and far fields, and of linear interpolation between depths.
         compared = 0
         for row in table("finite_sphere_halfspace.csv"):
             key = "sphere:1", 0.0, float(row["nu"]), *NEO
@@ -101,7 +101,8 @@ class Curves(unittest.TestCase):
             shape, radius = tool.split(":")
             if shape == "sphere":
                 self.assertTrue(np.all(np.diff(radii) > 0))
-                # From 0.986 R on the solver's sphere goes on straight, by 1 in 6.
+                # From 0.986 R on the profile of the solver's sphere is a straight line with a slope
+                # of 1 in 6.
                 self.assertLess(radii[-1], 1.02 * float(radius))
                 if radius == "1":
                     self.assertLess(radii[-1], 1)

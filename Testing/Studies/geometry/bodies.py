@@ -4,8 +4,9 @@ import collections
 
 import numpy as np
 
-# outline: (x, y) in the plane of the picture, closed unless the body is open; place: from there to the body's
-# frame, a function of arrays (x, y) to points; path: the tip's, in the same plane; says: what is to be seen.
+# outline: (x, y) in the plane of the picture, closed unless the body is open. place: maps arrays
+# (x, y) of that plane to points in the body's frame. path: path of the tip in the same plane. says:
+# text on the expected result.
 Case = collections.namedtuple("Case", "name title points triangles outline place path says")
 
 
@@ -43,7 +44,8 @@ def flat(x, y):
 
 
 def extrusion(name, title, corners, size, path, says, closed=True):
-    # A closed outline runs clockwise, an open one from left to right below: out is to its left or above.
+    # A closed outline runs clockwise, an open one from left to right below the body: the outside is
+    # to its left or above.
     outline = refined(corners, size, closed)
     points, triangles = extruded(outline, 40.0, int(40 / size), closed)
     return Case(name, title, points, triangles, outline, flat, path, says)
@@ -111,7 +113,7 @@ def saddle():
     inner = (big - small) * np.column_stack([np.sin(angle), -np.cos(angle)])
     deep = (big - small + 1.0) * np.column_stack([np.sin(angle * 0.8), -np.cos(angle * 0.8)])
     outline = np.vstack([inner, 1.25 * inner[::-1]])
-    # In the plane of the torus: hollow this way, round the other.
+    # In the plane of the torus the surface is concave; across it, convex.
     return Case("saddle", "Saddle: the inner side of a torus", np.array(points), np.array(triangles), outline,
                 lambda x, y: np.column_stack([x, y, np.full_like(x, 0.11)]), refined(deep, 0.02, closed=False),
                 "1 mm deep all along; the force turns with the surface")

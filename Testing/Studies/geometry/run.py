@@ -60,7 +60,7 @@ class Felt:
         response.SetYoungsModulus(MODULUS * (1 - POISSON**2))
         response.SetPoissonRatio(POISSON)
         response.SetMaximumDeflection(4.0)
-        response.CurvatureCorrectionOff()  # compared with the law of a flat surface
+        response.CurvatureCorrectionOff()  # the reference is the law of a flat surface
         response.SetErrorTolerance(0)
         tips = case.place(*case.path.T)
         probe = vtkToolContactProbe()
@@ -92,7 +92,7 @@ def groove_numbers(felt):
     bottom = felt.inside & (np.hypot(felt.ContactPoint[:, 0], felt.ContactPoint[:, 1]) < 1e-6)
     yield "bottom_direction_y", felt.Normal[bottom, 1].min(), 1.0
     for side in (-1, 1):
-        # A facet and more from the bottom line: the wall's own normal.
+        # At more than a facet from the bottom line the normal is that of the wall.
         wall = felt.inside & (side * felt.ContactPoint[:, 0] > 1.0)
         yield f"wall_{'left' if side < 0 else 'right'}_direction_x", felt.Normal[wall, 0].mean(), -side * 0.5**0.5
     yield "greatest_force_step_N", np.abs(np.diff(felt.NormalForce)).max(), None
@@ -191,7 +191,7 @@ def pictures(felts, output):
         return
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    scales = {felt.case.name: felt.NormalForce.max() / 1.6 for felt in felts}  # the greatest is 1.6 mm long
+    scales = {felt.case.name: felt.NormalForce.max() / 1.6 for felt in felts}  # the longest arrow is 1.6 mm
     for felt in felts:
         figure, (left, right) = pyplot.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
         draw(left, felt, scales[felt.case.name])

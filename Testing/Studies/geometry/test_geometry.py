@@ -39,7 +39,7 @@ class Geometry(unittest.TestCase):
         for side in ("left", "right"):
             self.check("groove", f"wall_{side}_direction_x", 1e-6)
         self.check("groove", "bottom_direction_y", 1e-6)
-        # 0.02 mm at the law's 0.6 N/mm and no more: no step at the bottom.
+        # At most 0.02 mm at the law's 0.6 N/mm: no force step at the bottom.
         self.assertLess(self.found["groove", "greatest_force_step_N"][0], 0.02 * 0.6)
 
     def test_edge(self):
@@ -49,28 +49,31 @@ class Geometry(unittest.TestCase):
         self.check("edge", "force_after_N", 1e-4)
 
     def test_cone(self):
-        # A flat facet of 48 is at most 1 - cos(π/48) = 0.2 % of the radius, 1.4 mm, inside the cone.
+        # A flat facet of 48 is inside the cone by at most 1 - cos(π/48) = 0.2 % of the radius, 1.4
+        # mm.
         self.check("cone", "depth_error_mm", 0.003)
         self.assertLess(self.found["cone", "sideways_before_axis_N"][0], -0.2)
         self.assertGreater(self.found["cone", "sideways_after_axis_N"][0], 0.2)
 
     def test_saddle(self):
-        self.check("saddle", "depth_least_mm", 0.017)     # sag of the facets, 0.008 each way
+        self.check("saddle", "depth_least_mm", 0.017)     # sag of the facets, 0.008 in each direction
         self.check("saddle", "depth_greatest_mm", 0.017)
-        self.check("saddle", "direction_error_rad", 0.06)  # half a facet's turn
+        self.check("saddle", "direction_error_rad", 0.06)  # the turn over half a facet
 
     def test_border(self):
         self.check("border", "force_at_border_N", 1e-4)
         self.check("border", "lost_share_of_ticks_beyond", 0.0)
         self.check("border", "greatest_pull_back_N", 1e-9)
-        # Smooth: (1 - l)²(1 + 2l) is nowhere steeper than 1.5 per depth, and a tick is 0.02 of that.
+        # Smooth ramp: the slope of (1 - l)²(1 + 2l) is at most 1.5 per depth, and a tick is 0.02 of
+        # that depth.
         self.assertLess(self.found["border", "greatest_force_step_N"][0],
                         1.6 * 0.02 * self.found["border", "force_at_border_N"][0])
 
     def test_no_tick_pulls(self):
         for name, felt in self.felt.items():
             self.assertTrue(np.isfinite(felt.Force).all(), name)
-            # Away from the body: along the outward normal, and towards the contact point.
+            # The force points away from the body, along the outward normal, towards the contact
+            # point.
             inside = felt.inside & (felt.ContactState != run.LOST)
             out = felt.ContactPoint - felt.tips
             self.assertTrue(((felt.Force * out).sum(1)[inside] >= 0.0).all(), name)

@@ -23,12 +23,12 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 REFERENCE = pathlib.Path(__file__).resolve().parents[3] / "Data" / "Reference" / "shape"
 TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
-PRESSED = {"flat:1.6": 0.3, "sphere:1.6": 0.8, "sphere:6.35": 1.2}  # mm: the deepest that the table has
+PRESSED = {"flat:1.6": 0.3, "sphere:1.6": 0.8, "sphere:6.35": 1.2}  # mm: the largest depths of the table
 RADII = (1.5, 3.0, 5.0)             # mm
-RATIOS = (10.0, 0.2)                # E of the ball over that around it
+RATIOS = (10.0, 0.2)                # E of the ball over that of the surrounding material
 TOPS = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # mm
 THRESHOLD = 0.1
-HALF_WIDTH, HEIGHT = 53.0, 40.0     # mm: as much as the table's cylinder of 60 mm radius
+HALF_WIDTH, HEIGHT = 53.0, 40.0     # mm: comparable to the table's cylinder of 60 mm radius
 COLUMNS = ("radius", "ratio", "top", "tool", "change", "change_table", "stiffness_change", "depth", "felt")
 FELT_COLUMNS = ("radius", "ratio", "tool", "felt_to", "felt_to_table")
 
@@ -88,7 +88,7 @@ def felt(radius, ratio, top):
     detect.SetSourceSpacingWithout(HALF_WIDTH / 4)
     detect.AddObserver("WarningEvent", lambda *_: None)     # only the middle has a response
     for number, name in enumerate(TOOLS):
-        detect.SetPressDepth(PRESSED[name])                 # solved once for all
+        detect.SetPressDepth(PRESSED[name])                 # one solution for all points
         detect.Update()
         data = detect.GetOutput().GetPointData()
         middle = detect.GetOutput().FindPoint(0, 0, 0)
@@ -132,7 +132,7 @@ def felt_to(rows):
         return f"<{tops[0]:g}"
     for i in range(1, len(tops)):
         if changes[i] < THRESHOLD:
-            # Changes fall about exponentially with depth.
+            # Changes decay about exponentially with depth.
             share = np.log(changes[i - 1] / THRESHOLD) / np.log(changes[i - 1] / changes[i])
             return f"{tops[i - 1] + share * (tops[i] - tops[i - 1]):.1f}"
     return f">{tops[-1]:g}"

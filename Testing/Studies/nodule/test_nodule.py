@@ -30,8 +30,9 @@ class Nodule(unittest.TestCase):
             if key not in table:
                 continue
             compared += 1
-            # Of the force with the nodule, by mixed cells of 0.5 to 0.75 mm: 1.5 % where it begins two and more of them
-            # deep, as the kernel's tests ask of cells of 1 mm; 4.5 % where fewer, most of that by soft balls.
+            # Tolerance relative to the force with the nodule, for mixed cells of 0.5 to 0.75 mm:
+            # 1.5 % if its top is two or more cells deep, as in the kernel's tests with cells of 1
+            # mm; 4.5 % at a smaller depth, mostly because of soft balls.
             tolerance = (0.045 if key[2] == 1.0 else 0.015) * (1 + table[key])
             self.assertAlmostEqual(float(row["change"]), table[key], delta=tolerance, msg=key)
         self.assertEqual(compared, 3 * 2 * 4 * 3)
@@ -42,7 +43,8 @@ class Nodule(unittest.TestCase):
             if table.startswith(">"):
                 self.assertTrue(found.startswith(">") or float(found) > 4.8, row)
             else:
-                # Changes fall by half each 0.7 to 1 mm: what 1.5 % of the force does to 10 % is 0.2 mm.
+                # Changes halve every 0.7 to 1 mm: 1.5 % of the force at a threshold of 10 %
+                # corresponds to 0.2 mm.
                 self.assertAlmostEqual(float(found), float(table), delta=0.25, msg=row)
 
     def test_the_table_is_of_this_code(self):

@@ -47,8 +47,8 @@ def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compl
     response.SetTool(contact_tool(specification))
     response.SetMaximumDeflection(depth)
     response.SetNumberOfSamples(samples)
-    response.CurvatureCorrectionOff()  # the paper's law: that of a flat surface
-    response.SetErrorTolerance(0)      # validity by contact radius, as small strain is spoken of
+    response.CurvatureCorrectionOff()  # the paper's law is that of a flat surface
+    response.SetErrorTolerance(0)      # validity by contact radius, as is usual for small strain
     response.SetStrainModel(response.NeoHooke if strain == "neohooke" else response.SmallStrain)
     material(response, modulus, poisson_ratio, layer, compliance)
     for strength, seconds in relaxations:

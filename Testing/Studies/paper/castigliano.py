@@ -11,7 +11,7 @@ import results
 from body import add_array, curve, respond, square
 from setting import LARGE, RUBBER, contact_tool, half_space_depth, root
 
-COMPLIANCE, FORCE = 0.1, 5.0           # mm/N, N: a worked example, not the paper's
+COMPLIANCE, FORCE = 0.1, 5.0           # mm/N, N: an example of this study, not from the paper
 
 
 class SeriesCurve:

@@ -31,7 +31,8 @@ def half_space_factor(curves, tool, nu, law):
         pressed, small = (curves.get(("flat:1", 0.0, nu, *each, 0.1)) for each in (LAWS[law], solved.LINEAR))
         if pressed is None or small is None:
             return None
-        # Both with a fillet: what it costs is not finite strain.
+        # Both forces are for a rim with a fillet, so the ratio does not contain the effect of the
+        # fillet.
         return solved.Factor(pressed, lambda d: np.interp(d, small[:, 0], small[:, 1]), radius)
     rows = curves.get(("sphere:1", 0.0, nu, *LAWS[law], 0.1))
     return None if rows is None else solved.Factor(rows, lambda d: unit.GetForce(d, 1.0), radius)
@@ -75,7 +76,7 @@ def rubber(folder, curves):
                                        else factor.contact_radius(depth))
             numbers["delta_table1_12N_mm"].append(at_12)
             numbers["F_there_N"].append(force(at_12))
-            # What modulus this law would need to give Table 1's force with 3.45 MPa there.
+            # The modulus for which this law gives the force of Table 1 with 3.45 MPa.
             numbers["modulus_3N_MPa"].append(RUBBER * 3.0 / force(shallow))
             numbers["modulus_12N_MPa"].append(RUBBER * LARGEST_FORCE / force(at_12))
             numbers["storage_error"].append(stored_error(tool, force) if (law, nu) == ("neohooke", RUBBER_NU) else np.nan)

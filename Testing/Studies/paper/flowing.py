@@ -15,10 +15,10 @@ from setting import (LARGE, LARGEST_FORCE, LIVER, RUBBER, SMALL, SPEED, TOOLS, c
 RUBBER_FLOWS = ((0.05, 0.1), (0.05, 3.0))
 LIVER_FLOWS = ((0.5, 0.5), (0.5, 10.0))
 POISSON = 0.5
-PLATES = {"plate": 7.08 / RUBBER, "strip": 46.7 / RUBBER}    # C_g, mm/N, of rubber_on_edges.py
-EDGE_DEPTH = 3.0      # mm, there
-SLAB_DEPTH = 5.0      # mm, of liver_slab.py
-WEAK = 0.005          # the strength of the curve over τ: loss over p no longer depends on p
+PLATES = {"plate": 7.08 / RUBBER, "strip": 46.7 / RUBBER}    # C_g, mm/N; values of rubber_on_edges.py
+EDGE_DEPTH = 3.0      # mm, as in rubber_on_edges.py
+SLAB_DEPTH = 5.0      # mm, as in liver_slab.py
+WEAK = 0.005          # strength of the curve over τ, so small that loss over p does not depend on p
 COLUMNS = ("figure", "body", "tool", "law", "material", "speed_mm_s", "depth_mm", "loading_s", "peak_over_slow", "loss", "width",
            "lift_off")
 
@@ -81,7 +81,7 @@ def all_loops(speeds):
             add("5", name, tool, False, "rubber", SPEED, on_edges(tool, compliance), EDGE_DEPTH)
     for tool in TOOLS:
         for table1 in (False, True):
-            for speed in speeds[:2]:      # of rubber 100 mm/s is ten ticks
+            for speed in speeds[:2]:      # for rubber a press at 100 mm/s takes ten ticks
                 body, depth = rubber(tool, RUBBER_FLOWS, table1)
                 add("6", "half-space", tool, table1, "rubber", speed, body, depth)
     for tool in (LARGE, SMALL):

@@ -22,7 +22,7 @@ def flat_loss(branches, time, steps=4000):
                    for p, tau in branches)
     t = np.linspace(0, 2 * time, 2 * steps + 1)
     force = np.array([max(min(each, 2 * time - each) + memory(each), 0.0) for each in t])
-    # Once it has lifted off it does not come back.
+    # After lift-off the contact does not return.
     gone = np.flatnonzero((force <= 0) & (t > time))
     force[gone[0] if len(gone) else len(t):] = 0
     into, out = np.trapz(force[:steps + 1], t[:steps + 1]), np.trapz(force[steps:], t[steps:])
@@ -41,21 +41,23 @@ class FlowingChecks:
         compared = 0
         for i, (figure, tool, speed) in enumerate(zip(table["figure"], table["tool"], table["speed_mm_s"])):
             figure = "%g" % figure
-            # A tick is too long a part of what is faster: liver at 100 mm/s takes 50, rubber at 10 a hundred.
+            # A tick is too large a part of a faster press: liver at 100 mm/s takes 50 ticks, rubber
+            # at 10 mm/s a hundred.
             if (figure, tool) not in presses or table["law"][i] != "table1" or table["loading_s"][i] < 0.4:
                 continue
             row = np.flatnonzero((oracle["press"] == presses[figure, tool]) & (oracle["v_mm_s"] == speed) &
                                  (oracle["preset"] == presets[table["material"][i]]))[0]
             compared += 1
-            # The sheet's small spheres are the exact ones, bent a little otherwise: a hundredth; 32 elements of them 0.1 %.
+            # The sheet's small spheres are the exact ones, with a slightly different curve: 1 %.
+            # With 32 elements 0.1 %.
             rounded = tool != "flat3.2"
             for name, other, within in (("peak_over_slow", "F_peak/f", 0.002), ("loss", "loss/W_load", 0.012),
                                         ("width", "loop_width_at_half_depth/Fpeak", 0.05 if rounded else 0.005)):
                 close(table[name][i], oracle[other][row], rtol=within, err_msg="%s %s %s %g" % (name, figure, tool, speed))
-            # To three steps of that code, 1/600 each.
+            # Tolerance: three steps of that code, 1/600 each.
             self.assertAlmostEqual(table["lift_off"][i], oracle["liftoff_depth/delta_max"][row], delta=0.005)
         self.assertGreaterEqual(compared, 5)
-        # Figure 5 is nearly linear: one loop for all tools, a flat's.
+        # Figure 5 is nearly linear: all tools have the loop of a flat.
         edges = table["figure"] == 5
         close(table["loss"][edges], flat_loss(((0.05, 0.1), (0.05, 3.0)), 3.0), rtol=0.005)
 
@@ -65,10 +67,10 @@ class FlowingChecks:
         depth = 12.0 / (2 * RUBBER * 1.6)
         for total, two, one in zip(strengths["P"], strengths["loss_flat3.2_two_branches"],
                                    strengths["loss_flat3.2_one_branch"]):
-            # 12 N to seven digits; where it lifts off the last tick is a part of it.
+            # 12 N to seven digits; the last tick before lift-off is shorter than a full one.
             close(two, flat_loss(((total / 2, 0.1), (total / 2, 3.0)), depth), rtol=0.005)
             close(one, flat_loss(((total, depth / 2),), depth), rtol=0.005)
-        # What the README says: P from 0.06 to 0.15 makes 2 to 5 %.
+        # The README states: P from 0.06 to 0.15 gives 2 to 5 %.
         for tool in (LARGE.key, SMALL.key, FLAT.key):
             found = np.interp([0.06, 0.16], strengths["P"], strengths["loss_%s_two_branches" % tool])
             self.assertTrue(0.018 < found[0] < 0.025 and 0.045 < found[1] < 0.06, (tool, found))

@@ -27,7 +27,7 @@ def slip_loss(poisson_ratio, specification, depth):
     a = kernel.GetContactRadius(depth)
     nodes, weights = np.polynomial.legendre.leggauss(40)
     s, depths = 0.5 * (nodes + 1), np.linspace(0.0, depth, 201)[1:]
-    # A material point at r: pressure and radial displacement while the tool goes down.
+    # A material point at r: its pressure and radial displacement while the tool moves down.
     work = 0.0
     for x, w in zip(s, 0.5 * weights):
         r = x * a
@@ -49,7 +49,7 @@ def make(folder, quick):
                      for s in (SMALL.specification, SMALL.table1))
     for nu in POISSON:
         pull = MU * softness(nu)
-        # By Table 1 the bound depends neither on depth nor on radius.
+        # By Table 1 the bound does not depend on depth or radius.
         loss = slip_loss(nu, LARGE.table1, 1.0)
         for name, value in zip(columns, (nu, exact, table1, pull * exact, pull * table1,
                                          math.degrees(math.atan(pull)), loss)):

@@ -12,7 +12,7 @@ from setting import LARGE, LIVER, SMALL, SPEED, contact_tool
 
 DEPTH = 5.0                        # mm: half the slab
 POISSON = (0.5, 0.49, 0.45)
-SAMPLES = 64                       # for the tables; the session feels eight
+SAMPLES = 64                       # for the tables; the session uses eight
 TABLE1_HALF_SPACE = np.sqrt(6.35 / 1.6)
 
 

@@ -11,7 +11,7 @@ import results
 from body import press, respond, square, validity
 from setting import FLAT, LARGE, LARGEST_FORCE, RUBBER, SPEED, TOOLS, contact_tool, half_space_depth, root
 
-POISSON = 0.5       # of rubber; the force depends on E* alone
+POISSON = 0.5       # of rubber; the force depends only on E*
 APPROACH = 0.5      # mm
 
 

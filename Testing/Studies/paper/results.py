@@ -48,7 +48,7 @@ def picture(columns, width=11.0, rows=1):
 
 
 def save(figure, path):
-    # No date or version inside: the same picture from the same numbers.
+    # Without date or version: equal numbers give an identical picture file.
     figure.tight_layout()
     figure.savefig(path, dpi=80, metadata={"Software": None}, pil_kwargs={"optimize": True})
     pyplot.close(figure)

@@ -24,7 +24,7 @@ Body = collections.namedtuple("Body", "name length width")
 PLATE, STRIP = Body("plate", 60.0, 40.0), Body("strip", 100.0, 30.0)
 BODIES = (PLATE, STRIP)
 DEPTH = 3.0                                         # mm, half the thickness
-NEARLY_ONE = 0.05                                   # of the mean force: "almost identical"
+NEARLY_ONE = 0.05                                   # of the mean force: the paper's "almost identical"
 
 
 def hexahedra(body, spacing, layers):
@@ -38,7 +38,8 @@ def hexahedra(body, spacing, layers):
     corners = [ids[i, j, k] for k in (low, high)
                for i, j in ((low, low), (high, low), (high, high), (low, high))]
     fixed = np.where(np.abs(grid[:, 0]) > 0.5 * body.length - 1e-9, 4, 0)
-    # Free to slide and turn, but not away: along the lines of symmetry, where nothing pulls at them.
+    # Free to slide and rotate. The fixed points are on the lines of symmetry, where no force acts
+    # on them.
     middle = ids[:, counts[1] // 2, 0]
     fixed[middle[counts[0] // 2]] |= 3
     fixed[middle[-1]] |= 2
@@ -107,7 +108,7 @@ def make(folder, quick):
             print("  {}, {}: {:.5f} N at {:g} mm, lambda {:.4f}, sensitivity {:.4f}, verdict {:g}".format(
                 body.name, tool.key, forces[tool][-1], DEPTH, *judged))
             if body is STRIP and tool is LARGE:
-                # Half way to the middle surface: the tip never comes close to the other side.
+                # Less deep than the middle surface: the tip never comes close to the other side.
                 moves[tool] = press(respond(surface, tool.specification, DEPTH, RUBBER, POISSON,
                                             compliance="GlobalCompliance"), 0.8 * DEPTH, 0.5)
         apart = curves["spread_%s" % body.name] = spread(list(forces.values()))

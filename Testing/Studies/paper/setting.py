@@ -4,7 +4,7 @@ import collections
 
 from palpate import vtkContactTool
 
-# Sizes in the paper are diameters. Colours: Okabe and Ito, told apart by colour-blind readers.
+# The paper states diameters. Colours by Okabe and Ito, which colour-blind readers can distinguish.
 Tool = collections.namedtuple("Tool", "name key specification table1 colour dash")
 LARGE = Tool("sphere, 12.7 mm", "sphere12.7", "sphere:6.35", "paraboloid:6.35", "#0072B2", "-")
 SMALL = Tool("sphere, 3.2 mm", "sphere3.2", "sphere:1.6", "paraboloid:1.6", "#D55E00", "--")

@@ -36,7 +36,7 @@ class Prediction:
         self.poisson_ratio = poisson_ratio
         self.normal = float(curve(self.response, CENTRE, depth))
         self.slides_after = MU * softness(poisson_ratio) * depth            # mm
-        # Of the stuck contact: dF/dδ over c (Mindlin 1949).
+        # Stiffness of the sticking contact: dF/dδ over c (Mindlin 1949).
         normal_stiffness = contact_tool(self.specification).GetStiffness(depth, RUBBER)
         self.stick_stiffness = normal_stiffness / softness(poisson_ratio)   # N/mm
 
@@ -160,7 +160,7 @@ def draw(folder, drawn):
         loops, changes = panels[column], panels[3 + column]
         for nu, colour in zip(POISSON, ("#D55E00", "#0072B2")):
             prediction = Prediction(radius, depth, nu)
-            end = 1.4 * prediction.slides_after     # as far as CalculiX was to go
+            end = 1.4 * prediction.slides_after     # the planned end of the CalculiX run
             way = np.concatenate([np.linspace(a, b, 100) for a, b in ((0, end), (end, -end), (-end, end))])
             loops.plot(way, prediction.shape_derived(way), "-", color=colour, linewidth=1.2,
                        label="Palpate, shape-derived, $\\nu$ = {}".format(nu))
@@ -179,7 +179,7 @@ def draw(folder, drawn):
         low, high = changes.get_ylim()
         changes.set_ylim(low, high + 0.5 * (high - low))
         changes.legend(loc="upper center", fontsize=7)
-    # Below the loop.
+    # The legend is below the loop.
     panels[0].set_ylim(-3.7, None)
     panels[0].legend(loc="lower center", fontsize=7)
     results.save(figure, folder / "figure8_sliding.png")

@@ -9,8 +9,8 @@ import numpy as np
 import results
 from setting import RUBBER, TOOLS, contact_tool, half_space_depth, root
 
-FORCE = 5.0            # N; the paper's figure names none
-POISSON = 0.5          # u_z does not depend on it at given E*
+FORCE = 5.0            # N; the paper's figure states no force
+POISSON = 0.5          # u_z does not depend on it at a given E*
 AGREEMENT = (0.01, 0.001)
 
 

@@ -79,7 +79,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         u = np.array([between["uz_%s_mm" % tool] for tool in SHAPES])
         apart = u.max(axis=0) / u.min(axis=0) - 1
         self.assertTrue(np.all(np.diff(apart) < 0))
-        # The grid is wide: 2 % of the distance.
+        # The grid is coarse: 2 % of the distance.
         close(math.exp(np.interp(-math.log(0.01), -np.log(apart), np.log(between["r_over_widest_a"]))),
               agree["within_0.01"][at(agree, "tool", "any to any")], rtol=0.02)
 
@@ -95,10 +95,10 @@ class StudyChecks(flowing_checks.FlowingChecks):
     def test_figure5_compliance(self):
         table = self.table("figure5_regime")
         product = dict(zip(table["body"], table["compliance_times_modulus_per_mm"]))
-        close(product["plate"], 7.075, rtol=0.02)  # CalculiX felt 7.06 to 7.09
+        close(product["plate"], 7.075, rtol=0.02)  # CalculiX has 7.06 to 7.09
         for body, length, width in (("plate", 60, 40), ("strip", 100, 30)):
             thin = theory.thin_plate_compliance(length, width, 6, 1, 0.45) / (1 - 0.45 ** 2)
-            # Shear adds about (thickness/length)² times a few: 1 to 2 %.
+            # Shear adds a few times (thickness/length)²: 1 to 2 %.
             self.assertGreater(product[body], thin)
             self.assertLess(product[body], 1.03 * thin)
 
@@ -118,7 +118,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         self.assertFalse(np.all(table["verdict"][table["body"] == "plate"] == 2))
         computed = self.table("figure5_calculix")
         linear = computed["material"] == "linear"
-        # C_g within 2 %, and the forces with it; at depths that CalculiX's contact resolves.
+        # C_g is within 2 %, and so are the forces, at depths that CalculiX's contact resolves.
         deep = linear & (computed["delta_mm"] > 1)
         close(computed["F_series_N"][deep], computed["F_calculix_N"][deep], rtol=0.02)
 
@@ -128,7 +128,8 @@ class StudyChecks(flowing_checks.FlowingChecks):
         self.check_trapezium(table["time_s"], depth)
         strip = np.flatnonzero(regime["body"] == "strip")[0]
         c = regime["compliance_mm_per_N"][strip]
-        # Nothing above the surface. On the first per cents of the depth a soft body stores less well.
+        # There is no force above the surface. In the first per cents of the depth the stored curve
+        # of a soft body is less accurate.
         self.assertTrue(np.all(force[depth <= 0] == 0))
         deep = depth > 0.3
         exact = [theory.series_force("sphere", 6.35, E_STAR, c, d) for d in depth[deep]]
@@ -181,7 +182,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         """At 1 mm/s from 0.5 mm above, half a second of rest, and back as it came."""
         rest = depth > depth.max() - 1e-6
         end = 0.5 + depth.max()
-        # A tick, 1e-3 s, in the times at which the hand turns.
+        # Tolerance at the turning points of the hand: one tick, 1e-3 s.
         close(depth, np.clip(np.minimum(time - 0.5, 2 * end - time), -0.5, depth.max()), atol=1.1e-3)
         self.assertAlmostEqual(np.ptp(time[rest]), 0.5, delta=0.1)
 
@@ -195,7 +196,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             close(table[half[radius] + "_table1_over_half_space"][row[0]], ratio, rtol=2e-6)
         last = np.flatnonzero((table["nu"] == 0.5) & (table["delta_mm"] == 5))[0]
         self.assertAlmostEqual(table["ratio_table1"][last], 3.27, delta=0.005)   # two decimals printed
-        # Many nodes: a/R of the small sphere is near 1. Converged to 1e-7.
+        # Many nodes, since a/R of the small sphere is near 1. Converged to 1e-7.
         layer = theory.BondedLayer(10, 0.5, nodes=64)
         exact = layer.force("sphere", 6.35, 1, 5) / layer.force("sphere", 1.6, 1, 5)
         close(table["ratio"][last], exact, rtol=2e-6)
@@ -236,16 +237,18 @@ class StudyChecks(flowing_checks.FlowingChecks):
             close(table["normal_palpate_N"][rows], force, rtol=5e-4)
             out = np.isin(table["leg"], ("press", "out")) & rows
             slide = table["slide_mm"][out]
-            # 64 springs carry Q(u) to 3e-4 of the limit at the depth of the last sample (Friction.h).
+            # 64 springs reproduce Q(u) to 3e-4 of the limit at the depth of the last sample
+            # (Friction.h).
             close(table["friction_shape_derived_N"][out], 0.5 * gone(slide), atol=5e-4 * force)
-            # Mindlin's 2 E* a / c up to 0.8 of the limit, then less.
+            # Mindlin's 2 E* a / c up to 0.8 of the limit, then a smaller stiffness.
             elastic = 2 * E_STAR * a * slide * 0.5 * depth / slides_after
             plastic, stuck = table["friction_elasto_plastic_N"][out], elastic < 0.4 * force
             close(plastic[stuck], elastic[stuck], rtol=5e-4)
             self.assertTrue(np.all(plastic[~stuck] < elastic[~stuck]))
             if slide.max() > 1.3 * slides_after:
                 close(plastic[-1], 0.5 * force, rtol=5e-4)
-            # Masing: back from full sliding, twice as high and twice as wide.
+            # Masing: on the way back from full sliding the curve is twice as high and twice as
+            # wide.
             back = rows & (table["leg"] == "back")
             width = slide.max() - table["slide_mm"][back]
             close(table["friction_shape_derived_N"][back], 0.5 * force - gone(0.5 * width), atol=1e-3 * force)
@@ -259,13 +262,14 @@ class StudyChecks(flowing_checks.FlowingChecks):
         self.assertLess(change["control", 0.3], 0.005)
         self.assertLess(change["control", 0.49], 0.01)
         self.assertLess(max(change["mid", 0.3], change["mid", 0.49]), 0.025)
-        # It is one: a larger share of the radius, a larger change.
+        # The effect is real: it grows with the depth over the radius.
         self.assertGreater(change["mid", 0.49], change["control", 0.49])
         rows = {case: i for i, case in enumerate(zip(summary["case"], summary["nu"]))}
         deep = rows["deep", 0.49]
         self.assertGreater(summary["depth_over_radius"][deep], 1)
-        self.assertLess(summary["slid_to_mm"][deep], summary["slides_after_law_mm"][deep])  # CalculiX gave up
-        # The law is that of small strain without friction: 5 % in the control, 8 % where it does not hold.
+        self.assertLess(summary["slid_to_mm"][deep], summary["slides_after_law_mm"][deep])  # CalculiX stopped before
+        # The law is for small strain without friction: 5 % in the control, 8 % outside its
+        # validity.
         control = summary["case"] == "control"
         close(summary["normal_pressed_N"][control], summary["normal_palpate_N"][control], rtol=0.05)
         close(summary["normal_pressed_N"], summary["normal_palpate_N"], rtol=0.08)
@@ -279,14 +283,14 @@ class StudyChecks(flowing_checks.FlowingChecks):
             self.assertLess(summary["friction_error_out"][i], 0.08)
         loop = np.flatnonzero((summary["case"] == "control") & (summary["nu"] == 0.49))[0]
         close(summary["loop_shape_derived_Nmm"][loop], summary["loop_calculix_Nmm"][loop], rtol=0.1)
-        # The elasto-plastic law has one stiffness, to 0.8 of the limit, and so a fatter loop.
+        # The elasto-plastic law has one stiffness up to 0.8 of the limit, so its loop is wider.
         self.assertGreater(summary["loop_elasto_plastic_Nmm"][loop], summary["loop_calculix_Nmm"][loop])
         table = self.table("figure8_sliding")
         control = (table["case"] == "control") & (table["nu"] == 0.49)
         back, forth = (table["friction_calculix_N"][control & (table["leg"] == leg)] for leg in ("back", "forth"))
-        # The same body, mirrored: within the residuals that were tolerated, 0.1 % of 3 N.
+        # The same body, mirrored: equal within the tolerated residuals, 0.1 % of 3 N.
         close(forth, -back, atol=0.003)
-        # And closed.
+        # The loop is closed.
         out = table["friction_calculix_N"][control & (table["leg"] == "out")]
         close(forth[-1], out[-1], rtol=0.002)
 
@@ -331,13 +335,14 @@ class StudyChecks(flowing_checks.FlowingChecks):
 
         for tool in SHAPES:
             close(number("delta_12N_mm", tool, "small strain", 0.5), at_12["delta_mm"][at(at_12, "tool", tool)], rtol=1e-6)
-            # What Palpate stores: its table and eight samples in float, against the solver; flats have another mesh.
+            # The response that Palpate stores (its table and eight samples as floats), against the
+            # solver. Flats have another mesh.
             self.assertLess(number("storage_error", tool), 0.005 if tool != "flat3.2" else 0.01)
-        # One modulus for all three tools: within 7 % of each other at 3 N, not at 12 N.
+        # One modulus for all three tools: they agree within 7 % at 3 N, but not at 12 N.
         for column, least, most in (("modulus_3N_MPa", 0.05, 0.08), ("modulus_12N_MPa", 0.14, 0.18)):
             moduli = [number(column, tool) for tool in SHAPES]
             self.assertTrue(least < max(moduli) / min(moduli) - 1 < most, moduli)
-        # Nothing at small strain does that to the wide tools.
+        # Small strain cannot have that effect on the wide tools.
         self.assertLess(number("modulus_12N_MPa", "sphere12.7", "small strain", 0.5), 1.02 * E_STAR)
 
     def test_figure7_finite(self):
@@ -347,14 +352,16 @@ class StudyChecks(flowing_checks.FlowingChecks):
             rows = (table["tool"] == tool) & (table["law"] == law) & (table["nu"] == nu)
             return table["delta_mm"][rows], table[name][rows]
 
-        # CalculiX, ν = 0.45: 1.2 % at the deepest, where the code of the tables differs from it likewise.
+        # CalculiX, ν = 0.45: 1.2 % at the largest depth, where the code of the tables also differs
+        # from it.
         curve = results.read_table(DATA / "Studies" / "calculix" / "layer10-sphere6.35-neohooke-deep.csv")
         depths, forces = column("sphere12.7", "neohooke", 0.45, "force_over_modulus_mm2")
         rows = (depths >= 1) & (depths <= 4)
         modulus = 0.1 / (1 - 0.45 ** 2)
         close(forces[rows], [np.exp(np.interp(math.log(d), np.log(curve["deflection_mm"]), np.log(curve["force_N"]))) / modulus
                              for d in depths[rows]], rtol=0.012)
-        # Another code, on layers of one and two radii; this one has 1.57, and c goes with the logarithm to 0.5 %.
+        # Another code, on layers of one and two radii; here the thickness is 1.57 radii. c is
+        # linear in its logarithm to 0.5 %.
         oracle = self.deep("finite_layer_sphere.csv")
         part = math.log(10 / 6.35) / math.log(2)
         for nu in (0.45, 0.495):
@@ -365,7 +372,8 @@ class StudyChecks(flowing_checks.FlowingChecks):
                 around.append(np.interp(depths / 10, oracle["delta_over_h"][rows], oracle["c=F/F_small"][rows]))
             rows = depths >= 1
             close(c[rows], ((1 - part) * around[0] + part * around[1])[rows], atol=0.01)
-        # Ogden over Neo-Hooke likewise; straight between rows 0.05 apart, which the curve bends away from by 1 %.
+        # Ogden over Neo-Hooke, the same way. Linear interpolation between rows 0.05 apart has an
+        # error of 1 % from the curvature.
         stiff = self.deep("stiffening_layer_flat.csv")
         (depths, ogden), (_, neo) = column("sphere12.7", "ogden 9", 0.495), column("sphere12.7", "neohooke", 0.495)
         name = next(title for title in stiff if title.startswith("case"))
@@ -373,7 +381,8 @@ class StudyChecks(flowing_checks.FlowingChecks):
                   for h, rows in ((h, stiff[name] == "oglay%d_9" % h) for h in (1, 2))]
         rows = (depths >= 1) & (depths <= 4)
         close((ogden / neo)[rows], ((1 - part) * around[0] + part * around[1])[rows], rtol=0.02)
-        # A near base bars what a half-space lets happen: the wide sphere stiffens, the narrow one does not.
+        # A near base prevents the softening of a half-space: the wide sphere becomes stiffer, the
+        # narrow one does not.
         for nu in (0.45, 0.48, 0.49, 0.495):
             self.assertGreater(column("sphere12.7", "neohooke", nu)[1][4], column("sphere3.2", "neohooke", nu)[1][-1])
         ratio = self.table("figure7_finite_ratio")
@@ -398,13 +407,13 @@ class StudyChecks(flowing_checks.FlowingChecks):
             self.assertAlmostEqual(table["c"][row], np.interp(table["depth_over_radius"][row], oracle["delta_over_R"][rows],
                                                               oracle["c=F/F_small"][rows]), delta=0.005)
         slides = self.table("section4.4_finite")
-        self.assertTrue(np.all(slides["a_over_R"] < 1))         # a sphere is not wider than it is
+        self.assertTrue(np.all(slides["a_over_R"] < 1))         # a contact is narrower than the sphere
         close(slides["depth_14N_mm"][at(slides, "law", "small strain")], 1.95885, atol=5e-6)
         self.assertGreater(slides["depth_14N_mm"].max(), 2.1)
 
     def test_pictures(self):
         if results.pyplot is None and self.folder == FOLDER:
-            return  # the tables are all there is without matplotlib
+            return  # without matplotlib only the tables exist
         for name in PICTURES:
             picture = self.folder / (name + ".png")
             self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")

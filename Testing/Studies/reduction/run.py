@@ -27,7 +27,7 @@ TOOLS = ("sphere:6.35", "flat:1.6", "cone:60")
 TOLERANCES = (1e-4, 1e-3, 1e-2, 3e-2, 1e-1)
 FORMS = ("one law", "scale", "basis", "samples", "unchanged")
 RECORD = 16                     # bytes per vertex for range and normal
-FIRST_SAMPLE = scenes.DEPTH / 64  # mm; before it errors are relative to the force there
+FIRST_SAMPLE = scenes.DEPTH / 64  # mm; at smaller depths errors are relative to the force at this depth
 COLUMNS = ("scene", "vertices", "tool", "tolerance", "form", "numbers", "numbers_before", "bytes", "bytes_before",
            "largest_error", "slope_error", "felt_error", "tick_ratio", "reduce_s")
 

@@ -21,7 +21,7 @@ YOUNG_INDEX, THICKNESS_INDEX, COMPLIANCE_INDEX = 0, 1, 2
 
 def ball(level):
     solid, finer, turned = vtkPlatonicSolidSource(), vtkLinearSubdivisionFilter(), vtkReverseSense()
-    solid.SetSolidTypeToIcosahedron()  # VTK's is inside out
+    solid.SetSolidTypeToIcosahedron()  # VTK's icosahedron is inside out
     finer.SetInputConnection(solid.GetOutputPort())
     finer.SetNumberOfSubdivisions(level)
     turned.SetInputConnection(finer.GetOutputPort())
@@ -102,7 +102,7 @@ def respond(body, arrays, specification):
     response.SetYoungsModulus(YOUNG)
     response.SetPoissonRatio(POISSON)
     response.SetMaximumDeflection(DEPTH)
-    response.CurvatureCorrectionOff()  # bodies that differ by their material alone
+    response.CurvatureCorrectionOff()  # so that bodies differ only in their material
     response.SetErrorTolerance(0)
     for index, name in arrays.items():
         response.SetInputArrayToProcess(index, 0, 0, 0, name)
@@ -120,7 +120,8 @@ def path(body, response, count):
     usable = vtk_to_numpy(data.GetArray(response + "Status")) == 0
     triangles = vtk_to_numpy(body.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     random = np.random.default_rng(2)
-    # Straight ahead over the triangles: the next one that shares two corners and was not just left.
+    # Goes straight ahead over the triangles: the next one shares two corners and is not the one
+    # just left.
     neighbours = {}
     for triangle, corners in enumerate(triangles):
         for k in range(3):

@@ -23,7 +23,8 @@ class Reduction(unittest.TestCase):
         self.assertEqual(set(self.rows), expected)
 
     def test_numbers(self):
-        # At 1 %: a homogeneous body needs none per vertex, one law of many moduli one, soft tissue over bone four.
+        # Numbers per vertex at 1 %: none for a homogeneous body, one for one law with many moduli,
+        # four for soft tissue over bone.
         most = {"homogeneous": 0, "stiffness map": 1, "layer map": 4, "head": 4, "gives way": 4}
         for name, row in self.rows.items():
             with self.subTest(scene=name):
@@ -34,7 +35,7 @@ class Reduction(unittest.TestCase):
         for name, row in self.rows.items():
             with self.subTest(scene=name):
                 self.assertLessEqual(row["largest_error"], row["tolerance"])
-                # Between the depths at which the filter looks an error may be a tenth larger.
+                # Between the depths that the filter checks an error may be a tenth larger.
                 self.assertLessEqual(row["felt_error"], 1.1 * row["largest_error"] + 1e-6)
 
 

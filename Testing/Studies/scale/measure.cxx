@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a body of a given size costs, from its pre-computation to a tick and a frame: a line
-// "name value" per quantity on the output stream. One size per process, so that memory is its own.
-// The body is the bumpy sphere of the benchmarks; see README.md for what is timed.
+// The cost of a body of a given size, from its pre-computation to a tick and a frame: a line "name
+// value" per quantity on the output stream. One size per process, so that its memory is measured
+// alone. The body is the bumpy sphere of the benchmarks; README.md states the timed steps.
 #include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"
@@ -57,7 +57,7 @@ void tell(const char* name, double value)
   std::fflush(stdout);
 }
 
-/// Resident, without what was freed; bytes.
+/// Resident memory after the return of freed memory to the system; bytes.
 double memoryInUse()
 {
   malloc_trim(0);
@@ -72,7 +72,8 @@ double secondsOf(const Work& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The median of as many passes as take about as long at any size; or of one.
+/// The median of several passes, whose number keeps the total time about equal for every size; or a
+/// single pass.
 class Passes
 {
 public:
@@ -86,7 +87,7 @@ public:
     std::vector<double> seconds;
     for (std::size_t pass = 0; pass < this->Count; ++pass)
     {
-      malloc_trim(0); // what is allocated next is new
+      malloc_trim(0); // so that the next allocation gets new pages
       seconds.push_back(secondsOf(work));
     }
     const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(this->Count / 2);
@@ -104,7 +105,7 @@ double sizeOf(const std::string& file)
   return stat(file.c_str(), &found) == 0 ? static_cast<double>(found.st_size) : std::nan("");
 }
 
-/// Response of the tool; with `array`, a layer of that thickness at each point.
+/// Response of the tool; with `array`, on a layer with that thickness at each point.
 Body respond(vtkPolyData* body, const char* array)
 {
   vtkNew<vtkContactTool> tool;
@@ -114,7 +115,7 @@ Body respond(vtkPolyData* body, const char* array)
   filter->SetTool(tool);
   filter->SetYoungsModulus(ReducedModulus * (1.0 - PoissonRatio * PoissonRatio));
   filter->SetPoissonRatio(PoissonRatio);
-  filter->CurvatureCorrectionOff(); // what the study compares with knows a flat surface
+  filter->CurvatureCorrectionOff(); // the reference is a flat surface
   filter->SetErrorTolerance(0.0);
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);
   filter->Update();
@@ -123,7 +124,7 @@ Body respond(vtkPolyData* body, const char* array)
   return output;
 }
 
-/// 6 to 20 mm, smooth over the body, and a few per cent of unevenness.
+/// Thickness of 6 to 20 mm, smooth over the body, with a few per cent of unevenness.
 void addThickness(vtkPolyData* body)
 {
   vtkNew<vtkFloatArray> thickness;
@@ -165,7 +166,7 @@ void measureResponses(vtkPolyData* body, const Passes& passes)
   body->GetPointData()->RemoveArray("Thickness");
 }
 
-/// Bytes of the arrays of a response, per point.
+/// Bytes of the response arrays per point.
 double responseBytes(vtkPolyData* body)
 {
   double bytes = 0.0;
@@ -234,7 +235,8 @@ std::shared_ptr<const ContactBody> measureKernel(vtkPolyData* body, double point
   return kernel;
 }
 
-/// The force under a tip that is 1 mm under the smooth body, and under the facets it has here.
+/// Measures the force on a tip 1 mm below the smooth body. It is less deep below the facets at that
+/// place.
 void measureForces(const ContactBody& kernel)
 {
   constexpr int Tips = 500;

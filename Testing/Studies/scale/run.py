@@ -22,10 +22,10 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SIZES = (1e4, 3e4, 1e5, 3e5, 1e6, 3e6, 8e6)
-LARGE = 9e4     # see fit
-STRAIGHT = 1.5  # a size that lies off its line by a larger factor bends it
+LARGE = 9e4     # smallest size for fit
+STRAIGHT = 1.5  # a size that deviates from its line by a larger factor makes the line bent
 
-# slope: what is expected; reason: why it is not, or where not.
+# slope: the expected slope; reason: why, or in which range, the measured slope differs.
 Line = collections.namedtuple("Line", "column panel label slope reason")
 LINES = (
     Line("response_s", "time", "response, constants", 1, "below some 10^5 vertices starting threads and touching "
@@ -89,7 +89,7 @@ def table(rows):
         if line.column not in first or min(row[line.column] for row in rows) <= 0:
             continue
         slope, off = fit(rows, line.column)
-        slope = round(slope, 2) + 0.0  # no -0.00
+        slope = round(slope, 2) + 0.0  # avoids -0.00
         bent = off > STRAIGHT or abs(slope - line.slope) > 0.15
         lines.append("| {} | {:.3g} | {:.3g} | {:.2f} | {} | ×{:.2f} | {} |".format(
             line.label + " (`" + line.column + "`)", first[line.column], last[line.column], slope, line.slope, off,
@@ -154,7 +154,7 @@ def main():
         rows.append(measure(options.program, vertices, not options.no_frames, options.quick,
                             within=options.output))
         print(f"{rows[-1]['vertices']:10.0f} vertices: {time.monotonic() - start:.0f} s", flush=True)
-        write_csv(rows, options.output / "scale.csv")  # what there is, should a larger one fail
+        write_csv(rows, options.output / "scale.csv")  # saves the finished rows, in case a larger size fails
     (options.output / "scale.md").write_text(table(rows), encoding="utf-8")
     print("\n" + table(rows))
     draw(rows, options.output / "scale.png")

@@ -16,7 +16,7 @@ SIZES = (1e4, 3e4, 1e5)
 # 8 samples: force and stiffness, normal, range, validity; status and limit.
 ARRAY_BYTES = 4 * (8 + 8 + 3 + 1 + 1) + 2
 RECORD_BYTES = 80       # range, normal, 8 forces, 8 stiffnesses as floats
-# In the flat file: x, y, z as doubles and two triangles of three int32 as well.
+# The flat file adds x, y, z as doubles and two triangles of three int32 each.
 FLAT_BYTES = 24 + 24 + ARRAY_BYTES
 
 
@@ -39,22 +39,25 @@ class Scale(unittest.TestCase):
                 self.assertAlmostEqual(row["flat_bytes_per_vertex"], FLAT_BYTES, delta=2000 / row["vertices"])
 
     def test_the_kernel_keeps_less_than_the_readme_says(self):
-        # The manual's numbers: 551 MB for 2 million vertices, 276 bytes each; on small bodies a few pages of 2 MiB more.
+        # Numbers of the manual: 551 MB for 2 million vertices, 276 bytes each. On small bodies a
+        # few pages of 2 MiB are added.
         row = self.rows[-1]
         self.assertLess(row["kernel_bytes_per_vertex"], 276 + 16 * 2 ** 20 / row["vertices"])
 
     def test_the_force_is_that_of_the_law_at_any_size(self):
-        # F = 10 N (δ/1 mm)^1.5 at the depth under the facet; samples and the kernel's records are floats (6e-8), a
-        # cubic between them magnifies that by up to 10.
+        # F = 10 N (δ/1 mm)^1.5 at the depth under the facet. Samples and the kernel's records are
+        # floats (6e-8); a cubic between them amplifies that by up to 10.
         for row in self.rows:
             self.assertLess(row["law_error"], 1e-6)
 
     def test_forces_near_those_of_the_smooth_body_as_triangles_shrink(self):
-        # Facets lie within the smooth body by h²/8R at the middle of an edge h: proportional to 1/vertices.
+        # Facets are inside the smooth body by h²/8R at the middle of an edge h: proportional to
+        # 1/vertices.
         slope, _ = run.fit(self.rows, "force_error")
-        self.assertAlmostEqual(slope, -1.0, delta=0.15)  # 500 tips, each somewhere on its facet
-        # δ^1.5 at 1 mm: 1.5 times the sag, at most h²/(6 R) (the middle of an equilateral facet), of which the root
-        # mean square over a facet is some two thirds; R from 30 mm where it is convex, -73 mm where it is not.
+        self.assertAlmostEqual(slope, -1.0, delta=0.15)  # 500 tips at random places of the facets
+        # δ^1.5 at 1 mm: 1.5 times the sag. The sag is at most h²/(6 R) (in the middle of an
+        # equilateral facet); its root mean square over a facet is about two thirds. R is from 30 mm
+        # at convex places, -73 mm at concave ones.
         for row in self.rows:
             area = 4 * 3.14159 * 100 ** 2 / row["triangles"]
             self.assertLess(row["force_error"], 1.5 * area * 4 / 3 ** 0.5 / (6 * 30))
@@ -69,7 +72,7 @@ class Scale(unittest.TestCase):
         self.assertAlmostEqual(slope, 1.0)
         self.assertAlmostEqual(off, 1.0)
         self.assertEqual(run.table(rows).count("straight"), 2)
-        rows[1]["kernel_s"] *= 4  # 4^(2/3) off a line that a third of it lifts
+        rows[1]["kernel_s"] *= 4  # off by 4^(2/3): the fitted line itself rises by 4^(1/3)
         self.assertAlmostEqual(run.fit(rows, "kernel_s")[1], 4 ** (2 / 3))
         self.assertEqual(run.table(rows).count("straight"), 1)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part b: at which settings the cylinder of Mahvash and Hayward (2002, section 5) is free of
+// Part b: the settings at which the cylinder of Mahvash and Hayward (2002, section 5) is free of
 // oscillation. A mesh with radial normals, Table 1's responses at every vertex, eq. 3.
 #include "Parts.h"
 #include "Renderings.h"
@@ -17,13 +17,13 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Radius = 50.0; // mm; the paper's "large" is not printed
+constexpr double Radius = 50.0; // mm; the paper says only "large"
 constexpr double Push = 5.0;    // N
 
-/// Along y; its highest line is z = 0.
+/// A cylinder along y; its highest line is z = 0.
 Surface cylinder()
 {
-  constexpr int around = 160; // 2 mm
+  constexpr int around = 160; // spacing of 2 mm
   constexpr int along = 30;
   Surface body;
   for (int i = 0; i <= along; ++i)
@@ -60,12 +60,13 @@ std::shared_ptr<const ContactBody> cylinderOf(const ResponseModel& model)
 ResponseModel table1(const char* tool, double modulus)
 {
   ResponseModel model = toolModel(tool, modulus, 1.5 * Push);
-  model.range = 30.0; // soft bodies are pressed deeper than the study's usual range
+  model.range = 30.0; // soft bodies need a larger range than the other bodies of the study
   model.range = model.depthOf(1.5 * Push);
   return model;
 }
 
-/// Pressed with 5 N, disturbed by a thousandth of the depth along and across; without any control.
+/// Pressed with 5 N and disturbed by a thousandth of the depth, normal and tangential, without any
+/// control.
 Course pressed(const LoopSetting& base, const char* tool, double modulus)
 {
   LoopSetting setting = base;
@@ -102,7 +103,7 @@ void cylinderSettings(bool isQuick)
 {
   std::puts("tool,push_N,rate_Hz,damping_Ns_per_m,hand_N_per_m,hand_Ns_per_m,modulus_MPa,stiffness_"
             "N_per_m");
-  // A hand across is needed: nothing else keeps the tip on top.
+  // A hand that holds the tip sideways is needed: otherwise the tip leaves the top.
   for (const HandModel& hand : { HandModel{ 300.0, 0.0 }, HandModel{ 300.0, 5.0 } })
   {
     for (const double rate : { 500.0, 1000.0, 2000.0, 4000.0, 8000.0 })

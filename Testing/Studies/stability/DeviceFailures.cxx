@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part f: devices that fail, under every way of rendering. A relaxed hand kneads soft tissue with
-// the 6.35 mm sphere while the device drops readings, brings them late, tells NaN, hangs, or is
+// Part f: devices that fail, with every rendering. A relaxed hand kneads soft tissue with the 6.35
+// mm sphere while the device drops readings, delivers them late, reports NaN, hangs, or is
 // unplugged.
 #include "Parts.h"
 #include "Renderings.h"
@@ -27,8 +27,8 @@ struct Failure
 {
   const char* name;
   DeviceFaults faults;
-  double delay = 0.0;  ///< s, of the force, for ever
-  double stated = 0.0; ///< s: what the device says of how late it is
+  double delay = 0.0;  ///< s, of the force, permanently
+  double stated = 0.0; ///< s: the bound of its delay that the device states
   double stall = 0.0;  ///< s, of the host
 };
 
@@ -41,7 +41,7 @@ ScheduledFault at(DeviceFault fault, double start, double duration)
   return scheduled;
 }
 
-/// A fault at random readings (a splitmix64 of its own) while faults are about.
+/// A fault at random readings (a separate splitmix64) during the faulty period.
 DeviceFaults sprinkled(DeviceFault fault, double share, double duration, double rate)
 {
   DeviceFaults faults;
@@ -73,7 +73,8 @@ std::vector<Failure> allFailures(double rate)
     { "unplug", once(DeviceFault::Disconnect, 0.3) }, { "delay", {}, 1e-3, 1e-3 } };
 }
 
-/// A hand that means to go up and down once a second, from 1 mm above to 7 mm deep; out at the end.
+/// A hand whose target goes up and down once a second, from 1 mm above the surface to a depth of 7
+/// mm; outside at the end.
 std::vector<WayPoint> kneading()
 {
   std::vector<WayPoint> path{ { 0.0, { 0.0, 0.0, 4e-3 } } };
@@ -90,10 +91,10 @@ struct Outcome
 {
   double peakForce = 0.0; ///< N
   double peakSpeed = 0.0; ///< m/s
-  double numb = 0.0;      ///< share of the readings deep inside at which the motor does nothing
+  double numb = 0.0;      ///< share of the readings deep inside with zero motor force
   double lastSpeed = 0.0; ///< m/s, in the last tenth of a second, outside
   double generated = 0.0; ///< J
-  int notFinite = 0;      ///< forces asked for that are no number
+  int notFinite = 0;      ///< wanted forces that are not finite
 };
 
 Outcome course(const LoopSetting& setting, Rendering& rendering, const DeviceFaults& faults)

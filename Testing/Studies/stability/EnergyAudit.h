@@ -11,23 +11,23 @@
 namespace palpate::testing
 {
 /**
- * The books of a sampled loop, kept beside it from where the mass really was: work of the motor,
- * Σ F_k · d_k with d_k = x_{k+1} - x_k (the force is held), and what the device's own damping takes
- * at least, b |d_k|²/T. Their difference is what a hand gets out of device and scene together. From
- * a moment at which the tip is free, and the scene holds nothing, it never rises if they are
- * passive.
+ * Energy balance of a sampled loop, computed from the true positions of the mass: work of the
+ * motor, Σ F_k · d_k with d_k = x_{k+1} - x_k (the force is held), minus a lower bound of the
+ * dissipation by the device's own damping, b |d_k|²/T. The difference is the energy that a hand
+ * gains from device and scene together. Counted from a moment at which the tip is free and the
+ * scene stores no energy, it never rises if device and scene are passive.
  */
 class EnergyAudit
 {
 public:
-  /// `delay` in ticks: so much later a force acts.
+  /// `delay`: ticks until a force acts.
   EnergyAudit(double damping, double period, int delay)
     : Credit(damping / period)
     , Pending(static_cast<std::size_t>(delay) + 1, Eigen::Vector3d::Zero())
   {
   }
 
-  /// Ends a hold at a place (m).
+  /// Ends a hold period at this position (m).
   void moved(const Eigen::Vector3d& position)
   {
     if (this->HasPlace)
@@ -40,7 +40,7 @@ public:
     this->Place = position;
     this->HasPlace = true;
   }
-  /// What the motor is told now. `isFree`: the tip touches nothing.
+  /// The force that the motor gets now. `isFree`: the tip touches nothing.
   void told(const Eigen::Vector3d& force, bool isFree)
   {
     this->Least = isFree ? std::min(this->Least, this->generated()) : this->Least;
@@ -49,7 +49,7 @@ public:
   }
 
   double work() const noexcept { return this->Work; } ///< on the mass, J
-  /// Got out since a free moment, at its most, J; since the beginning if there was none.
+  /// Largest energy gained since a free moment, J; since the beginning if there was none.
   double mostGenerated() const noexcept { return this->Most; }
 
 private:
@@ -57,13 +57,13 @@ private:
 
   double Credit;
   std::vector<Eigen::Vector3d> Pending;
-  std::size_t Next = 0; ///< the force that acts now, once told() has been called for this tick
+  std::size_t Next = 0; ///< index of the force that acts now, once the force of this tick is set
   bool HasPlace = false;
   Eigen::Vector3d Place = Eigen::Vector3d::Zero();
   double Work = 0.0;
   double Damped = 0.0;
   double Most = 0.0;
-  double Least = 0.0; ///< of generated() where the tip was free
+  double Least = 0.0; ///< smallest value of generated() at free moments
 };
 } // namespace palpate::testing
 

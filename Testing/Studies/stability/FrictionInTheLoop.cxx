@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part d: what friction models do in a sampled loop: drift under a load that swings within the
-// limit, stick and slip behind a spring, the stiffest stick, and rest.
+// Part d: friction models in a sampled loop: drift under a load that oscillates within the limit,
+// stick and slip behind a spring, the largest stick stiffness, and rest.
 #include "Mechanics/Numerics/Constants.h"
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
@@ -21,7 +21,8 @@ namespace palpate::testing
 namespace
 {
 
-/// A model, or none of ours: minus the sign of the velocity, by backward differences.
+/// A friction model of Palpate, or for comparison the sign of the velocity (negative), by backward
+/// differences.
 struct Model
 {
   std::string name;
@@ -45,7 +46,8 @@ std::vector<Model> allModels()
     { "Dahl", dahl }, { "shape-derived", shape }, { "signum", std::nullopt } };
 }
 
-/// A mass along x on a plane, under 1 N and friction whose limit is 1 N, with or without a hand.
+/// A mass along x on a plane, with a normal force of 1 N and a friction limit of 1 N, with or
+/// without a hand.
 class Slider
 {
 public:
@@ -62,7 +64,7 @@ public:
     }
   }
 
-  /// One tick under an outer force (N), the hand's target at x (m) going at v (m/s).
+  /// One tick with an outer force (N); the target of the hand is at x (m) and moves at v (m/s).
   void tick(double force, double target = 0.0, double targetVelocity = 0.0)
   {
     this->State = this->Axis.advance(
@@ -71,7 +73,7 @@ public:
   const PlantAxis::State& state() const { return this->State; }
 
 private:
-  /// c of ShapeFriction at ν = 0.5: what makes its stick as stiff as the others'.
+  /// c of ShapeFriction at ν = 0.5; it makes the stick stiffness equal to that of the other models.
   static constexpr double Ratio = 1.5;
 
   double friction()
@@ -90,13 +92,14 @@ private:
 
   double Period;
   PlantAxis Axis;
-  PowerCurve Curve; ///< 1 N at its full depth
+  PowerCurve Curve; ///< 1 N at the full depth
   std::optional<Friction> Resistance;
   PlantAxis::State State;
   double Last = 0.0;
 };
 
-/// mm in 8 s under 0.5 + 0.2 sin(2π 2 t) N, put on within 4 s; mean to mean of a cycle.
+/// Drift, mm, in 8 s under 0.5 + 0.2 sin(2π 2 t) N, which is raised within 4 s; from the mean of
+/// one cycle to that of another.
 double drift(const Model& model, double rate)
 {
   Slider slider(model, rate, Nobody, 1000.0);
@@ -117,11 +120,11 @@ double drift(const Model& model, double rate)
   return last - first;
 }
 
-/// Pulled by a spring of 300 N/m: what of the last two seconds.
+/// Motion of the last two seconds when a spring of 300 N/m pulls.
 struct Slip
 {
-  double stuckShare = 0.0; ///< slower than a twentieth of the pull
-  double ripple = 0.0;     ///< half of max v - min v, over the pull
+  double stuckShare = 0.0; ///< share of the time with less than a twentieth of the pull speed
+  double ripple = 0.0;     ///< half of max v - min v, over the pull speed
 };
 Slip pulled(const Model& model, double rate, double speed)
 {
@@ -145,7 +148,7 @@ Slip pulled(const Model& model, double rate, double speed)
   return { static_cast<double>(stuck) / counted, 0.5 * (high - low) / speed };
 }
 
-/// The largest speed (m/s) after 3 s under half of friction's limit, in half a second.
+/// The largest speed (m/s) after 3 s under half the friction limit, in half a second.
 double restlessness(const Model& model, double rate, double stiffness)
 {
   Slider slider(model, rate, Nobody, stiffness);
@@ -159,8 +162,8 @@ double restlessness(const Model& model, double rate, double stiffness)
   return peak;
 }
 
-/// Whether a stuck mass, nudged to 1e-8 m/s, comes to rest, and never moves so much that it could
-/// slide.
+/// True if a stuck mass comes to rest after a speed of 1e-8 m/s, and its motion is never large
+/// enough for sliding.
 bool calms(const Model& model, double rate, double stiffness)
 {
   LoopSetting setting;

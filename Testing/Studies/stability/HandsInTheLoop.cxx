@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two devices on one half-space that feel one another: the largest stable stiffness of their
-// opposite and of their common motion, and what each link of the chain makes of the strongest push
-// on both.
+// Two coupled devices on one half-space: the largest stable stiffness of their opposite and of
+// their common motion, and the effect of each link of the chain under the strongest push on both.
 #include "EnergyAudit.h"
 #include "Haptics/Servo/HandsStep.h"
 #include "LoopPoles.h"
@@ -27,7 +26,7 @@ constexpr double RadiusInMetres = 1e-3 * FlatRadius; // m
 constexpr std::size_t Hands = 2;
 using Heights = std::array<double, Hands>; // m
 
-/// Two masses that go up and down, so far apart (m), each under the setting's push, and a
+/// Two masses that move up and down at a distance (m), each under the push of the setting, with one
 /// HandsStep.
 class TwoHands
 {
@@ -57,7 +56,8 @@ public:
       samples[i] = this->Devices[i]->read(time);
       this->Place[static_cast<int>(i)] = this->Devices[i]->truePosition().z();
     }
-    // Both go up and down alone: their works add up as those of one motion in a plane.
+    // Both move along one axis only, so the sum of their works equals that of one motion in a
+    // plane.
     this->Audit.moved(this->Place);
     const std::vector<Tick>& felt = this->Step.step(samples.data(), time);
     Eigen::Vector3d forces = Eigen::Vector3d::Zero();
@@ -72,7 +72,7 @@ public:
     }
     this->Audit.told(forces, isFree);
   }
-  /// Runs, and gives the largest speed of either (m/s) at the ticks.
+  /// Runs and returns the largest speed of either mass (m/s) at the ticks.
   double peakSpeed(int ticks)
   {
     double peak = 0.0;
@@ -86,7 +86,7 @@ public:
     }
     return peak;
   }
-  /// Runs, and gives first + `sign` second, m, at the ticks.
+  /// Runs and returns first + `sign` second, m, at the ticks.
   std::vector<double> motion(double sign, int ticks)
   {
     std::vector<double> found;
@@ -111,20 +111,20 @@ private:
   HandsStep Step;
   EnergyAudit Audit;
   std::array<std::unique_ptr<SimulatedDevice>, Hands> Devices;
-  Eigen::Vector3d Place = Eigen::Vector3d::Zero(); ///< of both, m
+  Eigen::Vector3d Place = Eigen::Vector3d::Zero(); ///< heights of both, m
   int Ticks = 0;
   double Peak = 0.0;
 };
 
-/// A flat end of 1.6 mm on a half-space so stiff that it has K = 2aE*, and another.
+/// Two flat ends of 1.6 mm on a half-space whose modulus gives K = 2aE*.
 struct Pair
 {
   LoopSetting setting;
-  double radii = 0.0;     ///< from one axis to the other
-  bool isOpposite = true; ///< which motion is disturbed
+  double radii = 0.0;     ///< distance of the axes, in radii
+  bool isOpposite = true; ///< which of the two motions is disturbed
 
   double apart() const { return this->radii * RadiusInMetres; }
-  /// K C of Boussinesq, of a flat end each: what one has of the other's stiffness.
+  /// K C of Boussinesq, each for a flat end: the coupling relative to the stiffness of one.
   double share() const { return 2.0 / (Circle * this->radii); }
   double sign() const { return this->isOpposite ? -1.0 : 1.0; }
   int order() const
@@ -136,7 +136,7 @@ struct Pair
   {
     const double modulus = 1e-3 * stiffness / (2.0 * FlatRadius); // MPa
     const double range = 4e3 * EachPush / stiffness;
-    // Each bears its push and lets the other down by its share.
+    // Each carries its push. Its share of the push lowers the surface under the other.
     const double depth = EachPush / stiffness * (1.0 + this->share());
     const double swing = 0.05 * depth;
     return { this->setting, coupledPlate(linearModel("linear", 1e-3 * stiffness, range), modulus),
@@ -154,7 +154,7 @@ double largestStiffness(const Pair& pair)
   {
     const double middle = std::sqrt(low * high);
     TwoHands hands = pair.disturbed(middle);
-    hands.motion(pair.sign(), order + 2); // the first forces, and rounds, are on their way
+    hands.motion(pair.sign(), order + 2); // until the first forces and rounds have arrived
     const bool isStable = largestPole(hands.motion(pair.sign(), 2 * order + 4), order) < 1.0;
     (isStable ? low : high) = middle;
   }
@@ -182,7 +182,7 @@ void printLimit(const Pair& pair)
   std::fflush(stdout);
 }
 
-/// Both let go above the body, one after the other.
+/// Both are released above the body, one after the other.
 void printPress(
   const LoopSetting& setting, const char* tool, double modulus, double apart, Control control)
 {
@@ -244,7 +244,7 @@ void handsPress(bool isQuick)
       {
         if (*tool == 's' && apart < 10.0)
         {
-          continue; // under the push the balls would be in each other
+          continue; // under the push the balls would overlap
         }
         for (const Control control : AllControls)
         {

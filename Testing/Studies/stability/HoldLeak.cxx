@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part c: the energy that a press and release gets out of the hold, beside F_max v (T + 2 t_d).
+// Part c: the energy gained from the hold by a press and release, compared with F_max v (T + 2
+// t_d).
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"
@@ -14,14 +15,14 @@ namespace
 {
 constexpr double Deepest = 2e-3; // m
 
-/// A hand of steel takes the device down at `speed` and up again.
+/// A rigid hand moves the device down at `speed` and up again.
 void press(const ResponseModel& model, double rate, double speed, double delay, Control control)
 {
   LoopSetting setting;
   setting.rate = rate;
   setting.plant.mass = 0.01;
   setting.plant.forceDelay = delay / rate;
-  setting.hand = { 1e9, 1e5 }; // follows within nanometres, at once
+  setting.hand = { 1e9, 1e5 }; // follows within nanometres, without delay
   ServoRendering rendering(plateOf(model), safetyOf(control, setting));
   const double time = 2.0 * Deepest / speed;
   VirtualLoop loop(setting,
@@ -42,7 +43,7 @@ void holdLeak(bool isQuick)
   {
     for (const double rate : { 1000.0, 4000.0 })
     {
-      // 20 and 100 mm/s turn on a tick, the others between two.
+      // 20 and 100 mm/s turn at a tick, the others between two ticks.
       for (const double speed : { 0.02, 0.03, 0.1, 0.3 })
       {
         for (const double delay : { 0.0, 1.0 })

@@ -2,8 +2,8 @@
 #ifndef palpate_testing_Parts_h
 #define palpate_testing_Parts_h
 
-/// The parts of the stability study; each prints its rows as CSV on the standard output. Columns
-/// and what is meant by them: README.md. `isQuick`: some of the rows only.
+/// The parts of the stability study. Each prints its rows as CSV on the standard output. README.md
+/// explains the columns. `isQuick`: only some of the rows.
 namespace palpate::testing
 {
 void stiffnessLimits(bool isQuick);

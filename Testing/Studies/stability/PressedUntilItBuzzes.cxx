@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part b: each response model pressed by a growing force until it buzzes, bare and under control.
+// Part b: each response model is pressed by a growing force until it buzzes, bare and under
+// control.
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"
@@ -19,11 +20,11 @@ constexpr double LeastPush = 1e-3; // N
 
 enum class Start
 {
-  Held,   ///< at rest at its depth, but for a thousandth of it
-  Dropped ///< let go 1 mm above the surface
+  Held,   ///< at rest near its depth, off by a thousandth of it
+  Dropped ///< released 1 mm above the surface
 };
 
-/// What becomes of the device under this push. `probe`: another rendering of the same.
+/// Motion of the device under this push. `probe`: a second rendering of the same body.
 Course pressed(
   const LoopSetting& base, Rendering& rendering, Rendering& probe, double push, Start start)
 {
@@ -41,8 +42,9 @@ Course pressed(
     loop, setting.watchedTicks(), 0.1 * depth * std::sqrt(stiffness / setting.plant.mass));
 }
 
-/// The largest push (N) that is endured, up to StrongestPush; and what that one or, if there is
-/// none, the strongest does. Without `isSought` only that one is tried: 0 where it is not endured.
+/// The largest stable push (N), up to StrongestPush, and the motion under that push; if there is
+/// none, the motion under the strongest. Without `isSought` only the strongest push is tried:
+/// `force` is 0 if it is unstable.
 struct ForceLimit
 {
   double force = 0.0;
@@ -93,7 +95,7 @@ void pressAll(const LoopSetting& setting, const ResponseModel& model, double mod
   const auto body = plateOf(model);
   const auto bare = [&]
   { return std::make_unique<BareLaw>([&](double depth) { return model.law(depth).force; }); };
-  // A layer's law takes 20 µs: as slow as its stored form is fast.
+  // The law of a layer takes 20 µs to evaluate, too slow here; its stored form is fast.
   if (model.name != "layer")
   {
     print(setting, model, modulus, "law", "none", Start::Held,
@@ -121,7 +123,8 @@ void pressedUntilItBuzzes(bool isQuick)
             "peak_force_N,last_speed_mm_s,generated_mJ");
   for (const double rate : { 1000.0, 4000.0 })
   {
-    for (const double modulus : { 3.45, 1.0, 0.1 }) // the paper's rubber, stiff and soft tissue
+    for (const double modulus :
+      { 3.45, 1.0, 0.1 }) // the paper's rubber, stiff tissue and soft tissue
     {
       if (isQuick && (rate != 1000.0 || modulus != 1.0))
       {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts a and b of a body that relaxes: the largest stable slow stiffness of a linear plate, and
-// what each link of the safety chain makes of the strongest push.
+// Parts a and b for a body that relaxes: the largest stable slow stiffness of a linear plate, and
+// the effect of each link of the safety chain under the strongest push.
 #include "LoopPoles.h"
 #include "Parts.h"
 #include "RelaxingModels.h"
@@ -24,20 +24,21 @@ struct RelaxingCase
   int elements = 16;
 
   double delay() const { return this->setting.plant.forceDelay * this->setting.rate; }
-  /// Of the loop: mass, branches, forces on their way.
+  /// Order of the loop: mass, branches, delayed forces.
   int order() const
   {
     return 2 + static_cast<int>(this->series.count) +
       static_cast<int>(std::ceil(this->delay() - 1e-9));
   }
-  /// Of the plate: twice the depth of rest; beyond it the tangent goes on.
+  /// A plate with a range of twice the rest depth. Beyond the range the curve continues along its
+  /// tangent.
   ServoRendering plate(double stiffness) const
   {
     const double range = 2e3 * RestingPush / stiffness;
     return { relaxingPlate(linearModel("linear", 1e-3 * stiffness, range), this->series),
       safetyOf(Control::None, LoopSetting()), withElements(this->elements) };
   }
-  /// Rests under the push, but for a tenth of the depth.
+  /// Starts at the rest depth under the push, off by a tenth of it.
   VirtualLoop disturbed(double stiffness, Rendering& plate) const
   {
     const double depth = this->setting.push / stiffness;
@@ -50,8 +51,8 @@ bool isStable(const RelaxingCase& given, double stiffness)
 {
   ServoRendering plate = given.plate(stiffness);
   VirtualLoop loop = given.disturbed(stiffness, plate);
-  loop.run(given.order() - 2); // the first forces are on their way
-  // The more poles, the more readings to tell them apart.
+  loop.run(given.order() - 2); // until the first forces have arrived
+  // More poles need more readings to distinguish them.
   return largestSwingingPole(loop.heights(24 * given.order()), given.order()) < 1.0;
 }
 
@@ -67,7 +68,7 @@ double largestStiffness(const RelaxingCase& given)
   return low;
 }
 
-/// The swing later over the swing at first.
+/// Ratio of the later swing to the first.
 double growth(const RelaxingCase& given, double stiffness)
 {
   ServoRendering plate = given.plate(stiffness);
@@ -89,7 +90,7 @@ void printLimit(const RelaxingCase& given)
   std::fflush(stdout);
 }
 
-/// Let go 1 mm above the body, under the strongest push.
+/// Released 1 mm above the body, under the strongest push.
 void printPress(
   const RelaxingCase& given, const ResponseModel& model, double modulus, Control control)
 {

@@ -13,7 +13,8 @@
 
 namespace palpate::testing
 {
-/// p = 1 with τ = 0.01, 0.1 and 1 s, and three branches: those of the sheet's stability_prony.csv.
+/// p = 1 with τ = 0.01, 0.1 and 1 s, and three branches, as in stability_prony.csv of the reference
+/// sheet.
 inline std::vector<PronySeries> relaxingMaterials()
 {
   std::vector<PronySeries> all(4);
@@ -26,7 +27,7 @@ inline std::vector<PronySeries> relaxingMaterials()
   return all;
 }
 
-/// "1:0.1", "0.5:0.02 0.8:0.2 1.2:2": strength and seconds, without a comma.
+/// "1:0.1", "0.5:0.02 0.8:0.2 1.2:2": strength and time (s) of each branch, without a comma.
 inline std::string materialOf(const PronySeries& series)
 {
   std::string text = textOf(series);
@@ -37,7 +38,7 @@ inline std::string materialOf(const PronySeries& series)
   return text.empty() ? "elastic" : text;
 }
 
-/// plateOf(model), which relaxes.
+/// plateOf(model) with relaxation.
 std::shared_ptr<const ContactBody> relaxingPlate(
   const ResponseModel& model, const PronySeries& series);
 
@@ -47,7 +48,7 @@ inline ContactSettings withElements(int count)
   settings.relaxationElements = count;
   return settings;
 }
-/// How a body is felt in the study: 16 elements, and quasi-linear.
+/// Numbers of relaxation elements in the study: 16 elements, and 0 for quasi-linear.
 constexpr int AllElements[] = { 16, 0 };
 } // namespace palpate::testing
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part e of a body that relaxes, unlike from point to point in curve and strength: energy on closed
-// paths and jumps of the force, by force form.
+// Part e for a body that relaxes, with different curves and strengths from point to point: energy
+// on closed paths and jumps of the force, by force form.
 #include "Parts.h"
 #include "RelaxingPlate.h"
 #include "RelaxingModels.h"
@@ -28,11 +28,11 @@ struct TimedPath
 {
   const char* name;
   Vector3 from;               ///< outside
-  std::vector<TimedLeg> legs; ///< back outside at last
+  std::vector<TimedLeg> legs; ///< the last leg ends outside
 };
 
-/// F = factor · δ^1.5 N to 1.5 mm, factors 0.5 to 1.5, strengths 0 to 2 and 0 to 1; contact radius
-/// 2 mm at 1 mm.
+/// A plate whose response varies: F = factor · δ^1.5 N to 1.5 mm, factors 0.5 to 1.5, strengths 0
+/// to 2 and 0 to 1. The contact radius is 2 mm at 1 mm.
 struct UnlikePlate
 {
   UnlikePlate()
@@ -59,7 +59,8 @@ std::vector<TimedPath> timedPaths()
   std::vector<TimedPath> paths;
   paths.push_back(
     { "press", at(-0.2, 31.3), { { at(1.0, 31.3), 20.0 }, { at(-0.2, 31.3), 20.0 } } });
-  // What has relaxed under a slow press is exchanged for what has not, and lets go fast.
+  // Material that has relaxed under a slow press is exchanged for unrelaxed material, which unloads
+  // fast.
   paths.push_back({ "slow in, slide, out", at(-0.2, 23.3),
     { { at(1.0, 23.3), 1.0 }, { at(1.0, 39.4), 20.0 }, { at(-0.2, 39.4), 20.0 },
       { at(-0.2, 23.3), 20.0 } } });
@@ -73,7 +74,7 @@ std::vector<TimedPath> timedPaths()
     sweeps.legs.push_back({ at(1.0, 32.1, 29.3), 20.0 });
     sweeps.legs.push_back({ at(1.0, 30.1), 20.0 });
   }
-  // A corner of four triangles is at (30, 30): between the tips there is an edge.
+  // Four triangles meet at (30, 30): there is an edge between the tips.
   for (int i = 0; i < 2000; ++i)
   {
     jumps.legs.push_back({ at(1.0, 29.9995), 8.0 });
@@ -99,11 +100,11 @@ std::vector<TimedPath> timedPaths()
   return paths;
 }
 
-/// Of a tip that is led along once in steps of `step` mm.
+/// Results of a tip that moves once along a path in steps of `step` mm.
 struct TimedLap
 {
   double jump = 0.0;  ///< largest |ΔF| of a step, over the force before it
-  double gain = 0.0;  ///< ∮F·dx, what the hand gets, mJ
+  double gain = 0.0;  ///< ∮F·dx, the energy gained by the hand, mJ
   double scale = 0.0; ///< ∮|F||dx|, mJ
 };
 
@@ -134,7 +135,7 @@ TimedLap timedLap(
   return found;
 }
 
-/// Energy (mJ) that a hand of steel gets, beyond what the device damps.
+/// Energy (mJ) that a rigid hand gains, in addition to the damping of the device.
 double generated(const std::shared_ptr<const ContactBody>& body, const ContactSettings& settings,
   const TimedPath& path, Control control)
 {

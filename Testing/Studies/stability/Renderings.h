@@ -12,8 +12,8 @@
 
 namespace palpate::testing
 {
-/// A law evaluated at run time against the plane z = 0, and nothing else: no check, no limit, no
-/// memory of a reading. What a loop of ten lines does.
+/// A law evaluated at run time against the plane z = 0, without checks, limits or memory of earlier
+/// readings: a loop of ten lines.
 class BareLaw final : public Rendering
 {
 public:
@@ -36,7 +36,7 @@ private:
   bool Free = true;
 };
 
-/// A body with a stored response, touched by a ServoStep.
+/// A body with a stored response, evaluated by a ServoStep.
 class ServoRendering final : public Rendering
 {
 public:
@@ -61,19 +61,19 @@ private:
   Tick Last;
 };
 
-/// Which links of the safety chain are on.
+/// Links of the safety chain that are on.
 enum class Control
 {
-  None,         ///< magnitude alone, and that unlimited unless said otherwise
+  None,         ///< only the force limit, and that infinite unless set
   Cap,          ///< stiffness cap, at 2b/T
   Passivity,    ///< passivity control, at 2b/T
-  ChainAtLimit, ///< all, for 2b/T, and of a device that says nothing of its delay
+  ChainAtLimit, ///< all, for 2b/T, with a device that states no delay
   Chain         ///< all, as the device states: for b/T, with the bound of its delay
 };
 constexpr Control AllControls[] = { Control::None, Control::Cap, Control::Passivity,
   Control::ChainAtLimit, Control::Chain };
 const char* nameOf(Control control);
-/// For the device of the setting (LoopSetting::specification).
+/// Settings for the device of the setting (LoopSetting::specification).
 SafetySettings safetyOf(Control control, const LoopSetting& setting);
 } // namespace palpate::testing
 

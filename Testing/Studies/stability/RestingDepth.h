@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-/// Where a rendering without control and without memory rests, straight below the origin.
+/// The rest position of a rendering without control and without memory, straight below the origin.
 namespace palpate::testing
 {
-/// N, pressed so deep (m).
+/// Force in N at a depth in m.
 inline double forceAt(Rendering& rendering, double depth)
 {
   DeviceSample sample;
@@ -18,8 +18,8 @@ inline double forceAt(Rendering& rendering, double depth)
   return rendering.force(sample, 0.0).z();
 }
 
-/// The depth (m) at which a rendering without control bears the push: of what is rendered, which
-/// beyond the range and before the first sample is not quite the law.
+/// The depth (m) at which a rendering without control carries the push. It uses the rendered force,
+/// which differs slightly from the law beyond the range and before the first sample.
 inline double restingDepth(Rendering& rendering, double push)
 {
   double low = 1e-9;
@@ -32,7 +32,7 @@ inline double restingDepth(Rendering& rendering, double push)
   return high;
 }
 
-/// N/m
+/// Stiffness in N/m.
 inline double stiffnessAt(Rendering& rendering, double depth)
 {
   return (forceAt(rendering, 1.001 * depth) - forceAt(rendering, depth)) / (0.001 * depth);

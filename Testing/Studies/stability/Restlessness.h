@@ -8,16 +8,17 @@
 
 namespace palpate::testing
 {
-/// What became of a press.
+/// Result of a press.
 struct Course
 {
-  bool rests = false;     ///< the motion dies down
+  bool rests = false;     ///< the motion decays
   double speed = 0.0;     ///< largest in the end, m/s
   double peakForce = 0.0; ///< N, of the motor
-  double generated = 0.0; ///< most energy got out at any time, beyond what the device damps, J
+  double generated =
+    0.0; ///< largest energy gained at any time, in addition to the device's damping, J
 };
 
-/// A speed that no hand feels, m/s: at the 100 Hz and more of a buzz 0.2 µm.
+/// A speed that a hand cannot feel, m/s: at the 100 Hz and more of a buzz it is 0.2 µm.
 constexpr double StillSpeed = 1e-4;
 
 inline Course courseOf(const VirtualLoop& loop, bool rests, double speed)
@@ -25,10 +26,10 @@ inline Course courseOf(const VirtualLoop& loop, bool rests, double speed)
   return { rests, speed, loop.peakForce(), loop.audit().mostGenerated() };
 }
 
-/// Whether a small swing dies: in the last quarter of two times LoopSetting::watchedTicks its speed
-/// is 1 % less than in the quarter before half time, as a stiffness 0.05 % below its limit makes
-/// it; and it never was above `most` (m/s), where it is no small swing any more but a buzz that has
-/// stopped growing.
+/// Checks that a small swing decays. In the last quarter of two times LoopSetting::watchedTicks its
+/// speed must be 1 % less than in the quarter before half time, which is the decay at a stiffness
+/// 0.05 % below the limit. The speed must also stay below `most` (m/s): above it the motion is a
+/// buzz that has stopped growing.
 inline Course smallSwing(VirtualLoop& loop, int ticks, double most)
 {
   const int window = ticks / 2;
@@ -39,8 +40,8 @@ inline Course smallSwing(VirtualLoop& loop, int ticks, double most)
   return courseOf(loop, last < 0.99 * before && std::max(first, before) < most, last);
 }
 
-/// Whether any motion dies down: no hand feels it any more in the last of six times
-/// LoopSetting::watchedTicks (24 s at 0.1 kg and 1 N s/m).
+/// Checks that any motion decays: in the last of six times LoopSetting::watchedTicks (24 s at 0.1
+/// kg and 1 N s/m) the speed is below StillSpeed.
 inline Course anyMotion(VirtualLoop& loop, int ticks)
 {
   loop.run(5 * ticks);

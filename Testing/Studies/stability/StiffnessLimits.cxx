@@ -15,8 +15,8 @@ namespace
 {
 constexpr double LightPush = 1.0; // N
 
-/// A mass that rests on the plate under its push, but for a tenth of the depth. The hand, if any,
-/// means to be where it rests.
+/// A mass at its rest depth on the plate under its push, off by a tenth of the depth. The target of
+/// the hand, if any, is the rest position.
 VirtualLoop disturbed(const LoopSetting& setting, double stiffness, Rendering& plate)
 {
   const double depth = setting.push / stiffness;
@@ -26,7 +26,7 @@ VirtualLoop disturbed(const LoopSetting& setting, double stiffness, Rendering& p
 
 ServoRendering plateOfStiffness(double stiffness)
 {
-  // The range is twice the depth of rest; beyond it the tangent goes on.
+  // The range is twice the rest depth. Beyond it the curve continues along its tangent.
   const double range = 2e3 * LightPush / stiffness;
   return { plateOf(linearModel("linear", 1e-3 * stiffness, range)),
     safetyOf(Control::None, LoopSetting()) };
@@ -38,7 +38,7 @@ bool isStable(const LoopSetting& setting, double stiffness)
   const int order = 2 + static_cast<int>(std::ceil(delay - 1e-9));
   ServoRendering plate = plateOfStiffness(stiffness);
   VirtualLoop loop = disturbed(setting, stiffness, plate);
-  loop.run(order - 2); // the first forces are on their way
+  loop.run(order - 2); // until the first forces have arrived
   return largestPole(loop.heights(2 * order + 4), order) < 1.0;
 }
 
@@ -54,7 +54,7 @@ double largestStiffness(const LoopSetting& setting)
   return low;
 }
 
-/// The swing later over the swing at first.
+/// Ratio of the later swing to the first.
 double growth(const LoopSetting& setting, double stiffness)
 {
   ServoRendering plate = plateOfStiffness(stiffness);

@@ -10,7 +10,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Section = 20.13; // z of the paths, off all points
+constexpr double Section = 20.13; // z of the paths, away from all points
 
 std::vector<Vector3> inSection(const std::vector<Eigen::Vector2d>& corners)
 {
@@ -23,7 +23,8 @@ std::vector<Vector3> inSection(const std::vector<Eigen::Vector2d>& corners)
   return path;
 }
 
-/// A convex edge along z: under one face towards it, over to the other face, around it and back.
+/// A convex edge along z. The path goes under one face towards the edge, over to the other face,
+/// and back around the edge.
 UnkindBody wedge(double degrees, double size)
 {
   const double half = degrees * Pi / 360.0;
@@ -45,7 +46,7 @@ UnkindBody wedge(double degrees, double size)
   return body;
 }
 
-/// An inner edge: a fan of tips maps to one point, and nothing jumps.
+/// A concave edge: a fan of tips has the same contact point, and there is no jump.
 UnkindBody inner(int times)
 {
   return { "inner edge",
@@ -57,7 +58,7 @@ UnkindBody inner(int times)
     0.0, 0.0 };
 }
 
-/// A V groove: two edges of 135° and an inner edge between them.
+/// A V groove: two edges of 135° and a concave edge between them.
 UnkindBody groove(int times)
 {
   const double in = 5.0 + (std::sqrt(2.0) - 1.0) * UnkindDepth;
@@ -69,8 +70,8 @@ UnkindBody groove(int times)
     jump, UnkindDepth * jump };
 }
 
-/// A slab of 3 mm, pressed from above until the tip comes out below; back around it. The nearest
-/// point changes sides in the middle, where the force turns about.
+/// A slab of 3 mm, pressed from above until the tip comes out below; then back around it. In the
+/// middle the nearest point changes to the other side, and the force reverses.
 UnkindBody slab(int times)
 {
   return { "slab", subdivided(block(40.0, 3.0, 40.0), times),

@@ -9,15 +9,15 @@
 
 namespace palpate::testing
 {
-/// A body with sharp features, and a closed path of a tip over them, mostly 1 mm deep. mm.
+/// A body with sharp features, and a closed path of a tip over them, mostly at a depth of 1 mm. mm.
 struct UnkindBody
 {
   std::string name;
   Surface surface;
   std::vector<Vector3> path; ///< corners; begins and ends outside, at the same place
-  /// |ΔF| over the force, and the jump of the contact point (mm), that the nearest point has on
-  /// this path: 2 cos(ω/2), 2 δ cos(ω/2) where it crosses from face to face of an edge of interior
-  /// angle ω.
+  /// |ΔF| over the force, and the jump of the contact point (mm), for the nearest point on this
+  /// path: 2 cos(ω/2) and 2 δ cos(ω/2) if the path crosses an edge of interior angle ω from face to
+  /// face.
   double forceJump;
   double contactJump;
 };

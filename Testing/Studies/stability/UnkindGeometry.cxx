@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part e: jumps and loop energy over edges, grooves, slabs and coarse meshes, per force form and
-// surface, edges felt or not.
+// surface, with and without the edge law.
 #include "ContinuityMeasures.h"
 #include "Parts.h"
 #include "Renderings.h"
@@ -31,12 +31,12 @@ const char* nameOf(ForceForm form)
   }
 }
 
-/// Of a tip led once along a closed path in steps of `step` mm.
+/// Results of a tip that moves once along a closed path in steps of `step` mm.
 struct Lap
 {
   double jump = 0.0;        ///< largest |ΔF| of a step, over the force before it
-  double contactJump = 0.0; ///< of the contact point, mm, in contact
-  double gain = 0.0;        ///< ∮F·dx, what the hand gets, mJ
+  double contactJump = 0.0; ///< of the contact point, mm, while in contact
+  double gain = 0.0;        ///< ∮F·dx, the energy gained by the hand, mJ
   double scale = 0.0;       ///< ∮|F||dx|, mJ
 };
 
@@ -55,7 +55,7 @@ Lap lap(
       const Contact now = contact.update(path[side - 1] + way * i / steps);
       found.gain += 0.5 * (last.force + now.force).dot(way) / steps;
       found.scale += 0.5 * (last.force.norm() + now.force.norm()) * way.norm() / steps;
-      // Where the contact begins or ends with little force nothing jumps.
+      // Begin and end of a contact with a small force do not count as jumps.
       if (last.force.norm() > 0.5)
       {
         found.jump = std::max(found.jump, (now.force - last.force).norm() / last.force.norm());
@@ -71,7 +71,8 @@ Lap lap(
   return found;
 }
 
-/// Energy (mJ) that a hand of steel gets in some laps at 20 mm/s, beyond what the device damps.
+/// Energy (mJ) that a rigid hand gains in some laps at 20 mm/s, in addition to the damping of the
+/// device.
 double generated(const std::shared_ptr<const ContactBody>& body, const ContactSettings& settings,
   const std::vector<Vector3>& path, int laps, Control control)
 {
@@ -98,15 +99,15 @@ double generated(const std::shared_ptr<const ContactBody>& body, const ContactSe
   return 1e3 * loop.audit().mostGenerated();
 }
 
-/// Down where a response that differs is softest, at constant depth to where it is stiffest, up,
-/// and back outside: what is put in here comes out there.
+/// The tip goes down at the softest place of a varying response, at constant depth to the stiffest,
+/// up, and back outside. Energy put in at one place is returned at the other.
 std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
 {
   Vector3 softest = Vector3::UnitX();
   Vector3 stiffest = Vector3::UnitX();
   for (int i = 0; i < 1000; ++i)
   {
-    // Fibonacci's directions
+    // Fibonacci directions
     const double z = 1.0 - 2.0 * (i + 0.5) / 1000.0;
     const double turn = 2.399963229728653 * i;
     const double r = std::sqrt(1.0 - z * z);
@@ -125,12 +126,12 @@ std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
       path.push_back(body.shape.point(direction) - depth * body.shape.normal(direction));
     }
   }
-  std::rotate(path.begin(), path.begin() + steps + 1, path.end()); // outside first
+  std::rotate(path.begin(), path.begin() + steps + 1, path.end()); // starts outside
   path.push_back(path.front());
   return path;
 }
 
-/// What happens to a contact at a sharp edge.
+/// Treatment of a contact at a sharp edge.
 enum class Edges
 {
   Dropped,
@@ -183,7 +184,7 @@ void coarse(int cuts, bool isVaried, bool isQuick, Edges edges)
     smoothSphere(20.0), cuts, isVaried ? varied : uniform, MeshNormals::Exact, termsOf(edges));
   for (const ContactSettings& settings : allFormsAndSurfaces())
   {
-    // δ h/R²; of EnergyConsistent on facets the angle between them, up to h/R.
+    // δ h/R². For EnergyConsistent on facets it is the angle between them, up to h/R.
     const bool turns = settings.form == ForceForm::EnergyConsistent;
     const double jump = settings.surface == ContactSurface::Smooth
       ? 0.0

@@ -72,7 +72,7 @@ void VirtualLoop::tick()
   this->Bad += !this->Force.allFinite();
   const Eigen::Vector3d weight(0.0, 0.0, -this->Setting.push);
   this->Port->write(this->Force + weight);
-  // Faults may keep it from the device; and a plant feels nothing of what is no number.
+  // Faults may keep a force from the device. A force that is not finite has no effect on the plant.
   const Eigen::Vector3d& last = this->Device->lastForce();
   this->Acting = last.allFinite() ? last - weight : Eigen::Vector3d(Eigen::Vector3d::Zero());
   this->Audit.told(this->Acting, this->Rendered.isFree() && this->Acting.norm() == 0.0);

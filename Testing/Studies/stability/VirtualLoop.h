@@ -14,7 +14,7 @@
 
 namespace palpate::testing
 {
-/// What a loop makes of a reading. Device frame, m and N.
+/// Computes a force from a reading. Device frame, m and N.
 class Rendering
 {
 public:
@@ -23,10 +23,10 @@ public:
   Rendering& operator=(const Rendering&) = delete;
   virtual ~Rendering() = default;
   virtual Eigen::Vector3d force(const DeviceSample& sample, double time) noexcept = 0;
-  /// s: for so long the device holds the last force when no other comes; by default as long as the
-  /// protocol's watchdog of a device whose time-out is the usual one.
+  /// s for which the device holds the last force if no other comes. The default is the watchdog
+  /// time of the protocol for a device with the usual time-out.
   virtual double holdTime() const noexcept { return 0.02; }
-  /// Whether the last reading was outside of the body.
+  /// True if the last reading was outside the body.
   virtual bool isFree() const noexcept = 0;
 };
 
@@ -35,23 +35,24 @@ struct LoopSetting
 {
   SimulatedPlant plant;
   HandModel hand;
-  /// N, along -z: on the mass whatever it does, as a weight; beside the hand. It goes to the device
-  /// with the motor's force: not to be used with faults.
+  /// N, along -z: a constant force on the mass, like a weight, in addition to the hand. It is sent
+  /// to the device together with the motor's force, so it must not be used with faults.
   double push = 0.0;
   double rate = 1000.0; ///< Hz
-  /// s: the bound that the device states of how late it is.
+  /// s: the bound of its delay that the device states.
   double statedDelay = 0.0;
-  /// s: from when to when the host does nothing; the device lets go by itself.
+  /// s: begin and end of the time in which the host does nothing. The device then releases the
+  /// force by itself.
   double hostStalls = 0.0;
   double hostGoesOn = 0.0;
 
   double period() const { return 1.0 / this->rate; }
   /// The stiffest spring that the device's own damping allows, 2b/T, N/m (Colgate and Schenkel).
   double passiveStiffness() const { return 2.0 * this->plant.damping * this->rate; }
-  /// It renders b/T and twice the strongest push of the study, and states its delay.
+  /// The device renders b/T and twice the strongest push of the study, and states its delay.
   DeviceSpecification specification() const;
-  /// Ticks after which 0.5 % of stiffness, more or less than critical, has changed a swing by 10 %:
-  /// near its limit a light damped mass grows by (K/K* - 1) bT/2m per tick.
+  /// Number of ticks in which a stiffness 0.5 % above or below the critical one changes a swing by
+  /// 10 %: near the limit the swing of a lightly damped mass grows by (K/K* - 1) bT/2m per tick.
   int watchedTicks() const;
 };
 
@@ -59,8 +60,8 @@ constexpr double StrongestPush = 10.0; // N
 constexpr HandModel Nobody{ 0.0, 0.0 };
 
 /**
- * A simulated device in a hand, and a rendering, closed to a loop in virtual time. `rendering` must
- * outlive it.
+ * A simulated device in a hand and a rendering, closed to a loop in virtual time. `rendering` must
+ * outlive the loop.
  */
 class VirtualLoop
 {
@@ -70,33 +71,33 @@ public:
 
   void tick();
   void run(int ticks);
-  /// Runs, and gives the largest |v| (m/s) at the ticks.
+  /// Runs and returns the largest |v| (m/s) at the ticks.
   double peakSpeed(int ticks);
-  /// Runs, and gives the heights z (m) at the ticks.
+  /// Runs and returns the heights z (m) at the ticks.
   std::vector<double> heights(int ticks);
-  /// Runs, and gives max z - min z, m.
+  /// Runs and returns max z - min z, m.
   double swing(int ticks);
 
   double time() const noexcept { return this->Time; } ///< of the next tick, s
   Eigen::Vector3d position() const noexcept { return this->Device->truePosition(); } ///< m
   Eigen::Vector3d velocity() const noexcept { return this->Device->trueVelocity(); } ///< m/s
-  const Eigen::Vector3d& force() const noexcept { return this->Force; } ///< asked of the device, N
-  /// What the motor really does.
+  const Eigen::Vector3d& force() const noexcept { return this->Force; } ///< sent to the device, N
+  /// Force that the motor really applies.
   const Eigen::Vector3d& acting() const noexcept { return this->Acting; }
   double peakForce() const noexcept { return this->Peak; } ///< N, of acting
-  int notFinite() const noexcept { return this->Bad; }     ///< forces written that were no number
+  int notFinite() const noexcept { return this->Bad; }     ///< written forces that were not finite
   const EnergyAudit& audit() const noexcept { return this->Audit; }
   void forgetPeaks() noexcept;
 
 private:
   LoopSetting Setting;
-  std::unique_ptr<HapticDevice> Port; ///< the device, or faults around it
+  std::unique_ptr<HapticDevice> Port; ///< the device, possibly wrapped in faults
   SimulatedDevice* Device;
   Rendering& Rendered;
   EnergyAudit Audit;
   double Time = 0.0;
   int Ticks = 0;
-  double ToldTime = 0.0; ///< when a force was told last
+  double ToldTime = 0.0; ///< time of the last force
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   Eigen::Vector3d Acting = Eigen::Vector3d::Zero();
   double Peak = 0.0;

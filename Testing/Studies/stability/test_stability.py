@@ -43,7 +43,8 @@ class Theory(unittest.TestCase):
             mass, damping, period = (float(row[name]) for name in ("m_kg", "b", "T_s"))
             self.assertAlmostEqual(theory.passive_relaxing(material, damping, period) / float(row["K_passive_closed"]), 1,
                                    delta=1e-12)
-            # Eigenvalues move by less than 1e-3 of K here: their rounding is a thousand times its own.
+            # The eigenvalues change by less than 1e-3 of a relative change of K. So their rounding
+            # gives a thousand times as much in K.
             for delay, name in ((0.0, "K_stable_eig"), (1.0, "K_stable_eig_delay1")):
                 found = theory.relaxing_limit(material, mass, damping, period, delay)
                 self.assertAlmostEqual(found / float(row[name]), 1, delta=1e-6, msg=material)
@@ -60,14 +61,14 @@ class Rows:
 
     def test_exact_limits(self):
         for row in self.tables["limits"]:
-            # Bisected to 1e-11; the response is stored in float32. The issue asks for 1 %.
+            # Bisected to 1e-11; the response is stored as float32. The issue asks for 1 %.
             self.assertLess(abs(row["error"]), 1e-5, row)
 
     def test_relaxing_limits(self):
         self.assertEqual({row["material"] for row in self.tables["relaxing"]},
                          {"1:0.01", "1:0.1", "1:1", "0.5:0.02 0.8:0.2 1.2:2"})
         for row in self.tables["relaxing"]:
-            # Told from some hundred readings of a response in float32, with up to six poles among them.
+            # Identified from some hundred readings of a response in float32, with up to six poles.
             self.check_limit(row, 1e-3)
 
     def test_relaxing_under_control(self):
@@ -86,14 +87,14 @@ class Rows:
     def test_limits_of_two_hands(self):
         self.assertEqual({row["motion"] for row in self.tables["hands"]}, {"opposite", "common"})
         for row in self.tables["hands"]:
-            # Boussinesq's C and curves in float32; rounds of a tick are exact for springs.
+            # Boussinesq's C and curves as float32. The rounds of a tick are exact for springs.
             self.check_limit(row, 1e-4)
 
     def test_two_hands_under_control(self):
         for row in self.tables["hands-press"]:
             if row["control"] != "none":
                 self.assertLessEqual(row["generated_mJ"], verdicts.NO_ENERGY, row)
-            # At 2b/T nothing is left to damp what two hands pass to and fro.
+            # At 2b/T no damping is left for the energy that two hands exchange.
             if row["control"] == "chain":
                 self.assertEqual(row["rests"], 1, row)
 
@@ -103,17 +104,17 @@ class Rows:
                 self.assertGreater(row["half_swing_um"], 0.3 * row["encoder_um"], row)  # never at rest
             elif row["friction_N_per_m"] < 5 * theory.passive_limit(1.0, 1 / row["rate_Hz"]):
                 self.assertGreater(row["restful_N_per_m"], 0.99 * row["bound_N_per_m"], row)
-                # Above 2 f_c/Δ a place of rest need not exist; the search goes in steps of 0.05 %.
+                # Above 2 f_c/Δ a rest position need not exist. The search has steps of 0.05 %.
                 self.assertLess(row["restful_N_per_m"], 1.05 * row["friction_N_per_m"], row)
 
     def test_force_limits(self):
         for row in run.select(self.tables["press"], control="none", start="held"):
             if 1e-3 < row["limit_N"] < theory.STRONGEST_PUSH:
                 # 0.05 % by the criterion, 0.1 % by the bisection
-                if row["depth_mm"] < 8:  # deeper, depth and stiffness are those at 8 mm
+                if row["depth_mm"] < 8:  # at larger depths, depth and stiffness are those at 8 mm
                     self.assertAlmostEqual(row["stiffness_N_per_m"] / row["exact_N_per_m"], 1, delta=0.01)
                 if row["exact_force_N"] != "":
-                    # A stiffness to 0.2 % is a force of δ^1.5 to 0.6 %; stored curves err by 5e-4 more.
+                    # 0.2 % in stiffness is 0.6 % in the force of δ^1.5. Stored curves add 5e-4.
                     self.assertAlmostEqual(row["limit_N"] / row["exact_force_N"], 1, delta=0.01)
             elif row["limit_N"] == 0:
                 self.assertGreater(row["stiffness_N_per_m"], 0.99 * row["exact_N_per_m"], row)
@@ -132,13 +133,14 @@ class Rows:
 
     def test_cylinder(self):
         for row in self.tables["cylinder"]:
-            # 0.05 % of stiffness by the criterion, to the power 3/2 for a sphere and 2 for a cone; the bisection's 0.03 %.
+            # 0.05 % in stiffness by the criterion, to the power 3/2 for a sphere and 2 for a cone;
+            # 0.03 % by the bisection.
             self.assertAlmostEqual(row["modulus_MPa"] / row["exact_modulus_MPa"], 1, delta=0.01)
 
     def test_leak(self):
         for row in run.select(self.tables["leak"], control="none"):
-            # To first order in a tick's way over the depth of 2 mm; a late force sees it twice, and the turn may lie
-            # between two ticks.
+            # To first order in the path per tick over the depth of 2 mm. A delayed force doubles
+            # it, and the turn may be between two ticks.
             slack = 0.01 + (1 + row["delay_ticks"]) * 1e3 * row["speed_m_s"] / row["rate_Hz"] / 2.0
             self.assertAlmostEqual(row["leaked_mJ"] / row["expected_mJ"], 1, delta=slack)
 
@@ -171,7 +173,8 @@ class Quick(Rows, unittest.TestCase):
 
     def test_faults(self):
         for fault in verdicts.FAULTS.values():
-            # A device that hangs keeps its force whatever the loop does; all else is survived.
+            # A device that hangs keeps its force whatever the loop does. The chain survives all
+            # other faults.
             expected = verdicts.FAILS if fault == verdicts.FAULTS["stall"] else verdicts.SURVIVES
             self.assertEqual(self.cells["stored, chain", fault], expected, fault)
         self.assertEqual(self.cells["law at run time", "2 % NaN"], verdicts.FAILS)

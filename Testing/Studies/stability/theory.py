@@ -21,7 +21,7 @@ import math
 import numpy as np
 
 MASS = 0.1              # kg, of the simulated device
-STRONGEST_PUSH = 10.0   # N, of part b
+STRONGEST_PUSH = 10.0   # N, as in part b
 
 
 def exponential(matrix):
@@ -51,7 +51,7 @@ def tick_matrix(spring, mass, damping, period, delay, hand_stiffness, hand_dampi
     total = damping + hand_damping
     first, first_push = held(mass, total, hand_stiffness, part * period)
     second, second_push = held(mass, total, hand_stiffness, (1 - part) * period)
-    pushes = [second @ first_push, second_push]      # of the force before, until it arrives; and of the newer one
+    pushes = [second @ first_push, second_push]      # of the old force until the new one arrives, then of the new
     matrix = np.zeros((2 + late, 2 + late))
     matrix[:2, :2] = second @ first
     now = np.zeros(2 + late)                         # the force of this tick, -K x
@@ -95,7 +95,7 @@ def relaxing_matrix(spring, branches, mass, damping, period, delay):
     now = np.zeros(2 + n + whole)
     now[0] = -spring - sum(added)
     now[2:2 + n] = -1
-    for i in range(n):                               # h_i = (as it decayed) + c_i x; later e_i h_i - c_i x
+    for i in range(n):                               # h_i = (decayed value) + c_i x; later e_i h_i - c_i x
         matrix[2 + i, 2 + i] = kept[i]
         matrix[2 + i, 0] = (kept[i] - 1) * added[i]
     sent = [np.eye(2 + n + whole)[2 + n + i] for i in range(whole)] + [now]

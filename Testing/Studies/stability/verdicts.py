@@ -14,10 +14,10 @@ RENDERINGS = ("point spring", "law at run time", "stored, none", "stored, cap", 
               "stored, chain at 2b/T", "stored, chain")
 FAULTS = {"dropped": "20 % dropped", "late": "5 % late: by 5 ms", "nan": "2 % NaN", "stall": "0.1 s hang: of the device",
           "host": "0.1 s hang: of the host", "unplug": "unplugged 0.3 s", "delay": "1 ms delay"}
-STILL = 0.1           # mm/s; no hand feels it
-NO_ENERGY = 1e-6      # mJ: PassivityControl's slack
-LITTLE_ENERGY = 0.1   # mJ; a tenth of what the tissue of part f holds at its deepest
-QUADRATURE = 1e-5     # of force times way, in loops
+STILL = 0.1           # mm/s; a hand cannot feel it
+NO_ENERGY = 1e-6      # mJ: tolerance of PassivityControl
+LITTLE_ENERGY = 0.1   # mJ; a tenth of the energy stored by the tissue of part f at its deepest
+QUADRATURE = 1e-5     # of force times path, in loops
 RATE = 1000.0
 RUBBER = 3.45         # MPa
 
@@ -85,7 +85,7 @@ def friction_cells(rows):
 
     passive = 2 * RATE  # 2b/T of 1 N s/m
     for model in models:
-        # mm in 8 s; the swing itself is some 0.4 mm.
+        # mm in 8 s; the swing itself is about 0.4 mm.
         drift = abs(value(model, "drift_mm"))
         yield cell("friction", model, "drift", graded(drift, 1e-3, 1.0), drift, "mm")
         stuck, ripple = value(model, "stuck_share", 5.0), value(model, "speed_ripple", 5.0)
@@ -112,7 +112,8 @@ def geometry_cells(rows):
                                                   ("Paper", "NormalizedDirection", "EnergyConsistent")):
         method = f"{surface}, {form}" + (", edges felt" if edges == "felt" else "")
         wanted = {"surface": surface, "form": form, "edges": edges}
-        # A force jump of 1 % goes unnoticed (a tenth of the just-noticeable difference); one of 10 % does not.
+        # A force jump of 1 % is not noticed (a tenth of the just-noticeable difference); one of 10
+        # % is.
         for name, title in (("edge 90", "90° edge"), ("groove", "groove"), ("slab", "3 mm slab")):
             jump = worst(name, "force_jump", **wanted)
             if jump is not None:

@@ -6,15 +6,15 @@
 namespace palpate::testing
 {
 
-/// The contact on the stored compliance of the window's nodes: a dense factor of the nodes in
-/// contact for each set that is tried.
+/// The contact with the stored compliance of the window's nodes. Each trial set of nodes in contact
+/// is solved by a dense factorisation.
 class CondensedContact : public NodalContact
 {
 public:
   CondensedContact(FiniteBodyPointer body, ToolPointer tool);
 
   std::string name() const override;
-  /// The matrix of the window, and the compliances of the first guess.
+  /// Bytes of the compliance matrix of the window and of the compliances of the first guess.
   std::size_t bytes() const override;
 
 private:
@@ -24,7 +24,7 @@ private:
     const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override;
 
   const Eigen::MatrixXd& Matrix;
-  std::vector<double> Dense; // of the active nodes; grows to the largest contact met
+  std::vector<double> Dense; // of the active nodes; grows to the largest contact so far
   std::vector<double> Right;
 };
 

@@ -15,7 +15,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// Between the nodes of the regular field, which varies over the thickness of the body, mm.
+/// Distance of the nodes of the regular field, mm. The field varies over the thickness of the body.
 constexpr double CoarseSpacing = 1.0;
 
 bool always(double)

@@ -13,15 +13,14 @@ namespace palpate::testing
 {
 
 /**
- * A scene's body, meshed and factorised, and the nodes of its window: a square grid of
- * side() × side() nodes, node i at coordinate(i % side()), coordinate(i / side()).
- *
- * What costs time is made when first asked for (not thread-safe), and then shared by all methods.
+ * A scene's body, meshed and factorised, and the nodes of its window: a square grid of side() ×
+ * side() nodes, node i at coordinate(i % side()), coordinate(i / side()).
+ * Expensive data are computed at the first use (not thread-safe) and then shared by all methods.
  */
 class FiniteBody
 {
 public:
-  /// Throws std::runtime_error with what is wrong.
+  /// Throws std::runtime_error with the reason.
   static std::shared_ptr<const FiniteBody> make(const FiniteScene& scene, const FiniteMesh& mesh);
 
   const FiniteScene& scene() const { return this->Scene; }
@@ -35,32 +34,32 @@ public:
   {
     return { this->coordinate(node % this->Side), this->coordinate(node / this->Side) };
   }
-  /// The surface point of elastic() of a window node.
+  /// Number of a window node as a surface point of elastic().
   std::int32_t point(int node) const { return this->Points[static_cast<std::size_t>(node)]; }
   /**
-   * The symmetries of the body, as they map window nodes: bit 0 mirrors x, bit 1 mirrors y, bit 2
-   * swaps x and y (square bodies on a base only). symmetries() is how many there are, 4 or 8.
+   * The image of a window node under a symmetry of the body: bit 0 mirrors x, bit 1 mirrors y, bit
+   * 2 swaps x and y (square bodies on a base only). symmetries() is their number, 4 or 8.
    */
   int image(int node, int symmetry) const;
   int symmetries() const;
 
-  /// How far from the axis, along x and y, a tip with contact radius a may go, mm.
+  /// Largest distance from the axis, along x and y, for a tip with contact radius a, mm.
   double reach(double contactRadius) const
   {
     return this->Mesh.window - contactRadius - this->Mesh.spacing;
   }
 
-  /// Inward motion (mm) of the window nodes under inward forces (N) on them, by a full solution.
+  /// Inward motion (mm) of the window nodes under inward forces (N) on them. Solves the whole body.
   Eigen::VectorXd solve(const Eigen::VectorXd& forces) const;
 
   /// Inward motion of window node i per force on j, mm/N; symmetric.
   const Eigen::MatrixXd& compliance() const;
-  /// |C - Cᵀ| / |C + Cᵀ| of that matrix before it was made symmetric; Betti would have 0.
+  /// |C - Cᵀ| / |C + Cᵀ| of that matrix before it was made symmetric; exactly 0 by Betti's theorem.
   double asymmetry() const { return this->Asymmetry; }
 
   /// C_g at each window node, mm/N (PatchCompliance).
   const std::vector<double>& globalCompliances() const;
-  /// Between nodes bilinear; NaN outside the window.
+  /// Bilinear interpolation between nodes; NaN outside the window.
   double globalCompliance(double x, double y) const;
 
   /// n·φ_k of each mode at each window node (GlobalModes), and their signs: C_g ≈ Σ s_k (n·φ_k)².
@@ -69,21 +68,21 @@ public:
 
   /**
    * The regular part H of the Green function: inward motion of coarse node i per inward force at j,
-   * less the dent of a half-space (RegularField), mm/N, made symmetric. Coarse nodes are every
+   * minus the dent of a half-space (RegularField), mm/N, made symmetric. Coarse nodes are every
    * coarseStride()-th one of the window along x and y, about 1 mm apart.
    */
   const Eigen::MatrixXd& regular() const;
   int coarseStride() const;
   int coarseSide() const { return (this->Side - 1) / this->coarseStride() + 1; }
-  /// |H - Hᵀ| / |H + Hᵀ| before that; Betti would have 0.
+  /// |H - Hᵀ| / |H + Hᵀ| before H was made symmetric; exactly 0 by Betti's theorem.
   double regularAsymmetry() const { return this->RegularAsymmetry; }
 
-  /// Bytes of the factor and of what its making takes: an upper limit of what a solution reads.
+  /// Bytes of the factor and of its computation: an upper bound of the bytes that a solution reads.
   std::size_t factorBytes() const;
 
 private:
   FiniteBody() = default;
-  /// Whether what belongs to the node is found from another by symmetry.
+  /// True if the data of the node follow from another node by symmetry.
   bool isImage(int node) const;
 
   FiniteScene Scene;
@@ -100,11 +99,11 @@ private:
   mutable std::vector<int> Signs;
 };
 
-/// Bilinear in the window, one value per window node; NaN outside.
+/// Bilinear interpolation of one value per window node; NaN outside the window.
 double interpolateWindow(
   const FiniteBody& body, const std::vector<double>& values, double x, double y);
 
-/// The window as a surface, for the methods that need one: z = 0, normal +z.
+/// The window as a surface, for methods that need one: z = 0, normal +z.
 struct WindowSurface
 {
   std::vector<double> points;          ///< x, y, z by window node

@@ -31,7 +31,7 @@ ToolPointer tool(const char* text)
   return ToolPointer(makeTool(specification));
 }
 
-/// Made once; meshes this small take some tenths of a second.
+/// Made once; such a small mesh takes some tenths of a second.
 const FiniteBodyPointer& plate()
 {
   static const FiniteBodyPointer body = FiniteBody::make(finitePlate(), { 1.0, 4.0, 2.0 });
@@ -51,7 +51,7 @@ double press(ContactMethod& method, double x, double y, double depth)
   return force.z();
 }
 
-/// Force (N) by depth (mm) of a curve of the CalculiX study, carried to another modulus.
+/// Force (N) by depth (mm) of a curve of the CalculiX study, scaled to another modulus.
 std::vector<std::pair<double, double>> fromCalculix(const std::string& name, double reducedModulus)
 {
   std::ifstream file(std::string(PALPATE_DATA_DIR "/Studies/calculix/") + name);
@@ -72,7 +72,7 @@ std::vector<std::pair<double, double>> fromCalculix(const std::string& name, dou
 }
 } // namespace
 
-// The solution is unique: whatever subset has only pushing forces and no node passed through is it.
+// The solution is unique: it is the one subset with only compressive forces and no penetrated node.
 TEST(UnilateralContact, FindsTheOnlySubsetThatPushesAndHolds)
 {
   constexpr int nodes = 9;
@@ -112,12 +112,12 @@ TEST(UnilateralContact, FindsTheOnlySubsetThatPushesAndHolds)
     std::vector<int> active = { 0, 3 };
     Eigen::VectorXd forces;
     ASSERT_TRUE(contact.solve(dense, wanted, active, forces)) << trial;
-    // The sets may differ where a force is a rounding away from 0.
+    // The sets may differ in nodes whose force is zero to rounding.
     EXPECT_LT((forces - expected).norm(), 1e-7 * expected.norm()) << trial;
     touching += static_cast<int>(active.size());
   }
-  EXPECT_GT(touching, 50);  // neither nothing
-  EXPECT_LT(touching, 400); // nor everything in contact
+  EXPECT_GT(touching, 50);  // some nodes are in contact
+  EXPECT_LT(touching, 400); // but not all
 }
 
 TEST(LoveSquare, IsWhatPointForcesAddUpTo)
@@ -146,7 +146,7 @@ TEST(FiniteBody, StoresASymmetricCompliance)
   {
     const Eigen::MatrixXd& matrix = body->compliance();
     EXPECT_LT(body->asymmetry(), 1e-9); // Betti; rounding times the condition
-    // A column that was found by symmetry, solved for.
+    // A column found by symmetry equals its direct solution.
     const int node = body->side() + 2;
     const Eigen::VectorXd solved = body->solve(Eigen::VectorXd::Unit(body->windowNodes(), node));
     EXPECT_LT((solved - matrix.col(node)).norm(), 1e-9 * solved.norm());
@@ -166,8 +166,8 @@ TEST(FiniteMethods, FullSolutionIsTheCondensedOne)
       const double expected = press(full, 0.3, -0.6, depth);
       EXPECT_GT(full.touched().size(), 0U);
       EXPECT_TRUE(agrees(press(condensed, 0.3, -0.6, depth), expected, 1e-7)) << name << depth;
-      EXPECT_EQ(full.touched(), condensed.touched()); // none so near 0 here
-      // The guess from the last tip does not matter.
+      EXPECT_EQ(full.touched(), condensed.touched()); // no force is near 0 here
+      // The guess from the last tip must not change the result.
       press(condensed, -0.9, 0.8, depth);
       EXPECT_TRUE(agrees(press(condensed, 0.3, -0.6, depth), expected, 1e-7)) << name << depth;
     }
@@ -176,7 +176,7 @@ TEST(FiniteMethods, FullSolutionIsTheCondensedOne)
   }
 }
 
-// The layer is exact from the integral equation.
+// The exact force of the layer comes from the integral equation.
 TEST(FiniteMethods, LayerIsThatOfTheIntegralEquation)
 {
   // κ(a/h = 0.1, 0.2) at ν = 0.45: Data/Reference/layer_bonded_flat_kappa.csv.
@@ -186,17 +186,17 @@ TEST(FiniteMethods, LayerIsThatOfTheIntegralEquation)
   {
     const ToolPointer flat = tool(radius == 1.0 ? "flat:1" : "flat:2");
     const double exact = 2.0 * modulus * radius * kappa * 0.5;
-    // H is good to 1 % of C_g, a tenth to a quarter of the compliance here.
+    // H is accurate to 1 % of C_g, which is a tenth to a quarter of the compliance here.
     EXPECT_TRUE(agrees(press(*finiteReference(layer(), flat), 0.0, 0.0, 0.5), exact, 5e-3));
-    // The series' own error, of the order (a/h)³ (the manual's numbers), on top.
+    // In addition the error of the series model, of the order (a/h)³ (the numbers of the manual).
     EXPECT_TRUE(agrees(press(*localAndGlobal(layer(), flat), 0.0, 0.0, 0.5), exact,
       5e-3 + 2.5 * std::pow(0.1 * radius, 3)));
   }
 }
 
-// On edges: another code, quadratic elements, small strain. The flat's contact is given, and the
-// spheres' law is as in small strain while a/R < 0.26; both within CalculiX's own 0.15 %. Ours is
-// too stiff by 0.5 %: elements of 2 mm in a plate of 6.
+// A plate on edges: the other code has quadratic elements and small strain. The contact of the flat
+// is given, and the law of the spheres is that of small strain while a/R < 0.26; both within
+// CalculiX's own 0.15 %. Our plate is too stiff by 0.5 %: elements of 2 mm in a thickness of 6 mm.
 TEST(FiniteMethods, PlateOnEdgesIsThatOfCalculix)
 {
   const double modulus = plate()->scene().reducedModulus;
@@ -214,7 +214,8 @@ TEST(FiniteMethods, PlateOnEdgesIsThatOfCalculix)
         EXPECT_TRUE(agrees(press(*reference, 0.0, 0.0, depth), force, 1e-2)) << name << depth;
         EXPECT_TRUE(agrees(press(*series, 0.0, 0.0, depth), force, 1.3e-2)) << name << depth;
         EXPECT_TRUE(agrees(press(*modes, 0.0, 0.0, depth), force, 1.5e-2)) << name << depth;
-        // Without the dent that the tool makes: 4 % too much for the flat, more for the sphere.
+        // The local dent under the tool is missing: 4 % too stiff for the flat, more for the
+        // sphere.
         EXPECT_GT(press(*globalOnly(plate()), 0.0, 0.0, depth), 1.03 * force);
         ++compared;
       }
@@ -232,13 +233,13 @@ TEST(FiniteMethods, ReferenceIsTheHalfSpaceOnADeepBlock)
   {
     const ToolPointer pressed = tool(name);
     const double exact = pressed->force(0.5, modulus);
-    // The base is felt (-0.0013 /E*, FiniteScene.cxx), and the far elements are coarse, as much
-    // again or twice: 2 % of 1/(2E*a), a < 2 mm.
+    // The base has an effect (-0.0013 /E*, FiniteScene.cxx). The coarse far elements add the same
+    // error or twice that: 2 % of 1/(2E*a), a < 2 mm.
     EXPECT_TRUE(agrees(press(*finiteReference(block, pressed), 0.4, 0.2, 0.5), exact, 2e-2))
       << name;
   }
   // Elements of 1 mm under a contact radius of 2.5 mm: second order, h²/a² is 16 %, a quarter of it
-  // allowed. A pressed node alone is a spring that knows no sphere.
+  // is the tolerance. A single pressed node is a spring that does not depend on the sphere.
   const ToolPointer sphere = tool("sphere:6.35");
   const double hertz = sphere->force(1.0, modulus);
   EXPECT_TRUE(agrees(press(*condensedContact(block, sphere), 0.0, 0.0, 1.0), hertz, 4e-2));

@@ -15,30 +15,30 @@ using FiniteBodyPointer = std::shared_ptr<const FiniteBody>;
 using ToolPointer = std::shared_ptr<const AxisymmetricTool>;
 using MethodPointer = std::unique_ptr<ContactMethod>;
 
-// Each takes tips (x, y, -δ) and answers (0, 0, F); NaN where the contact leaves the window.
+// Each method takes tips (x, y, -δ) and returns (0, 0, F); NaN if the contact leaves the window.
 
-/// Full finite-element solve (offline): every step of the contact solves the whole body anew.
+/// Full finite-element solution (offline): each step of the contact solves the whole body again.
 MethodPointer fullSolve(FiniteBodyPointer body, ToolPointer tool);
 
-/// Condensed finite-element contact per tick: the window's compliance is stored, the contact is
-/// solved.
+/// Condensed finite-element contact per tick: the compliance of the window is stored, the contact
+/// is solved.
 MethodPointer condensedContact(FiniteBodyPointer body, ToolPointer tool);
 
 /// Local + global at run time: the tool's half-space law in series with C_g at the site.
 MethodPointer localAndGlobal(FiniteBodyPointer body, ToolPointer tool);
 /// The same with C_g from six modes of the body.
 MethodPointer localAndModes(FiniteBodyPointer body, ToolPointer tool);
-/// Global compliance only: F = δ / C_g, the tool's shape ignored; NaN where C_g is not positive.
+/// Global compliance only: F = δ / C_g, for any shape of tool; NaN if C_g is not positive.
 MethodPointer globalOnly(FiniteBodyPointer body);
-/// One node pressed: F = δ / C_ii, the spring that a point contact on these elements feels.
+/// One pressed node: F = δ / C_ii, the spring of a point contact on these elements.
 MethodPointer pressedNode(FiniteBodyPointer body);
 
-/// All of them, the full solve first. It costs a second per tip where the others cost micro- or
-/// milliseconds; its forces are those of the condensed one to 1e-6.
+/// All of these methods, the full solution first. It takes a second per tip, the others micro- or
+/// milliseconds; its forces equal those of the condensed one to 1e-6.
 std::vector<MethodPointer> finiteMethods(FiniteBodyPointer body, ToolPointer tool);
 
-/// What the others are judged by: the exact half-space under the tool, and what the body adds to it
-/// by finite elements. Some 0.1 s per tip.
+/// The reference of the others: the exact half-space under the tool, plus the effect of the body by
+/// finite elements. About 0.1 s per tip.
 MethodPointer finiteReference(FiniteBodyPointer body, ToolPointer tool);
 
 } // namespace palpate::testing

@@ -21,8 +21,9 @@ FiniteScene finitePlate()
 
 FiniteScene finiteBlock()
 {
-  // An endless layer of that thickness has C_g E* = M₀/(πh) = -0.0013 /mm: 0.8 % of a contact,
-  // 1/(2a), of a = 3 mm. Elements that grow so fast make it stiffer by as much again: README.md.
+  // An infinite layer of that thickness has C_g E* = M₀/(πh) = -0.0013 /mm: 0.8 % of a contact,
+  // 1/(2a), of a = 3 mm. The fast growth of the elements makes it stiffer by about the same amount:
+  // README.md.
   return { "block", { 800.0, 800.0, 400.0 }, Support::Base, Rubber, Poisson, 1.6 };
 }
 

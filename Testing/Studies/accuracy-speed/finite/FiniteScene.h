@@ -8,11 +8,11 @@
 namespace palpate::testing
 {
 
-/// What holds a block.
+/// Support of a block.
 enum class Support
 {
   Base, ///< the bottom face, bonded
-  Edges ///< the end faces x = ±size/2, held along z only, free to turn
+  Edges ///< the end faces x = ±size/2, held along z only, free to rotate
 };
 
 /// A block about the z axis under z = 0, of one material; mm, MPa.
@@ -23,26 +23,26 @@ struct FiniteScene
   Support support = Support::Base;
   double reducedModulus = 1.0; ///< E* = E/(1-ν²)
   double poissonRatio = 0.3;
-  double growth = 1.3; ///< of the elements away from the window and from the top
+  double growth =
+    1.3; ///< size ratio of neighbouring elements away from the window and from the top
 
   double youngsModulus() const;
 };
 
-/// The paper's rubber (E* = 3.45 MPa, ν = 0.45 as in the CalculiX study) as a plate 60 × 40 × 6 on
-/// its two short ends: gives way as a whole.
+/// The paper's rubber (E* = 3.45 MPa, ν = 0.45 as in the CalculiX study) as a plate 60 × 40 × 6 mm
+/// supported on its two short ends. Its global deflection is large.
 FiniteScene finitePlate();
-/// The same rubber, so deep and wide that a tool of some mm sees a half-space.
+/// The same rubber, so deep and wide that it is a half-space for a tool of some mm.
 FiniteScene finiteBlock();
 /// The same rubber as a layer on a rigid base.
 FiniteScene finiteLayer(double thickness = 10.0);
 
-/// How fine a body is meshed, mm.
+/// Element sizes of a body, mm.
 struct FiniteMesh
 {
-  double spacing =
-    0.5; ///< of the elements in the window and on the top; of the window a whole share
-  double window = 8.0;  ///< |x|, |y| <= window is what a tool may touch
-  double largest = 2.0; ///< element of a plate, which bends everywhere
+  double spacing = 0.5; ///< of the elements in the window and on the top; divides the window
+  double window = 8.0;  ///< a tool may press at |x|, |y| <= window
+  double largest = 2.0; ///< element of a plate, which bends as a whole
 
   /// Coarse and small, for tests.
   static FiniteMesh quick() { return { 1.0, 6.0, 2.0 }; }

@@ -5,7 +5,8 @@ namespace palpate::testing
 {
 namespace
 {
-/// Of the deepest wanted motion; below what tells a gap from rounding (UnilateralContact).
+/// Relative to the largest wanted motion; below the threshold by which UnilateralContact
+/// distinguishes a gap from rounding.
 constexpr double Residual = 1e-10;
 constexpr int MostGradients = 500;
 } // namespace
@@ -30,7 +31,7 @@ void FullSolve::move(
 void FullSolve::press(
   const std::vector<int>& active, const Eigen::VectorXd& wanted, Eigen::VectorXd& forces)
 {
-  // All vectors are zero but at the active nodes.
+  // All vectors are zero except at the active nodes.
   Eigen::VectorXd onActive = Eigen::VectorXd::Zero(wanted.size());
   for (const int i : active)
   {

@@ -6,8 +6,9 @@
 namespace palpate::testing
 {
 
-/// The contact on the body's whole factor: the forces of the nodes in contact by conjugate
-/// gradients, a solution of the whole body in each step. Nothing is stored for the window.
+/// The contact with the factorised body as a whole. The forces of the nodes in contact come from
+/// conjugate gradients, with a solution of the whole body in each step. Nothing is stored for the
+/// window.
 class FullSolve : public NodalContact
 {
 public:
@@ -18,7 +19,7 @@ public:
 
   std::string name() const override { return "full finite elements (offline)"; }
   std::size_t bytes() const override { return this->body().factorBytes(); }
-  /// Solutions of the whole body so far.
+  /// Number of solutions of the whole body so far.
   int solutions() const { return this->Solutions; }
 
 private:

@@ -10,7 +10,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// From -length/2 to length/2, with a step at 0.
+/// Mirrors the coordinates: from -length/2 to length/2, with a node at 0.
 std::vector<double> bothSides(const std::vector<double>& half)
 {
   std::vector<double> all;
@@ -31,7 +31,7 @@ std::vector<double> gradedSteps(const Grading& grading, double length)
   {
     at.push_back(static_cast<double>(i) * grading.spacing);
   }
-  // As many growing steps as come nearest to the rest, then fitted to it.
+  // Takes the number of growing steps whose sum is nearest to the rest, then scales them to fit.
   const double start = at.back();
   const double rest = length - start;
   std::vector<double> steps;
@@ -66,7 +66,7 @@ ElasticBodyInput gradedBlock(const FiniteScene& scene, const FiniteMesh& mesh)
   {
     throw std::runtime_error("the window does not fit the top face of the " + scene.name);
   }
-  // A plate bends everywhere; on a base what is far away hardly moves.
+  // A plate bends as a whole, so its elements are limited; on a base the far region hardly moves.
   const double largest = scene.support == Support::Edges ? std::max(mesh.largest, mesh.spacing)
                                                          : std::numeric_limits<double>::infinity();
   const auto along = [&](int axis)
@@ -78,7 +78,7 @@ ElasticBodyInput gradedBlock(const FiniteScene& scene, const FiniteMesh& mesh)
   const std::vector<double> y = along(1);
   std::vector<double> z =
     gradedSteps({ mesh.spacing, mesh.spacing, scene.growth, largest }, scene.size.z());
-  std::reverse(z.begin(), z.end()); // depths, from the bottom up
+  std::reverse(z.begin(), z.end()); // the layers are numbered from the bottom up
   const auto nx = static_cast<int>(x.size());
   const auto ny = static_cast<int>(y.size());
   const auto nz = static_cast<int>(z.size());
@@ -117,7 +117,7 @@ ElasticBodyInput gradedBlock(const FiniteScene& scene, const FiniteMesh& mesh)
   }
   if (scene.support == Support::Edges)
   {
-    // Statically determinate, so that vertical forces put no load on them.
+    // The supports are statically determinate, so vertical forces put no load on them.
     input.fixed[static_cast<std::size_t>(id(nx / 2, ny / 2, 0))] |= FixedX | FixedY;
     input.fixed[static_cast<std::size_t>(id(nx - 1, ny / 2, 0))] |= FixedY;
   }

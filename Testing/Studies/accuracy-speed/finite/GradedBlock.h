@@ -7,7 +7,7 @@
 namespace palpate::testing
 {
 
-/// Steps of `spacing` up to `fine`, then each `growth` times the last, up to `largest`.
+/// Steps of `spacing` up to `fine`, then each is `growth` times the last, up to `largest`.
 struct Grading
 {
   double spacing;
@@ -15,14 +15,14 @@ struct Grading
   double growth;
   double largest;
 };
-/// Coordinates from 0 to `length`; the growing steps are stretched or shrunk a little to fit.
+/// Coordinates from 0 to `length`. The growing steps are scaled a little to fit.
 std::vector<double> gradedSteps(const Grading& grading, double length);
 
 /**
  * The scene's body of hexahedra: `spacing` across the window and for the first element of depth,
- * coarser away from it; what holds it as FixedX, FixedY, FixedZ. Mirror-symmetric about x = 0 and y
- * = 0, and so is its answer to vertical forces: what keeps a plate on edges from drifting takes no
- * force.
+ * coarser away from it. Its supports are given by FixedX, FixedY, FixedZ. Body and deformation
+ * under vertical forces are mirror-symmetric about x = 0 and y = 0: the supports that keep a plate
+ * on edges from drifting carry no force.
  */
 ElasticBodyInput gradedBlock(const FiniteScene& scene, const FiniteMesh& mesh);
 

@@ -11,7 +11,8 @@ namespace palpate::testing
 {
 namespace
 {
-/// Of the depth: how far a surface pushed aside may rise and still be met by the tool.
+/// Fraction of the depth by which the surface next to the contact may rise; nodes up to there are
+/// candidates for contact.
 constexpr double Rise = 0.25;
 } // namespace
 

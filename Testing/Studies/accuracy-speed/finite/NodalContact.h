@@ -8,12 +8,11 @@ namespace palpate::testing
 {
 
 /**
- * Unilateral contact of a rigid tool with the nodes of a window: node i, at the distance r_i from
- * the tool's axis, moves inward by δ - f(r_i) or more, and is pushed or left alone. Vertical
- * forces, small displacements, as in the half-space laws. The force is the sum over the nodes.
- *
- * NaN when the contact reaches the rim of the window. Between tips the nodes in contact are kept as
- * the next guess; the answer does not depend on it.
+ * Unilateral contact of a rigid tool with the nodes of a window. Node i, at the distance r_i from
+ * the tool's axis, moves inward by δ - f(r_i) or more; its force is compressive or zero. Vertical
+ * forces and small displacements, as in the half-space laws. The force is the sum over the nodes.
+ * NaN if the contact reaches the rim of the window. The nodes in contact are kept as the first
+ * guess for the next tip; the result does not depend on it.
  */
 class NodalContact
   : public ContactMethod
@@ -29,7 +28,7 @@ public:
 protected:
   NodalContact(FiniteBodyPointer body, ToolPointer tool);
   const FiniteBody& body() const { return *this->Body; }
-  /// Window nodes that may be touched; what CompliantNodes numbers.
+  /// Window nodes that may come into contact; CompliantNodes uses their position in this list.
   const std::vector<int>& candidates() const { return this->Candidates; }
 
 private:

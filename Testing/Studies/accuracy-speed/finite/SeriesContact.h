@@ -7,7 +7,7 @@ namespace palpate::testing
 {
 
 /// δ = δ_local(F; tool) + C F with the half-space law of the tool and C = C_g at the site, solved
-/// anew each tick: from stored compliances, or from six modes of the body.
+/// in each tick. C_g comes from stored compliances or from six modes of the body.
 class SeriesContact : public ContactMethod
 {
 public:
@@ -30,14 +30,14 @@ private:
   From Source;
 };
 
-/// A spring at each node of the window, whatever the tool: F = δ / C.
+/// A spring at each node of the window, for any tool: F = δ / C.
 class SiteSpring : public ContactMethod
 {
 public:
   enum class Kind
   {
-    Global, ///< C_g; NaN where it is not positive
-    Node    ///< C_ii, what a force on one node of these elements meets
+    Global, ///< C_g; NaN if it is not positive
+    Node    ///< C_ii, the compliance of one node of these elements
   };
   SiteSpring(FiniteBodyPointer body, Kind kind);
 

@@ -15,10 +15,10 @@ namespace palpate::testing
 {
 namespace
 {
-/// Squares are laid out to this many expected contact radii, then further if the contact gets
+/// Squares are placed up to this many expected contact radii, and farther if the contact extends to
 /// there.
 constexpr double Margin = 1.25;
-/// Of the depth: when the correction of the depth has settled.
+/// Relative to the depth; the iteration of the depth correction ends below it.
 constexpr double Settled = 1e-7;
 
 /// The four values of cubic Lagrange interpolation at 0 <= t <= 3 between nodes 0, 1, 2, 3.
@@ -28,7 +28,8 @@ std::array<double, 4> cubic(double t)
     t * (t - 1.0) * (3.0 - t) / 2.0, t * (t - 1.0) * (t - 2.0) / 6.0 };
 }
 
-/// The depth at which a half-space gives the tool this force, from a first guess.
+/// Solves for the depth at which the force of the tool on a half-space has this value, from a first
+/// guess.
 double depthOfForce(const AxisymmetricTool& tool, double modulus, double force, double depth)
 {
   for (int i = 0; i < 100; ++i)
@@ -210,7 +211,7 @@ double SplitReference::solve(const Vector3& tip, double depth, double radius)
     const bool reached = this->Outermost > extent - 1.5 * side;
     if (reached && std::isfinite(this->Tool->profile(extent + side)))
     {
-      return this->solve(tip, depth, Margin * radius); // the contact is wider than was laid out
+      return this->solve(tip, depth, Margin * radius); // the contact is wider than the squares
     }
     const double local = depthOfForce(*this->Tool, modulus, force, depth);
     const double coarse = this->pressed(this->Local, local);

@@ -8,14 +8,14 @@ namespace palpate::testing
 {
 
 /**
- * The Green function split in two: G(x,X) = 1/(πE*|x-X|) + H(x,X). The first, singular half is what
- * elements render badly, and is exact here; the second is smooth over some mm and comes from
- * elements (RegularField). Unlike C_g in series, H varies under the contact: a plate bends round
+ * The Green function split in two: G(x,X) = 1/(πE*|x-X|) + H(x,X). Elements resolve the first,
+ * singular part badly, so it is exact here. The second part is smooth over some mm and comes from
+ * elements (RegularField). Unlike C_g in series, H varies under the contact: a plate bends around
  * the tool.
- *
- * The contact is solved on squares of uniform pressure around the tip (Love 1929), about
- * `Squares` across it. What squares that coarse miss of the singular half is measured on a
- * half-space under the same force, where the law of the tool is known, and taken off the depth.
+ * The contact is solved on squares of uniform pressure around the tip (Love 1929), about `Squares`
+ * across the contact. The error of these coarse squares in the singular part is measured on a
+ * half-space under the same force, where the law of the tool is known. The depth is corrected by
+ * it.
  */
 class SplitReference
   : public ContactMethod
@@ -35,9 +35,9 @@ private:
   void move(
     const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override;
 
-  /// Squares within `extent` of the tip's axis; false where they leave the window.
+  /// Places squares within `extent` of the tip's axis; false if they leave the window.
   bool layOut(const Vector3& tip, double side, double extent);
-  /// The force at a depth, on the matrix given.
+  /// The force at a depth, with the given matrix.
   double pressed(const Eigen::MatrixXd& matrix, double depth);
   double solve(const Vector3& tip, double depth, double radius);
 
@@ -45,12 +45,12 @@ private:
   ToolPointer Tool;
   int Across;
   UnilateralContact Contact;
-  std::vector<Eigen::Vector2d> Middles; ///< of the squares, from the axis
+  std::vector<Eigen::Vector2d> Middles; ///< of the squares, relative to the axis
   Eigen::MatrixXd Local;                ///< of the squares on a half-space, mm/N
-  Eigen::MatrixXd Whole;                ///< and with H
+  Eigen::MatrixXd Whole;                ///< Local plus H
   const Eigen::MatrixXd* Matrix = nullptr;
   std::vector<int> Active;
-  double Outermost = 0.0; ///< in contact, from the axis
+  double Outermost = 0.0; ///< farthest square in contact, from the axis
 };
 
 } // namespace palpate::testing
