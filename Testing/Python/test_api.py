@@ -177,6 +177,9 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(at_edge[0] * math.sqrt(5), 0.1482, delta=0.004)
         self.assertLess(np.abs(np.diff(felt, axis=0)).max(), 0.01)      # ticks of 0.02 mm
         self.assertEqual(np.abs(felt[-1]).max(), 0)
+        # A press on a place of the upper face stays on that face, as on a path, although the side is nearer.
+        press = palpate.probe(body, np.array([[199.9, 77.7, 200.0], [199.3, 77.7, 200.0]]), indentation=1.0)
+        np.testing.assert_allclose(press.forces, felt[[995, 965]] * (4 / 3 * REDUCED * math.sqrt(5)), rtol=1e-6, atol=1e-9)
         plain = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False)
         self.assertIsNone(plain.GetFieldData().GetArray("ResponseEdges"))
 

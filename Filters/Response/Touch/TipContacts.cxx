@@ -152,6 +152,10 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             const ToolPose pose = start.at(order.tips()[k].id, order.tips()[k].position);
             at.pressed = pose.tip;
             single.reset();
+            if (indentation > 0.0 && body.edges)
+            {
+              single.update(start.onset(order.tips()[k].id, order.tips()[k].position));
+            }
             at.contact = single.update(pose);
             if (pose.hasAxis())
             {

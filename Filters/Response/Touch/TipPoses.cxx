@@ -60,35 +60,55 @@ ToolPose TipPoses::at(vtkIdType tip)
 
 ToolPose TipPoses::at(vtkIdType tip, const Vector3& position)
 {
-  const Vector3 at = this->pressed(position);
+  Vector3 point;
+  Vector3 normal;
+  return this->poseAt(tip,
+    this->findSite(position, point, normal)
+      ? Vector3(position - this->Indentation / normal.norm() * normal)
+      : position);
+}
+
+ToolPose TipPoses::onset(vtkIdType tip, const Vector3& position)
+{
+  constexpr double part = 1e-3; // of the indentation
+  Vector3 point;
+  Vector3 normal;
+  return this->poseAt(tip,
+    this->findSite(position, point, normal)
+      ? Vector3(point - part * this->Indentation / normal.norm() * normal)
+      : position);
+}
+
+ToolPose TipPoses::poseAt(vtkIdType tip, const Vector3& position)
+{
   if (!this->Axes)
   {
-    return ToolPose(at);
+    return ToolPose(position);
   }
   Vector3 axis;
   this->Axes->GetTuple(tip, axis.data());
-  return ToolPose(at, axis);
+  return ToolPose(position, axis);
 }
 
-Vector3 TipPoses::pressed(const Vector3& tip)
+bool TipPoses::findSite(const Vector3& tip, Vector3& point, Vector3& normal)
 {
   if (this->Indentation == 0.0)
   {
-    return tip;
+    return false;
   }
   const SurfacePoint nearest = this->Search.closestLocal(this->Body.surface.toLocal(tip));
   if (nearest.triangle < 0)
   {
-    return tip;
+    return false;
   }
-  Vector3 normal = Vector3::Zero();
+  point = nearest.projection.point + this->Body.surface.centre();
+  normal.setZero();
   for (int k = 0; k < 3; ++k)
   {
     normal += nearest.projection.weights[k] *
       this->Body.response.normal(
         this->Body.surface.corners(nearest.triangle)[static_cast<std::size_t>(k)]);
   }
-  const double length = normal.norm();
-  return length > 0.0 ? Vector3(tip - this->Indentation / length * normal) : tip;
+  return normal.norm() > 0.0;
 }
 } // namespace palpate

@@ -38,8 +38,16 @@ public:
   /// The pose for a tip whose position is known.
   ToolPose at(vtkIdType tip, const Vector3& position);
 
+  /// Just under the closest point, on the way to at(). A contact that begins there is on the face
+  /// that is pressed; one that begins at at() may be on the face across a sharp edge, if that face
+  /// is nearer. The same as at() without an indentation.
+  ToolPose onset(vtkIdType tip, const Vector3& position);
+
 private:
-  Vector3 pressed(const Vector3& tip);
+  /// The closest point and the blended normal there, of any length. Returns false without an
+  /// indentation, or if there is no normal.
+  bool findSite(const Vector3& tip, Vector3& point, Vector3& normal);
+  ToolPose poseAt(vtkIdType tip, const Vector3& position);
 
   const ContactBody& Body;
   vtkPolyData* Tips;
