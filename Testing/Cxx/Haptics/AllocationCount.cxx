@@ -61,7 +61,7 @@ bool countsMalloc() noexcept
 }
 } // namespace palpate::testing
 
-// The array and nothrow forms of the standard library call these.
+// The array and nothrow forms of the standard library call these functions.
 void* operator new(std::size_t size)
 {
   return allocate(size);
