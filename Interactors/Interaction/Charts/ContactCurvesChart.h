@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// Force (N) over deflection (mm) of some curves at a contact. They are dotted beyond validity; one
-/// may have a band of its error. A running point shows the present force.
+/// Force (N) over deflection (mm) of some curves at a contact. They are dotted beyond validity; a
+/// curve may have a band of its error. A running point shows the present force.
 class ContactCurvesChart : public LiveChart
 {
 public:

@@ -69,7 +69,7 @@ struct BodyDisplay::Dent
   FieldContact contact;
   double circleRadius = 0.0;
   double circleDepth = 0.0;
-  double edge = 1.0;                    ///< mean length of the touched triangle's edges, mm
+  double edge = 1.0;                    ///< mean length of the edges of the triangle in contact, mm
   vtkSmartPointer<vtkContactTool> tool; ///< of the last field, which references it
   std::shared_ptr<const LayerKernel> kernel;
   std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
