@@ -3,7 +3,7 @@
  * @class vtkContactSetup
  * @brief body, tools, material and model of a contact, and the responses made from them
  *
- * Give it a body without responses and tools, and set the material of the body. Update makes the
+ * Give it tools and a body without responses, and set the material of the body. Update makes the
  * responses of all tools, each under its own prefix: `Response` for the first, then `Response2`,
  * `Response3`... GetOutput is the body with the responses. GetTool and GetResponseName give the
  * tool and the prefix of each. ApplyTo passes them to a session, running or not; ShowIn passes them
@@ -52,14 +52,15 @@ public:
   {
     HalfSpace = 0,
     Layer = 1,  ///< the thickness is the property LayerThickness, or the array of this name (mm);
-                ///< the base is LayerBase, or the layers of AddLayer
+                ///< below it are the layers of AddLayer, if any, and LayerBase
     Series = 2, ///< the local deflection in series with the array GlobalCompliance (mm/N)
     Stored = 3  ///< the body has its responses already: they are used unchanged
   };
 
   ///@{
-  /** The body: triangles, with outward normals if it has any, and the arrays that the models need.
-   * */
+  /**
+   * The body: triangles, with outward normals if it has any, and the arrays that the models need.
+   */
   void SetBody(vtkPolyData* body);
   vtkPolyData* GetBody();
   ///@}
@@ -90,8 +91,9 @@ public:
   vtkGetMacro(YoungsModulus, double);
   ///@}
   ///@{
-  /** Poisson's ratio, 0 to 0.5. Default 0.45. With Series the compliance does not change with it.
-   * */
+  /**
+   * Poisson's ratio, 0 to 0.5. Default 0.45. With Series the compliance does not change with it.
+   */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
@@ -110,8 +112,9 @@ public:
    * models exclude each other. */
   bool HasModel(int model);
   ///@{
-  /** Thickness of the layer, mm, the same everywhere. Default 0: the array LayerThickness gives it.
-   * */
+  /**
+   * Thickness of the layer, mm, the same everywhere. Default 0: the array LayerThickness gives it.
+   */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
@@ -252,8 +255,9 @@ public:
   /** The newest error; "" after a success. */
   vtkGetMacro(Error, std::string);
 
-  /** The body with the responses; null before the first Update or Collect. A new object each time.
-   * */
+  /**
+   * The body with the responses; null before the first Update or Collect. A new object each time.
+   */
   vtkPolyData* GetOutput();
   /** The tool for which a response was made; null before the first Update or Collect. */
   vtkContactTool* GetOutputTool(int tool);

@@ -10,14 +10,14 @@
  *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
  *   maximum force is 10 N. Neither stiffness nor energy is limited, as no loop is closed through
  *   it.
- * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves, m dv/dt = F
- *   + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m, 1). A hand
- *   of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or SteerTo. It
- *   closes a loop, so that stiffness cap and passivity control act as on a real device with this
- *   damping: no spring above b/(T/2 + delays), where T is one over the session's Rate. Its maximum
- *   force is 10 N. Further settings: friction (N), encoder-step (m), force-delay and sample-delay
- *   (s), hand-force (N), see palpate::readPlant. Settings that are not given, and all settings of
- *   "plant" alone, have their defaults.
+ * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves by m
+ *   dv/dt = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m,
+ *   1). A hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
+ *   SteerTo. It closes a loop, so that stiffness cap and passivity control act as on a real device
+ *   with this damping: no spring above b/(T/2 + delays), where T is one over the session's Rate.
+ *   Its maximum force is 10 N. Further settings: friction (N), encoder-step (m), force-delay and
+ *   sample-delay (s), hand-force (N), see palpate::readPlant. Settings that are not given, and all
+ *   settings of "plant" alone, have their defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that uses the same reports, "unix:/PATH" or "udp:PORT"; needs
@@ -120,8 +120,9 @@ public:
   /** For a simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
    * decreasing). For a tilted tool also a point array `ToolAxis` (3, from the tip to the hand). */
   void SetPath(vtkPolyData* path);
-  /** Time of the last point of the path in use since Start, s; 0 before Start and without a path.
-   * */
+  /**
+   * Time of the last point of the path in use since Start, s; 0 before Start and without a path.
+   */
   double GetPathDuration();
   /** For a simulated device with RealTime: the target of the hand, mm. Before Start: its starting
    * point. */

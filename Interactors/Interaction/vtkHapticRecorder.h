@@ -56,9 +56,10 @@ public:
   vtkGetMacro(RecordedSeconds, double);
   ///@}
   ///@{
-  /** Length of the history for GetHistory, s, 0 to 100. A tick needs 600 bytes. With RealTime,
-   * ticks wait to be read for at most this long if nothing else is recorded. Default 0: no history.
-   * */
+  /**
+   * Length of the history for GetHistory, s, 0 to 100. A tick needs 600 bytes. With RealTime, ticks
+   * wait to be read for at most this long if nothing else is recorded. Default 0: no history.
+   */
   vtkSetClampMacro(HistorySeconds, double, 0.0, 100.0);
   vtkGetMacro(HistorySeconds, double);
   ///@}

@@ -141,8 +141,9 @@ public:
   void SetTilt(double right, double away);
   void GetTilt(double tilt[2]) const;
 
-  /** Steers the tool to hover above a point of the surface with the outward unit normal `normal`.
-   * */
+  /**
+   * Steers the tool to hover above a point of the surface with the outward unit normal `normal`.
+   */
   void HoverAt(const double point[3], const double normal[3]);
   /** Steers the tip to a point, mm, body frame. */
   void SteerTo(const double tip[3]);
@@ -162,8 +163,9 @@ public:
   bool GetHelpVisibility() const;
   ///@}
   ///@{
-  /** Text of this list: one line per key, "key<tab>function". Default: the functions of this class.
-   * */
+  /**
+   * Text of this list: one line per key, "key<tab>function". Default: the functions of this class.
+   */
   void SetKeyHelp(const std::string& text);
   std::string GetKeyHelp() const;
   ///@}

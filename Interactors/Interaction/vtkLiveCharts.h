@@ -52,8 +52,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The renderer of the charts. They set its background and handle no events. Null: no renderer.
-   * */
+  /**
+   * The renderer of the charts. They set its background and handle no events. Null: no renderer.
+   */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}

@@ -39,8 +39,9 @@ public:
   void SetWindow(vtkRenderWindow* window);
 
   ///@{
-  /** Folder of files without a given name. It is created when needed. Default: the current folder.
-   * */
+  /**
+   * Folder of files without a given name. It is created when needed. Default: the current folder.
+   */
   vtkSetMacro(OutputFolder, std::string);
   vtkGetMacro(OutputFolder, std::string);
   ///@}

@@ -46,8 +46,8 @@ class DeflectionShader
 {
 public:
   static constexpr const char* NormalAttribute = "palpateSurface";
-  /// Default reach of a field, in contact radii. The field is exact up to 15 contact radii, where 4
-  /// % of it remain, and fades beyond.
+  /// Default reach of a field, in contact radii. The field is exact up to 15 contact radii, where
+  /// 4 % of it remain, and fades beyond.
   static constexpr double FieldRadii = 20.0;
 
   /// Distance at which a field ends, mm: its reach, or FieldRadii contact radii if it has none.

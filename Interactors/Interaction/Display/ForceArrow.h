@@ -79,8 +79,8 @@ public:
   TorqueArc& operator=(const TorqueArc&) = delete;
 
   /// Draws the arc around `center` (mm), beginning on the side of `from`. The arc is as long as the
-  /// arrow of the force that has this torque at the arc's radius, at `scale` mm per N; at most 5.2
-  /// rad. A torque that is zero or not finite is not drawn.
+  /// arrow of the force that has this torque at the arc's radius, at `scale` mm per N; at most
+  /// 5.2 rad. A torque that is zero or not finite is not drawn.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();
