@@ -154,8 +154,7 @@ double thicknessAt(const ViewerScene& scene, vtkIdType point)
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene)
 {
   const bool other =
-    options.voxel > 0.0 || options.solid || !options.measured.empty(); // another option defines the
-                                                                       // body below the surface
+    options.voxel > 0.0 || options.solid || !options.measured.empty(); // defines the layers
   const bool wanted = options.layer.value_or(other ? LayerChoice{} : ofScene).scanned;
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;
 }

@@ -67,9 +67,7 @@ std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoi
   {
     return "alternative '" + choice.name + "': this body has no lumps; give --scene phantom";
   }
-  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without"; // suffix of the
-                                                                             // response without
-                                                                             // nodules
+  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without"; // without nodules
   if (law == own)
   {
     for (std::size_t i = 0; i < scene.tools.size(); ++i)
