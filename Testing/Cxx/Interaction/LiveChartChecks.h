@@ -100,8 +100,8 @@ inline Body pressAndSlide(double depth)
     { 0.4, 6.2, 1.0, 3.2 } });
 }
 
-/// The body with the response of a tool. The modulus differs from point to point, 1 to 5 MPa; ν =
-/// 0.
+/// The body with the response of a tool. The modulus differs from point to point, 1 to 5 MPa;
+/// ν = 0.
 inline Body unevenResponse(vtkPolyData* body, const std::string& tool)
 {
   const auto modulus = [](vtkIdType i)

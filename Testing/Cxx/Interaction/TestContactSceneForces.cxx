@@ -140,8 +140,7 @@ void checkCircle(vtkContactScene* scene, const double contact[3], double depth)
   const double height = -(depth - Radius + std::sqrt(Radius * Radius - a * a));
   PALPATE_CHECK(scene->GetCircleActor()->GetVisibility());
   PALPATE_CHECK_NEAR(circle.aside, a + line, Rounding);
-  PALPATE_CHECK_NEAR(0.5 * (circle.low + circle.high), height, 1e-3); // the normals of the body are
-                                                                      // floats
+  PALPATE_CHECK_NEAR(0.5 * (circle.low + circle.high), height, 1e-3); // normals are floats
   PALPATE_CHECK_NEAR(circle.high - circle.low, 2.0 * line, 1e-3);
 }
 

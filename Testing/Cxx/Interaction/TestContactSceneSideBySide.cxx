@@ -17,8 +17,8 @@ using namespace palpate::testing;
 constexpr double Depth = 1.0;
 const char* const Tools[3] = { "flat:1.6", "sphere:6.35", "cone:60" };
 
-/// Tolerance of deflection and contact on the tube's facets of 1 mm, which are up to h²/(8R) =
-/// 0.0025 mm below the arc.
+/// Tolerance of deflection and contact on the tube's facets of 1 mm, which are up to
+/// h²/(8R) = 0.0025 mm below the arc.
 constexpr double Facet = 0.003;
 
 /// The scene of one tool, and its data.

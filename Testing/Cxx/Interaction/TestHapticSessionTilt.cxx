@@ -172,8 +172,7 @@ void checkFelt()
   upright->GetIdealForce(force);
   PALPATE_CHECK_NEAR(force[2], 2.0 * radius * 0.2 * radius, 1e-5);
   upright->GetIdealTorque(torque);
-  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]); // tolerance of the table near
-                                                                   // upright
+  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]); // of the table near upright
   const double whole = force[2];
   const auto leaning = pressed(angle);
   leaning->GetIdealForce(force);

@@ -58,8 +58,7 @@ void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType col
     {
       ++row;
     }
-    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9) // except the point where it
-                                                                        // becomes dotted
+    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9) // not the start of the dots
     {
       const double stored = expected->GetValue(row, column).ToDouble();
       PALPATE_CHECK_NEAR(force, stored, 1e-12 * stored);
