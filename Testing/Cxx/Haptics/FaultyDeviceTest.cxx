@@ -68,8 +68,7 @@ TEST(FaultyDevice, EachFaultOnSchedule)
 {
   EXPECT_EQ(told(DeviceFaults()), "0123456789");
   EXPECT_EQ(told(once(DeviceFault::Dropped, 3.0)), "012-456789");
-  EXPECT_EQ(told(once(DeviceFault::Dropped, 2.5, 2.0)), "012--56789"); // 3 and 4 are within the
-                                                                       // fault
+  EXPECT_EQ(told(once(DeviceFault::Dropped, 2.5, 2.0)), "012--56789"); // drops 3 and 4
   EXPECT_EQ(told(once(DeviceFault::Repeated, 3.0)), "0122456789");
   EXPECT_EQ(told(once(DeviceFault::Repeated, 3.0, 2.0)), "0122256789");
   EXPECT_EQ(told(once(DeviceFault::Late, 3.0, 2.0)), "012--36789"); // the sample of 3 arrives at 5
@@ -78,8 +77,7 @@ TEST(FaultyDevice, EachFaultOnSchedule)
   EXPECT_EQ(told(once(DeviceFault::Stall, 3.0, 4.0)), "012----789");
   EXPECT_EQ(told(once(DeviceFault::Disconnect, 3.0, 4.0)), "012xxxx789");
   EXPECT_EQ(told(once(DeviceFault::Disconnect, 3.0, 1e300)), "012xxxxxxx");
-  EXPECT_EQ(told(once(DeviceFault::Dropped, 3.3, 0.2)), "0123-56789"); // the first reading after
-                                                                       // the start of the fault
+  EXPECT_EQ(told(once(DeviceFault::Dropped, 3.3, 0.2)), "0123-56789"); // the next reading
 }
 
 TEST(FaultyDevice, TheGravestHappens)

@@ -445,8 +445,7 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
   EXPECT_EQ(ForcesUnderWay(NotANumber, Period).late(), 0U);
   EXPECT_EQ(ForcesUnderWay(-1.0, Period).late(), 0U);
   EXPECT_EQ(ForcesUnderWay(1.0, Period).late(), ForcesUnderWay::Most);
-  EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // a rounding error does not add a
-                                                              // tick
+  EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // rounding adds no tick
 }
 
 // Forces that act up to n ticks late, at random. The hand gains no more energy than the device's

@@ -121,8 +121,7 @@ TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
   }
   const double damping = 1000 * 0.5 * Torsion * Turn * Turn;
   EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // rounding
-  EXPECT_GT(given, 0.9 * whole);                                       // and nearly all of it can
-                                                                       // be used
+  EXPECT_GT(given, 0.9 * whole);                                       // nearly all of it
 }
 
 TEST(PassivityTorque, DoesNothingToASpringOfForceAndTorque)

@@ -164,8 +164,7 @@ TEST(RealTimeGrant, MemoryIsLockedOrItIsSaidWhyNot)
   const Asked asked = askInAThread(request);
   EXPECT_EQ(asked.grant.memoryLocked, asked.grant.memoryError == 0);
 #ifndef PALPATE_SANITIZED
-  EXPECT_EQ(lockedMemory() > 0.0, asked.grant.memoryLocked); // with sanitizers, mlockall has no
-                                                             // effect
+  EXPECT_EQ(lockedMemory() > 0.0, asked.grant.memoryLocked); // no effect with sanitizers
 #endif
   munlockall();
 }

@@ -236,8 +236,7 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
       EXPECT_EQ(count(scenes.takeRetired()), 1);
     }
     const Vector3 now = scenes.update(tipAt(0), Period, Infinity).idealForce;
-    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // the change from 1 to 4 is the
-                                                                  // largest
+    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // the largest change, 1 → 4
     last = now;
     felt.push_back(now.norm() / force);
   }

@@ -64,8 +64,7 @@ TEST(ServoRelaxation, TimeIsThatOfTheTicks)
   double remembered = 0.0;
   for (int i = 0; i < 2000; ++i)
   {
-    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i))); // ticks are not
-                                                                            // equidistant
+    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i))); // uneven ticks
     const Tick tick = step.step(sampleAt(pathAt(t)), t);
     const Contact expected = contact.update(tick.tip, i > 0 ? t - last : 0.0);
     ASSERT_EQ(tick.contact.force, expected.force) << i;

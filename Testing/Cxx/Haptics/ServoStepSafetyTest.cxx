@@ -386,8 +386,8 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
 
 TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
 {
-  // With all links on, at rest: the force changes from 10 δ^1.5 N to 30 δ^1.5 N at 1.8 mm within 50
-  // ms.
+  // With all links on, at rest: the force changes from 10 δ^1.5 N to 30 δ^1.5 N at 1.8 mm within
+  // 50 ms.
   Pressed pressed(whole());
   const double before = pressed.last.deviceForce.z();
   pressed.step.change(slabScene(2.0F));

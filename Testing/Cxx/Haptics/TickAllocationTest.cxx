@@ -70,8 +70,7 @@ TEST(TickAllocation, TheCounterSeesAllocations)
 {
   long before = allocationCount();
   Sink = ::operator new(8);
-  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and the malloc that it
-                                                                   // calls
+  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and malloc in it
   before = allocationCount();
   ::operator delete(Sink);
   EXPECT_EQ(allocationCount(), before + 1);

@@ -96,8 +96,7 @@ TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
     const Vector3d velocity = randomPoint(random, 1.0);
     const double step = 0.125; // s; the mapping is linear, so any step is valid
     const Vector3d rate = (each.toBody(from + step * velocity) - each.toBody(from)) / step;
-    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10); // 1e-16 of 300 mm, divided by
-                                                                     // the step
+    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10); // 1e-16 of 300 mm, over step
   }
 }
 
