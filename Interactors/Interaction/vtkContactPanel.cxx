@@ -23,7 +23,7 @@ namespace
 using palpate::PanelButton;
 using palpate::PanelSlider;
 
-constexpr float Priority = 1.0F; // of the panel among the observers of a frame: first
+constexpr float Priority = 1.0F; // among the observers of a frame: the panel is first
 } // namespace
 
 struct vtkContactPanel::Parts
@@ -210,7 +210,7 @@ void vtkContactPanel::Update()
   {
     return;
   }
-  // While a slider is held the scales of force are kept, so that the change is visible.
+  // While a slider is held, the force scales do not change, so that the effect is visible.
   const bool isNew = kept.controls->update();
   if (isNew &&
     std::none_of(kept.sliders.begin(), kept.sliders.end(),

@@ -3,21 +3,22 @@
  * @class vtkContactPanel
  * @brief sliders and buttons for tool, material, contact and display during contact
  *
- * Fills its own renderer, a strip of the window, with the tools and the size of the chosen one,
- * Young's modulus, Poisson's ratio, friction, the model of the body, exaggeration of the dent,
- * comparison of tools, charts, the session, record and picture. (Mahvash and Hayward 2002, figure
- * 9, live.) Made of vtkSliderWidget and vtkButtonWidget.
+ * Fills its own renderer, a strip of the window, with: the tools and the size of the chosen one,
+ * Young's modulus, Poisson's ratio, friction, the model of the body, the exaggeration of the dent,
+ * the comparison of tools, charts, the session, record and picture. (A live version of Mahvash and
+ * Hayward 2002, figure 9.) Made of vtkSliderWidget and vtkButtonWidget.
  *
- * Give it a renderer of a window with an interactor, a setup, and the style that has session, scene
- * and files; the clock, and charts if there are any. Then On. At each frame of the clock it
- * requests new responses from the setup if something was changed, by the panel or by a program,
- * passes those that are ready to session, scene and charts, and shows the present settings. The
- * window never waits for responses: until they are ready the old ones are felt and shown.
+ * Give it a renderer of a window with an interactor; a setup; the style that has session, scene and
+ * files; the clock; and the charts, if there are any. Then call On. At each frame of the clock, the
+ * panel requests new responses from the setup if a setting was changed by the panel or by a
+ * program. It passes finished responses to session, scene and charts, and shows the present
+ * settings. The window never waits for responses: the old ones are used and shown until the new
+ * ones are ready.
  *
- * All its functions are available without it: by methods of vtkContactSetup (tool, size, material,
- * model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration),
+ * All functions of the panel are available without it, as methods of vtkContactSetup (tool, size,
+ * material, model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration),
  * vtkLiveCharts (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic
- * (help). Controls that the body or the setup does not support are left out; with Model Stored only
+ * (help). Controls that the body or the setup does not support are left out. With Model Stored only
  * the display can be changed.
  */
 #ifndef vtkContactPanel_h
@@ -49,15 +50,15 @@ public:
   };
 
   /**
-   * The strip; the panel sets its background, and the camera is not controlled there. About 256
-   * pixels wide and 700 high; it shrinks with less.
+   * The renderer of the strip. The panel sets its background; its camera is not controlled. The
+   * strip should be about 256 pixels wide and 700 high; the panel shrinks in a smaller one.
    */
   void SetRenderer(vtkRenderer* renderer);
-  /** The setup. Its output must exist: call its Update before On. */
+  /** The setup. Its output must exist: call Update of the setup before On. */
   void SetSetup(vtkContactSetup* setup);
-  /** The style, with session, scene and interactor; and files, for Record and Picture. */
+  /** The style, with session, scene and interactor. For Record and Picture it also needs files. */
   void SetStyle(vtkInteractorStyleHaptic* style);
-  /** The clock whose frames it follows; without one, call Update. */
+  /** The clock whose frames the panel follows. Without a clock, call Update. */
   void SetClock(vtkFrameClock* clock);
   /** Optional: the charts, for Compare, Charts and Timing. */
   void SetCharts(vtkLiveCharts* charts);
@@ -68,12 +69,12 @@ public:
   void Off();
   ///@}
 
-  /** The work of a frame, see above. */
+  /** Does the work of one frame, see above. */
   void Update();
 
   /**
-   * Chooses a tool of the setup, from 0, in session, scene and charts. Nothing happens if there is
-   * none.
+   * Chooses a tool of the setup, from 0, in session, scene and charts. No effect if there is no
+   * such tool.
    */
   void ChooseTool(int tool);
 
@@ -91,14 +92,14 @@ public:
 
   ///@{
   /**
-   * Position in the window, in pixels from its lower left corner, of the button of this label, or
-   * of the handle of the slider of this name at `value` (mm, degrees, MPa, 1). False if there is
-   * none. For tests and demonstrations.
+   * Finds the position in the window, in pixels from its lower left corner, of the button with this
+   * label, or of the handle of the slider with this name at `value` (mm, degrees, MPa, 1). Returns
+   * false if there is no such control. For tests and demonstrations.
    */
   bool FindButton(const std::string& label, int position[2]);
   bool FindSlider(const std::string& name, double value, int position[2]);
   ///@}
-  /** The last line of the panel: what is being computed, or what went wrong. */
+  /** The last line of the panel: the work in progress, or the error. */
   std::string GetStatus();
 
 protected:

@@ -31,8 +31,8 @@
 
 namespace
 {
-constexpr double ArrowLength = 40.0;    // mm, of the largest force
-constexpr float AfterTheOthers = -1.0F; // of the scene among the observers of a frame: last
+constexpr double ArrowLength = 40.0;    // mm, for the largest force
+constexpr float AfterTheOthers = -1.0F; // among the observers of a frame: the scene is last
 } // namespace
 
 vtkStandardNewMacro(vtkContactScene);
@@ -342,7 +342,7 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   vtkBoundingBox all(bounds);
   if (!this->Blind)
   {
-    this->Hands->addBounds(all); // with the arrows, so that none is cut off
+    this->Hands->addBounds(all); // includes the arrows, so that none is cut off
   }
   all.GetBounds(bounds);
   palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },

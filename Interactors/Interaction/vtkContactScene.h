@@ -3,28 +3,29 @@
  * @class vtkContactScene
  * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, forces, legends
  *
- * Give it a renderer, a body with responses and the tool. ShowTip shows one tip of
- * vtkToolContactProbe's output (or vtkHapticRecorder::GetRecording), ShowSession the newest tick of
- * a session, and Follow the latter at each frame of a clock.
+ * Give it a renderer, a body with responses and the tool. ShowTip shows one tip of the output of
+ * vtkToolContactProbe or vtkHapticRecorder::GetRecording. ShowSession shows the newest tick of a
+ * session. Follow shows it at each frame of a clock.
  *
- * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration,
- *   coloured by its magnitude with a legend in mm.
- * - The tool at the tip, with the force on it as an arrow and a number in N; with friction also its
- *   parts, normal and friction; and the applied force beside it, if it differs from the ideal one
- *   (vtkHapticToolRepresentation).
- * - The contact circle: radius a of the tool at the deflection, on half-space or layer; of a global
- *   compliance at the local part alone.
- * - The trail: the path of the contact, coloured by the force there, with a legend in N.
- * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows; it
+ * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration.
+ *   Its colour is the magnitude of the displacement, with a legend in mm.
+ * - The tool is at the tip, with the force on it as an arrow and a number in N. With friction, the
+ *   normal force and the friction are shown, too. If the applied force differs from the ideal
+ *   force, it is drawn next to it (vtkHapticToolRepresentation).
+ * - The contact circle has the radius a of the tool at the deflection, on a half-space or a layer.
+ *   With a global compliance, only the local part of the deflection counts.
+ * - The trail is the path of the contact, coloured by the force there, with a legend in N.
+ * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows. It
  *   is chosen once, by SetLargestForce.
- * - A caption with tool, deflection, contact radius, forces, why the applied force differs, and
- *   what limits the validity.
+ * - A caption gives the tool, the deflection, the contact radius, the forces, the reasons for a
+ *   different applied force, and the limit of validity.
  *
- * Of a session with several devices the tools, arrows, circles and dents of all are drawn, and the
- * caption has a line for each; trail, camera and the values below are those of the first.
+ * For a session with several devices, the tools, arrows, circles and dents of all are drawn, and
+ * the caption has a line for each. Trail, camera and the values below are those of the first
+ * device.
  *
  * Beyond the `Validity` of the response at the contact, arrows, circle and trail are dashed, and
- * the caption names the assumption that breaks.
+ * the caption names the assumption that fails.
  */
 #ifndef vtkContactScene_h
 #define vtkContactScene_h
@@ -64,8 +65,8 @@ public:
   vtkTypeMacro(vtkContactScene, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The renderer; the scene adds its props, sets the background and arranges legends and labels
-   * whenever it renders. Call once. */
+  /** The renderer. The scene adds its props to it, sets its background, and arranges legends and
+   * labels in each rendering. Call once. */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
 
@@ -75,38 +76,38 @@ public:
   /** Poisson's ratio of the body, for the radial displacement. */
   void SetPoissonRatio(double ratio);
   ///@{
-  /** Prefix of the response that is touched, for its validity and its field. Default "Response". */
+  /** Prefix of the response in contact, for its validity and its field. Default "Response". */
   void SetResponseName(const std::string& name);
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
-  /** Legend of the deflection field: 0 to `largest` mm. Default 1. */
+  /** Range of the legend of the deflection field: 0 to `largest` mm. Default 1. */
   void SetLargestDeflection(double largest);
   /**
-   * Makes the arrow of a force of `largest` N about 40 mm long, and sets the range of the trail's
-   * colours to it. Default 1.
+   * Makes the arrow of a force of `largest` N about 40 mm long, and extends the colours of the
+   * trail to this force. Default 1.
    */
   void SetLargestForce(double largest);
   ///@{
-  /** Factor by which the dent is drawn deeper; shown in the caption. Default 1. */
+  /** Factor by which the drawn dent is deeper; the caption shows it. Default 1. */
   void SetExaggeration(double factor);
   double GetExaggeration();
   ///@}
   ///@{
   /** On (default): the vertex shader displaces the body, at a cost that does not grow with the
-   * mesh. Off: vtkContactDeflection does, point by point. */
+   * mesh. Off: vtkContactDeflection displaces it, point by point. */
   void SetDeflectionByShader(bool on);
   bool GetDeflectionByShader();
   ///@}
   /** First line of the caption. */
   void SetTitle(const std::string& title);
 
-  /** Last line of the caption, from the next contact shown on. Default none. */
+  /** Last line of the caption, from the next shown contact on. Default none. */
   void SetRemark(const std::string& remark);
 
   ///@{
-  /** Which parts are drawn, from the next contact shown on: the circle of contact, the trail with
-   * its legend; for those of the force see GetToolRepresentation. Default on. */
+  /** Whether the contact circle, and the trail with its legend, are drawn, from the next shown
+   * contact on. For the parts of the force see GetToolRepresentation. Default on. */
   vtkSetMacro(ContactCircleVisibility, bool);
   vtkGetMacro(ContactCircleVisibility, bool);
   void SetTrailVisibility(bool visible);
@@ -114,9 +115,9 @@ public:
   ///@}
 
   /**
-   * For a blind comparison: only the place of a contact is shown, by a ball on the surface,
-   * whatever the depth of the tip. No tool, force, dent, circle, trail, legend; the caption is
-   * title and remark. Default off.
+   * For a blind comparison: only the position of a contact is shown, by a ball on the surface,
+   * independent of the depth of the tip. There is no tool, force, dent, circle, trail or legend.
+   * The caption has only title and remark. Default off.
    */
   void SetBlind(bool blind);
 
@@ -124,27 +125,29 @@ public:
   bool ShowTrail(vtkPolyData* probed);
   ///@{
   /**
-   * The live trail: number of the last contacts of ShowSession, at least 0.05 mm apart; 0 for none.
-   * Default 600: 20 s of motion at 30 pictures per second. It replaces a trail of ShowTrail.
+   * The live trail: the number of the last contacts of ShowSession, at least 0.05 mm apart; 0 for
+   * none. Default 600: 20 s of motion at 30 pictures per second. It replaces a trail of ShowTrail.
    */
   vtkSetClampMacro(TrailLength, int, 0, VTK_INT_MAX);
   vtkGetMacro(TrailLength, int);
   void ClearTrail();
   ///@}
 
-  /** Shows tip `index` of a probe's output; returns false if the probe's arrays are missing.
-   * Without an array FrictionForce or AppliedForce there is no friction, or no applied force. */
+  /** Shows tip `index` of a probe's output. Returns false if arrays of the probe are missing.
+   * Without the array FrictionForce there is no friction; without AppliedForce there is no applied
+   * force. */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
-  /** Shows the newest tick of a session, with friction, applied force, its reasons and the validity
-   * of the session's response at the contact, and adds it to the trail. */
+  /** Shows the newest tick of a session, and adds it to the trail. Shows the friction, the applied
+   * force with the reasons for it, and the validity of the session's response at the contact. */
   void ShowSession(vtkHapticSession* session);
-  /** The same at each frame of the clock, after observers without priority; null: no longer. */
+  /** Calls ShowSession at each frame of the clock, after observers without priority. A null clock
+   * ends this. */
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
   ///@{
   /**
-   * Direction of the tool, of any length, without contact; zero (default): the last one. For
-   * another device by its index, once it is shown.
+   * Direction of the tool without contact, of any length; zero (default): the last direction.
+   * Another device has its own, given by its index, once it is shown.
    */
   void SetFreeDirection(const double direction[3]) { this->SetFreeDirection(0, direction); }
   void SetFreeDirection(int hand, const double direction[3]);
@@ -159,8 +162,8 @@ public:
 
   ///@{
   /**
-   * Of the contact shown: radius of its circle, mm (0: none); the depth to which its response is
-   * valid, mm (infinite: unknown); and whether the deflection is within it.
+   * Values of the shown contact: radius of its circle, mm (0: none); the depth to which its
+   * response is valid, mm (infinite: unknown); whether the deflection is within that depth.
    */
   vtkGetMacro(ContactRadius, double);
   double GetValidity();
@@ -174,15 +177,15 @@ public:
   void SetFieldRadius(double radius);
 
   ///@{
-  /** Camera: the whole body with the tool seen from `direction`; or from `distance` mm the last
-   * contact that touched (before the first: the contact point last shown). `up` points up in the
-   * picture. */
+  /** Sets the camera. LookAtBody shows the whole body with the tool, seen from `direction`.
+   * LookAtContact shows, from `distance` mm, the last tick in contact (before the first: the
+   * contact point shown last). `up` points up in the picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
   ///@}
 
   ///@{
-  /** The parts, to restyle them. */
+  /** The parts of the scene, to change their style. */
   vtkHapticToolRepresentation* GetToolRepresentation();
   vtkActor* GetBodyActor();
   vtkActor* GetTrailActor();
@@ -218,15 +221,15 @@ private:
   std::unique_ptr<palpate::ForceTrail> Trail;
   std::unique_ptr<palpate::ForceScale> Scale;
   std::unique_ptr<palpate::SceneCaption> Caption;
-  vtkSmartPointer<vtkActor> Marker; ///< of a contact in a blind comparison
+  vtkSmartPointer<vtkActor> Marker; ///< of a contact, in a blind comparison
   bool Blind = false;
   bool ContactCircleVisibility = true;
   bool TrailVisibility = true;
   int TrailLength = 600;
-  std::unique_ptr<palpate::ShownContact> Shown; ///< the contact last shown
+  std::unique_ptr<palpate::ShownContact> Shown; ///< the contact shown last
   bool HasTouched = false;
   double ContactRadius = 0.0;
-  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< what LookAtContact looks at
+  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< the point for LookAtContact
 };
 
 #endif

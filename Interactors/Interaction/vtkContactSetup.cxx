@@ -147,7 +147,7 @@ double vtkContactSetup::GetLargestForce()
 
 void vtkContactSetup::SetSettings(vtkContactSettings* settings)
 {
-  this->Settings = settings; // not Modified: no response depends on them
+  this->Settings = settings; // no call of Modified: responses do not depend on the settings
 }
 
 vtkContactSettings* vtkContactSetup::GetSettings()

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactSetup
- * @brief what is touched with what: body, tools, material, model, and the responses that follow
+ * @brief body, tools, material and model of a contact, and the responses made from them
  *
- * Give it a bare body and tools and say what the body is made of; Update makes the responses of all
- * tools, each under a prefix of its own: `Response` for the first, then `Response2`, `Response3`...
- * GetOutput is the body with them, GetTool and GetResponseName say whose they are. ApplyTo gives
- * them to a session, running or not, ShowIn to a scene.
+ * Give it tools and a body without responses, and set the material of the body. Update makes the
+ * responses of all tools, each under its own prefix: `Response` for the first, then `Response2`,
+ * `Response3`... GetOutput is the body with the responses. GetTool and GetResponseName give the
+ * tool and the prefix of each. ApplyTo passes them to a session, running or not; ShowIn passes them
+ * to a scene.
  *
- * Under a hand nothing may wait for that (a second for some hundred thousand points). Request makes
- * the responses, and what the session makes of them, on a thread of its own; of several requests
- * the newest wins; Collect, called once a frame, takes them over when they are there. Until then,
- * and after an error, output, session and scene stay as they are.
+ * Making responses takes a second for some hundred thousand points, and a live session must not
+ * wait for that. Request makes the responses, and the kernels for the session, on another thread.
+ * Of several requests the newest counts. Collect, called once a frame, takes over the finished
+ * responses. Until then, and after an error, output, session and scene do not change.
  *
- * Lengths in mm, moduli in MPa. The body is not written to; its points and cells must not be
- * changed in place once it has been given (SetBody again, after changes). For one thread, the
- * graphics thread; only Update waits.
+ * Lengths in mm, moduli in MPa. The body is not modified. Its points and cells must not be changed
+ * in place after SetBody (after changes, call SetBody again). For one thread, the graphics thread;
+ * only Update blocks it.
  */
 #ifndef vtkContactSetup_h
 #define vtkContactSetup_h
@@ -50,32 +51,35 @@ public:
   enum ModelType
   {
     HalfSpace = 0,
-    Layer = 1,  ///< the property LayerThickness, or the array (mm); on LayerBase, or AddLayer's
-    Series = 2, ///< local, in series with the array GlobalCompliance (mm/N)
-    Stored = 3  ///< the body brings its responses: they are used as they are
+    Layer = 1,  ///< the thickness is the property LayerThickness, or the array of this name (mm);
+                ///< below it are the layers of AddLayer, if any, and LayerBase
+    Series = 2, ///< the local deflection in series with the array GlobalCompliance (mm/N)
+    Stored = 3  ///< the body has its responses already: they are used unchanged
   };
 
   ///@{
-  /** The body: triangles, outward normals if it has any; with the arrays its models need. */
+  /**
+   * The body: triangles, with outward normals if it has any, and the arrays that the models need.
+   */
   void SetBody(vtkPolyData* body);
   vtkPolyData* GetBody();
   ///@}
 
   ///@{
-  /** The tools; changing one counts as a change of the setup. With Stored they are what is drawn.
-   */
+  /** The tools. A change of a tool counts as a change of the setup. With Stored, the tools are only
+   * drawn. */
   void AddTool(vtkContactTool* tool);
   void RemoveAllTools();
   int GetNumberOfTools();
-  /** Null where there is none. */
+  /** The tool of this index; null if there is none. */
   vtkContactTool* GetTool(int tool);
-  /** Prefix of its response arrays. */
+  /** Prefix of the response arrays of a tool. */
   std::string GetResponseName(int tool);
   ///@}
 
   ///@{
-  /** The tool in the hand, from 0, and itself, or null where there is none. Choosing another needs
-   * no new responses. Default 0. */
+  /** The chosen tool, by its index from 0; and the tool itself, null if there is none. Choosing
+   * another tool needs no new responses. Default 0. */
   void SetChosenTool(int tool);
   vtkGetMacro(ChosenTool, int);
   vtkContactTool* GetToolInHand() { return this->GetTool(this->ChosenTool); }
@@ -87,41 +91,45 @@ public:
   vtkGetMacro(YoungsModulus, double);
   ///@}
   ///@{
-  /** Poisson's ratio, 0 to 0.5. Default 0.45. With Series the compliance stays the one it is. */
+  /**
+   * Poisson's ratio, 0 to 0.5. Default 0.45. With Series the compliance does not change with it.
+   */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
   ///@{
-  /** Depth of the last sample, mm, > 0. Default 2. */
+  /** Deflection of the last sample, mm, > 0. Default 2. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   ///@}
 
   ///@{
-  /** What lies under the surface: see above. Default HalfSpace. */
+  /** The model of the body below the surface, see above. Default HalfSpace. */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
   ///@}
-  /** Whether the body and the properties have what a model needs; Stored and the others exclude
-   * each other. */
+  /** Whether the body and the properties have the data that a model needs. Stored and the other
+   * models exclude each other. */
   bool HasModel(int model);
   ///@{
-  /** Thickness of the layer, mm, the same everywhere. Default 0: as the array of this name says. */
+  /**
+   * Thickness of the layer, mm, the same everywhere. Default 0: the array LayerThickness gives it.
+   */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
   ///@{
-  /** Layers below that one, as vtkToolContactResponse has them, for the model Layer; a thickness of
-   * 0 is as the point array LayerThickness1 says (of the second layer only), and LayerThickness 0
-   * then as LayerThickness0 does. Default none. */
+  /** Layers below the first one, for the model Layer, as in vtkToolContactResponse. Thickness 0 is
+   * only possible for the first of them: the point array LayerThickness1 gives its thickness. With
+   * added layers, LayerThickness 0 means the array LayerThickness0. Default none. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
   int GetNumberOfAddedLayers();
   ///@}
   ///@{
-  /** How the layers rest, as LayerBase of vtkToolContactResponse: 0 bonded to a rigid base
-   * (default), 1 slipping on it, 2 on an elastic half-space, of this modulus (MPa) and Poisson's
-   * ratio, default 1 and 0.45, which they may slip on, too. */
+  /** The base of the layers, as LayerBase of vtkToolContactResponse: 0 bonded to a rigid base
+   * (default), 1 slipping on it, 2 on an elastic half-space. The half-space has this Young's
+   * modulus (MPa, default 1) and Poisson's ratio (default 0.45); the layers may slip on it. */
   vtkSetClampMacro(LayerBase, int, 0, 2);
   vtkGetMacro(LayerBase, int);
   vtkSetMacro(BaseYoungsModulus, double);
@@ -133,45 +141,47 @@ public:
   vtkBooleanMacro(BaseSlips, bool);
   ///@}
   ///@{
-  /** Young's modulus (MPa) at which GlobalCompliance and the global modes of the body were found:
-   * for another they are scaled. Default 0: they hold as they are, whatever the modulus. */
+  /** Young's modulus (MPa) for which GlobalCompliance and the global modes of the body were
+   * computed. For another modulus they are scaled. Default 0: they are used unchanged for any
+   * modulus. */
   vtkSetMacro(ComplianceModulus, double);
   vtkGetMacro(ComplianceModulus, double);
   ///@}
 
   ///@{
-  /** Whether the body's sag under the tool counts; see vtkToolContactResponse. Default on. */
+  /** Whether the body's sag under the tool is included; see vtkToolContactResponse. Default on. */
   vtkSetMacro(CurvatureCorrection, bool);
   vtkGetMacro(CurvatureCorrection, bool);
   vtkBooleanMacro(CurvatureCorrection, bool);
   ///@}
   ///@{
-  /** Whether sharp edges are felt; see vtkToolContactResponse. Default off. */
+  /** Whether sharp edges change the force; see vtkToolContactResponse. Default off. */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
   ///@{
-  /** How far the tools will be tilted, degrees; see vtkToolContactResponse. Default 0: upright. */
+  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. Default 0: upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
   ///@}
   ///@{
-  /** Whether several tools at once feel one another; see vtkToolContactResponse. Default off. */
+  /** Whether several tools at once deflect the surface for one another; see vtkToolContactResponse.
+   * Default off. */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);
   vtkBooleanMacro(Coupling, bool);
   ///@}
   ///@{
-  /** How the body relaxes, up to four branches of strength and time (s), and whether the global
-   * compliance of Series does, too; see vtkToolContactResponse. A strength of 0 is none. Default
-   * none, and on. */
+  /** Relaxation of the body: up to four branches of strength and time (s), and whether the global
+   * compliance of Series relaxes, too; see vtkToolContactResponse. A branch of strength 0 has no
+   * effect. Default: no branches, and on. */
   void AddRelaxation(double strength, double seconds)
   {
     this->Relaxations.add(strength, seconds);
     this->Modified();
   }
-  /** Strength and time of a branch, from 0; the index after the last adds one. */
+  /** Sets strength and time of a branch, from 0. The index after the last adds a branch. */
   void SetRelaxation(int relaxation, double strength, double seconds)
   {
     if (this->Relaxations.set(relaxation, strength, seconds))
@@ -194,8 +204,8 @@ public:
   vtkBooleanMacro(ComplianceRelaxes, bool);
   ///@}
   ///@{
-  /** How the body resists large strain, a value of vtkToolContactResponse::StrainModelType.
-   * Default SmallStrain. */
+  /** Law of the body at large strain, a value of vtkToolContactResponse::StrainModelType. Default
+   * SmallStrain. */
   vtkSetClampMacro(StrainModel, int, 0, 3);
   vtkGetMacro(StrainModel, int);
   ///@}
@@ -205,13 +215,13 @@ public:
   vtkGetMacro(StrainExponent, double);
   ///@}
   ///@{
-  /** The estimated relative error that the responses are valid to; 0: where the first assumption
-   * breaks, without an error. Default 0.05. */
+  /** The estimated relative error up to which the responses are valid. 0: they are valid until the
+   * first assumption fails, without an estimate of the error. Default 0.05. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
   ///@{
-  /** Whether the law has no more than the forces need, within Tolerance (0: 1 %); see
+  /** Whether the law has only the terms that the forces need, within Tolerance (0: 1 %); see
    * vtkToolContactResponse. Default off. */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
@@ -219,56 +229,58 @@ public:
   ///@}
 
   ///@{
-  /** Largest error of the force, relative, at which a session is given a simpler form of a response
-   * than a curve per point (vtkResponseChoice, and what that means by it). Default 0: responses are
-   * felt as they are. The output has them whole in any case. */
+  /** Largest relative error of the force at which a session is given a simpler form of a response
+   * than a curve per point; vtkResponseChoice defines this error. Default 0: responses are used
+   * unchanged. The output always has the full responses. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
   ///@{
-  /** How deep the form is chosen for, mm, where there is a Tolerance. Default 0: half of
+  /** Deflection for which the form is chosen, mm, if there is a Tolerance. Default 0: half of
    * MaximumDeflection. */
   vtkSetMacro(ChoiceDeflection, double);
   vtkGetMacro(ChoiceDeflection, double);
   ///@}
 
-  /** Makes the responses now. Returns false after an error, with the output as it was. */
+  /** Makes the responses now. Returns false after an error; the output is then unchanged. */
   bool Update();
-  /** Has them made in the background, unless they are, or are being made, as everything is set now.
-   */
+  /** Makes the responses in the background, unless they exist, or are being made, for the present
+   * settings. */
   void Request();
-  /** Whether what was requested is not there yet. */
+  /** Whether the requested responses are not ready yet. */
   bool IsBusy();
-  /** Takes over what was requested, if it is there: true once. False, after an error, if it could
-   * not be made. Never waits. */
+  /** Takes over the requested responses if they are ready. Returns true once. Returns false, after
+   * an error, if they could not be made. Never waits. */
   bool Collect();
   /** The newest error; "" after a success. */
   vtkGetMacro(Error, std::string);
 
-  /** The body with the responses; null before the first. A new one each time. */
+  /**
+   * The body with the responses; null before the first Update or Collect. A new object each time.
+   */
   vtkPolyData* GetOutput();
-  /** The tool its response was made for; null before the first Update or Collect. */
+  /** The tool for which a response was made; null before the first Update or Collect. */
   vtkContactTool* GetOutputTool(int tool);
 
-  /** Which form of a tool's response is felt, and why, in a sentence; "" without a Tolerance and
-   * before the first Update or Collect. */
+  /** The form of a tool's response in use, and the reason, in a sentence. "" without a Tolerance
+   * and before the first Update or Collect. */
   std::string GetChoice(int tool);
 
-  /** Largest force of any tool of the output at any point, MaximumDeflection deep, N; 0 before the
-   * first. */
+  /** Largest force of any tool of the output at any point, at MaximumDeflection, N; 0 before the
+   * first Update or Collect. */
   double GetLargestForce();
 
   ///@{
-  /** How the contact feels in every session that this is applied to; Poisson's ratio in it becomes
-   * that of the responses then. Default null: each session keeps its own settings. */
+  /** The contact settings of every session that ApplyTo is called for. Poisson's ratio in them
+   * becomes that of the responses then. Default null: each session keeps its own settings. */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
 
-  /** Gives a session the output, the response of the tool in the hand, the settings if there are
-   * any, and Poisson's ratio, and applies it if it runs. Returns false after an error. */
+  /** Gives a session the output, the response of the chosen tool, Poisson's ratio, and the settings
+   * if there are any. If the session runs, applies the changes. Returns false after an error. */
   bool ApplyTo(vtkHapticSession* session);
-  /** Gives a scene the output and the tool in the hand as its response was made. */
+  /** Gives a scene the output and the chosen tool as it was when its response was made. */
   void ShowIn(vtkContactScene* scene);
 
   vtkMTimeType GetMTime() override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkContactSetup asks to be made, and how it takes that over.
+// Makes the requests of a vtkContactSetup, and takes over the results.
 #include "vtkContactSetup.h"
 
 #include "Interaction/Session/SetupState.h"
@@ -16,7 +16,7 @@ namespace
 {
 using Tool = vtkSmartPointer<vtkContactTool>;
 
-/// For another thread.
+/// A copy of a tool for another thread.
 Tool copyOf(vtkContactTool* tool)
 {
   auto copy = Tool::New();
@@ -35,7 +35,8 @@ Tool copyOf(vtkContactTool* tool)
   return copy;
 }
 
-/// The body as it is on the screen, with the arrays that another thread added to a copy of it.
+/// A shallow copy of `body`, the body on the screen, with the arrays that another thread added to a
+/// copy of it.
 vtkSmartPointer<vtkPolyData> withAddedArrays(vtkPolyData* body, const palpate::MadeResponses& made)
 {
   auto output = vtkSmartPointer<vtkPolyData>::New();

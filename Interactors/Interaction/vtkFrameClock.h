@@ -3,13 +3,14 @@
  * @class vtkFrameClock
  * @brief notifies observers that a frame is due, and draws it
  *
- * Give it an interactor and Start it. From then on a repeating timer of the interactor makes up to
- * 30 frames a second: FrameEvent, on which scene, charts and panel update themselves, and
- * rendering. Changes by mouse, wheel and widgets are drawn with the next frame, so that no event
- * waits for one. If a frame takes long, half of the time is left to the mouse.
+ * Give it an interactor and call Start. From then on a repeating timer of the interactor makes up
+ * to 30 frames a second. Each frame invokes FrameEvent, on which scene, charts and panel update
+ * themselves, and renders. Changes by mouse, wheel and widgets are drawn with the next frame, so
+ * that no event waits for a rendering. If a frame takes long, half of the time is left for mouse
+ * events.
  *
- * Observers with a higher priority are called first: vtkContactPanel, which changes what is shown,
- * has 1, vtkContactScene -1.
+ * Observers with a higher priority are called first: vtkContactPanel, which changes the scene, has
+ * priority 1; vtkContactScene has -1.
  */
 #ifndef vtkFrameClock_h
 #define vtkFrameClock_h
@@ -36,7 +37,7 @@ public:
   };
 
   ///@{
-  /** The interactor with timer and window; must be initialised before Start. */
+  /** The interactor with timer and window. It must be initialised before Start. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
   ///@}
@@ -47,7 +48,7 @@ public:
   void Stop();
   ///@}
 
-  /** Makes one frame at once, as the timer does. */
+  /** Makes one frame immediately, as the timer does. */
   void ShowFrame();
 
 protected:

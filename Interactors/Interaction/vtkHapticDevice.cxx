@@ -28,7 +28,7 @@ struct vtkHapticDevice::Parts
 {
   palpate::SessionDevice chosen;
 
-  // The mapping of the session's last Start.
+  // The mapping at the last Start of the session.
   palpate::WorkspaceMapping mapping;
   std::shared_ptr<palpate::HapticDevice> hand;
   palpate::SimulatedDevice* steered = nullptr; ///< the hand, if it is steered
@@ -39,7 +39,7 @@ struct vtkHapticDevice::Parts
   {
     return this->chosen.specification(this->rate);
   }
-  /// Makes a stiff hand, or a plant held by one, that follows a path or begins at a place.
+  /// Makes a stiff hand, or a plant held by a hand, that follows a path or starts at a point.
   template <class Way>
   std::shared_ptr<palpate::SimulatedDevice> makeSimulated(Way way) const
   {

@@ -3,30 +3,34 @@
  * @class vtkHapticDevice
  * @brief the device of a vtkHapticSession: its kind, its mapping to the body, the path of its hand
  *
- * Body frame, mm and N, everywhere; the device works in SI units behind the workspace mapping.
+ * Body frame, mm and N, everywhere. The device itself uses SI units behind the workspace mapping.
  *
  * Devices, by Open:
  * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
- *   follows SetPath; with the session's RealTime it follows SteerTo, as from a mouse. Its maximum
- *   force is 10 N. Neither stiffness nor energy is limited, as no loop is closed through it.
- * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves, m
- *   dv/dt = F + hand - b v: of mass m (kg, default 0.1) and viscous damping b (N s/m, 1), held by a
- *   hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) towards the path, or SteerTo. It
- *   closes a loop, so that stiffness cap and passivity control act as on a real device of this
- *   damping: no spring above b/(T/2 + delays), T being one over the session's Rate. Its maximum
- *   force is 10 N. Also friction (N), encoder-step (m), force-delay, sample-delay (s) and
- *   hand-force (N): see palpate::readPlant. Others, and all of "plant" alone, have their defaults.
+ *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
+ *   maximum force is 10 N. Neither stiffness nor energy is limited, as no loop is closed through
+ *   it.
+ * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves by m
+ *   dv/dt = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m,
+ *   1). A hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
+ *   SteerTo. It closes a loop, so that stiffness cap and passivity control act as on a real device
+ *   with this damping: no spring above b/(T/2 + delays), where T is one over the session's Rate.
+ *   Its maximum force is 10 N. Further settings: friction (N), encoder-step (m), force-delay and
+ *   sample-delay (s), hand-force (N), see palpate::readPlant. Settings that are not given, and all
+ *   settings of "plant" alone, have their defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
- * - "bridge:ADDRESS": another process that speaks the same reports, "unix:/PATH" or "udp:PORT";
- *   needs RealTime.
- * C++ may give a device of its own.
+ * - "bridge:ADDRESS": another process that uses the same reports, "unix:/PATH" or "udp:PORT"; needs
+ *   RealTime.
+ *
+ * A C++ caller may give its own device.
  *
  * The mapping consists of the device's origin in the body's frame (Origin), the directions of its x
- * (Right) and y (Up) there, and the mm of the body per mm of the hand (Scale). Stiffness is felt
- * times the scale.
+ * axis (Right) and y axis (Up) there, and the mm of the body per mm of the hand (Scale). The hand
+ * perceives the stiffness times the scale.
  *
- * Settings take effect at the session's next Start. For one session at a time, and its thread.
+ * Settings take effect at the session's next Start. A device serves one session at a time, on that
+ * session's thread.
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h
@@ -54,22 +58,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Chooses the device, see above, and opens it. Returns false, after an error, if there is none of
-   * this name; the device is then unchanged.
+   * Chooses the device, see above, and opens it. Returns false, after an error, if there is no
+   * device of this name; the present device is then unchanged.
    */
   bool Open(const std::string& name);
-  /** The devices that are plugged in, a line each, or why there is none. */
+  /** The devices that are plugged in, one line each, or the reason why there are none. */
   static std::string ListDevices();
 
-  /** In words: "connected", "unplugged, waiting for it to return". */
+  /** Status in words: "connected", "unplugged, waiting for it to return". */
   std::string GetStatus();
-  /** Whether it exerts a force on a hand: not a simulated device, nor a SpaceMouse. */
+  /** Whether it exerts a force on a hand. False for a simulated device and for a SpaceMouse. */
   bool GetOutputsForce();
   /** Its maximum force, N. */
   double GetMaximumForce();
-  /** Whether it is plugged in or bridged, rather than simulated, replayed or given by C++. */
+  /** Whether it is plugged in or bridged, and not simulated, replayed or given by C++. */
   bool IsPhysical();
-  /** Whether it follows SetPath, or SteerTo with RealTime: "simulated" and "plant". */
+  /** Whether it follows SetPath, or SteerTo with RealTime: true for "simulated" and "plant". */
   bool IsSimulated();
 
   ///@{
@@ -78,65 +82,71 @@ public:
   vtkGetVector3Macro(Origin, double);
   ///@}
   ///@{
-  /** Where the device's x and y point: at right angles, of any length. Default x and y. */
+  /** Directions of the device's x and y axes in the body: at right angles, of any length. Default x
+   * and y. */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);
   vtkSetVector3Macro(Up, double);
   vtkGetVector3Macro(Up, double);
   ///@}
   ///@{
-  /** Millimetres of the body to a millimetre of the hand, > 0. Default 1. */
+  /** Millimetres of the body per millimetre of the hand, > 0. Default 1. */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
   ///@}
   ///@{
-  /** Whether the device moves in the plane of its x and y. Default off. */
+  /** Whether the device moves only in the plane of its x and y axes. Default off. */
   vtkSetMacro(Planar, bool);
   vtkGetMacro(Planar, bool);
   vtkBooleanMacro(Planar, bool);
   ///@}
   ///@{
-  /** Instead of Origin and Scale: the least scale that puts the body, with 10 mm around it,
-   * within the device's workspace, centre on centre. Default off. */
+  /** Whether the mapping is fitted, instead of using Origin and Scale: the smallest scale for which
+   * the body, with 10 mm around it, is within the device's workspace, with the same centre. Default
+   * off. */
   vtkSetMacro(FitWorkspace, bool);
   vtkGetMacro(FitWorkspace, bool);
   vtkBooleanMacro(FitWorkspace, bool);
   ///@}
   ///@{
   /**
-   * While any of these buttons of the device (bits) is down, the tip stays and the hand moves
-   * freely. Default 0: none.
+   * While any of these buttons of the device (bits) is down, the tip does not move and the hand
+   * moves freely. Default 0: none.
    */
   vtkSetMacro(ClutchButtons, unsigned int);
   vtkGetMacro(ClutchButtons, unsigned int);
   ///@}
 
-  /** A simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
-   * decreasing), and, for a tool that is tilted, `ToolAxis` (3, from the tip to the hand). */
+  /** For a simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
+   * decreasing). For a tilted tool also a point array `ToolAxis` (3, from the tip to the hand). */
   void SetPath(vtkPolyData* path);
-  /** Time of the last point of the path it follows since Start, s; 0 before, and without a path. */
+  /**
+   * Time of the last point of the path in use since Start, s; 0 before Start and without a path.
+   */
   double GetPathDuration();
-  /** A simulated device with RealTime: the target of the hand, mm. Before Start: its start. */
+  /** For a simulated device with RealTime: the target of the hand, mm. Before Start: its starting
+   * point. */
   void SteerTo(const double tip[3]);
   /**
-   * A simulated device with RealTime: the axis, from the tip to the hand, along which it holds the
-   * tool, in the body's frame; of any length. Zero, as at first: unknown, so along the normal.
+   * For a simulated device with RealTime: the axis of the tool, from the tip to the hand, in the
+   * body's frame; of any length. Zero (default): the axis is unknown, and the tool is along the
+   * normal.
    */
   void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
-  /** Uses a device of the caller. */
+  /** Uses a device given by the caller. */
   void Use(std::unique_ptr<palpate::HapticDevice> device);
 
-  /** For the session that starts: reads mapping and path, and makes the hand, over a body of these
-   * bounds (mm), at `rate` (Hz). Returns what is wrong, or "". */
+  /** Called by the session at its start: reads mapping and path, and makes the hand, for a body
+   * with these bounds (mm), at `rate` (Hz). Returns "" or an error. */
   std::string Prepare(const double bounds[6], bool realTime, double rate);
-  /** Discards what Prepare made, if the session does not start, or starts again. */
+  /** Discards the results of Prepare, if the session does not start, or starts again. */
   void Release();
-  /** The hand that Prepare made; null before. */
+  /** The hand made by Prepare; null before. */
   std::shared_ptr<palpate::HapticDevice> GetHand() const;
   const palpate::WorkspaceMapping& GetMapping() const;
-  /** Whether its hand moves independently of the force. */
+  /** Whether the hand of the device moves independently of the force. */
   bool IsStiff() const;
 #endif
 

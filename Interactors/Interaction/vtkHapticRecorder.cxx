@@ -22,7 +22,7 @@ void vtkHapticRecorder::Follow(const std::shared_ptr<palpate::SessionRun>& run)
   this->Run = run;
 }
 
-/// The session's run, after collecting what has been recorded meanwhile; or null.
+/// Returns the run of the session, after collecting the newly recorded ticks; or null.
 palpate::SessionRun* vtkHapticRecorder::Collected()
 {
   palpate::SessionRun* run = this->Run.lock().get();

@@ -3,13 +3,13 @@
  * @class vtkHapticRecorder
  * @brief records the ticks of a vtkHapticSession, and their timing
  *
- * In virtual time every tick is kept. On the servo thread ticks wait to be read, which happens
- * whenever the session is queried, as once a frame. Ticks that wait for more than RecordedSeconds
- * are lost, and counted. HistorySeconds keeps the last ticks only, for charts of an unlimited
- * session.
+ * In virtual time all ticks are stored. On the servo thread, ticks wait in a buffer until they are
+ * read, which happens at each query of the session, for example once a frame. Ticks that wait for
+ * more than RecordedSeconds are lost, and counted. HistorySeconds stores only the last ticks, for
+ * charts of a session of unlimited length.
  *
- * Settings are read at the session's Start; results are those of the run since, empty before, and
- * end with the session. For the session's thread.
+ * Settings are read at the session's Start. Results are those of the run since Start, empty before,
+ * and are lost with the session. For the session's thread.
  */
 #ifndef vtkHapticRecorder_h
 #define vtkHapticRecorder_h
@@ -42,82 +42,85 @@ public:
 
   ///@{
   /**
-   * Whether every tick is kept for GetRecording. Default on. With RealTime contacts and peaks are
-   * counted over the ticks recorded, or in the history.
+   * Whether all ticks are stored for GetRecording. Default on. With RealTime, contacts and peaks
+   * are counted over the recorded ticks, or over the history.
    */
   vtkSetMacro(Recording, bool);
   vtkGetMacro(Recording, bool);
   vtkBooleanMacro(Recording, bool);
   ///@}
   ///@{
-  /** With RealTime: how long ticks wait to be read, s, 0.1 to 100; 600 bytes each. Default 5. */
+  /** With RealTime: longest time that ticks wait to be read, s, 0.1 to 100. A tick needs 600 bytes.
+   * Default 5. */
   vtkSetClampMacro(RecordedSeconds, double, 0.1, 100.0);
   vtkGetMacro(RecordedSeconds, double);
   ///@}
   ///@{
-  /** Whether the ticks of the last seconds are kept for GetHistory, and how many s: 0 to 100; 600
-   * bytes each. With RealTime those that wait to be read, for at most this long if nothing else is
-   * recorded. Default 0: none. */
+  /**
+   * Length of the history for GetHistory, s, 0 to 100. A tick needs 600 bytes. With RealTime, ticks
+   * wait to be read for at most this long if nothing else is recorded. Default 0: no history.
+   */
   vtkSetClampMacro(HistorySeconds, double, 0.0, 100.0);
   vtkGetMacro(HistorySeconds, double);
   ///@}
 
   /**
-   * Every tick since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
+   * All ticks since Start, as one polyline of tips with the arrays of vtkToolContactProbe and
    * `Time`, `AppliedForce` (3, N), `ForceFactor` and `SafetyLinks` (int; bits in the order of the
-   * chain); `MemoryForce` if there was any, `ToolAxis` (3) and `Torque` (3, N mm, ideal, about the
-   * tip) if any tick has an axis. Cells are numbered as in the newest body.
+   * chain). `MemoryForce` is added if any tick has memory; `ToolAxis` (3) and `Torque` (3, N mm,
+   * ideal, about the tip) if any tick has an axis. Cells are numbered as in the newest body.
    */
   void GetRecording(vtkPolyData* recording);
   /**
-   * The same of one of several devices, by its index; empty for none. History, and everything else
-   * without a device index, is that of the first.
+   * The recording of one of several devices, by its index; empty for a wrong index. The history,
+   * and all results without a device index, are those of the first device.
    */
   void GetRecording(vtkPolyData* recording, int device);
-  /** The same of the last HistorySeconds: the ticks whose time is less than that before the newest.
-   */
+  /** The same for the history: the ticks less than HistorySeconds before the newest. */
   void GetHistory(vtkPolyData* history);
 
   /** Ticks missed since Start; none in virtual time. */
   vtkIdType GetNumberOfMissedTicks();
-  /** Ticks made since Start that nobody read in time: neither recording nor history has them. */
+  /** Ticks made since Start that were not read in time: neither the recording nor the history
+   * contains them. */
   vtkIdType GetNumberOfLostTicks();
 
   /**
    * One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
-   * (mm), the memory part of the peak force (N), median and 99th percentile of the time per tick
-   * (ns, wall clock, so they differ from run to run); with RealTime also ticks missed, samples
-   * invalid and repeated, forces refused, ticks not recorded, scene changes, and the device's own
-   * errors.
+   * (mm), the memory part of the peak force (N), median and 99th percentile of the duration of a
+   * tick (ns, wall clock, different in each run). With RealTime also: ticks missed, samples invalid
+   * and repeated, forces refused, ticks not recorded, scene changes, and the device's own errors.
    */
   void GetStatistics(vtkTable* statistics);
-  /** The same of one of several devices: contacts and peaks are its own, times and errors those of
-   * all. */
+  /** The same for one of several devices. Contacts and peaks are those of the device; times and
+   * errors are those of all devices. */
   void GetStatistics(vtkTable* statistics, int device);
   /** Statistics and timing, as lines of text. */
   std::string GetStatisticsText();
   /**
-   * With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock): the time not exceeded
-   * by that fraction of the ticks, to 1/32; the last row, 1, is the worst. Empty otherwise.
+   * With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock). Each row has the time
+   * that this fraction of the ticks does not exceed, with a resolution of 1/32. The last row,
+   * fraction 1, is the worst case. Empty otherwise.
    */
   void GetTiming(vtkTable* timing);
-  /** With RealTime: how many ticks had which Period, WakeUp and Tick: a row per class of durations,
-   * longer than `From (us)` and up to `To (us)`, at most 1/32 apart, from the first to the last
-   * that holds any; counts as double. Empty otherwise. */
+  /** With RealTime: histograms of Period, WakeUp and Tick. Each row is a class of durations, longer
+   * than `From (us)` and up to `To (us)`. The two limits differ by at most 1/32. The rows extend
+   * from the first to the last class that contains a tick. Counts are double. Empty otherwise. */
   void GetTimingHistogram(vtkTable* histogram);
-  /** With RealTime: the scheduling that the system granted the servo thread, and why not more. */
+  /** With RealTime: the scheduling that the system permits the servo thread, and the reason if it
+   * is not the best. */
   std::string GetRealTimeGrant();
 
 #ifndef __VTK_WRAP__
-  /** Every tick since Start. */
+  /** All ticks since Start. */
   const std::vector<palpate::Tick>& GetTicks();
   const std::vector<palpate::Tick>& GetTicks(int device);
-  /** Those of the last HistorySeconds, numbered. */
+  /** The ticks of the last HistorySeconds, numbered. */
   const palpate::TickHistory& GetLastTicks();
-  /** Records the ticks of a part of the session, also across runs. */
+  /** Records the ticks of a part of the session, also across several runs. */
   const std::shared_ptr<palpate::TickTape>& GetTape();
 
-  /** Called by a session that starts; null: nothing runs. */
+  /** Called by a session that starts; null: no run. */
   void Follow(const std::shared_ptr<palpate::SessionRun>& run);
 #endif
 

@@ -4,15 +4,15 @@
  * @brief the limits of a vtkHapticSession's force before it reaches the hand
  *
  * The optional links of the safety chain, limits in addition to those of the device, and the fit of
- * all forces to the device. The device's own limits, and that nothing is sent without a valid
- * sample or for a force that is not finite, cannot be switched off.
+ * all forces to the device. Three protections cannot be switched off: the device's own limits, no
+ * force without a valid sample, and no force that is not finite.
  *
- * FitForce: all forces are scaled by one factor, such that down to FitDepth none of the responses
- * compared, at any vertex, exceeds the device's maximum force and stiffness. Their ratios are then
- * kept, which limits would level.
+ * FitForce scales all forces by one factor, so that down to FitDepth none of the compared responses
+ * exceeds the device's maximum force and stiffness at any vertex. The ratios of the forces are then
+ * unchanged; limits would level them.
  *
- * Read at the session's Start, the fit also at its ApplyChanges, which fail with an error if a
- * number is out of its range. For one thread.
+ * The properties are read at the session's Start; those of the fit also at ApplyChanges. Both fail
+ * with an error if a number is out of its range. For one thread.
  */
 #ifndef vtkHapticSafety_h
 #define vtkHapticSafety_h
@@ -38,20 +38,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** No force until the tip has been outside once. Default on. */
+  /** No force until the tip has been outside of the body once. Default on. */
   vtkSetMacro(Gate, bool);
   vtkGetMacro(Gate, bool);
   vtkBooleanMacro(Gate, bool);
   ///@}
   ///@{
-  /** Seconds over which the force of the first contact rises, >= 0. Default 0. */
+  /** Time over which the force of the first contact rises, s, >= 0. Default 0. */
   vtkSetMacro(EntryRamp, double);
   vtkGetMacro(EntryRamp, double);
   ///@}
   ///@{
   /**
-   * Active as far as the device's specification requires. Default on; passivity is never controlled
-   * through the stiff hand of "simulated" and "replay:FILE".
+   * Both act as far as the device's specification requires. Default on. There is no passivity
+   * control through the stiff hand of "simulated" and "replay:FILE".
    */
   vtkSetMacro(StiffnessCap, bool);
   vtkGetMacro(StiffnessCap, bool);
@@ -72,8 +72,8 @@ public:
   ///@}
   ///@{
   /**
-   * The same for a device that outputs torque, about the tip: N m and N m/rad. Default infinite;
-   * with a TorqueLimit of 0 only the force is sent.
+   * Largest torque (N m) and torsional stiffness (N m/rad), for a device that outputs torque about
+   * the tip. Default infinite. With a TorqueLimit of 0 only the force is sent.
    */
   vtkSetMacro(TorqueLimit, double);
   vtkGetMacro(TorqueLimit, double);
@@ -88,13 +88,13 @@ public:
   vtkBooleanMacro(FitForce, bool);
   ///@}
   ///@{
-  /** The depth down to which forces are fitted, mm, finite and > 0. Default 1. */
+  /** Depth down to which forces are fitted, mm, finite and > 0. Default 1. */
   vtkSetMacro(FitDepth, double);
   vtkGetMacro(FitDepth, double);
   ///@}
   ///@{
   /**
-   * Prefixes of the responses that are compared, in addition to the session's own. Default none.
+   * Prefixes of further responses to compare, in addition to the session's own. Default none.
    */
   void AddFitResponse(const std::string& responseName);
   void ClearFitResponses();
@@ -106,7 +106,7 @@ public:
     return this->FitResponses;
   }
   /**
-   * The settings of the chain for such a device; `isStiff`: its hand moves independently of the
+   * The settings of the chain for this device. `isStiff`: its hand moves independently of the
    * force.
    */
   palpate::SafetySettings GetSettings(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is set, and what is read; vtkHapticSessionStart.cxx is what happens in between.
+// Properties and results of a session. vtkHapticSessionStart.cxx starts it.
 #include "vtkHapticSession.h"
 
 #include "Haptics/Safety/SafetyText.h"
@@ -203,7 +203,7 @@ void vtkHapticSession::GetForce(double force[3])
 
 void vtkHapticSession::GetForce(int device, double force[3])
 {
-  // A stopped session exerts no force, whatever the last tick was.
+  // A stopped session exerts no force, independent of the last tick.
   std::fill_n(force, 3, 0.0);
   if (this->GetState(device) == Running)
   {
@@ -310,7 +310,7 @@ void vtkHapticSession::GetTorque(double torque[3])
 
 void vtkHapticSession::GetTorque(int device, double torque[3])
 {
-  std::fill_n(torque, 3, 0.0); // as GetForce
+  std::fill_n(torque, 3, 0.0); // zero if the session does not run, as in GetForce
   if (this->GetState(device) == Running)
   {
     std::copy_n(this->Newest(device).appliedTorque.data(), 3, torque);

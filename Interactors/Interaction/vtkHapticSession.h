@@ -3,36 +3,37 @@
  * @class vtkHapticSession
  * @brief a haptic device over a body with responses, tick by tick
  *
- * Give it a body (with response arrays) and, for the simulated device, a path; Start it, Step it in
- * virtual time, read the contact. In virtual time nothing depends on the machine: the same steps
- * give the same bits. With RealTime, Start starts the servo thread at Rate; Step does nothing, and
- * the getters give the newest tick.
+ * Give it a body (with response arrays) and, for the simulated device, a path. Start it, Step it in
+ * virtual time, and read the contact. In virtual time the results do not depend on the machine: the
+ * same steps give the same bits. With RealTime, Start starts the servo thread at Rate; Step has no
+ * effect, and the getters return the newest tick.
  *
- * Its parts are separate objects, never null, that may be exchanged while nothing runs:
+ * Its parts are separate objects, never null. They may be exchanged while the session is stopped:
  * - GetDevice: the device, its mapping to the body, the path of its hand;
  * - GetSettings: the settings of the contact;
  * - GetSafety: the limits of a force before it reaches the hand;
  * - GetRecorder: the recorded ticks, and their timing.
  *
- * Body frame, mm and N, everywhere. There are two forces: the ideal one, and the one applied after
- * the safety chain has fitted it to the device (force factor, stiffness cap, limits, passivity);
- * GetSafetyText says what acted.
+ * Body frame, mm and N, everywhere. There are two forces: the ideal force, and the applied force,
+ * which the safety chain has fitted to the device (force factor, stiffness cap, limits, passivity).
+ * GetSafetyText names the links that acted.
  *
  * ApplyChanges gives a running session another body, response or settings, also during contact: the
  * force changes to it within 50 ms.
  *
- * A device that is lost leaves the session running, with no force, in the state DeviceLost, until
- * it returns.
+ * If a device is lost, the session continues with no force, in the state DeviceLost, until the
+ * device returns.
  *
- * AddDevice puts further devices, up to four in all, on the same body, each with its own mapping
- * and safety chain: all tick in one loop, at one time. If the body's response has a coupling
- * (vtkToolContactResponse) they feel one another, except a lost device. Another body or other
- * settings then take effect at zero force, 50 ms down and 50 up. Devices are numbered, 0 the one of
- * GetDevice; for an index without a device, getters return the values before the first tick.
+ * AddDevice puts further devices, up to four in total, on the same body, each with its own mapping
+ * and safety chain. All of them tick in one loop, at the same times. If the response of the body
+ * has a coupling (vtkToolContactResponse), their tools deflect the surface for one another; a lost
+ * device has no effect on the others. Another body or other settings then take effect at zero
+ * force: forces fall to zero in 50 ms and rise again in 50 ms. Devices are numbered from 0, the one
+ * of GetDevice. For an index without a device, getters return the values before the first tick.
  *
  * Defects of the body's mesh are reported in one warning, as by vtkToolContactProbe.
  *
- * Not thread-safe: one thread steers, steps and reads; it waits for the servo thread only in Stop
+ * Not thread-safe: one thread steers, steps and reads. It waits for the servo thread only in Stop
  * and Start.
  */
 #ifndef vtkHapticSession_h
@@ -73,7 +74,7 @@ public:
   {
     Stopped = 0,
     Running = 1,
-    DeviceLost = 2 ///< it runs, without force: the device reports no position
+    DeviceLost = 2 ///< running without force: the device reports no position
   };
 
   ///@{
@@ -84,8 +85,9 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * The same with the kernels that Start and ApplyChanges would make from its responses; if made in
-   * the background, they take no time. Valid until the body is changed, and for one Start.
+   * Sets the body together with the kernels that Start and ApplyChanges would otherwise make from
+   * its responses. Kernels made in the background cost no time here. They are valid until the body
+   * is changed, and for one Start.
    */
   void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
 #endif
@@ -98,16 +100,16 @@ public:
 
   ///@{
   /**
-   * The settings of the contact, which others may share. Read at Start and ApplyChanges, which fail
-   * with an error if a value is out of its range. Default, and for null: an object of its own with
-   * the defaults.
+   * The settings of the contact. Other sessions may share them. Read at Start and ApplyChanges,
+   * which fail with an error if a value is out of its range. Default, and for null: an object of
+   * its own with the default values.
    */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
   /**
-   * The device. Read at Start, except the target of a simulated hand. Default, and for null: an
+   * The device. Read at Start, except for the target of a simulated hand. Default, and for null: an
    * object of its own, "simulated".
    */
   void SetDevice(vtkHapticDevice* device);
@@ -115,9 +117,9 @@ public:
   ///@}
   ///@{
   /**
-   * Adds a device from the next Start on, by a name as in vtkHapticDevice::Open; returns its index,
-   * or -1 after an error. Path, mapping and steering are set on GetDevice(index), null for none.
-   * RemoveAddedDevices leaves the first.
+   * Adds a device from the next Start on, by a name as in vtkHapticDevice::Open. Returns its index,
+   * or -1 after an error. Path, mapping and steering are set on GetDevice(index), which is null for
+   * a wrong index. RemoveAddedDevices keeps only the first device.
    */
   int AddDevice(const std::string& name);
   void RemoveAddedDevices();
@@ -129,7 +131,7 @@ public:
   ///@}
   ///@{
   /**
-   * The safety chain. Read at Start, the fit of the force at ApplyChanges, too. Default, and for
+   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, and for
    * null: an object of its own.
    */
   void SetSafety(vtkHapticSafety* safety);
@@ -148,7 +150,7 @@ public:
   ///@}
 
   ///@{
-  /** Run on a servo thread instead of in virtual time; read at Start. Default off. */
+  /** Whether ticks run on a servo thread instead of in virtual time. Read at Start. Default off. */
   vtkSetMacro(RealTime, bool);
   vtkGetMacro(RealTime, bool);
   vtkBooleanMacro(RealTime, bool);
@@ -156,9 +158,10 @@ public:
 
   ///@{
   /**
-   * With RealTime: how long before each tick the servo thread wakes up and rehearses the contact,
-   * s, 0 to half a period; see ServoLoopSettings. The force follows sooner after the sample, at
-   * this cost of processor time. Default 0: it sleeps until the tick.
+   * With RealTime: time before each tick at which the servo thread wakes up and rehearses the
+   * contact, s, 0 to half a period; see ServoLoopSettings. With rehearsal, the force follows sooner
+   * after the sample, but each tick needs this much processor time. Default 0: the thread sleeps
+   * until the tick.
    */
   vtkSetMacro(Rehearsal, double);
   vtkGetMacro(Rehearsal, double);
@@ -166,8 +169,8 @@ public:
 
   ///@{
   /**
-   * With RealTime: locks the memory of the process against paging, if the system allows it; up to
-   * the program. Default off.
+   * With RealTime: whether the memory of the process is locked against paging, if the system allows
+   * it. The program must decide this. Default off.
    */
   vtkSetMacro(LockMemory, bool);
   vtkGetMacro(LockMemory, bool);
@@ -176,41 +179,41 @@ public:
 
   /** Ticks made since Start. */
   vtkIdType GetNumberOfTicks() const;
-  /** Number of successful Starts, which distinguishes runs. */
+  /** Number of successful Starts. It distinguishes the runs. */
   vtkIdType GetNumberOfStarts() const
   {
     return this->Starts;
   }
 
-  /** Reads body and path and begins at time 0. Returns false after an error that names the fault.
-   */
+  /** Reads the body and the path, and begins at time 0. Returns false after an error that names the
+   * fault. */
   bool Start();
   void Stop();
   /** Stops the session if it runs, otherwise starts it. */
   void Toggle();
 
   /**
-   * Gives the running session the present body, ResponseName and contact settings: the force
+   * Gives the running session the present body, ResponseName and contact settings. The force
    * changes to them within 50 ms, also during contact. Of two calls in quick succession the later
-   * one counts. Nothing happens if nothing runs. Returns false after an error that names the fault;
-   * the session then continues unchanged.
+   * one counts. No effect if the session does not run. Returns false after an error that names the
+   * fault; the session then continues unchanged.
    */
   bool ApplyChanges();
 
-  /** Runs all ticks due in the next `seconds` of virtual time; steps add up, whatever their length.
-   * Nothing happens unless running, nor for times that are not positive and finite. */
+  /** Runs all ticks due in the next `seconds` of virtual time. Steps of any length add up. No
+   * effect unless the session runs, and for times that are not positive and finite. */
   void Step(double seconds);
 
   int GetState() const;
-  /** The state of another device: DeviceLost is separate for each. */
+  /** State of another device. Each device has its own state DeviceLost. */
   int GetState(int device) const;
   /** Virtual time of the next tick, s. */
   double GetTime() const;
 
   ///@{
-  /** The newest tick: tip, contact point, total force on the tool (ideal, and applied by the
-   * device), the friction in it, deflection, contact state as in vtkToolContactProbe. Zeros before
-   * the first. */
+  /** Values of the newest tick: tip, contact point, total force on the tool (ideal, and applied by
+   * the device), the friction in it, normal, deflection, contact state as in vtkToolContactProbe.
+   * Zeros before the first tick. */
   void GetTip(double tip[3]);
   void GetContactPoint(double point[3]);
   void GetIdealForce(double force[3]);
@@ -224,9 +227,10 @@ public:
   ///@}
   ///@{
   /**
-   * The newest tick of a tilted tool: its axis, unit, from the tip to the hand; the ideal torque on
-   * it about its tip, N mm, and the one applied by a device that outputs torque; its tilt from the
-   * normal, degrees. All zero if the device does not report its orientation.
+   * Values of the newest tick of a tilted tool: its axis, a unit vector from the tip to the hand;
+   * the ideal torque on the tool about its tip, N mm; the torque applied by a device that outputs
+   * torque, N mm; its tilt from the normal, degrees. All zero if the device does not report its
+   * orientation.
    */
   void GetAxis(double axis[3]);
   void GetIdealTorque(double torque[3]);
@@ -234,7 +238,7 @@ public:
   double GetTilt();
   ///@}
   ///@{
-  /** The same for one of several devices, by its index. */
+  /** The same values for one of several devices, by its index. */
   void GetTip(int device, double tip[3]);
   void GetContactPoint(int device, double point[3]);
   void GetIdealForce(int device, double force[3]);
@@ -251,28 +255,28 @@ public:
   std::string GetSafetyText(int device);
   ///@}
   /**
-   * The factor by which the newest tick's ideal force was fitted to the device; before the first
-   * that of Start.
+   * The factor by which the ideal force of the newest tick was fitted to the device. Before the
+   * first tick, the factor of Start.
    */
   double GetForceFactor();
   /**
-   * The largest force that reaches the hand, N: the device's maximum or the limit of the safety,
-   * whichever is less.
+   * The largest force that can reach the hand, N: the device's maximum or the limit of the safety,
+   * whichever is smaller.
    */
   double GetMaximumForce();
   /**
-   * Why the applied force is not the ideal one, in words, including the factor: "force ×0.12,
-   * stiffness capped"; "" if it is.
+   * Reasons why the applied force differs from the ideal force, in words, with the factor: "force
+   * ×0.12, stiffness capped". "" if it does not differ.
    */
   std::string GetSafetyText();
 
 #ifndef __VTK_WRAP__
-  /** The whole newest tick; valid until the next call. A default one before the first. */
+  /** The complete newest tick; valid until the next call. A default tick before the first. */
   const palpate::Tick& GetNewestTick();
   const palpate::Tick& GetNewestTick(int device);
 #endif
 
-  /** Includes the times of its parts. */
+  /** Includes the modification times of its parts. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -312,7 +316,7 @@ private:
   vtkIdType Starts = 0;
   double FittedFactor = 1.0; ///< of the newest servo scene
 
-  // The body, and its state, whose defects were reported last.
+  // The body for which defects were reported last, and its modification time then.
   vtkPolyData* Unsound = nullptr;
   vtkMTimeType UnsoundTime = 0;
 

@@ -27,7 +27,7 @@
 
 namespace
 {
-constexpr double Beside = 6.0; // mm, from the ideal force to the applied one
+constexpr double Beside = 6.0; // mm, distance of the applied force from the ideal one
 
 constexpr palpate::ArrowLook TotalLook = { palpate::ForceColor, 0.9, 2.4, 6.0, 22, true, 0.0 };
 constexpr palpate::ArrowLook AppliedLook = { palpate::AppliedForceColor, 0.9, 2.4, 6.0, 16, true,
@@ -37,13 +37,13 @@ constexpr palpate::ArrowLook NormalLook = { palpate::NormalForceColor, 0.45, 1.4
 constexpr palpate::ArrowLook FrictionLook = { palpate::FrictionForceColor, 0.45, 1.4, 4.0, 16,
   false, 0.65 };
 
-/// The unit vector perpendicular to `arrow` that points to the right for the camera.
+/// The unit vector perpendicular to `arrow` that points to the right as seen by the camera.
 Eigen::Vector3d rightOf(const Eigen::Vector3d& arrow, vtkCamera* camera)
 {
   const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
   const Eigen::Vector3d along = arrow.normalized();
   const Eigen::Vector3d right = ahead.cross(along);
-  // An arrow straight towards the eye has no defined right side.
+  // An arrow straight towards the camera has no defined right side.
   return right.norm() > 0.1 ? right.normalized()
                             : ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
 }
@@ -158,7 +158,7 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   const Eigen::Vector3d torque(this->TorqueAboutTip);
   if (palpate::isNoticeable(torque / palpate::TorqueArc::Radius, total))
   {
-    // On the side to which the tool is tilted, where it is pushed up.
+    // On the side to which the tool is tilted; there the contact pushes it up.
     const Eigen::Vector3d side = Eigen::Vector3d(this->Axis).cross(torque);
     this->Torque->show(Eigen::Vector3d(tip), torque, side, this->ForceScale);
   }
@@ -174,7 +174,7 @@ int vtkHapticToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   if (renderer && this->Applied->isShown())
   {
-    // Beside the ideal force, or beside itself where there is none.
+    // To the right of the ideal force. Without an ideal force, to the right of its own position.
     const Eigen::Vector3d origin(this->ContactPoint);
     const Eigen::Vector3d arrow =
       (this->Total->isShown() ? this->Total->head() : this->Applied->head()) - origin;
@@ -197,7 +197,7 @@ void vtkHapticToolRepresentation::SetLabelsAfter(vtkHapticToolRepresentation* ot
   this->Modified();
 }
 
-/// Collects the labels in the order of placing.
+/// Collects the labels in the order in which they are placed.
 void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLabel>& labels)
 {
   if (this->LabelsAfter)
@@ -212,7 +212,7 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
     }
   };
   add(*this->Total, this->Total->tail());
-  // In any direction, it is to the right of the ideal force.
+  // For any direction of the forces, the applied force is to the right of the ideal force.
   const Eigen::Vector3d right = this->Applied->tail() - Eigen::Vector3d(this->ContactPoint);
   add(*this->Applied, this->Applied->head() - right);
   add(*this->NormalPart, this->NormalPart->tail());

@@ -3,19 +3,19 @@
  * @class vtkHapticToolRepresentation
  * @brief the tool at its contact, and the forces on it as arrows with their values
  *
- * The tool is drawn at its tip along the contact normal, or along its own axis if that is known;
- * translucent, so that it hides neither dent nor arrow. The arrow of the total, ideal force starts
- * at the contact point, is ForceScale mm long per newton, and carries the magnitude in newtons at
- * its head. Without force there is no arrow.
+ * The tool is drawn at its tip along the contact normal, or along its own axis if that is known. It
+ * is translucent, so that it hides neither dent nor arrow. The arrow of the total ideal force
+ * starts at the contact point and is ForceScale mm long per newton. The label at its head is the
+ * magnitude in newtons. Without force there is no arrow.
  *
  * With friction of at least 2 % of the force, two thinner arrows from the same point show the parts
  * of the force, normal and friction. If the applied force (after the safety chain) differs from the
- * ideal one by more than 2 %, it is drawn beside it, to the right as seen by the camera, at the
+ * ideal force by more than 2 %, it is drawn next to it, to the right as seen by the camera, at the
  * same scale. Labels do not cover one another.
  *
- * A torque about the tip, of at least 2 % of that of the force at the arc's radius, is an arc in
- * its direction, with its value in N mm: as long as the arrow of the force with the same torque
- * there.
+ * A torque about the tip is drawn as an arc in the direction of rotation, with its value in N mm,
+ * if it is at least 2 % of the torque of the force at the arc's radius. The arc is as long as the
+ * arrow of the force that has the same torque at that radius.
  *
  * BeyondValidity dashes the arrows.
  *
@@ -51,7 +51,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool drawn; required before the first rendering. */
+  /** The tool to draw. Required before the first rendering. */
   void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Whether normal force and friction are drawn, if there is friction; whether the applied force
-   * is, if it differs. From the next contact on. Default on.
+   * Whether normal force and friction are drawn, if there is friction; and whether the applied
+   * force is drawn, if it differs from the ideal force. From the next contact on. Default on.
    */
   vtkSetMacro(ComponentsVisibility, bool);
   vtkGetMacro(ComponentsVisibility, bool);
@@ -81,40 +81,40 @@ public:
 
   ///@{
   /**
-   * Whether the arrows are dashed, as the force is beyond the validity of its law. From the next
-   * contact on. Default off.
+   * Whether the arrows are dashed, because the force is beyond the validity of its law. From the
+   * next contact on. Default off.
    */
   vtkSetMacro(BeyondValidity, bool);
   vtkGetMacro(BeyondValidity, bool);
   ///@}
 
   /**
-   * Places the tool: its tip, the outward normal along which it stands, the start of the arrow, and
-   * the force on it (N). A zero normal leaves the direction unchanged.
+   * Sets the tip of the tool, the outward normal along which the tool stands, the start of the
+   * arrow, and the force on the tool (N). A zero normal leaves the direction unchanged.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3]);
   /**
-   * The same with the friction in the force, and the applied force (equal to the force if there is
-   * no other, or no device).
+   * Also sets the friction in the force, and the applied force. The applied force is equal to the
+   * force if there is no other, or no device.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3], const double friction[3], const double applied[3]);
 
   /**
-   * From the next contact on: the tool's axis, from its tip up the shaft, and the torque on it
-   * about the tip, N mm. Zeros (default): the axis is not known, and there is no torque.
+   * From the next contact on: the axis of the tool, from its tip up the shaft, and the torque on
+   * the tool about the tip, N mm. Zeros (default): the axis is unknown, and there is no torque.
    */
   void SetTilt(const double axis[3], const double torque[3]);
 
   /**
-   * Another one, drawn before, whose labels are placed first; those of this one avoid them. Default
-   * none.
+   * Another representation, drawn before this one, whose labels are placed first. The labels of
+   * this one avoid them. Default none.
    */
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 
   ///@{
-  /** Reimplemented to place the applied force and the labels, which depend on the camera. */
+  /** Overridden to place the applied force and the labels, which depend on the camera. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
   ///@}
@@ -141,10 +141,10 @@ private:
   bool ComponentsVisibility = true;
   bool AppliedForceVisibility = true;
   bool BeyondValidity = false;
-  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< the tool stands along it
-  double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< of the tool, if it is known
+  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction along which the tool stands
+  double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< axis of the tool, if it is known
   double TorqueAboutTip[3] = { 0.0, 0.0, 0.0 };
-  double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< where the arrows start
+  double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< start of the arrows
 };
 
 #endif

@@ -74,7 +74,7 @@ void vtkInteractorStyleHaptic::SetPressDepth(double depth)
 
 void vtkInteractorStyleHaptic::SetWheelDepth(double depth)
 {
-  constexpr double rounding = 1e-9; // of notches that add up
+  constexpr double rounding = 1e-9; // rounding error of notches that add up
   this->Steered().wheelDepth = depth < rounding ? 0.0 : std::min(depth, this->MaximumDepth);
   this->Modified();
 }
@@ -152,8 +152,7 @@ bool vtkInteractorStyleHaptic::SteerOverSurface()
   return true;
 }
 
-/// Steers to the point under the pointer at the tip's distance from the viewer, and `away` mm
-/// farther.
+/// Steers to the point under the pointer, at the tip's distance from the viewer plus `away` mm.
 bool vtkInteractorStyleHaptic::SteerInView(double away)
 {
   vtkRenderer* renderer = this->FindSceneRenderer();
@@ -186,7 +185,7 @@ void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double norma
   this->SteerTo(tip);
 }
 
-/// Sets the tool's direction without contact, and its tilt from there.
+/// Sets the direction of the tool without contact, and its tilt relative to that direction.
 void vtkInteractorStyleHaptic::FaceAlong(const double direction[3])
 {
   const palpate::SteeredTilt& tilt = this->Steered().tilt;
@@ -280,7 +279,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
   }
 }
 
-/// False if the wheel zooms.
+/// Returns false if the wheel zooms.
 bool vtkInteractorStyleHaptic::TurnWheel(double notches)
 {
   if (this->IsBesideScene())

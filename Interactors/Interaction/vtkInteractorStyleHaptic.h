@@ -3,31 +3,34 @@
  * @class vtkInteractorStyleHaptic
  * @brief the mouse moves the tool over the body; elsewhere it moves the camera
  *
- * Give it a session (RealTime) and the scene that shows it, which a vtkFrameClock draws. It never
- * waits for the servo thread.
+ * Give it a session (RealTime) and the scene that shows it; a vtkFrameClock draws the scene. The
+ * style never waits for the servo thread.
  *
  * **Mouse**, over the body, in the viewport of the scene:
  * - moving: the tool hovers HoverHeight above the surface under the pointer;
- * - left button: it presses, PressDepth deep, and slides with the pointer; the wheel changes the
- *   depth by 0.1 mm a notch;
- * - wheel without a button: it presses, too, WheelDepth deep, changed by 0.1 mm a notch; at 0 it
- *   hovers again;
+ * - left button: the tool presses, PressDepth deep, and slides with the pointer; the wheel changes
+ *   the depth by 0.1 mm per notch;
+ * - wheel without a button: the tool presses WheelDepth deep, which changes by 0.1 mm per notch; at
+ *   0 it hovers again;
  * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees against the normal there (or
  *   against the plane of the picture); key 0: upright;
- * - with Steering ViewPlane (key v) the pointer moves the tip in the plane through it parallel to
- *   the picture, through free space and body alike, and the wheel moves it away from the viewer or
- *   towards, by 0.1 mm a notch. Elsewhere in the scene, as vtkInteractorStyleTrackballCamera: left
- *   orbits, middle pans, right and wheel zoom; the wheel zooms with Control everywhere. Nothing
- *   happens in other viewports that are not interactive, as a panel or charts.
+ * - with Steering ViewPlane (key v), the pointer moves the tip in the plane through the tip
+ *   parallel to the picture, both in free space and in the body. The wheel moves the tip away from
+ *   the viewer or towards the viewer, by 0.1 mm per notch.
  *
- * Of a session with several devices the pointer moves one hand at a time, the one of Hand (key n
- * takes the next that is simulated); the others stay where they are, pressing if they pressed.
+ * Elsewhere in the scene the mouse acts as in vtkInteractorStyleTrackballCamera: the left button
+ * orbits, the middle button pans, the right button and the wheel zoom. With Control the wheel zooms
+ * everywhere. In other viewports that are not interactive, such as a panel or charts, the mouse has
+ * no effect.
  *
- * **Keys**: see GetKeyHelp, which ? or h shows and hides on the screen. Those that the style does
- * not handle itself invoke events: 1 to 9 ToolChosenEvent (call data: int*, from 0), space
- * SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
+ * For a session with several devices, the pointer moves one hand at a time, given by Hand (key n
+ * changes to the next simulated hand). The others stay where they are and continue to press.
  *
- * The body is the session's; the tool presses along its response normals.
+ * **Keys**: see GetKeyHelp; ? or h shows and hides this help on the screen. For keys that the style
+ * does not handle itself, it invokes events: 1 to 9 ToolChosenEvent (call data: int*, from 0),
+ * space SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
+ *
+ * The body is that of the session. The tool presses along the normals of its response.
  */
 #ifndef vtkInteractorStyleHaptic_h
 #define vtkInteractorStyleHaptic_h
@@ -65,7 +68,7 @@ public:
   {
     ToolChosenEvent = vtkCommand::UserEvent + 401,
     SwitchEvent = vtkCommand::UserEvent + 402,
-    SteeredEvent = vtkCommand::UserEvent + 403, ///< call data: double[3], where to, mm
+    SteeredEvent = vtkCommand::UserEvent + 403, ///< call data: double[3], the new target, mm
     CompareEvent = vtkCommand::UserEvent + 404,
     ChartsEvent = vtkCommand::UserEvent + 405,
     HistogramEvent = vtkCommand::UserEvent + 406
@@ -78,23 +81,24 @@ public:
     ViewPlane = 1
   };
 
-  /** The session that is steered; its body must be set when the pointer first moves. The search
-   * structure for picking is built then, and kept as long as points and cells are the same. */
+  /** The session that is steered. Its body must be set before the first movement of the pointer:
+   * the search structure for picking is built then. It is used as long as points and cells are the
+   * same. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
-  /** The scene that shows the session; the pointer steers in its renderer. */
+  /** The scene that shows the session. The pointer steers in its renderer. */
   void SetScene(vtkContactScene* scene);
   vtkContactScene* GetScene();
   ///@{
-  /** Optional: the object that writes the pictures and records of keys p and k. */
+  /** Optional: the object that writes the pictures and records of the keys p and k. */
   void SetFiles(vtkSessionFiles* files);
   vtkSessionFiles* GetFiles();
   ///@}
 
   ///@{
   /**
-   * The device of the session that the pointer moves, by its index, at most the last. Its depth by
-   * the wheel, and its tilt, are those it was left with. Default 0.
+   * The device of the session that the pointer moves, by its index, at most the last. It continues
+   * with the wheel depth and the tilt at which it was left. Default 0.
    */
   void SetHand(int hand);
   vtkGetMacro(Hand, int);
@@ -130,34 +134,38 @@ public:
   ///@}
 
   /**
-   * Tilt of the tool against the normal, degrees to the right of the picture and away from the
-   * viewer, each within 60; from the next steering on. Default 0, 0: its axis is not set, and the
+   * Tilt of the tool against the normal, in degrees to the right of the picture and away from the
+   * viewer, each within 60; from the next steering on. Default 0, 0: the axis is not set, and the
    * tool stands along the normal.
    */
   void SetTilt(double right, double away);
   void GetTilt(double tilt[2]) const;
 
-  /** Steers the tool to hover above a point of the surface with outward unit normal `normal`. */
+  /**
+   * Steers the tool to hover above a point of the surface with the outward unit normal `normal`.
+   */
   void HoverAt(const double point[3], const double normal[3]);
   /** Steers the tip to a point, mm, body frame. */
   void SteerTo(const double tip[3]);
 
-  /** Whether the left button is pressing the tool. */
+  /** Whether the left button presses the tool at present. */
   bool IsPressing() const { return this->Pressing; }
 
   /**
-   * Whether the wheel has ever pressed the tool, or moved it away from the viewer; a window may
+   * Whether the wheel has ever pressed the tool, or moved it away from the viewer. A window may
    * explain the wheel until then.
    */
   bool HasWheelPressed() const { return this->WheelPressed; }
 
   ///@{
-  /** Whether the functions of keys and mouse are listed on the screen. Key ?. Default off. */
+  /** Whether the list of keys and mouse functions is shown on the screen. Key ?. Default off. */
   void SetHelpVisibility(bool visible);
   bool GetHelpVisibility() const;
   ///@}
   ///@{
-  /** Its text: a line per key, "key<tab>what it does". Default: the functions of this class. */
+  /**
+   * Text of this list: one line per key, "key<tab>function". Default: the functions of this class.
+   */
   void SetKeyHelp(const std::string& text);
   std::string GetKeyHelp() const;
   ///@}
@@ -202,7 +210,7 @@ private:
   vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
-  std::vector<palpate::SteeredHand> Hands; ///< those steered so far, including Hand
+  std::vector<palpate::SteeredHand> Hands; ///< the hands steered so far, including Hand
   int Hand = 0;
   int Steering = Surface;
   double PressDepth = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The keys of vtkInteractorStyleHaptic, and the help that lists them.
+// The keys of vtkInteractorStyleHaptic, and their help text.
 #include "vtkInteractorStyleHaptic.h"
 
 #include "Interaction/Panel/KeyHelp.h"
@@ -61,7 +61,7 @@ void vtkInteractorStyleHaptic::OnChar()
   }
 }
 
-/// False for a key that this style leaves to its superclass.
+/// Returns false for a key that this style leaves to its superclass.
 bool vtkInteractorStyleHaptic::DoKey(char key)
 {
   if (key >= '1' && key <= '9')
@@ -75,7 +75,7 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     this->InvokeEvent(told->second);
     return true;
   }
-  // X reports the key without shift: / and = are ? and + of an American keyboard.
+  // X reports the key without Shift: / and = are the keys of ? and + on an American keyboard.
   using Style = vtkInteractorStyleHaptic;
   static const std::map<char, void (*)(Style&)> actions = {
     { '?', [](Style& style) { style.SetHelpVisibility(!style.GetHelpVisibility()); } },
@@ -139,7 +139,7 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
   return true;
 }
 
-/// Takes the next hand that a pointer can move; the same if there is no other.
+/// Changes to the next hand that a pointer can move; no change if there is no other.
 void vtkInteractorStyleHaptic::TakeNextHand()
 {
   const int count = this->Session ? this->Session->GetNumberOfDevices() : 1;

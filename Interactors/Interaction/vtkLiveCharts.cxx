@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is set, and what is shown when; LiveChartsState.cxx is how.
+// Properties and updates of the charts. LiveChartsState.cxx does the work.
 #include "vtkLiveCharts.h"
 
 #include "Interaction/Charts/LiveChartsState.h"
@@ -88,7 +88,8 @@ void vtkLiveCharts::Update()
   {
     return;
   }
-  // First, since it may collect ticks, so that curves and running point belong to the same tick.
+  // GetLastTicks is called first, since it may collect ticks: curves and running point must belong
+  // to the same tick.
   const bool runs = kept.session->GetState() != vtkHapticSession::Stopped;
   const palpate::TickHistory& ticks = kept.session->GetRecorder()->GetLastTicks();
   if (kept.run != kept.session->GetNumberOfStarts())
@@ -104,7 +105,7 @@ void vtkLiveCharts::Update()
   }
   kept.seen = ticks.added();
   const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
-  std::string error; // a running session has reported it
+  std::string error; // the running session has already reported it
   kept.time.show(kept.session->GetRecorder()->GetNumberOfLostTicks());
   kept.way.show();
   kept.showCurves(now, error);

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkLiveCharts
- * @brief live charts beside the scene: force over time and over deflection, and the stored curves
+ * @brief live charts next to the scene: force over time and over deflection, and the stored curves
  *
  * Give it a renderer (its own viewport in the live window; the charts fill it, side by side or one
- * above the other) and a session; call Update once a frame, before the window renders.
+ * above the other) and a session. Call Update once a frame, before the window renders.
  *
- * - **Time**: the last Duration seconds of all ticks: the ideal and the applied force, and friction
- *   and memory if there are any; magnitudes in N. Lines are drawn through the least and the largest
- *   of some ticks each, so that no peak is lost. A time without ticks is a gap.
- * - **Deflection**: force over deflection (mm, N) since the last first contact, loading and
- *   unloading, ideal and applied; on a body that relaxes the slow force, too, around which the
- *   ideal one makes a loop.
- * - **Curves**: the stored curves of the three corners of the touched triangle and their blend by
- *   area coordinates, dotted beyond Validity, with the present normal force as a running point.
- *   With AddComparedResponse: instead of the corners' curves the blended curve of each response,
- *   that is of each tool, at the contact. The last contact remains.
- * - **Histogram** (off by default): histograms of the servo thread's period, wake-up latency and
- *   duration of ticks (µs), both axes logarithmic. Empty in virtual time.
+ * - **Time**: all ticks of the last Duration seconds: the ideal force and the applied force;
+ *   friction and memory if there are any; magnitudes in N. The lines join the smallest and the
+ *   largest value of a few ticks each, so that no peak is lost. A time without ticks is a gap.
+ * - **Deflection**: force over deflection (mm, N) since the contact last began, loading and
+ *   unloading, ideal and applied. For a body that relaxes also the slow force; the ideal force
+ *   makes a loop around it.
+ * - **Curves**: the stored curves of the three corners of the triangle in contact, and their blend
+ *   by area coordinates, dotted beyond Validity. A running point shows the present normal force.
+ *   With AddComparedResponse, the chart shows the blended curve of each response, that is of each
+ *   tool, at the contact, instead of the curves of the corners. The last contact remains visible.
+ * - **Histogram** (off by default): histograms of the period, wake-up latency and duration of the
+ *   servo thread's ticks (µs), both axes logarithmic. Empty in virtual time.
  *
- * Axes begin with ranges chosen once from the responses: the depth they reach and the force half as
- * deep, or by SetLargestDeflection and SetLargestForce; they grow in round steps if a value is
- * larger, and shrink only by ResetRanges.
+ * The first ranges of the axes are chosen once from the responses: their range of deflection, and
+ * the force at half of it; or they are set by SetLargestDeflection and SetLargestForce. An axis
+ * grows in round steps if a value is larger. It shrinks only by ResetRanges.
  *
- * Without a session ShowTip shows the tips of a probe's output or a recording in the same way.
+ * Without a session, ShowTip shows the tips of a probe's output or a recording in the same way.
  *
  * Cost of an Update: 0.1 µs per tick since the last one, and tables of at most some thousand
- * numbers, whatever the session's length and the body's size. It never waits for the servo thread,
- * and takes no lock. For the thread of the session.
+ * numbers, independent of the length of the session and the size of the body. It never waits for
+ * the servo thread and takes no lock. For the thread of the session.
  */
 #ifndef vtkLiveCharts_h
 #define vtkLiveCharts_h
@@ -52,20 +52,23 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The renderer of the charts; they set its background and handle no events. Null: none. */
+  /**
+   * The renderer of the charts. They set its background and handle no events. Null: no renderer.
+   */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}
 
   ///@{
   /**
-   * The session to show; its recorder's HistorySeconds is raised to Duration, which counts from its
-   * next Start on. Changes of its body and ResponseName are followed.
+   * The session to show. If its recorder's HistorySeconds is less than Duration, it is set to
+   * Duration, which takes effect at the next Start of the session. Changes of its body and
+   * ResponseName are followed.
    */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
   ///@}
-  /** Shows the ticks of the session since the last call. Nothing happens without a session. */
+  /** Shows the ticks of the session since the last call. No effect without a session. */
   void Update();
 
   ///@{
@@ -74,9 +77,9 @@ public:
   void SetResponseName(const std::string& name);
   ///@}
   /**
-   * Shows tip `index` of a probe's output or a recording over SetBody, with the tips before it as
-   * history: over time if it has an array `Time`. Returns false, after an error, if there is no
-   * such tip or the probe's arrays or the response are missing.
+   * Shows tip `index` of a probe's output or a recording over the body of SetBody, with the tips
+   * before it as history. The chart over time needs an array `Time`. Returns false, after an error,
+   * if there is no such tip, or the probe's arrays or the response are missing.
    */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
@@ -88,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Responses of the body whose curves at the contact are compared; the default label is the
-   * response's tool. Default none: the triangle's corners.
+   * Responses of the body to compare by their curves at the contact. The default label is the tool
+   * of the response. Default none: the curves of the triangle's corners are shown.
    */
   void AddComparedResponse(const std::string& name, const std::string& label);
   void AddComparedResponse(const std::string& name) { this->AddComparedResponse(name, ""); }
@@ -109,7 +112,7 @@ public:
   ///@}
 
   ///@{
-  /** Time span of the chart over time, s, 0.1 to 100. Default 10. A change clears it. */
+  /** Time span of the chart over time, s, 0.1 to 100. Default 10. A change clears the chart. */
   void SetDuration(double seconds);
   double GetDuration();
   ///@}
@@ -125,7 +128,7 @@ public:
   void ResetRanges();
 
   ///@{
-  /** The charts; what they plot is in their plots' tables. */
+  /** The charts. The tables of their plots hold the plotted data. */
   vtkChartXY* GetTimeChart();
   vtkChartXY* GetDeflectionChart();
   vtkChartXY* GetCurvesChart();

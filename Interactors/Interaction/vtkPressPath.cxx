@@ -27,9 +27,10 @@ namespace
 constexpr double StepAngle = 0.25 * 3.14159265358979323846 / 180.0;
 constexpr double LargestLeap = 10.0;   // mm
 constexpr double Rest = 0.25;          // s, after pressing and before lifting
-constexpr double EdgeTolerance = 1e-8; // of the body's size: a ray through an edge hits it
+constexpr double EdgeTolerance = 1e-8; // fraction of the body's size, so that a ray through an edge
+                                       // hits it
 
-/// The unit directions of the path: each given one, and those between at equal steps.
+/// Unit directions of the path: the given ones, and directions between them at equal steps.
 std::vector<Vector> sweep(const std::vector<std::array<double, 3>>& given)
 {
   std::vector<Vector> directions;
@@ -59,7 +60,7 @@ struct vtkPressPath::Footprint
 {
   Vector point;
   Vector normal;
-  double along; ///< length of path up to here, mm
+  double along; ///< length of the path up to this point, mm
 };
 
 vtkStandardNewMacro(vtkPressPath);
@@ -104,7 +105,7 @@ int vtkPressPath::RequestData(
 
 bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& footprints)
 {
-  vtkNew<vtkPolyData> shallow; // a copy, as a locator builds links
+  vtkNew<vtkPolyData> shallow; // a copy, since a locator builds links in it
   shallow->ShallowCopy(body);
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(shallow);
@@ -138,7 +139,7 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
     vtkTriangle::ComputeNormal(corner[0], corner[1], corner[2], foot.normal.data());
     if (foot.normal.dot(direction) < 0.0)
     {
-      foot.normal = -foot.normal; // the first surface from outside faces outward
+      foot.normal = -foot.normal; // the first surface seen from outside faces outward
     }
     if (!footprints.empty())
     {

@@ -4,21 +4,22 @@
  * @brief a tool path that presses into a body, slides over it, and lifts off
  *
  * Input: a body of triangles, mm. Output: a polyline of tool tips with point arrays `Time` (double,
- * s) and `Inward` (double 3, the direction pressed along), for vtkHapticDevice::SetPath or
+ * s) and `Inward` (double 3, the direction of pressing), for vtkHapticDevice::SetPath or
  * vtkToolContactProbe.
  *
- * The places are given by directions from Center: each is followed inward from outside the body to
- * the first surface. With several, the path turns from one to the next through the directions
- * between them. At the first the tip moves from Approach mm above the surface straight down to
- * Depth below it at PressSpeed, rests, slides at SlideSpeed at constant Depth, rests and lifts at
- * the last. With one direction it presses, rests and lifts.
+ * The places to visit are given by directions from Center. From outside the body, each direction is
+ * followed inward to the first surface. With several directions, the path turns from one to the
+ * next through the directions between them. At the first place the tip moves at PressSpeed from
+ * Approach mm above the surface straight down to Depth below it, and rests. Then it slides at
+ * SlideSpeed at constant Depth. At the last place it rests and lifts off. With one direction it
+ * presses, rests and lifts off.
  *
- * The direction of pressing is the surface normal, averaged over SmoothingLength of path, as a hand
- * would hold the tool; the depth along it is therefore only nearly the deflection on a rough
- * surface.
+ * The direction of pressing is the surface normal, averaged over SmoothingLength of the path, as a
+ * hand would hold the tool. On a rough surface, the depth along this direction is therefore only
+ * nearly the deflection.
  *
  * Errors: a direction that meets no surface; a jump of more than 10 mm between neighbouring points
- * of the path (it crosses a gap or a silhouette).
+ * of the path (the path crosses a gap or a silhouette).
  */
 #ifndef vtkPressPath_h
 #define vtkPressPath_h
@@ -43,7 +44,8 @@ public:
   ///@}
 
   ///@{
-  /** The directions to visit, any length but zero. Neighbours must not be opposite. */
+  /** The directions to visit, of any length except zero. Neighbouring directions must not be
+   * opposite. */
   void AddDirection(double x, double y, double z);
   void RemoveAllDirections();
   ///@}
@@ -73,7 +75,7 @@ public:
   ///@}
 
   ///@{
-  /** Length of path over which normals are averaged, mm, >= 0. Default 8. */
+  /** Length of the path over which normals are averaged, mm, >= 0. Default 8. */
   vtkSetMacro(SmoothingLength, double);
   vtkGetMacro(SmoothingLength, double);
   ///@}

@@ -38,7 +38,7 @@ double largestIn(vtkTable* table, vtkIdType column)
   return largest;
 }
 
-/// Deflection and bounds of the force, of the rows of `table` that have them.
+/// Deflection and bounds of the force, from the rows of `table` that have bounds.
 vtkSmartPointer<vtkTable> bandOf(vtkTable* table)
 {
   auto band = vtkSmartPointer<vtkTable>::New();

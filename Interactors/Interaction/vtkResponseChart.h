@@ -3,10 +3,10 @@
  * @class vtkResponseChart
  * @brief force over deflection, one curve per tool or point, in a vtkChartXY
  *
- * Add curves as vtkTables whose first column is the deflection (mm) and second the force (N), as
- * vtkResponseCurves makes them, each with a label. The chart has axis titles with units, a legend,
- * and colours and dashes that the colour-blind can distinguish; it starts at (0, 0) and ends with
- * the longest curve.
+ * Add curves as vtkTables, each with a label. The first column is the deflection (mm) and the
+ * second is the force (N), as in the tables of vtkResponseCurves. The chart has axis titles with
+ * units, a legend, and colours and dashes that colour-blind readers can distinguish. It starts at
+ * (0, 0) and ends with the longest curve.
  *
  * A curve may have a depth of validity, beyond which the line is dotted. A third and a fourth
  * column of a table, the bounds of the force (N), are drawn as a band.
@@ -36,7 +36,7 @@ public:
   void SetTitle(const std::string& title);
 
   /**
-   * Adds a curve; solid up to `validDepth` (mm), dotted beyond. Returns false, after an error, if
+   * Adds a curve: solid up to `validDepth` (mm), dotted beyond. Returns false, after an error, if
    * the table has fewer than two columns.
    */
   bool AddCurve(vtkTable* table, const std::string& label, double validDepth);

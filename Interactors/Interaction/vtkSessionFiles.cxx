@@ -31,13 +31,13 @@ void vtkSessionFiles::SetWindow(vtkRenderWindow* window)
 std::string vtkSessionFiles::FreeName(const char* ending)
 {
   const std::filesystem::path folder(this->OutputFolder);
-  std::error_code ignored; // writing the file will report it
+  std::error_code ignored; // writing the file will report this error
   std::filesystem::create_directories(folder, ignored);
   std::filesystem::path name;
   const auto isTaken = [&ignored](const std::filesystem::path& path)
   {
     return std::filesystem::exists(path, ignored) ||
-      std::filesystem::exists(path.string() + ".part", ignored); // left by a full disk
+      std::filesystem::exists(path.string() + ".part", ignored); // left over from a full disk
   };
   for (int number = 1; name.empty() || isTaken(name); ++number)
   {
@@ -85,7 +85,7 @@ std::string vtkSessionFiles::WriteRecording(const std::string& fileName)
     vtkErrorMacro(<< "There is no record to write: call StartRecording.");
     return {};
   }
-  this->Session->GetRecorder()->GetTape(); // with what has been recorded meanwhile
+  this->Session->GetRecorder()->GetTape(); // collects the newly recorded ticks
   this->Tape->stop();
   const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;
   const std::string error = palpate::writeTrajectory(name, this->Tape->ticks());

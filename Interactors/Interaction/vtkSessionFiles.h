@@ -3,10 +3,10 @@
  * @class vtkSessionFiles
  * @brief writes pictures of the window and records of the session, under automatic names
  *
- * Files are "palpate-1.png", "palpate-1.csv" in OutputFolder, with the first free number, unless
- * they are given a name. A record contains every tick between two times of a session, as a
- * trajectory file for the device "replay:FILE"; it continues over a stop and a start. GetNotice
- * says, in words, what was last done. For the session's thread.
+ * Files are named "palpate-1.png", "palpate-1.csv" in OutputFolder, with the first free number,
+ * unless the caller gives a name. A record contains all ticks between two times of a session, as a
+ * trajectory file for the device "replay:FILE". It continues over a stop and a start of the
+ * session. GetNotice describes the last action in words. For the session's thread.
  */
 #ifndef vtkSessionFiles_h
 #define vtkSessionFiles_h
@@ -33,41 +33,43 @@ public:
   vtkTypeMacro(vtkSessionFiles, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The session that is recorded. */
+  /** The session to record. */
   void SetSession(vtkHapticSession* session);
-  /** The window of the pictures. */
+  /** The window to take pictures of. */
   void SetWindow(vtkRenderWindow* window);
 
   ///@{
-  /** Folder of files without a name, created when needed. Default: the current folder. */
+  /**
+   * Folder of files without a given name. It is created when needed. Default: the current folder.
+   */
   vtkSetMacro(OutputFolder, std::string);
   vtkGetMacro(OutputFolder, std::string);
   ///@}
   ///@{
-  /** What was last done, "picture palpate-1.png", for display. */
+  /** Description of the last action, such as "picture palpate-1.png", for display. */
   vtkSetMacro(Notice, std::string);
   vtkGetMacro(Notice, std::string);
   ///@}
 
   /**
-   * Writes the window as a .png; "": under an automatic name. Returns the name of the file, ""
-   * after an error.
+   * Writes a picture of the window as a .png file; "": with an automatic name. Returns the name of
+   * the file, or "" after an error.
    */
   std::string WritePicture(const std::string& fileName = std::string());
 
   ///@{
   /**
-   * Keeps every tick from StartRecording on, then writes them; "": under an automatic name.
-   * Starting returns false, after an error, unless the session's recorder had HistorySeconds of
-   * some frames at its Start, of which 1 is ample; writing returns the name of the file, "" after
-   * an error. ToggleRecording starts or writes.
+   * StartRecording stores all ticks from now on. WriteRecording writes them; "": with an automatic
+   * name. It returns the name of the file, or "" after an error. StartRecording returns false,
+   * after an error, if the session's recorder had no HistorySeconds at its Start. HistorySeconds
+   * must cover some frames; 1 is ample. ToggleRecording starts or writes.
    */
   bool StartRecording();
   std::string WriteRecording(const std::string& fileName = std::string());
   void ToggleRecording();
   bool IsRecording() const;
   ///@}
-  /** Ticks kept since StartRecording. */
+  /** Number of ticks stored since StartRecording. */
   vtkIdType GetNumberOfRecordedTicks() const;
 
 protected:
@@ -83,7 +85,8 @@ private:
 
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkRenderWindow> Window;
-  std::shared_ptr<palpate::TickTape> Tape; ///< of the session's recorder; null before a recording
+  std::shared_ptr<palpate::TickTape> Tape; ///< tape of the session's recorder; null before a
+                                           ///< recording
   std::string OutputFolder;
   std::string Notice;
 };

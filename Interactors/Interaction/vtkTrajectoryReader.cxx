@@ -23,9 +23,10 @@
 
 namespace
 {
-constexpr double MostSteps = 1e6; // announced; in a longer recording steps are farther apart
+constexpr double MostSteps = 1e6; // limit of the time steps announced; for a longer recording the
+                                  // steps are larger
 
-/// A point array of `count` tuples with the value that `get` returns for each row.
+/// Adds a point array of `count` tuples with the value that `get` returns for each row.
 template <typename Get>
 void attach(vtkPolyData* output, const std::vector<palpate::TrajectoryRow>& rows, vtkIdType count,
   const char* name, int components, Get get)
@@ -66,7 +67,7 @@ std::string vtkTrajectoryReader::Read()
   {
     return "A FileName is required";
   }
-  std::error_code missing; // reported when the file is read
+  std::error_code missing; // ignored: reading the file will report it
   const auto changed = std::filesystem::last_write_time(this->FileName, missing);
   if (this->Known && this->KnownFile == this->FileName && this->KnownTime == changed)
   {
@@ -95,7 +96,8 @@ int vtkTrajectoryReader::RequestInformation(
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  // A file that cannot be read has no times; RequestData reports it and empties the output.
+  // A file that cannot be read has no time steps. RequestData reports the error and empties the
+  // output.
   if (this->WholePath || !this->Read().empty() || this->Known->rows.empty())
   {
     return 1;
@@ -136,7 +138,8 @@ int vtkTrajectoryReader::RequestData(
   if (!this->WholePath && info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
     const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    // A step is a sum of periods, which may be below its tick by rounding.
+    // The requested time is a sum of periods. Rounding may make it smaller than the time of its
+    // tick.
     const double last = time + 1e-9 * std::max(1.0, std::abs(time));
     end = std::upper_bound(
       rows.begin(), rows.end(), last, [](double t, const Row& row) { return t < row.time; });

@@ -3,24 +3,24 @@
  * @class vtkTrajectoryReader
  * @brief a recorded trajectory (.csv) as a polyline of tips that grows with time
  *
- * Reads what a session has recorded (`palpate --record`, the offscreen session's trajectory.csv),
- * or any .csv with the columns time_s, tip_x_mm, tip_y_mm, tip_z_mm; see palpate::readTrajectory.
+ * Reads the record of a session (`palpate --record`, the offscreen session's trajectory.csv), or
+ * any .csv with the columns time_s, tip_x_mm, tip_y_mm, tip_z_mm; see palpate::readTrajectory.
  *
  * Output: the tips in order, mm, body frame, as one polyline with the point arrays `Time` (double,
  * s) and, if the file has them, `ContactPoint` (3, mm), `Deflection` (mm), `NormalForce` (N) and
  * its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total),
  * `ContactState` (uint8, as in vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and `Torque`
- * (3, N mm, about the tip); of the device, in its own frame, `DevicePosition` (3, m) and
+ * (3, N mm, about the tip). For the device, in its own frame: `DevicePosition` (3, m) and
  * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out.
  *
- * Time: time steps over the file's times are announced, FrameRate per second, and the output at a
- * time t ends with the last tip that is not after t, which is the present one; vtkToolContactProbe,
- * vtkContactDeflection and vtkContactHistory follow it. With WholePath, or if no time is requested,
- * it is the whole path.
+ * Time: the reader announces time steps over the times of the file, FrameRate per second. The
+ * output at a time t ends with the last tip that is not after t, which is the present tip;
+ * vtkToolContactProbe, vtkContactDeflection and vtkContactHistory use it. With WholePath, or if no
+ * time is requested, the output is the whole path.
  *
- * Errors: no file, or one that is not a trajectory: file, line and what is wrong; the output is
- * then empty. Cost: the file is read again when its name or its time of change differs; each
- * request copies the tips up to its time.
+ * Errors: no file, or a file that is not a trajectory. The error names file, line and fault; the
+ * output is then empty. Cost: the file is read again when its name or its modification time
+ * differs; each request copies the tips up to its time.
  */
 #ifndef vtkTrajectoryReader_h
 #define vtkTrajectoryReader_h
@@ -52,15 +52,15 @@ public:
 
   ///@{
   /**
-   * Time steps announced per second, 1 to 10000; a session has a thousand ticks and more per
-   * second. Default 25.
+   * Time steps announced per second, 1 to 10000. (A session has a thousand ticks per second or
+   * more.) Default 25.
    */
   vtkSetClampMacro(FrameRate, double, 1.0, 10000.0);
   vtkGetMacro(FrameRate, double);
   ///@}
 
   ///@{
-  /** All tips, whatever the time. Default off. */
+  /** Whether the output has all tips at any time. Default off. */
   vtkSetMacro(WholePath, bool);
   vtkGetMacro(WholePath, bool);
   vtkBooleanMacro(WholePath, bool);
@@ -81,16 +81,16 @@ private:
   vtkTrajectoryReader(const vtkTrajectoryReader&) = delete;
   void operator=(const vtkTrajectoryReader&) = delete;
 
-  /// Returns what is wrong, or "".
+  /// Reads the file. Returns "" or an error.
   std::string Read();
 
   char* FileName = nullptr;
   double FrameRate = 25.0;
   bool WholePath = false;
 
-  std::unique_ptr<palpate::Trajectory> Known; ///< the last file read, ticks with a tip only
+  std::unique_ptr<palpate::Trajectory> Known; ///< the last file read; only ticks with a tip
   std::string KnownFile;
-  std::filesystem::file_time_type KnownTime; ///< of the file's last change
+  std::filesystem::file_time_type KnownTime; ///< modification time of the file
 };
 
 #endif

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-# What an option's value may be where the help does not list it in braces.
+# Values of an option whose help does not list them in braces.
 WORDS = {
     "--tool": "flat: sphere: paraboloid: cone: truncated: blunted: rounded: power: profile:",
     "--layer": "scan none",

@@ -20,10 +20,10 @@ namespace palpate
 namespace
 {
 const char* const CacheResponse = "Cached";
-constexpr double CacheDepth = 2.0; // mm; any would do
+constexpr double CacheDepth = 2.0; // mm; any value is possible
 const char* const Thickness = "LayerThickness";
 
-/// The cache file of this scan, or "" if there is no place for one.
+/// Cache file for this scan, or "" if no cache folder is possible.
 std::string cacheFile(const std::string& path, const BodyFileOptions& options)
 {
   std::error_code failed;
@@ -38,7 +38,7 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
       << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
       << '|' << options.contourValue << '|' << options.closingRadius
-      << "|placed by the header"; // skins of before were not
+      << "|placed by the header"; // skins of earlier versions were not placed by the header
   if (options.baseValue)
   {
     key << "|bone below " << *options.baseValue;
@@ -46,8 +46,8 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   return cachePlace("skin", key.str(), ".palpate");
 }
 
-/// Makes the response normals the active ones, its validity the thickness if one is wanted, and
-/// removes the response itself.
+/// Makes the normals of the response the active normals. With `thickness`, makes its validity the
+/// thickness array. Removes the response itself.
 vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness)
 {
   auto body = vtkSmartPointer<vtkPolyData>::New();
@@ -66,8 +66,8 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
   return body;
 }
 
-/// The flat file stores a body with a response; as that one does not matter here, its validity, a
-/// length per point, is used to store the thickness of the layer.
+/// The flat file format stores a body with a response. The response does not matter here. Its
+/// validity, a length per point, stores the thickness of the layer.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   const std::string unmade = makeCacheFolder(file);

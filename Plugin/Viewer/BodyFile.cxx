@@ -21,7 +21,7 @@
 
 namespace
 {
-/** Adds LayerThickness to the skin of a scan, in the file's unit of length. */
+/** Adds LayerThickness, in the file's unit of length, to the skin of a scan. */
 vtkSmartPointer<vtkPolyData> withThickness(
   vtkPolyData* skin, vtkImageData* scan, const palpate::BodyFileOptions& options)
 {
@@ -75,7 +75,7 @@ void scaleThickness(vtkPolyData* body, double factor)
   body->GetPointData()->AddArray(scaled);
 }
 
-/** Why the data are not a body, without the filter's prefix. */
+/** The reason why the data are not a body, without the filter's prefix. */
 std::string bodyProblem(const palpate::CollectingWindow* complaints)
 {
   const std::string before = "Wrong input: ";
@@ -83,7 +83,7 @@ std::string bodyProblem(const palpate::CollectingWindow* complaints)
   return reason.compare(0, before.size(), before) == 0 ? reason.substr(before.size()) : reason;
 }
 
-/** Reads `path` into `result`; returns what went wrong, "" if nothing. */
+/** Reads `path` into `result`. Returns "" or an error. */
 std::string readSurface(const std::string& path, const palpate::BodyFileOptions& options,
   const palpate::CollectingWindow* complaints, palpate::BodyFileResult& result)
 {
@@ -104,7 +104,7 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
     result.notes.push_back(reader->GetNote(i));
   }
 
-  // As triangles in millimetres.
+  // Converts the data to triangles in millimetres.
   vtkSmartPointer<vtkDataSet> content = reader->GetOutput();
   if (auto* scan = vtkImageData::SafeDownCast(content))
   {
@@ -113,7 +113,7 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
   vtkNew<vtkBodySurface> surface;
   surface->SetInputData(content);
   surface->SetLengthScale(options.lengthScale);
-  surface->AskAboutSizeOff(); // asked below, by the name of the option
+  surface->AskAboutSizeOff(); // asked below, with the name of the option
   surface->Update();
   if (complaints->hasFailed())
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scene of Mahvash and Hayward 2002, section 5: a large triangulated cylinder, the analytical
-// half-space responses at its vertices, normals along the radius, under flat, sphere and cone.
+// The scene of Mahvash and Hayward 2002, section 5: a large triangulated cylinder under flat,
+// sphere and cone. It has the analytical half-space responses at its vertices; its normals are
+// radial.
 #include "ViewerScene.h"
 
 #include "vtkCellArray.h"
@@ -18,9 +19,9 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = 50.0; // mm
 constexpr double CylinderLength = 160.0;
-constexpr double VertexSpacing = 0.6; // of the vertices
+constexpr double VertexSpacing = 0.6; // mm
 
-/// A tube along x, open at its ends.
+/// A tube along x with open ends.
 vtkSmartPointer<vtkPolyData> makeTube()
 {
   const int around = static_cast<int>(std::lround(2.0 * Pi * Radius / VertexSpacing));

@@ -20,7 +20,7 @@ std::function<std::string()> LastAction;
 int onLoss(Display* display)
 {
   const std::function<std::string()> action = std::exchange(LastAction, nullptr);
-  const std::string error = action ? action() : std::string(); // first of all, release the hand
+  const std::string error = action ? action() : std::string(); // releases the hand first
   if (!error.empty())
   {
     std::fprintf(stderr, "palpate: error: %s\n", error.c_str());

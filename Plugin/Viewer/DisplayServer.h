@@ -7,17 +7,18 @@
 
 namespace palpate
 {
-/// Why nothing can be drawn, "" if nothing stands in the way. Without an X server that answers, VTK
-/// would abort the process at the first picture.
+/// Returns the reason why drawing is impossible, or "". Without an X server that answers, VTK would
+/// abort the process at the first picture.
 std::string displayProblem();
 
-/// From now on the process ends with a message and exit code 1 when it loses its X server. Xlib
-/// does not allow a return from there: no destructor runs, so necessary actions are given to
-/// AtDisplayLoss.
+/// After this call, the process ends with a message and exit code 1 when it loses its X server.
+/// Xlib does not allow a return from this error, so no destructor runs. Actions that are needed
+/// nevertheless are given to AtDisplayLoss.
 void endWithDisplay();
 
-/// An action on the loss of the X server, while this lives: release the hand, save the record. It
-/// runs within a call to Xlib and must not draw. Returns an error, or "". One at a time.
+/// Registers, during its lifetime, an action for the loss of the X server: release the hand, save
+/// the record. The action runs within a call to Xlib and must not draw. It returns "" or an error.
+/// Only one object may exist at a time.
 class AtDisplayLoss
 {
 public:

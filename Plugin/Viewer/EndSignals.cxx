@@ -15,7 +15,8 @@ void note(int /*signal*/)
   Came = 1;
 }
 
-/// Sets the handler for all signals except those ignored from the start of the process (nohup).
+/// Sets the handler for all these signals, except those that were ignored from the start of the
+/// process (nohup).
 void handle(void (*handler)(int))
 {
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })

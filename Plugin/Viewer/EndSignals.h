@@ -4,9 +4,9 @@
 
 namespace palpate
 {
-/// While this lives, SIGINT, SIGTERM and SIGHUP are noted, so that a window closes normally: the
-/// hand is released, and the record written. The same signal again ends the process at once. One at
-/// a time.
+/// During its lifetime, SIGINT, SIGTERM and SIGHUP are only noted, so that a window closes
+/// normally: the hand is released, and the record written. A second signal of the same kind ends
+/// the process immediately. Only one object may exist at a time.
 class EndSignals
 {
 public:
@@ -15,7 +15,7 @@ public:
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  /// Whether a signal has arrived.
+  /// True if a signal has arrived.
   bool any() const noexcept;
 };
 } // namespace palpate

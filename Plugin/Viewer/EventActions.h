@@ -10,11 +10,12 @@ class vtkObject;
 
 namespace palpate
 {
-/// The actions of a window on events of its objects. Must outlive the objects, or their last event.
+/// The actions of a window on events of its objects. This object must outlive them, or their last
+/// event.
 class EventActions
 {
 public:
-  /// The action gets the event's call data. Higher priorities are called first.
+  /// Adds an action, which gets the event's call data. Actions of higher priority are called first.
   void add(vtkObject* speaker, unsigned long event, std::function<void(void*)> action,
     float priority = 0.0F);
 

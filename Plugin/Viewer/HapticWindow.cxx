@@ -22,14 +22,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double LongestFrame = 60.0; // s, the longest that a record can wait
+constexpr double LongestFrame = 60.0; // s, longest time that the record can wait
 constexpr double PanelWidth = 256.0;  // pixels
 constexpr double LargestPanelShare = 0.4;
-constexpr double ChartShare = 0.28; // of the height
+constexpr double ChartShare = 0.28; // fraction of the height
 
-/// The force not exceeded at 90 % of the points at this depth (mm), N, of the tool with the
-/// largest; 1 if the curves are stored in the compact form. (The maximum would be that of the
-/// thinnest spot.)
+/// The force (N) that 90 % of the points do not exceed at this depth (mm), for the tool with the
+/// largest such force. Returns 1 if the curves are stored in the compact form. (The maximum would
+/// be the force of the thinnest spot.)
 double usualForce(const ResponseSet& responses, double depth)
 {
   double usual = 0.0;
@@ -43,7 +43,7 @@ double usualForce(const ResponseSet& responses, double depth)
     {
       continue;
     }
-    // Sample i of n lies at Range (i/n)^2.
+    // Sample i of n is at Range (i/n)^2.
     const int samples = force->GetNumberOfComponents();
     std::vector<double> forces;
     for (vtkIdType point = 0; point < force->GetNumberOfTuples(); ++point)
@@ -69,7 +69,7 @@ double usualForce(const ResponseSet& responses, double depth)
 
 const char* const PressHint = "Turn the wheel over the body: the tool presses";
 
-/// Small text at the top left.
+/// Sets the style of a small text at the top left.
 void styleHelp(vtkTextActor* help, double red, double green, double blue)
 {
   help->GetTextProperty()->SetFontSize(15);
@@ -85,9 +85,10 @@ HapticWindow::HapticWindow(
   : Options(options)
   , Scene(scene)
   , Responses(responses)
-  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel presses deeper
+  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel may press deeper
 {
-  this->Window->SetMultiSamples(0); // three times slower without a graphics card; FXAA is not
+  this->Window->SetMultiSamples(0); // multisampling is three times slower without a graphics card;
+                                    // FXAA is not slower
   this->Renderer->UseFXAAOn();
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
@@ -108,7 +109,7 @@ HapticWindow::HapticWindow(
   this->Session->SetRate(options.rate);
   chooseContact(options, scene, this->Session);
   this->Session->RealTimeOn();
-  this->Session->LockMemoryOn(); // the loop is this program's purpose
+  this->Session->LockMemoryOn(); // the servo loop is the purpose of this program
   this->Session->GetRecorder()->SetRecording(!options.record.empty());
   this->Session->GetRecorder()->SetRecordedSeconds(LongestFrame);
   this->Clock->SetInteractor(this->Interactor);
@@ -141,7 +142,8 @@ void HapticWindow::showHelp(const std::string& text)
   this->Renderer->AddViewProp(this->Help); // a prop is not added twice
 }
 
-/// One line lower while there is a hint, which disappears once it has been followed.
+/// Moves the help one line lower while the hint is shown. The hint disappears once the wheel has
+/// pressed the tool.
 void HapticWindow::placeHelp()
 {
   if (this->Style->HasWheelPressed())
@@ -157,7 +159,7 @@ void HapticWindow::open()
   bool followsMouse = false;
   for (int hand = this->Session->GetNumberOfDevices() - 1; hand >= 0; --hand)
   {
-    if (this->Session->GetDevice(hand)->IsSimulated()) // only these follow the mouse
+    if (this->Session->GetDevice(hand)->IsSimulated()) // only simulated devices follow the mouse
     {
       const TouchSite begin = siteOfHand(this->Scene, this->Responses.body, hand);
       this->Style->SetHand(hand);
@@ -264,7 +266,7 @@ void HapticWindow::usePanel(vtkContactSetup* setup)
     });
 }
 
-/// The panel has a constant width in pixels for any size of the window.
+/// Keeps the width of the panel in pixels constant for any size of the window.
 void HapticWindow::arrange()
 {
   if (!this->HasPanel)

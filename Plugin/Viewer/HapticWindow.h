@@ -31,31 +31,31 @@ namespace palpate
 {
 /// A live session in a window: the window, the session on its servo thread, and the mouse that
 /// steers it; optionally a panel and charts. If the mouse steers, a line explains that the wheel
-/// presses until it was used. Its owner decides its purpose.
+/// presses, until the wheel has been used. The owner decides on the purpose of the window.
 class HapticWindow
 {
 public:
-  /// Everything that the arguments reference must outlive it.
+  /// All objects that the arguments reference must outlive this object.
   HapticWindow(
     const ViewerOptions& options, const ViewerScene& scene, const ResponseSet& responses);
 
-  /// Adds a panel on the right that changes the setup, and charts below. Before open().
+  /// Adds a panel on the right that changes the setup, and charts below. Call before open().
   void usePanel(vtkContactSetup* setup);
-  /// Shows lines at the top of the window, replacing the previous ones.
+  /// Shows lines of text at the top of the window, replacing the previous ones.
   void showHelp(const std::string& text);
-  /// Shows the body with the tool above the first site of the scene, and prints it.
+  /// Shows the body with the tool above the first site of the scene, and prints this site.
   void open();
-  /// Runs until the window is closed, or a signal ends it. Then writes its last picture and the
-  /// record, if requested, also one that was begun by key, and prints a summary. All but the
-  /// picture is also done when the X server is lost. Returns an error, or "".
+  /// Runs until the window is closed or a signal ends it. Then writes, if requested, the last
+  /// picture and the record (also a record begun by key), and prints a summary. If the X server is
+  /// lost, all of this is done except the picture. Returns "" or an error.
   std::string run();
 
-  /// Sets the action when another tool was chosen in the panel, numbered from 0.
+  /// Sets the action for the choice of another tool in the panel. Tools are numbered from 0.
   void onTool(std::function<void(int)> action);
-  /// Sets the action of keys 1 to 9, numbered from 0, without a panel; and of the space bar.
+  /// Sets the action for keys 1 to 9 without a panel (numbered from 0), and for the space bar.
   void onNumber(std::function<void(int)> action);
   void onSpace(std::function<void()> action);
-  /// Sets the action at each frame.
+  /// Sets the action for each frame.
   void onFrame(std::function<void()> action);
 
   vtkHapticSession* session() { return this->Session; }
@@ -73,12 +73,13 @@ private:
   const ViewerOptions& Options;
   const ViewerScene& Scene;
   const ResponseSet& Responses;
-  double LargestForce;                        ///< for the scale of arrows and charts, N
-  std::vector<double> StrongestForces{ 0.0 }; ///< ideal force of the frames, of each hand, N
+  double LargestForce;                        ///< N, for the scale of arrows and charts
+  std::vector<double> StrongestForces{ 0.0 }; ///< largest ideal force in any frame, for each hand,
+                                              ///< N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;
   std::string HelpText;
-  vtkNew<vtkTextActor> Hint; ///< how to press, above the help
+  vtkNew<vtkTextActor> Hint; ///< explains how to press, above the help
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkContactScene> View;

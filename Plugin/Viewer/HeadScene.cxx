@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The demo: the head of Debian's mricron-data (Colin 27, T1 MRI at 1 mm), forehead and cheek.
+// The demo: forehead and cheek of the head in Debian's mricron-data (Colin 27, T1 MRI at 1 mm).
 #include "ViewerScene.h"
 
 #include "BodyCache.h"
@@ -45,9 +45,9 @@ std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
   scene.modelReason = "skin over bone is a thin layer, so that the true force there is higher, the "
                       "more so the deeper the tool";
   scene.tools = { "sphere:6.35", "flat:1.6", "sphere:1.6" };
-  scene.depth = 0.8; // within validity over most of the path
-  // +x right, +y to the nose, +z up, from the scan's own origin: from above the left brow over the
-  // temple to the left cheek.
+  scene.depth = 0.8; // within the validity over most of the path
+  // Relative to the scan's origin: +x right, +y to the nose, +z up. The path leads from above the
+  // left brow over the temple to the left cheek.
   scene.center = { 0.0, -15.0, 14.0 };
   scene.directions = { { -30.0, 89.0, 30.0 }, { -75.0, 55.0, 5.0 }, { -72.0, 55.0, -48.0 },
     { -52.0, 72.0, -68.0 } };

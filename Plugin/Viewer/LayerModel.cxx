@@ -30,7 +30,7 @@ const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal; "
   "a layer's force depends more on nu than a half-space's";
 
-/// A number with this many decimals.
+/// Text of a number with this many decimals.
 std::string rounded(double value, int decimals)
 {
   std::ostringstream stream;
@@ -38,14 +38,14 @@ std::string rounded(double value, int decimals)
   return stream.str();
 }
 
-/// The thickness of all layers together.
+/// Array of the total thickness of all layers from a scan; null if it is not scanned.
 vtkDataArray* scannedThickness(const ViewerScene& scene)
 {
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;
 }
-/// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and 1;
-/// where it shows no bone, bone is assumed at the depth of the search. A layer of given thickness
-/// has at most half of the tissue.
+/// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and
+/// LayerThickness1. Where the scan shows no bone, bone is assumed at the maximum depth of the
+/// search. The layer of given thickness takes at most half of the tissue.
 void splitTissue(ViewerScene& scene)
 {
   vtkDataArray* tissue = scannedThickness(scene);
@@ -87,11 +87,11 @@ LayerStack stackAt(const ViewerScene& scene, vtkIdType point)
   return stack;
 }
 
-/// The statistics of a scanned thickness.
+/// Statistics of a scanned thickness.
 struct Tissue
 {
-  std::vector<double> found; ///< where there is bone, ascending, mm
-  double share = 0.0;        ///< fraction of the vertices, percent
+  std::vector<double> found; ///< thickness of the vertices with bone, ascending, mm
+  double share = 0.0;        ///< vertices with bone, percent of all vertices
 };
 Tissue tissueOf(vtkDataArray* thickness)
 {
@@ -143,7 +143,7 @@ std::string describeStack(const ViewerScene& scene)
     depth;
 }
 
-/// The thickness of the layer under a point of the body, mm; 0 for a half-space.
+/// Thickness of the layer under a point of the body, mm; 0 for a half-space.
 double thicknessAt(const ViewerScene& scene, vtkIdType point)
 {
   vtkDataArray* thickness = scannedThickness(scene);
@@ -154,7 +154,7 @@ double thicknessAt(const ViewerScene& scene, vtkIdType point)
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene)
 {
   const bool other =
-    options.voxel > 0.0 || options.solid || !options.measured.empty(); // determines what lies below
+    options.voxel > 0.0 || options.solid || !options.measured.empty(); // defines the layers
   const bool wanted = options.layer.value_or(other ? LayerChoice{} : ofScene).scanned;
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;
 }

@@ -10,28 +10,30 @@
 
 namespace palpate
 {
-/// The grey level below which a scan is bone, if the thickness of its soft tissue is wanted: by
-/// --layer, otherwise by the scene.
+/// The grey level below which a scan is bone, if --layer, or else the scene, requests the thickness
+/// of its soft tissue.
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene);
 
-/// Chooses the layers under the surface of a scene that has its body: --layer, otherwise the
-/// scene's own choice, unless something else determines them. Notes it in the reason of the model.
-/// Returns an error, or "": a scan is wanted but there is none.
+/// Chooses the layers under the surface of a scene that has its body: those of --layer, otherwise
+/// those of the scene. There are no layers if another option defines the body below the surface.
+/// Adds the choice to the reason of the model. Returns "", or an error if a scan is requested but
+/// there is none.
 std::string chooseLayer(const ViewerOptions& options, ViewerScene& scene);
 
-/// The source of a stack's numbers, for the summary.
+/// Source of the numbers of a stack, for the summary.
 std::string layerSource(const LayerChoice& layer);
 
 /// The material of the body, for the summary.
 std::string describeMaterial(const ViewerScene& scene);
 
-/// The law in words, for the summary: where it is a layer and where a half-space.
+/// Description of the law for the summary, with the places of layer and half-space.
 std::string describeLaw(const ViewerScene& scene);
 
-/// ": 6.4 mm of soft tissue over bone" or the like; "" if the scene has no layer.
+/// Description of the layer at a point: ": 6.4 mm of soft tissue over bone" or similar; "" if the
+/// scene has no layer.
 std::string describeSpot(const ViewerScene& scene, vtkIdType point);
 
-/// The ratio of each tool's force on the layer under a point to that on a half-space, at two
+/// Ratio of each tool's force on the layer under a point to its force on a half-space, at two
 /// depths; "" without a layer.
 std::string describeStiffening(const ViewerScene& scene, const ResponseSet& responses,
   vtkIdType point, double depth, double deep);

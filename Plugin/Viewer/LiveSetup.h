@@ -12,8 +12,8 @@ class vtkContactSetup;
 
 namespace palpate
 {
-/// The scene as a setup whose tools and material can be changed during contact, with its initial
-/// responses, which are written for --save and --export. Returns an error, or "".
+/// Makes a setup of the scene, whose tools and material can be changed during contact, with its
+/// initial responses. These are written for --save and --export. Returns "" or an error.
 std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene,
   vtkContactSetup* setup, ResponseSet& responses);
 } // namespace palpate

@@ -20,7 +20,7 @@ void tell(const ResponseSet& responses, int tool)
   std::fflush(stdout);
 }
 
-/// Prints which form of the present response is used, and why, whenever it changes.
+/// Prints the form of the present response and the reason for it, whenever the form changes.
 class ToldChoice
 {
 public:

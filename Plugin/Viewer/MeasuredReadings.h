@@ -16,11 +16,11 @@ namespace palpate
 double numberAt(vtkTable* table, vtkIdType row, const std::string& column);
 std::string textAt(vtkTable* table, vtkIdType row, const std::string& column);
 
-/// The suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic
-/// curves"; "" if nothing was measured.
+/// Suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic curves";
+/// "" without measured curves.
 std::string measuredLabel(const ViewerScene& scene);
 
-/// Adds the readings of the first site, one curve per tool that measured it.
+/// Adds the readings of the first site, one curve per tool used for the measurement.
 void addReadings(const ViewerScene& scene, vtkResponseChart* chart);
 } // namespace palpate
 

@@ -10,21 +10,21 @@
 
 namespace palpate
 {
-/// The model that is felt: the body with the response of the first tool in the simplest form that
-/// keeps its forces.
+/// The model in use: the body with the response of the first tool, in the simplest form that keeps
+/// its forces.
 struct ModelChoice
 {
   vtkSmartPointer<vtkPolyData> body;
-  std::string reason; ///< vtkResponseChoice's sentence; "" with --no-auto
+  std::string reason; ///< the sentence of vtkResponseChoice; "" with --no-auto
   double seconds = 0.0;
 };
 
 /**
- * Chooses by --auto and --tolerance, at the depth of the scene; with --no-auto the body is
- * unchanged. A point force is considered if the body has a global compliance (--voxel), not on
+ * Chooses by --auto and --tolerance, at the depth of the scene. With --no-auto the body is
+ * unchanged. A point force is considered if the body has a global compliance (--voxel), but not for
  * half-spaces and layers. The responses themselves are kept for pictures, files and other tools.
  *
- * Returns an error, or "".
+ * Returns "" or an error.
  */
 std::string chooseModel(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, ModelChoice& choice);

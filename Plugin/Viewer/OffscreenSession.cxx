@@ -52,7 +52,7 @@ double peakMemory()
   return 0.0;
 }
 
-/// The tick of the pictures: at a fraction of the slide.
+/// The tick for the pictures, at the fraction `share` of the slide.
 vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType ticks)
 {
   // The path is approach, press, slide ..., rest, lift: see vtkPressPath.
@@ -63,9 +63,9 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// Fraction of the ticks in contact within Validity at all three vertices, and the first limit
-/// elsewhere; the estimated relative errors of their forces, ascending, with the limit of the
-/// largest.
+/// Reliability of the forces: the fraction of the ticks in contact that are within Validity at all
+/// three vertices; the first limit that fails elsewhere; the estimated relative errors of the
+/// forces, ascending; the limit at the largest error.
 struct Trust
 {
   double share = 1.0;
@@ -101,7 +101,7 @@ Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
     {
       const double found = stored.at(firstPoly + tick.contact.triangle,
         tick.contact.contactPoint.data(), tick.contact.deflection);
-      const double error = found < 1.0 ? found : 1.0; // beyond the range, too, the error is unknown
+      const double error = found < 1.0 ? found : 1.0; // the error is also unknown beyond the range
       trust.errors.push_back(error);
       trust.worst = error > largest ? words : trust.worst;
       largest = std::max(largest, error);
@@ -120,7 +120,7 @@ Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
   return trust;
 }
 
-/// "95.2 % of the forces within ± 5 %; ", "" without a tolerance.
+/// "95.2 % of the forces within ± 5 %; ", or "" without a tolerance.
 std::string describeShare(const std::vector<double>& errors, double tolerance)
 {
   if (!(tolerance > 0.0))
@@ -287,7 +287,7 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   PicturedMoment moment;
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
-  moment.largestForce = 1e-9; // N: an arrow needs a scale even without contact
+  moment.largestForce = 1e-9; // N: an arrow needs a scale, also without contact
   for (const Tick& tick : ticks)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());

@@ -10,13 +10,13 @@
 namespace palpate
 {
 /**
- * The session without a window: responses of all tools, the simulated device along the scene's path
- * in virtual time, then overview.png, deflection.png, curves.png (and tools.png for a scene with
- * several tools side by side, thickness.png for one with layers from a scan), trajectory.csv and a
- * summary on the output stream. The files are the same on every run; of the summary only the lines
- * of time and memory differ.
+ * The session without a window. Makes the responses of all tools, and moves the simulated device
+ * along the path of the scene in virtual time. Then writes overview.png, deflection.png,
+ * curves.png, trajectory.csv, and a summary on the output stream. A scene with several tools side
+ * by side also gives tools.png; layers from a scan also give thickness.png. The files are the same
+ * in every run. In the summary, only the lines of time and memory differ.
  *
- * Returns an error, or "".
+ * Returns "" or an error.
  */
 std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate

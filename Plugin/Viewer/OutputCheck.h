@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Why a file of the end of the session cannot be written, or "", to be checked before the start.
-/// The output folder is not checked, since it is created when needed.
+/// Returns "", or the reason why a file cannot be written at the end of the session. To be called
+/// before the start. The output folder is not checked, since it is created when needed.
 std::string outputProblem(const ViewerOptions& options);
 } // namespace palpate
 

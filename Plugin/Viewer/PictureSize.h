@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// Size of a window and of a picture, in pixels.
+/// Size of windows and pictures, in pixels.
 constexpr int PictureWidth = 1280;
 constexpr int PictureHeight = 960;
 } // namespace palpate

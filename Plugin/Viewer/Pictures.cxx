@@ -40,7 +40,7 @@ struct Stage
   explicit Stage(int width = PictureWidth)
   {
     this->window->SetOffScreenRendering(1);
-    this->window->SetMultiSamples(0); // the same pixels on every machine
+    this->window->SetMultiSamples(0); // gives the same pixels on every machine
     this->window->SetSize(width, PictureHeight);
   }
 
@@ -70,7 +70,7 @@ struct View
   Direction up;
 };
 
-/// A view with the tool upright, from slightly above the surface, on the viewer's side.
+/// A view with the tool upright, from slightly above the surface, on the side of `viewFrom`.
 View besideTheTool(const PicturedMoment& moment, const Direction& viewFrom)
 {
   View view{};

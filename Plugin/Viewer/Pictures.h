@@ -15,8 +15,8 @@ class vtkRenderWindow;
 
 namespace palpate
 {
-/// The moment of a picture: one tick of a recording, its contact, and the recording's largest
-/// force.
+/// The data of a picture: one tick of a recording, with its contact, and the largest force of the
+/// recording.
 struct PicturedMoment
 {
   vtkPolyData* recording = nullptr;
@@ -27,10 +27,10 @@ struct PicturedMoment
 /// The corner of the contact triangle nearest to the contact; 0 without a contact.
 vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 
-// Each draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG. Returns an
-// error naming the file, or "".
+// Each function draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG.
+// Returns "" or an error that names the file.
 
-/// What a window shows.
+/// The content of a window.
 std::string writePicture(vtkRenderWindow* window, const std::string& file);
 
 /// The body, the tool, the force arrow and the dent.
@@ -41,11 +41,11 @@ std::string drawOverview(const std::string& file, const ViewerScene& scene,
 std::string drawCloseUp(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
-/// All tools at the tip of the moment, side by side on copies of the body.
+/// All tools at the tip of the tick, side by side on copies of the body.
 std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
-/// Force over deflection of all tools at the point of the body next to the contact.
+/// Force over deflection of all tools at the point of the body nearest to the contact.
 std::string drawCurves(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 } // namespace palpate

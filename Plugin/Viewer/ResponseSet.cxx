@@ -141,8 +141,8 @@ std::string attachResponses(
 std::string saveBody(vtkPolyData* body, const std::string& path)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetDataModeToBinary();   // appended data cannot be read back with newer expat
-  writer->WriteToOutputStringOn(); // on a full disk it crashes (VTK 9.2)
+  writer->SetDataModeToBinary();   // newer versions of expat cannot read appended data
+  writer->WriteToOutputStringOn(); // writing to a file crashes on a full disk (VTK 9.2)
   writer->SetInputData(body);
   const QuietScope quiet;
   writer->Write();

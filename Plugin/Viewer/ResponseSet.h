@@ -13,18 +13,18 @@
 
 namespace palpate
 {
-/// The body of a scene with the responses of all its tools, each under its own prefix: "Response"
-/// for the first, which touches, then "Response2", "Response3" ...
+/// The body of a scene with the responses of all its tools, each with its own prefix: "Response"
+/// for the first tool, which is in use, then "Response2", "Response3" ...
 struct ResponseSet
 {
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<std::string> names;
-  double seconds = 0.0;      ///< wall time to attach them all
-  double bytesPerTool = 0.0; ///< of the response arrays
+  double seconds = 0.0;      ///< wall time to attach all responses
+  double bytesPerTool = 0.0; ///< size of the response arrays
 };
 
-/// The input of a response besides the tool.
+/// The input of a response in addition to the tool.
 struct ContactLaw
 {
   double youngsModulus = 0.0; ///< MPa
@@ -41,30 +41,31 @@ struct ContactLaw
 /// The law of the scene.
 ContactLaw lawOf(const ViewerScene& scene);
 
-/// The same for the functions of Filters/Laws: constants, and the arrays of the body that override
+/// The law for the functions of Filters/Laws: constants, and the arrays of the body that override
 /// them.
 BodyMaterial::Constants materialOf(const ContactLaw& law);
 MaterialArrays arraysOf(const ContactLaw& law, const ViewerScene& scene, vtkPolyData* body);
 
-/// Prefix of the arrays of a tool's response: Response, Response2...
+/// Prefix of the arrays of a tool's response: Response, Response2 ...
 std::string responseName(std::size_t tool);
 
 /// Adds the response of one more tool, or of another law. Returns an error, or "".
 std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
   const ContactLaw& law, double maximumDeflection, ResponseSet& responses);
 
-/// Attaches them by the options and writes the files of --save and --export. Returns an error, or
-/// "".
+/// Attaches the responses for the options, and writes the files of --save and --export. Returns ""
+/// or an error.
 std::string prepareResponses(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 
-/// Writes a body with all its arrays as a .vtp, completely or not at all. Returns an error, or "".
+/// Writes a body with all its arrays as a .vtp file, completely or not at all. Returns "" or an
+/// error.
 std::string saveBody(vtkPolyData* body, const std::string& path);
 
 /// Writes the files of --save and --export. Returns an error, or "".
 std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses);
 
-/// Updates an algorithm and returns the errors it reported, instead of printing them.
+/// Updates an algorithm. Returns the errors that it reported; they are not printed.
 std::string updateQuietly(vtkAlgorithm* algorithm);
 } // namespace palpate
 

@@ -81,7 +81,7 @@ PictureAxes::PictureAxes(const ViewerScene& scene)
 TouchSite siteOfHand(const ViewerScene& scene, vtkPolyData* bodyWithResponse, int hand)
 {
   constexpr double step = 15.0; // mm: about the distance of two fingers
-  constexpr double share = 0.1; // of the body's diagonal, at most
+  constexpr double share = 0.1; // upper limit, fraction of the body's diagonal
   const TouchSite first = firstSite(scene, bodyWithResponse);
   if (hand == 0)
   {

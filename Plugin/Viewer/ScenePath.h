@@ -10,17 +10,17 @@
 
 namespace palpate
 {
-/// The path of the simulated hand over the scene, with its times: see vtkPressPath. Returns an
-/// error, or "".
+/// Makes the path of the simulated hand over the scene, with its times: see vtkPressPath. Returns
+/// "" or an error.
 std::string makePath(const ViewerScene& scene, vtkPolyData* path);
 
-/// A point of a body's surface.
+/// A point on the surface of a body.
 struct TouchSite
 {
   std::array<double, 3> point{};  ///< mm
   std::array<double, 3> normal{}; ///< unit, outward
 
-  /// The point at this height above it, mm.
+  /// The point at this height above the site, mm.
   std::array<double, 3> above(double height) const;
 };
 
@@ -28,7 +28,7 @@ struct TouchSite
 /// the centre.
 TouchSite firstSite(const ViewerScene& scene, vtkPolyData* bodyWithResponse);
 
-/// To the right and upward in the picture of a scene, unit.
+/// Unit directions to the right and upward in the picture of a scene.
 struct PictureAxes
 {
   explicit PictureAxes(const ViewerScene& scene);
@@ -37,7 +37,7 @@ struct PictureAxes
   double up[3];
 };
 
-/// The start of one of several hands, numbered from 0: the first site, or that many steps to the
+/// Starting site of one of several hands, numbered from 0: the first site, or `hand` steps to the
 /// right of it.
 TouchSite siteOfHand(const ViewerScene& scene, vtkPolyData* bodyWithResponse, int hand);
 } // namespace palpate

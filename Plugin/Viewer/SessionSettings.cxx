@@ -61,7 +61,7 @@ std::string addHands(const ViewerOptions& options, vtkHapticSession* session)
 
 void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapticSession* session)
 {
-  constexpr double hover = 10.0; // mm: the device's origin is above the surface
+  constexpr double hover = 10.0; // mm: height of the device's origin above the surface
   const PictureAxes axes(scene);
   for (int hand = 0; hand < session->GetNumberOfDevices(); ++hand)
   {

@@ -12,29 +12,30 @@ class vtkHapticSession;
 
 namespace palpate
 {
-/// Gives the session the options of forces, surface and friction, and the scene's Poisson's ratio.
+/// Gives the session the contact settings of the options, and the scene's Poisson's ratio.
 void chooseContact(
   const ViewerOptions& options, const ViewerScene& scene, vtkHapticSession* session);
 
 /// Gives the session the device of the options. Returns an error, or "".
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
 
-/// The same, with one force factor for all responses, so that their ratios are kept. Returns an
-/// error, or "".
+/// Also sets one force factor for all responses, so that the ratios of their forces are kept.
+/// Returns "" or an error.
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Adds the further devices of the options. Returns an error, or "".
 std::string addHands(const ViewerOptions& options, vtkHapticSession* session);
 
-/// Places physical devices in view: the origin above the first site, those of further ones beside
-/// it, x to the right and y up in the picture; the first button is the clutch.
+/// Places physical devices in the view. The origin of the first is above the first site, those of
+/// the others are next to it; x is to the right and y up in the picture. The first button is the
+/// clutch.
 void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapticSession* session);
 
-/// Starts the session; returns the error it reported, or "".
+/// Starts the session. Returns "" or the error that it reported.
 std::string startQuietly(vtkHapticSession* session);
 
-/// The friction in words for the summary, "mu = 0.5, ..."; "" without.
+/// Description of the friction for the summary, "mu = 0.5, ..."; "" without friction.
 std::string describeFriction(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 

@@ -12,18 +12,18 @@
 
 namespace palpate
 {
-/// A body with its responses, which take minutes to compute, from the cache in `file`; null if
-/// there is none, or one that cannot be read or lacks one of the named point arrays.
+/// Reads a body with responses, which take minutes to compute, from the cache file `file`. Returns
+/// null if there is no such file, it cannot be read, or it lacks one of the named point arrays.
 vtkSmartPointer<vtkPolyData> readSolved(
   const std::string& file, const std::vector<std::string>& pointArrays);
 
-/// Writes it to the cache; without a `file` does nothing. Returns what is wrong, or "".
+/// Writes the body to the cache. No effect if `file` is empty. Returns "" or an error.
 std::string keepSolved(vtkPolyData* body, const std::string& file);
 
-/// For the key of a cache: material, tools, depth and tolerance of a scene's responses.
+/// Part of a cache key: material, tools, depth and tolerance of a scene's responses.
 std::string solvedKey(const ViewerOptions& options, const ViewerScene& scene);
 
-/// The content of a body for the key of a cache: points, triangles and point arrays.
+/// Part of a cache key: points, triangles and point arrays of a body.
 std::string contentOf(vtkPolyData* body);
 } // namespace palpate
 

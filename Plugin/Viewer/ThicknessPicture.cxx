@@ -38,11 +38,11 @@ constexpr double HeadZoom = 1.45;
 
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
-// Thin to thick: viridis, whose lightness rises monotonically.
+// From thin to thick: viridis, whose lightness increases monotonically.
 constexpr std::array<Color, 5> Scale = { { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
   { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } } };
 
-/// The thickness where there is a layer; NaN elsewhere.
+/// The thickness at points with a layer; NaN at other points.
 vtkSmartPointer<vtkFloatArray> whereFound(vtkDataArray* thickness)
 {
   auto found = vtkSmartPointer<vtkFloatArray>::New();
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkFloatArray> whereFound(vtkDataArray* thickness)
   return found;
 }
 
-/// From the thinnest to the thickest, in steps of the legend.
+/// Colours from the smallest to the largest thickness, in steps of the legend.
 vtkSmartPointer<vtkLookupTable> makeColors(vtkDataArray* found)
 {
   std::array<double, 2> range{};
@@ -91,7 +91,7 @@ void style(vtkTextProperty* text)
   text->SetShadow(0);
 }
 
-/// One view of the body, in its part of the window.
+/// Adds a view of the body in a part of the window.
 vtkSmartPointer<vtkRenderer> addView(
   vtkRenderWindow* window, vtkActor* body, double left, double right)
 {
@@ -113,7 +113,7 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
   camera->SetPosition(centre[0] + from[0], centre[1] + from[1], centre[2] + from[2]);
   camera->SetViewUp(up.data());
   renderer->ResetCamera(body->GetBounds());
-  camera->Zoom(HeadZoom); // which fits the ball around the body
+  camera->Zoom(HeadZoom); // ResetCamera fits the sphere around the body, which is larger
   renderer->ResetCameraClippingRange();
 }
 } // namespace
@@ -132,14 +132,15 @@ std::string drawThickness(const std::string& file, const ViewerScene& scene)
   mapper->SelectColorArray("Shown");
   mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
-  // Colours, not values, are blended, as there is no value between "no bone" and a thickness.
+  // Colours are interpolated, not values, since there is no value between "no bone" and a
+  // thickness.
   mapper->InterpolateScalarsBeforeMappingOff();
   vtkNew<vtkActor> body;
   body->SetMapper(mapper);
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0); // the same pixels on every machine
+  window->SetMultiSamples(0); // gives the same pixels on every machine
   window->SetSize(PictureWidth, PictureHeight);
   const vtkSmartPointer<vtkRenderer> near = addView(window, body, 0.0, 0.5);
   const vtkSmartPointer<vtkRenderer> far = addView(window, body, 0.5, 1.0);

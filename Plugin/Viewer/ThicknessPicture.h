@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// Draws the thickness of the layer of a scene from a scan: the body from the scene's side and from
-/// the other, coloured, with a legend in mm. 1280 x 960, a PNG. Returns an error naming the file,
-/// or "".
+/// Draws the layer thickness of a scene from a scan: the body from the view direction of the scene
+/// and from the opposite side, coloured, with a legend in mm. Writes a PNG of 1280 x 960. Returns
+/// "" or an error that names the file.
 std::string drawThickness(const std::string& file, const ViewerScene& scene);
 } // namespace palpate
 

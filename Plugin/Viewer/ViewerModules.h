@@ -17,7 +17,7 @@
 
 namespace palpate
 {
-/// What libpalpateViewerSolids.so adds: --solid, --voxel, --compare and --scene phantom.
+/// Options of libpalpateViewerSolids.so: --solid, --voxel, --compare and --scene phantom.
 struct SolidsModule : ModuleTable
 {
   decltype(&attachSolidResponses) fillWithTetrahedra;
@@ -26,13 +26,13 @@ struct SolidsModule : ModuleTable
   decltype(&makePhantomScene) pressPhantom;
 };
 
-/// What libpalpateViewerIdentification.so adds: --measured.
+/// Options of libpalpateViewerIdentification.so: --measured.
 struct IdentificationModule : ModuleTable
 {
   decltype(&attachMeasured) identify;
 };
 
-/// What libpalpateViewerComparison.so adds: --compare, of bodies that SolidsModule makes, and
+/// Options of libpalpateViewerComparison.so: --compare, for bodies that SolidsModule makes, and
 /// --map.
 struct ComparisonModule : ModuleTable
 {
@@ -41,15 +41,15 @@ struct ComparisonModule : ModuleTable
   decltype(&runRegimeMap) mapRegime;
 };
 
-/// What libpalpateViewerTrials.so adds: --trial.
+/// Options of libpalpateViewerTrials.so: --trial.
 struct TrialsModule : ModuleTable
 {
   decltype(&runTrialWindow) askInWindow;
   decltype(&runTrialConsole) askInConsole;
 };
 
-/// A loaded module, or null and a sentence that names the option, the module and how to get it.
-/// Loaded at the first call.
+/// Returns a module, or null and a sentence that names the option, the module and how to get it.
+/// The module is loaded at the first call.
 const SolidsModule* solidsModule(const std::string& option, std::string& fault);
 const IdentificationModule* identificationModule(const std::string& option, std::string& fault);
 const ComparisonModule* comparisonModule(const std::string& option, std::string& fault);

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-/// --voxel, --solid: the scene's surface as a solid.
+/// --voxel, --solid: makes a solid of the surface of the scene.
 std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored)
@@ -41,7 +41,7 @@ std::string makePhantom(const ViewerOptions& options, ViewerScene& scene)
   return solids ? solids->pressPhantom(options, scene) : fault;
 }
 
-/// --measured: the responses from curves measured on the body.
+/// --measured: makes the responses from curves measured on the body.
 std::string identifyBody(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string fault;

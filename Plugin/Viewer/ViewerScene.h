@@ -24,31 +24,33 @@ struct ViewerScene
   std::vector<std::string> notes; ///< how the body was made, one sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
-  LawTerms terms;         ///< of the law: strain, curvature, error
+  LawTerms terms;         ///< terms of the law: strain, curvature, error
   PronySeries relaxation; ///< of the body
-  bool stored = false;    ///< the body has the response "Response", to be used unchanged
-  /// Stored; also has the responses without its nodules, and the changes by these.
+  bool stored = false;    ///< the body has the response "Response" already, to be used unchanged
+  /// The responses are stored. The body also has the responses without its nodules, and the changes
+  /// of the force by the nodules.
   bool nodules = false;
   std::string materialSource;
-  LayerChoice layer; ///< scanned: the body's array LayerThickness, of a stack LayerThickness0 and 1
-  std::string modelReason; ///< why this law, and how far it is valid
+  LayerChoice layer;       ///< if scanned: the body has the array LayerThickness, for a stack
+                           ///< LayerThickness0 and LayerThickness1
+  std::string modelReason; ///< reason for this law, and its range of validity
   std::vector<std::string> tools;
   double depth = 1.0;
   Direction center{};
-  std::vector<Direction> directions; ///< visited by the path, seen from the centre
+  std::vector<Direction> directions; ///< directions from the centre that the path visits
   double pictureAt = 0.5;            ///< fraction of the slide at which the pictures are taken
   Direction viewFrom{ 0.0, -1.0, 0.4 };
   Direction up{ 0.0, 0.0, 1.0 };
-  vtkSmartPointer<vtkTable> readings; ///< of --measured: vtkMeasuredContactResponse, port 2
+  vtkSmartPointer<vtkTable> readings; ///< for --measured: port 2 of vtkMeasuredContactResponse
   std::string readSite;               ///< the site whose readings are shown
   bool solid = false;                 ///< the body has the compliance of --voxel
-  bool sideBySide = false;            ///< one picture with all tools
+  bool sideBySide = false;            ///< one picture shows all tools
 };
 
-/// Makes the scene of the options; returns an error that names the missing or wrong thing, or "".
+/// Makes the scene for the options. Returns "", or an error that names the missing or wrong option.
 std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene);
 
-// One maker per kind of scene; makeViewerScene chooses.
+// One function per kind of scene; makeViewerScene chooses.
 std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makeCylinderScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene);

@@ -27,14 +27,14 @@ int fail(const std::string& error)
   return Failure;
 }
 
-/// The modules by which the options show and ask; null where they need none.
+/// The modules that the options need for display and questions; null if not needed.
 struct NeededModules
 {
   const palpate::ComparisonModule* comparison = nullptr; ///< --compare, --map
   const palpate::TrialsModule* trials = nullptr;         ///< --trial
 };
 
-/// Returns an error that names the module which cannot be loaded, or "".
+/// Loads the modules. Returns "", or an error that names the module that cannot be loaded.
 std::string loadModules(const palpate::ViewerOptions& options, NeededModules& modules)
 {
   std::string fault;
@@ -49,7 +49,7 @@ std::string loadModules(const palpate::ViewerOptions& options, NeededModules& mo
   return fault;
 }
 
-/// Runs the chosen way to touch or show a scene. Returns an error, or "".
+/// Runs the session or display that the options choose. Returns "" or an error.
 std::string run(const palpate::ViewerOptions& options, const palpate::ViewerScene& scene,
   const NeededModules& modules)
 {
@@ -65,7 +65,7 @@ std::string run(const palpate::ViewerOptions& options, const palpate::ViewerScen
   return options.window ? palpate::runLive(options, scene) : palpate::runOffscreen(options, scene);
 }
 
-/// Returns an error, or "".
+/// Makes the scene and runs it. Returns "" or an error.
 std::string run(const palpate::ViewerOptions& options)
 {
   const bool draws = options.window || (options.trial.empty() && options.pictures);
@@ -112,10 +112,11 @@ int main(int argc, char** argv)
   }
   palpate::releaseForceOnTerminate();
   palpate::endWithDisplay();
-  // Writing reports a broken pipe; the process must not end by it with a force on the hand.
+  // Writing reports a broken pipe. The process must not be ended by the signal with a force on the
+  // hand.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // An application may choose the backend of VTK's loops; libraries leave it to their host.
+  // An application may choose the backend of VTK's loops; libraries leave the choice to their host.
   vtkSMPTools::SetBackend("STDThread");
   if (std::getenv("PALPATE_THREADS") != nullptr)
   {

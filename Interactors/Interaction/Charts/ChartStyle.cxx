@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double TitleGap = 0.4; // of a line, between the title and the frame
+constexpr double TitleGap = 0.4; // of a line's height, between the title and the frame
 
 /// The smallest of 1, 2, 5 times a power of ten that divides `span` into at most `steps` steps.
 double niceStep(double span, int steps)
@@ -41,7 +41,7 @@ std::string textOf(double value)
   return text.data();
 }
 
-/// Ticks at first, first + 1, ... last times `step`; `label` gives their texts.
+/// Puts axis ticks at first, first + 1, ... last times `step`; `label` gives their texts.
 template <class Label>
 void setTicks(vtkAxis* axis, int first, int last, double step, const Label& label)
 {

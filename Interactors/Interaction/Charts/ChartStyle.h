@@ -12,25 +12,29 @@ class vtkTable;
 
 namespace palpate
 {
-/// Axis from 0 to the first tick that is not below `largest`, with at most `steps` of 1, 2 or 5
-/// times a power of ten. VTK's own choice of ticks differs between versions. Returns the end of the
-/// axis; 0, with the axis unchanged, unless `largest` is positive and finite.
+/// Sets an axis from 0 to the first tick that is not below `largest`, with at most `steps` steps of
+/// 1, 2 or 5 times a power of ten. (VTK's own choice of ticks differs between versions.) Returns
+/// the end of the axis. If `largest` is not positive and finite, returns 0 and leaves the axis
+/// unchanged.
 double fitAxis(vtkAxis* axis, double largest, int steps = 8);
 
-/// Axis from exactly -span to 0.
+/// Sets an axis from exactly -span to 0.
 void fitAxisBefore(vtkAxis* axis, double span, int steps);
 
-/// Axis of decades 10^first to 10^last, over logarithms to the base ten; it begins `below` earlier.
+/// Sets an axis of the decades 10^first to 10^last for values that are logarithms to the base ten.
+/// It begins `below` before `first`.
 void fitLogAxis(vtkAxis* axis, int first, int last, double below = 0.0);
 
 /// Title, title size and label size in points.
 void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize);
 
-/// Size of the title in points; and its text, "" for none, as VTK would put it on the frame.
+/// Sets the size of the title in points, and its text ("" for none). VTK alone would put the text
+/// on the frame.
 void styleTitle(vtkChart* chart, int size);
 void setTitle(vtkChart* chart, const std::string& title);
 
-/// A pale area between the second and the third column of a table over its first, without a legend.
+/// Adds a pale area between the second and the third column of a table over its first column. It
+/// has no entry in the legend.
 void addBand(vtkChart* chart, vtkTable* table, const Color& color);
 } // namespace palpate
 

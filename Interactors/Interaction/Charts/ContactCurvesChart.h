@@ -12,12 +12,12 @@
 
 namespace palpate
 {
-/// Force (N) over deflection (mm) of some curves at a contact, dotted beyond validity, with a band
-/// of its error and a running point.
+/// Force (N) over deflection (mm) of some curves at a contact. They are dotted beyond validity; a
+/// curve may have a band of its error. A running point shows the present force.
 class ContactCurvesChart : public LiveChart
 {
 public:
-  static constexpr int Steps = 60; ///< of a curve
+  static constexpr int Steps = 60; ///< per curve
 
   /// The style of a curve.
   struct Style
@@ -36,15 +36,15 @@ public:
   /// The values of a curve.
   struct Curve
   {
-    std::function<double(double)> force;      ///< N at mm; NaN: there is none
-    double end = 0.0;                         ///< mm
+    std::function<double(double)> force;      ///< N, at a deflection in mm; NaN: no value
+    double end = 0.0;                         ///< last deflection, mm
     double validity = 0.0;                    ///< mm
-    std::function<double(double)> error = {}; ///< relative, at mm; null: there is no band
+    std::function<double(double)> error = {}; ///< relative, at a deflection in mm; null: no band
   };
 
   ContactCurvesChart();
 
-  /// Sets the curves; without effect if they are the same as before.
+  /// Sets the curves. No effect if they are the same as before.
   void choose(const std::vector<Style>& styles);
   /// One curve per style.
   void show(const std::vector<Curve>& curves);

@@ -24,16 +24,16 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// A point farther from the plane of its triangle than this, in edge lengths, is on the smooth
-/// surface; the limit allows for the single precision of the tick's coordinates.
+/// A point is taken to be on the smooth surface if it is farther than this from the plane of its
+/// triangle, in edge lengths. The limit allows for the single precision of the tick's coordinates.
 constexpr double OffPlane = 1e-5;
 
-/// Area coordinates of a point of the patch, from those of its projection on the facet, by Gauss
-/// and Newton; unchanged without a patch.
+/// Area coordinates of a point of the patch, found by Gauss-Newton steps from those of its
+/// projection on the facet. Without a patch, returns the area coordinates of the projection.
 Vector3 weightsOnPatch(
   const Corners& corners, const Corners& normals, const Vector3& point, const Vector3& foot)
 {
-  constexpr int Steps = 5; // quadratic from an offset of a few percent
+  constexpr int Steps = 5; // converges quadratically; an offset is a few percent at first
   SmoothTriangle patch;
   if (!patch.build(corners, normals))
   {
@@ -53,7 +53,7 @@ Vector3 weightsOnPatch(
   return weights.allFinite() ? Vector3(weights / weights.sum()) : foot;
 }
 
-/// The values of three points of an array of `count` per point; none without an array.
+/// The values of three points from an array with `count` values per point. Empty without an array.
 template <class Value>
 std::vector<Value> ofCorners(
   const Value* values, const std::array<vtkIdType, 3>& corners, std::size_t count)

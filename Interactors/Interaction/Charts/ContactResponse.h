@@ -22,29 +22,31 @@ struct ContactTriangle
   std::array<vtkIdType, 3> corners{};
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
 
-  /// Fills this from triangle `index` of the body's polygons and a point on it, mm, or on the
-  /// smooth surface over it, by the normals of the response `name`. False if there is none.
+  /// Fills this from triangle `index` of the body's polygons and a point, mm. The point is on the
+  /// triangle, or on the smooth surface that the normals of the response `name` define over it.
+  /// Returns false if there is no such triangle.
   bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
 };
 
 /**
  * One response of a body at one contact: the curves of the triangle's corners and their blend by
- * area coordinates, evaluated by the kernel of the tick, whatever the size of the body.
+ * area coordinates. The kernel of the tick evaluates them. The cost does not depend on the size of
+ * the body.
  */
 class ContactResponse
 {
 public:
-  /// Null, and an error, if the body has no valid response `name`.
+  /// Returns null, and an error, if the body has no valid response `name`.
   static std::unique_ptr<ContactResponse> read(vtkPolyData* body, const std::string& name,
     const ContactTriangle& triangle, std::string& error);
 
-  /// Force of corner k at a deflection (mm), N; NaN if it has no response.
+  /// Force of corner k at a deflection (mm), N; NaN if the corner has no response.
   double cornerForce(int k, double deflection) const;
   double cornerRange(int k) const { return this->Field.range(k); }
-  /// Blended, N and mm; NaN if a corner of weight > 0 has no response.
+  /// The blended force (N) and range (mm); NaN if a corner of weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
-  /// Estimated relative error of force(), blended likewise; NaN beyond a range.
+  /// Estimated relative error of force(), blended in the same way; NaN beyond a range.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
   /// Depth to which all corners are valid, mm; infinite if the body has no validity.
@@ -59,9 +61,9 @@ private:
   bool isSound() const;
   BlendedResponse blend() const { return { this->Field, { 0, 1, 2 }, this->Weights }; }
 
-  ResponseField Field; ///< of three points
+  ResponseField Field; ///< of the three corners
   Vector3 Weights;
-  std::vector<float> Errors; ///< of the samples of the three; empty: not kept
+  std::vector<float> Errors; ///< of the samples of the three corners; empty: not stored
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

@@ -32,7 +32,7 @@ bool ForceDeflectionChart::isNear(const Point& one, const Point& other) const
   const double up = Resolution * this->endUp();
   return std::abs(one.deflection - other.deflection) < across &&
     std::abs(one.ideal - other.ideal) < up &&
-    !(std::abs(one.applied - other.applied) >= up); // NaN: nothing is applied
+    !(std::abs(one.applied - other.applied) >= up); // NaN: no force is applied
 }
 
 void ForceDeflectionChart::add(

@@ -10,11 +10,11 @@
 namespace palpate
 {
 /**
- * Ideal and applied force (N) over the deflection (mm) since the last first contact, and, if the
- * body relaxes, the slow force at these depths, around which the ideal one makes a loop.
+ * Ideal and applied force (N) over the deflection (mm) since the contact last began. If the body
+ * relaxes, the slow force at these depths is shown, too; the ideal force makes a loop around it.
  *
- * The path is kept in points that are Resolution of an axis apart, in deflection or a force; of
- * more than LargestCount points the last ones.
+ * The path is stored as points that differ by Resolution of an axis, in deflection or in a force.
+ * At most the last LargestCount points are stored.
  */
 class ForceDeflectionChart : public LiveChart
 {
@@ -24,7 +24,7 @@ public:
 
   ForceDeflectionChart();
 
-  /// `slow`: the ideal force without memory.
+  /// `slow` is the ideal force without memory.
   void add(bool touches, double deflection, double ideal, double applied, double slow);
   void clear();
   void show();
@@ -45,7 +45,8 @@ private:
   PlotTable Now;
   vtkPlot* AppliedPlot;  ///< visible if a force is applied
   vtkPlot* SlowPlot;     ///< visible if it differs from the ideal one
-  std::deque<Point> Way; ///< the last point is the newest, at any distance
+  std::deque<Point> Way; ///< the last point is the newest tick, at any distance from the point
+                         ///< before
   bool Touches = false;
   double LargestDeflection = 0.0;
   double LargestForce = 0.0;

@@ -15,7 +15,8 @@ namespace
 {
 constexpr const char* Title = "Force over time";
 constexpr const char* TimeName = "Time before now (s)";
-constexpr std::size_t Bins = 500; // one or two points of each: more than such a chart has pixels
+constexpr std::size_t Bins = 500; // with one or two points each: more than the pixels of such a
+                                  // chart
 constexpr int TimeSteps = 5;
 } // namespace
 

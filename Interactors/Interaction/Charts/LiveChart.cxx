@@ -21,7 +21,7 @@ namespace
 constexpr int TitleSize = 15;
 constexpr int AxisTitleSize = 14;
 constexpr int LabelSize = 13;
-constexpr int Steps = 5; // of an axis, at most: a chart may be small
+constexpr int Steps = 5; // of an axis, at most, since a chart may be small
 
 constexpr double Shape = 1.35; // width over height
 constexpr float Margin = 6.0F; // pixels around a chart

@@ -11,8 +11,8 @@ class vtkChartXY;
 
 namespace palpate
 {
-/// The common base of the charts of a live window: title, two axes, a legend. The end of an axis is
-/// set, and grows with its values; it shrinks only after reset().
+/// Common base of the charts of a live window: title, two axes, a legend. The end of an axis grows
+/// with the values; it shrinks only after reset().
 class LiveChart
 {
 public:
@@ -24,7 +24,7 @@ public:
   vtkChartXY* chart() { return this->Chart; }
   void setTitle(const std::string& title);
 
-  /// Extends the axes from 0, if they end before `largest`.
+  /// Extends an axis, from 0, if it ends before `largest`.
   void growAcross(double largest) { this->grow(AxisAcross, this->EndAcross, largest); }
   void growUp(double largest) { this->grow(AxisUp, this->EndUp, largest); }
   /// Ends of the axes; 0 before the first grow.

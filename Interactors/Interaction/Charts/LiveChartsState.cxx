@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what is felt to what is plotted; vtkLiveCharts.cxx is what is set, and when.
+// Turns ticks into plotted data. vtkLiveCharts.cxx has the settings and decides when to plot.
 #include "Interaction/Charts/LiveChartsState.h"
 
 #include "Response/BodyConversion.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of vtkLiveCharts that its header does not show.
+// Private parts of vtkLiveCharts.
 #ifndef LiveChartsState_h
 #define LiveChartsState_h
 
@@ -35,19 +35,19 @@ struct vtkLiveCharts::Parts
 
   vtkSmartPointer<vtkRenderer> renderer;
   vtkSmartPointer<vtkHapticSession> session;
-  vtkSmartPointer<vtkPolyData> body; // of ShowTip
+  vtkSmartPointer<vtkPolyData> body; // for ShowTip
   std::string name = "Response";
   std::vector<std::pair<std::string, std::string>> compared; // name and label
 
   double largestForce = 0.0;
   double largestDeflection = 0.0;
 
-  // The body of the ranges and curves.
+  // The body from which the ranges and curves were made.
   vtkSmartPointer<vtkPolyData> known;
   vtkMTimeType knownTime = 0;
   std::string knownName;
 
-  // How far a session's run, or a recording, has been read.
+  // How far the run of a session, or a recording, has been read.
   vtkIdType run = 0;
   std::uint64_t seen = 0;
   vtkSmartPointer<vtkPolyData> probed;
@@ -55,7 +55,7 @@ struct vtkLiveCharts::Parts
   vtkIdType nextTip = 0;
   palpate::Tick touched; ///< the newest contact
 
-  std::vector<std::pair<palpate::LiveChart*, bool>> all() // in their order, with their visibility
+  std::vector<std::pair<palpate::LiveChart*, bool>> all() // in display order, with their visibility
   {
     return { { &this->time, this->time.chart()->GetVisible() },
       { &this->way, this->way.chart()->GetVisible() },
@@ -63,7 +63,7 @@ struct vtkLiveCharts::Parts
       { &this->histogram, this->histogram.chart()->GetVisible() } };
   }
 
-  /// Forgets the forces, but not the ranges of the axes.
+  /// Clears the forces; keeps the ranges of the axes.
   void forget();
   /// Changes to the responses of a body, if they differ from the present ones.
   void follow(vtkPolyData* of, const std::string& responseName);

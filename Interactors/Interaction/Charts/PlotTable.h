@@ -46,7 +46,7 @@ public:
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     this->add(none, none);
   }
-  /// Without rows there is a gap, so that the entry in the legend remains.
+  /// Without rows a gap is added, so that the entry in the legend remains.
   void end()
   {
     if (this->X->GetNumberOfValues() == 0)
@@ -69,7 +69,7 @@ public:
     auto* points = vtkPlotPoints::SafeDownCast(plot);
     points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     points->SetMarkerSize(size);
-    plot->SetLegendVisibility(false); // where it would be as large as a word
+    plot->SetLegendVisibility(false); // the marker in the legend would be as large as a word
     return plot;
   }
 

@@ -12,12 +12,12 @@
 namespace palpate
 {
 /**
- * The last seconds of a signal in a bounded number of points, whatever its rate: the least and the
- * largest value, with their times, in each of `bins` equal intervals. No peak is lost, and a signal
- * of at most one value per interval is kept unchanged.
+ * The last seconds of a signal in a bounded number of points, at any rate of the signal: the
+ * smallest and the largest value, with their times, in each of `bins` equal intervals. No peak is
+ * lost. A signal of at most one value per interval is stored unchanged.
  *
- * A pause longer than GapShare of the seconds and than three times the interval before it is a gap.
- * Values that are not finite are left out. Times must not decrease.
+ * A pause is a gap if it is longer than GapShare of the seconds and longer than three times the
+ * interval before it. Values that are not finite are left out. Times must not decrease.
  */
 class SignalEnvelope
 {

@@ -18,11 +18,12 @@ constexpr const char* Labels[3] = { "Period", "Wake-up after deadline", "Tick" }
 constexpr float Widths[3] = { 4.0F, 2.0F, 2.0F };
 constexpr int Classes = TickHistogramChart::ClassesPerDecade *
   (TickHistogramChart::LastDecade - TickHistogramChart::FirstDecade);
-constexpr double Below = 0.3; // of a decade: the place of empty classes
+constexpr double Below = 0.3; // of a decade: where empty classes are drawn
 
 using Counts = std::array<double, Classes>;
 
-/// The class of durations up to `microseconds`; the first and last include all beyond them.
+/// Index of the class that contains a duration. The first and the last class include all durations
+/// beyond them.
 int classOf(double microseconds)
 {
   const double decades = std::log10(microseconds) - TickHistogramChart::FirstDecade;
@@ -73,7 +74,7 @@ void TickHistogramChart::fitAxes(int decades, double largestCount)
     this->DecadesAcross = decades;
     fitLogAxis(this->chart()->GetAxis(vtkAxis::BOTTOM), FirstDecade, FirstDecade + decades);
   }
-  // A decade more than the counts, for the legend.
+  // One decade above the counts leaves room for the legend.
   const int high = 1 + static_cast<int>(std::ceil(std::log10(std::max(largestCount, 1.0))));
   if (high > this->DecadesUp)
   {

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// How many ticks had which period, wake-up and duration: both axes logarithmic, ClassesPerDecade
-/// classes to a decade from 0.1 us on.
+/// Histograms of the period, wake-up and duration of ticks. Both axes are logarithmic, with
+/// ClassesPerDecade classes per decade from 0.1 us on.
 class TickHistogramChart : public LiveChart
 {
 public:
@@ -20,8 +20,8 @@ public:
 
   TickHistogramChart();
 
-  /// Of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to the base ten,
-  /// a step per class; an empty class lies below the axis.
+  /// Shows a table of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to
+  /// the base ten, one step per class; an empty class is below the axis.
   void show(vtkTable* histogram);
 
 private:

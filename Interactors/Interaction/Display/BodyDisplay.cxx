@@ -69,7 +69,7 @@ struct BodyDisplay::Dent
   FieldContact contact;
   double circleRadius = 0.0;
   double circleDepth = 0.0;
-  double edge = 1.0;                    ///< mean length of the touched triangle's edges, mm
+  double edge = 1.0;                    ///< mean length of the edges of the triangle in contact, mm
   vtkSmartPointer<vtkContactTool> tool; ///< of the last field, which references it
   std::shared_ptr<const LayerKernel> kernel;
   std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
@@ -104,7 +104,7 @@ void BodyDisplay::setBody(vtkPolyData* body)
   this->Body = body;
   for (Dent& dent : this->Dents)
   {
-    dent.contact.cell = -1; // a contact with the former body
+    dent.contact.cell = -1; // it was a contact with the former body
   }
   this->BodyTime = 0;
   this->refresh();
@@ -125,7 +125,7 @@ void BodyDisplay::setPoissonRatio(double ratio)
 void BodyDisplay::setResponseName(const std::string& name)
 {
   this->ResponseName = name;
-  this->BodyTime = 0; // other modes, or none
+  this->BodyTime = 0; // the modes differ: read the body again
   this->refresh();
 }
 
@@ -172,7 +172,7 @@ void BodyDisplay::show(const std::vector<ShownContact>& contacts)
   if (count != this->Dents.size())
   {
     this->Dents.resize(count);
-    this->BodyTime = 0; // other code in the shader
+    this->BodyTime = 0; // the shader needs other code
   }
   this->Dents.front().contact.cell = -1;
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -223,7 +223,7 @@ void BodyDisplay::takeBody()
   if (this->HasField && this->DrawnTimes == times)
   {
     this->installShader(modes.size());
-    return; // the same surface with other responses
+    return; // only the responses changed, not the surface
   }
   this->DrawnTimes.clear();
   const std::string fault = this->HasField ? checkTriangles(this->Body) : std::string();
@@ -336,7 +336,7 @@ void BodyDisplay::showByPoints()
   const bool isNew = this->BodyTime != this->Body->GetMTime();
   if (!this->touches() && !this->IsDented && !isNew)
   {
-    return; // no dent before or now: the body need not be redrawn
+    return; // there was no dent and there is none: the body need not be redrawn
   }
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;

@@ -24,21 +24,21 @@ namespace palpate
 class DentMapper;
 
 /**
- * The body with the dents of its contacts, which add up, coloured by the length of the
- * displacement.
+ * Draws the body with the dents of its contacts. The dents add up; the length of the displacement
+ * gives the colour.
  *
- * By shader (the default) a frame costs the same at any size of the mesh; otherwise each point is
- * computed anew (BodyField). Both draw the same field, see ContactField; for the shader's limits
- * see DeflectionShader. Pickers that draw (vtkHardwareSelector) always see the displaced surface;
- * those that intersect the data of the actor (vtkCellPicker) see it if points are computed, and the
- * undeformed body with the shader.
+ * By shader (the default) a frame costs the same for any size of the mesh. Otherwise each point is
+ * computed in each frame (BodyField). Both draw the same field, see ContactField; for the limits of
+ * the shader see DeflectionShader. Pickers that draw (vtkHardwareSelector) always see the displaced
+ * surface. Pickers that intersect the data of the actor (vtkCellPicker) see the displaced surface
+ * if points are computed, and the undeformed body with the shader.
  *
  * Setters take effect in the next frame. show() notices a changed body.
  */
 class BodyDisplay
 {
 public:
-  /// `colors` has the colours and the range of the displacement, mm.
+  /// `colors` gives the colours and the range of the displacement, mm.
   explicit BodyDisplay(vtkLookupTable* colors);
   ~BodyDisplay();
   BodyDisplay(const BodyDisplay&) = delete;
@@ -47,9 +47,9 @@ public:
   void setBody(vtkPolyData* body);
   void setTool(vtkContactTool* tool);
   void setPoissonRatio(double ratio);
-  /// Prefix of the response that is felt. Default "Response".
+  /// Prefix of the response in use. Default "Response".
   void setResponseName(const std::string& name);
-  /// The field ends at this distance from the contact, mm, fading over its last quarter; 0
+  /// Distance from the contact at which the field ends, mm; it fades over its last quarter. 0
   /// (default): DeflectionShader::FieldRadii contact radii.
   void setFieldRadius(double radius);
   /// Factor by which the dent is drawn deeper.
@@ -61,8 +61,8 @@ public:
   void show(const ShownContact& contact) { this->show(std::vector<ShownContact>{ contact }); }
   void show(const std::vector<ShownContact>& contacts);
 
-  /// Of a contact shown, mm: radius of its circle, and the depth of the circle below the contact
-  /// point; 0 without contact.
+  /// Radius of the circle of a shown contact, mm, and depth of the circle below the contact point,
+  /// mm. 0 without contact.
   double contactRadius(std::size_t contact = 0) const;
   double circleDepth(std::size_t contact = 0) const;
 
@@ -79,10 +79,11 @@ private:
   void refresh();
   void showByShader();
   void showByPoints();
-  /// The field of a dent as drawn; empty, with what is wrong, if the body does not allow one.
+  /// Makes the field of a dent as drawn. If the body does not allow one, returns an empty field and
+  /// sets `fault`.
   ContactField makeField(Dent& dent, std::string& fault);
   bool touches() const;
-  /// The displacement of each point by a dent.
+  /// Displacement of each point by one dent.
   vtkSmartPointer<vtkFloatArray> displaceByPoints(Dent& dent, std::string& fault);
   void complain(const std::string& fault);
 

@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Lines through points, parts of them dashed, for vtkTubeFilter: no line has two points at one
-/// place. Each point has a value, linear between points.
+/// Lines through points, partly dashed, as input of vtkTubeFilter: no line has two points at the
+/// same position. Each point has a value, linear between points.
 class DashedLine
 {
 public:
@@ -29,7 +29,7 @@ public:
   /// Draws from the last point to this one; dashes continue around corners.
   void lineTo(const Eigen::Vector3d& point, double value = 0.0, bool dashed = false);
 
-  /// All lines so far; the values as the active scalars, `name`.
+  /// Returns all lines so far, with the values as the active scalars `name`.
   vtkSmartPointer<vtkPolyData> take(const char* name);
 
 private:
@@ -39,10 +39,10 @@ private:
   double Dash;
   double Gap;
   bool InGap = false;
-  double Left; ///< mm of the present dash or gap
+  double Left; ///< length left of the present dash or gap, mm
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
   double LastValue = 0.0;
-  vtkIdType Open = 0; ///< points of the current line
+  vtkIdType Open = 0; ///< number of points of the current line
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkDoubleArray> Values;

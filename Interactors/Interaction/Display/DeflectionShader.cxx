@@ -29,9 +29,11 @@ namespace
 constexpr const char* Declarations = "//VTK::PositionVC::Dec";
 constexpr const char* Beginning = "//VTK::CustomBegin::Impl";
 
-// Functions of the shader, of contact h. palpateRange: contact radius, q at the kink, q at the
-// reach, reach; palpateDraw: exaggeration, intervals of the table, where the fade begins: cosine,
-// distance. Without branches, since software renderers compute both sides of one.
+// Functions of the shader for contact h.
+// palpateRange: contact radius, q at the kink, q at the reach, reach.
+// palpateDraw: exaggeration, intervals of the table, start of the fade as a cosine and as a
+// distance.
+// There are no branches, since software renderers compute both sides of a branch.
 constexpr const char* Functions = R"(
 in vec3 palpateSurface;
 
@@ -147,12 +149,12 @@ vec3 palpateDents(vec3 x, inout vec3 n)
 }
 )";
 
-/// Uniforms with a value for each contact; only these change their size.
+/// Uniforms with one value per contact. Only these change their size.
 constexpr std::array<const char*, 9> PerContact = { "palpateNear", "palpateBend", "palpateTwist",
   "palpateStep", "palpateContact", "palpateNormal", "palpateRange", "palpateDraw", "palpateTable" };
 
-/// The vertex is displaced first, so that all of VTK's later code uses the displaced one. Its
-/// coordinate in the colours' texture is tcoord in VTK, since 9.3 colorTCoord.
+/// Displaces the vertex first, so that all later code of VTK uses the displaced vertex. The name of
+/// its texture coordinate for colours is tcoord in VTK, colorTCoord since 9.3.
 std::string displacement(int modes)
 {
   return std::string(R"(
@@ -169,7 +171,7 @@ std::string displacement(int modes)
 )" + Beginning;
 }
 
-/// The uniforms of several contacts, one after the other.
+/// The uniforms of all contacts, one after the other.
 struct Uniforms
 {
   using Three = std::array<float, 3>;
@@ -178,7 +180,7 @@ struct Uniforms
   std::vector<Four> near, bend, twist, range, draw, table;
   std::vector<Three> contact, normal;
   std::vector<float> step;
-  std::array<float, 8> weights{}; // MostModes, in whole vectors
+  std::array<float, 8> weights{}; // MostModes, rounded up to whole vectors
 
   void add(const DrawnDent& dent, double exaggeration);
   void give(vtkUniforms* uniforms) const;
@@ -263,7 +265,7 @@ void DeflectionShader::install(const Code& code)
   this->remove();
   this->IsInstalled = true;
   this->Installed = code;
-  // Once, as uniforms are declared when they are first set.
+  // Set all uniforms once, since they are declared when they are first set.
   setColors(this->Property, 0.0F, 0.0F, 0.0F);
   this->show({}, 1.0);
   const std::string choice = "\n#define PALPATE_CONTACTS " + std::to_string(code.contacts) +
@@ -338,8 +340,8 @@ void DentMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Superclass::RenderPiece(renderer, actor);
 }
 
-// The mapper makes a texture of the lookup table, and only it can map a value to its coordinate; it
-// is asked for the ends of the range.
+// The mapper makes a texture of the lookup table, and only the mapper can map a value to its
+// texture coordinate. So it maps the two ends of the range.
 void DentMapper::updateColors()
 {
   vtkScalarsToColors* colors = this->GetLookupTable();

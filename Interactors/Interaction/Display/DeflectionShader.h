@@ -19,22 +19,26 @@ struct DrawnDent
 {
   ContactField field;
   FieldContact contact;
-  double edge = 1.0; ///< length of the mesh's edges, mm
+  double edge = 1.0; ///< length of the edges of the mesh, mm
 };
 
 /**
- * ContactFields in the vertex shader of an actor: moves the vertices, turns their normals and gives
- * each the texture coordinate of its displacement's length, from uniforms alone. A frame's cost on
- * the processor does not depend on the mesh. Fields of several contacts add up.
+ * Evaluates ContactFields in the vertex shader of an actor. It moves the vertices, turns their
+ * normals, and gives each vertex the texture coordinate for the length of its displacement. It
+ * needs only uniforms, so the processor time of a frame does not depend on the mesh. Fields of
+ * several contacts add up.
  *
- * Of the mapper it needs the point array SurfaceNormals as the vertex attribute `palpateSurface`
- * (angle-weighted normals), for each global mode the attributes that addModeAttributes makes,
- * points that are not shifted and scaled, and scalars that are interpolated before mapping.
+ * The mapper must provide:
+ * - the point array SurfaceNormals (angle-weighted normals) as the vertex attribute
+ *   `palpateSurface`;
+ * - the attributes that addModeAttributes makes for the global modes;
+ * - points that are not shifted and scaled;
+ * - scalars that are interpolated before mapping.
  *
- * As in vtkContactDeflection r is the length of the arc from the contact and the field ends 60°
+ * As in vtkContactDeflection, r is the length of the arc from the contact, and the field ends 60°
  * from the contact normal. Unlike there, connection along the surface is not checked: a fold or
- * another part of the body within the reach of the field, and facing the same way, moves along. The
- * reach (FieldRadii) limits that.
+ * another part of the body moves, too, if it is within the reach of the field and faces the same
+ * way. The reach (FieldRadii) limits this.
  *
  * The turned normal follows the slopes of the table, taken over two edges of the mesh.
  */
@@ -42,10 +46,11 @@ class DeflectionShader
 {
 public:
   static constexpr const char* NormalAttribute = "palpateSurface";
-  /// Default reach of a field, in contact radii: exact within 15, where 4 % remain.
+  /// Default reach of a field, in contact radii. The field is exact up to 15 contact radii, where
+  /// 4 % of it remain, and fades beyond.
   static constexpr double FieldRadii = 20.0;
 
-  /// Where a field ends, mm: its reach, or FieldRadii contact radii if it has none.
+  /// Distance at which a field ends, mm: its reach, or FieldRadii contact radii if it has none.
   static double reachOf(const ContactField& field);
 
   explicit DeflectionShader(vtkActor* actor);
@@ -53,9 +58,10 @@ public:
   /// The parameters of the code in the shaders.
   struct Code
   {
-    int modes = 0; ///< global ones of the body
+    int modes = 0; ///< number of global modes of the body
     bool hasNearField = false;
-    int contacts = 1; ///< 600 floats of uniforms each: OpenGL 3.2 has room for one, cards for six
+    int contacts = 1; ///< 600 floats of uniforms each. OpenGL 3.2 guarantees room for one, graphics
+                      ///< cards have room for six.
 
     bool operator==(const Code& other) const
     {
@@ -63,15 +69,15 @@ public:
         this->contacts == other.contacts;
     }
   };
-  /// Puts the code into the shaders of the actor; again to change it.
+  /// Puts the code into the shaders of the actor. Call it again to change the code.
   void install(const Code& code);
   void remove();
 
-  /// No more dents than the code has contacts; `exaggeration` multiplies the displacement, not its
-  /// colour.
+  /// Shows the dents, at most as many as the code has contacts. `exaggeration` multiplies the
+  /// displacement, not the length that gives the colour.
   void show(const std::vector<DrawnDent>& dents, double exaggeration);
 
-  /// Texture coordinates of a length u, mm: (start + perLength u, row).
+  /// Sets the texture coordinates of a length u, mm: (start + perLength u, row).
   static void setColors(vtkShaderProperty* property, float start, float perLength, float row);
 
 private:
@@ -81,10 +87,10 @@ private:
 };
 
 /**
- * Draws a body whose vertices a DeflectionShader moves: keeps the shader's colours equal to the
- * lookup table's, and includes the displaced vertices in the bounds. Its points are not shifted and
- * scaled: as coordinates are floats, the origin must not be more than some thousand times the size
- * of the body away.
+ * Draws a body whose vertices a DeflectionShader moves. It keeps the colours of the shader equal to
+ * those of the lookup table and includes the displaced vertices in the bounds. Points are not
+ * shifted and scaled. Coordinates are floats, so the distance of the body from the origin must be
+ * at most some thousand times the size of the body.
  */
 class DentMapper : public vtkOpenGLPolyDataMapper
 {
@@ -92,7 +98,7 @@ public:
   static DentMapper* New();
   vtkTypeMacro(DentMapper, vtkOpenGLPolyDataMapper);
 
-  /// The bounds contain this point, and `around` mm about the body.
+  /// Extends the bounds to this point, and by `around` mm around the body.
   void setDent(const double deepest[3], double around);
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;

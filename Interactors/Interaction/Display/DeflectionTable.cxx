@@ -11,11 +11,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double Half = 0.5;    // q at which the table of a tool without a kink is divided
-constexpr double Longest = 1e3; // reach of a table in contact radii
+constexpr double Half = 0.5;    // q that divides the table of a tool without a kink
+constexpr double Longest = 1e3; // largest reach of a table, in contact radii
 constexpr int Last = DeflectionTable::Intervals;
 
-/// q of a distance; `sine` is r/a within the contact or a/r outside.
+/// q of a distance r. `sine` is r/a within the contact and a/r outside.
 double parameterOf(double sine)
 {
   return sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - sine * sine)));
@@ -75,7 +75,7 @@ double DeflectionTable::distanceOf(int node) const
   }
 }
 
-/// u_r and u_z as in the shader.
+/// u_r and u_z, interpolated as in the shader.
 std::array<double, 2> DeflectionTable::at(double r) const
 {
   const double a = static_cast<double>(this->radius);

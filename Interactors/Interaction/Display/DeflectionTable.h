@@ -9,13 +9,14 @@ namespace palpate
 class ContactField;
 
 /**
- * The local part of a ContactField, sampled for a shader: u_r, u_z and their slopes, not faded, to
- * be interpolated linearly.
+ * The local part of a ContactField, sampled for a shader: u_r, u_z and their slopes, for linear
+ * interpolation. The values are not faded.
  *
- * Over q = r/(a + √(a²-r²)) within the contact and q = a/(r + √(r²-a²)) outside: half-angle forms
- * of r = a sin φ and r = a/sin φ, in which the laws are smooth on either side of the kink or the
- * vertical tangent at r = a. Three segments: the tip, up to a kink of the tool if it has one
- * (otherwise half way); the rest of the contact; outside, from the reach (q = far) to a (q = 1).
+ * The parameter is q = r/(a + √(a²-r²)) within the contact and q = a/(r + √(r²-a²)) outside. These
+ * are half-angle forms of r = a sin φ and r = a/sin φ. Over q the laws are smooth on either side of
+ * the kink and of the vertical tangent at r = a. There are three segments: the tip, up to the kink
+ * of the tool (half way if it has none); the rest of the contact; the outside, from the reach
+ * (q = far) to a (q = 1).
  *
  * The slopes du/dr are taken over two edges of the mesh, as in the normals of a displaced mesh, so
  * that a step at the rim of a flat punch does not flicker.
@@ -27,9 +28,10 @@ struct DeflectionTable
   static constexpr int Intervals = 48;
   static constexpr int Segments = 3;
   static constexpr int Nodes = Segments * (Intervals + 1);
-  using Node = std::array<float, 4>; ///< u_r, u_z, mm; their slopes
+  using Node = std::array<float, 4>; ///< u_r and u_z, mm, and their slopes
 
-  /// Zero if the field is empty. `reach` and `edge`, the length of an edge of the mesh, in mm.
+  /// All values are zero if the field is empty. `reach` and `edge` (length of the edges of the
+  /// mesh) in mm.
   DeflectionTable(const ContactField& field, double reach, double edge);
 
   float radius = 0.0F; ///< a, mm

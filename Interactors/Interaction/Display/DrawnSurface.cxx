@@ -52,7 +52,7 @@ int attributeCount(int modes)
   return (modes * FloatsPerMode + FloatsPerAttribute - 1) / FloatsPerAttribute;
 }
 
-/// The GLSL expression of float number `place` of a vertex.
+/// GLSL expression for float number `place` of a vertex.
 std::string component(int place)
 {
   return attribute(place / FloatsPerAttribute) + "[" + std::to_string(place % FloatsPerAttribute) +
@@ -72,7 +72,8 @@ Vector3 valueAt(vtkDataArray* mode, std::int32_t point)
   return value;
 }
 
-/// -(∇φ)ᵀ n at a point: the mean over the triangles around it, by area. φ is linear in each.
+/// -(∇φ)ᵀ n at a point: the mean over the triangles around the point, weighted by area. φ is linear
+/// in each triangle.
 Vector3 turnAt(const BodyMesh& mesh, vtkDataArray* mode, std::int32_t point)
 {
   const Vector3 normal = mesh.pointNormal(point);
@@ -87,7 +88,7 @@ Vector3 turnAt(const BodyMesh& mesh, vtkDataArray* mode, std::int32_t point)
     const Vector3 up = twice.normalized();
     for (std::size_t i = 0; i < 3; ++i)
     {
-      // Twice the area times the gradient of the area coordinate of corner i.
+      // Twice the area times the gradient of area coordinate i.
       const Vector3 gradient = up.cross(p[(i + 2) % 3] - p[(i + 1) % 3]);
       sum -= normal.dot(valueAt(mode, corners[i])) * gradient;
     }
@@ -106,7 +107,7 @@ void DrawnSurface::give(
   drawn->CopyStructure(surface);
   const BodyMesh mesh = makeBodyMesh(surface);
   drawn->GetPointData()->SetNormals(normalsOf(mesh));
-  vtkNew<vtkFloatArray> none; // needed for the mapper to make a texture of the colours
+  vtkNew<vtkFloatArray> none; // the mapper needs it to make a texture of the colours
   none->SetName(Displacement);
   none->SetNumberOfTuples(drawn->GetNumberOfPoints());
   none->Fill(0.0);

@@ -31,15 +31,15 @@ namespace
 {
 constexpr double Dash = 3.2;        // mm
 constexpr double Gap = 1.8;         // mm
-constexpr double LargestHead = 0.4; // of the arrow
+constexpr double LargestHead = 0.4; // fraction of the arrow
 constexpr int Sides = 32;
 
 constexpr double ArcTubeRadius = 0.55; // mm
 constexpr double ArcHeadRadius = 1.6;  // mm
 constexpr double ArcHeadLength = 3.6;  // mm
 constexpr double ArcMostTurn = 5.2;    // rad
-constexpr double ArcStart = 0.15;      // rad: clear of the surface
-constexpr double ArcLeastTurn = 0.15;  // rad, below which only the head is drawn
+constexpr double ArcStart = 0.15;      // rad, so that the arc starts clear of the surface
+constexpr double ArcLeastTurn = 0.15;  // rad; below this only the head is drawn
 constexpr int ArcSides = 24;
 constexpr int ArcPieces = 48;
 constexpr int ArcLabelSize = 18; // points
@@ -69,7 +69,8 @@ ForceArrow::ForceArrow(const ArrowLook& look)
   text->SetColor(this->Look.color.data());
   text->SetFontSize(look.labelSize);
   text->SetBold(look.bold ? 1 : 0);
-  text->SetBackgroundColor(BackgroundColor.data()); // as the tool and other arrows may be behind it
+  text->SetBackgroundColor(BackgroundColor.data()); // the tool and other arrows may be behind the
+                                                    // text
   text->SetBackgroundOpacity(look.labelOpacity);
   this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   this->hide();

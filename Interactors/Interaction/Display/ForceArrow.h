@@ -19,8 +19,8 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// The style of an arrow: radii and length of its head, mm. The head is at most 40 % of the arrow,
-/// and an arrow shorter than a head is slimmer.
+/// Style of an arrow: radius of its shaft, radius and length of its head, mm. The head is at most
+/// 40 % of the arrow. An arrow shorter than a head is slimmer.
 struct ArrowLook
 {
   Color color;
@@ -29,7 +29,7 @@ struct ArrowLook
   double headLength;
   int labelSize; ///< points
   bool bold;
-  double labelOpacity; ///< of the background behind the text
+  double labelOpacity; ///< opacity of the background of the label
 };
 
 /// One force as an arrow, with its value in N at the head.
@@ -41,13 +41,14 @@ public:
   ForceArrow(const ForceArrow&) = delete;
   ForceArrow& operator=(const ForceArrow&) = delete;
 
-  /// From `origin` (mm), `scale` mm per N; the label is the magnitude, after `name` or, without
-  /// one, after a gap as wide as the head. Zero or not finite: nothing.
+  /// Draws the arrow from `origin` (mm) at `scale` mm per N. The label is the magnitude, after
+  /// `name`, or without a name after a gap as wide as the head. A force that is zero or not finite
+  /// is not drawn.
   void show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale, bool dashed,
     const std::string& name = "");
   void hide();
   bool isShown() const;
-  /// The same arrow elsewhere.
+  /// Moves the same arrow to another origin.
   void moveTo(const Eigen::Vector3d& origin);
 
   Eigen::Vector3d tail() const { return this->Head - this->Along; }
@@ -65,7 +66,8 @@ private:
   vtkSmartPointer<vtkTextActor> Label;
 };
 
-/// A torque as an arc about its point, in its direction, with its value in N mm at the head.
+/// A torque as an arc around its point, in the direction of rotation, with its value in N mm at the
+/// head.
 class TorqueArc
 {
 public:
@@ -76,9 +78,9 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// About `center` (mm), beginning on the side of `from`. As long as the arrow of the force with
-  /// this torque at the arc's radius, at `scale` mm per N; at most 5.2 rad. Zero or not finite:
-  /// nothing.
+  /// Draws the arc around `center` (mm), beginning on the side of `from`. The arc is as long as the
+  /// arrow of the force that has this torque at the arc's radius, at `scale` mm per N; at most
+  /// 5.2 rad. A torque that is zero or not finite is not drawn.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();

@@ -18,7 +18,7 @@ namespace
 constexpr double TrailRadius = 0.5; // mm
 constexpr double TrailDash = 1.5;   // mm
 constexpr double TrailGap = 1.5;    // mm
-constexpr double Nearest = 0.05;    // mm, between two contacts
+constexpr double Nearest = 0.05;    // mm, smallest distance between two contacts
 } // namespace
 
 ForceTrail::ForceTrail(vtkLookupTable* colors)
@@ -87,7 +87,7 @@ void ForceTrail::add(const ShownContact& contact)
   this->InAir = false;
   if (this->IsNear)
   {
-    this->Contacts.pop_back(); // distances are measured from the point before
+    this->Contacts.pop_back(); // distances are measured from the contact before it
   }
   this->IsNear = !place.begins && !this->Contacts.empty() &&
     (place.point - this->Contacts.back().point).norm() < Nearest;

@@ -16,30 +16,30 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// The path of the contact: a line through contact points, coloured by the force there, dashed
-/// beyond validity, interrupted without contact.
+/// The path of the contact: a line through the contact points, coloured by the force there. It is
+/// dashed beyond validity and interrupted without contact.
 class ForceTrail
 {
 public:
-  /// `colors` has the colours and the range of the force, N.
+  /// `colors` gives the colours and the range of the force, N.
   explicit ForceTrail(vtkLookupTable* colors);
   ~ForceTrail();
   ForceTrail(const ForceTrail&) = delete;
   ForceTrail& operator=(const ForceTrail&) = delete;
 
   void clear();
-  /// A whole path at once.
+  /// Shows a whole path.
   void show(const std::vector<ShownContact>& way);
-  /// Adds a contact and keeps the newest `most`; replaces a path shown at once.
+  /// Adds a contact and keeps the newest `most` contacts. Replaces a path set by show().
   void follow(const ShownContact& contact, std::size_t most);
 
-  /// Whether no line is visible.
+  /// True if no line is visible.
   bool isEmpty() const { return this->Contacts.size() < 2; }
   vtkActor* actor() { return this->Actor; }
 
 private:
-  /// Replaces the last contact by one too near to be distinguished from it; one without contact
-  /// ends the line.
+  /// Adds a contact. It replaces the last contact if it is too near to be distinguished from it. A
+  /// tick without contact ends the line.
   void add(const ShownContact& contact);
   void draw();
 
@@ -48,7 +48,7 @@ private:
     Eigen::Vector3d point;
     double force;
     bool valid;
-    bool begins; ///< a line, after no contact
+    bool begins; ///< true for the first contact of a line
   };
 
   std::deque<Place> Contacts;

@@ -31,7 +31,7 @@ struct Box
   }
 };
 
-/// The height nearest to `box` at which it covers none of the others.
+/// The bottom nearest to that of `box` at which the box covers none of the others.
 double freeHeight(const Box& box, const std::vector<Box>& others)
 {
   const auto isFree = [&](double bottom)

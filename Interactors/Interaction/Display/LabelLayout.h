@@ -14,14 +14,14 @@ namespace palpate
 /// A text that belongs to the head of an arrow.
 struct AnchoredLabel
 {
-  vtkTextActor* text; ///< placed in world coordinates
+  vtkTextActor* text; ///< positioned in world coordinates
   Eigen::Vector3d tail;
   Eigen::Vector3d head;
 };
 
-/// Places each text beside its arrow's head, on the side the arrow points to, and moves it as
-/// little as possible so that it neither covers an earlier one nor leaves the viewport. The first
-/// one begins at its head.
+/// Places each text next to the head of its arrow, on the side to which the arrow points. Moves it
+/// as little as possible, so that it neither covers an earlier text nor leaves the viewport. The
+/// first text begins at its head.
 void arrangeLabels(vtkViewport* viewport, const std::vector<AnchoredLabel>& labels);
 } // namespace palpate
 

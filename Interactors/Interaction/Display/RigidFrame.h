@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// A frame at `origin` whose axis (0 = x, 2 = z) is along `direction`, which is not zero; its
-/// rotation about that axis is arbitrary.
+/// A frame at `origin` whose axis number `axis` (0 = x, 2 = z) points along `direction`, which must
+/// not be zero. The rotation about that axis is arbitrary.
 inline vtkSmartPointer<vtkMatrix4x4> frameAlong(
   const double origin[3], const double direction[3], int axis)
 {

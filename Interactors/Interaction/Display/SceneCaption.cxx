@@ -22,8 +22,8 @@ namespace
 {
 constexpr double Left = 16.0;        // pixels
 constexpr double Bottom = 14.0;      // pixels
-constexpr double LetterWidth = 0.52; // of the font's size, on average
-constexpr double LineSpacing = 1.2;  // of the font's height
+constexpr double LetterWidth = 0.52; // fraction of the font's size, on average
+constexpr double LineSpacing = 1.2;  // multiple of the font's height
 constexpr int FontSize = 17;
 constexpr int SmallFontSize = 14;
 constexpr double Narrow = 400.0; // pixels
@@ -56,21 +56,22 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
-/// The deflection of the tool's own dent, and the depth of the tip if other tools make it differ.
+/// Deflection of the tool's own dent. Adds the depth of the tip if other tools make it differ.
 std::string deflectionOf(const ShownContact& contact)
 {
   return millimetres(contact.tick.contact.deflection) +
     (contact.isLetDown() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
 }
 
-/// Breaks a text into lines of at most `letters`, at blanks, preferably after a comma or colon.
+/// Breaks a text into lines of at most `letters` letters, at blanks, preferably after a comma or
+/// colon.
 std::string wrapped(const std::string& text, std::size_t letters)
 {
   constexpr std::size_t none = std::string::npos;
   std::string result;
   std::size_t lineBegin = 0;
-  std::size_t blank = none; // the last one of the current line
-  std::size_t pause = none; // the last one after a comma or colon
+  std::size_t blank = none; // position of the last blank of the current line
+  std::size_t pause = none; // position of the last blank after a comma or colon
   for (const char c : text)
   {
     if (c == ' ')

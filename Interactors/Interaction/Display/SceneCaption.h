@@ -12,8 +12,8 @@ namespace palpate
 {
 struct ShownContact;
 
-/// The text in the corner of a scene: a title, the contact, a remark. Few lines; what is not needed
-/// is left out.
+/// The text in the corner of a scene: a title, the contact, a remark. Parts that are not needed are
+/// left out.
 class SceneCaption
 {
 public:
@@ -24,17 +24,17 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// Visible from the next write() on.
+  /// Sets the text of the contact, visible from the next write() on.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
-  /// After describe(): adds a line for another of several hands.
+  /// Call after describe(): adds a line for another hand.
   void addHand(int number, const ShownContact& contact);
   void describeNothing() { this->Contact.clear(); }
 
-  /// Writes into a strip of the picture of this width, pixels: longer lines are broken, and in a
-  /// narrow strip the font is smaller.
+  /// Writes into a strip of the picture of this width, pixels. Longer lines are broken; a narrow
+  /// strip has a smaller font.
   void write(double width);
-  /// Height above the lower edge of the picture, pixels.
+  /// Height of the text above the lower edge of the picture, pixels.
   double height() const { return this->Height; }
 
   vtkTextActor* actor() { return this->Actor; }

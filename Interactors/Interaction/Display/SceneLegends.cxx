@@ -33,11 +33,12 @@ namespace
 {
 constexpr int LegendSize = 15;
 constexpr double LegendWidth = 175.0;   // pixels
-constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that they do not move
+constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that the legends do not
+                                        // move
 constexpr double LegendBottom = 0.15;
 constexpr double LegendTop = 0.97;
 
-/// The colours, blended.
+/// Fills the table with the interpolated colours.
 void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
 {
   constexpr int size = 256;
@@ -77,15 +78,15 @@ void styleLegend(vtkScalarBarActor* legend, vtkLookupTable* table, const char* t
   }
 }
 
-constexpr double Margin = 24.0;     // pixels, to the right edge
-constexpr double Height = 26.0;     // of the arrow's axis above the lower edge
+constexpr double Margin = 24.0;     // pixels, distance to the right edge
+constexpr double Height = 26.0;     // pixels, height of the arrow's axis above the lower edge
 constexpr double HalfShaft = 2.0;   // pixels
 constexpr double HalfHead = 6.5;    // pixels
-constexpr double HeadLength = 14.0; // pixels, at most half of the arrow
-constexpr double LabelWidth = 60.0; // pixels, more than that of any
+constexpr double HeadLength = 14.0; // pixels; at most half of the arrow
+constexpr double LabelWidth = 60.0; // pixels, wider than any label
 constexpr double LargestShare = 1.0 / 3.0;
 
-/// Pixels per mm, across the line of sight, at a point.
+/// Pixels per mm, perpendicular to the line of sight, at a point.
 double pixelsPerMillimetre(vtkRenderer* renderer, const Eigen::Vector3d& point)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -114,7 +115,7 @@ SceneLegends::~SceneLegends() = default;
 
 double SceneLegends::share(vtkRenderer* renderer)
 {
-  // The same size in pixels for any width of the viewport.
+  // Keeps the size in pixels for any width of the viewport.
   const int width = renderer ? std::max(renderer->GetSize()[0], 1) : 1;
   return std::min(1.0, LegendWidth / static_cast<double>(width));
 }
@@ -195,7 +196,7 @@ void ForceScale::place(vtkRenderer* renderer, const Eigen::Vector3d& contact)
   {
     corners->InsertNextPoint(x, Height + y, 0.0);
   }
-  vtkNew<vtkCellArray> parts; // shaft and head: as their union is not convex
+  vtkNew<vtkCellArray> parts; // shaft and head are separate, as their union is not convex
   parts->InsertNextCell({ 0, 1, 5, 6 });
   parts->InsertNextCell({ 2, 3, 4 });
   this->Shape->SetPoints(corners);

@@ -16,8 +16,8 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// The colours of a scene, of the displacement (mm) and of the force along the trail (N), and their
-/// legends, in a column at the right edge.
+/// The colours of a scene and their legends in a column at the right edge: one for the displacement
+/// (mm), one for the force along the trail (N).
 class SceneLegends
 {
 public:
@@ -33,7 +33,7 @@ public:
 
   /// The fraction of a viewport's width that the column takes.
   static double share(vtkRenderer* renderer);
-  /// `captionHeight`: that of the caption below them, pixels.
+  /// `captionHeight` is the height of the caption below the legends, pixels.
   void place(vtkRenderer* renderer, double captionHeight);
 
 private:
@@ -44,8 +44,8 @@ private:
 };
 
 /// The scale of force arrows: an arrow of a round number of newtons in the lower right corner of
-/// the picture, as long as that force would be drawn at the contact, perpendicular to the line of
-/// sight.
+/// the picture. It has the length that this force would have at the contact, perpendicular to the
+/// line of sight.
 class ForceScale
 {
 public:
@@ -54,16 +54,16 @@ public:
   ForceScale(const ForceScale&) = delete;
   ForceScale& operator=(const ForceScale&) = delete;
 
-  /// Chooses the number, once: about half of the largest force (N), whose arrows are `scale` mm
-  /// long per N.
+  /// Chooses the number of newtons, once: about half of the largest force (N). `scale` is the
+  /// length of arrows, mm per N.
   void choose(double largestForce, double scale);
-  /// Fits the arrow to the camera. If it would be longer than a third of the picture's width, the
-  /// next smaller round number is used.
+  /// Fits the arrow to the camera. If it would be longer than a third of the picture's width, it
+  /// shows the next smaller round number.
   void place(vtkRenderer* renderer, const Eigen::Vector3d& contact);
   void setVisibility(bool visible);
 
-  double force() const { return this->Force; } ///< chosen, N
-  /// Its width in the picture, pixels.
+  double force() const { return this->Force; } ///< the chosen force, N
+  /// Width of the arrow in the picture, pixels.
   double width() const { return this->Width; }
   vtkActor2D* arrow() { return this->Arrow; }
   vtkTextActor* label() { return this->Label; }

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double RaisedFocus = 0.09; // of the distance
+constexpr double RaisedFocus = 0.09; // fraction of the distance
 
 void placeCamera(vtkCamera* camera, const Eigen::Vector3d& focus, const Eigen::Vector3d& position,
   const Eigen::Vector3d& up)

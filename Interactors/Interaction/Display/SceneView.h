@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// Direction from the focus to the camera, and the upward direction in the picture; neither is
+/// Direction from the focus to the camera, and the upward direction in the picture. Neither may be
 /// zero.
 struct ViewDirection
 {
@@ -20,17 +20,17 @@ struct ViewDirection
   Eigen::Vector3d up;
 };
 
-/// Shows all of the bounds, centred beside the column of legends at the right, which takes the
-/// fraction `column` of the picture's width.
+/// Shows all of the bounds, centred in the part of the picture to the left of the legends. The
+/// column of legends takes the fraction `column` of the picture's width.
 void lookAtBounds(
   vtkRenderer* renderer, const double bounds[6], const ViewDirection& view, double column);
 
-/// Shows a point from a distance of `distance` mm, a little below the middle, so that an arrow
+/// Shows a point from `distance` mm, a little below the middle of the picture, so that an arrow
 /// above it fits in.
 void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
   const ViewDirection& view, double column);
 
-/// Background and light common to all bodies.
+/// Sets the background and the light, which are common to all bodies.
 inline void lightScene(vtkRenderer* renderer)
 {
   renderer->SetBackground(BackgroundColor[0], BackgroundColor[1], BackgroundColor[2]);

@@ -33,10 +33,10 @@ bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact)
 ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection)
 {
   ShownContact contact;
-  contact.tick = session->GetNewestTick(hand); // a copy, as the thread continues
+  contact.tick = session->GetNewestTick(hand); // a copy, since the servo thread continues
   const Tick& tick = contact.tick;
   vtkPolyData* body = session->GetBody();
-  // A tick may still belong to the former body.
+  // The tick may still belong to the former body.
   if (body && tick.contact.triangle >= 0 && tick.contact.triangle < body->GetNumberOfPolys())
   {
     contact.cell = body->GetNumberOfVerts() + body->GetNumberOfLines() + tick.contact.triangle;

@@ -17,29 +17,31 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Whether a part of a force, or a difference from it, is worth showing: more than 2 %.
+/// True if a part of a force, or a difference from it, is more than 2 % of the force and so worth
+/// showing.
 inline bool isNoticeable(const Eigen::Vector3d& part, const Eigen::Vector3d& force)
 {
   return part.norm() > 0.02 * force.norm();
 }
 
-/// One contact for drawing, of a live session or of a probe's tip. Body frame, mm, N.
+/// One contact to draw, from a live session or from a tip of a probe. Body frame, mm, N.
 struct ShownContact
 {
-  /// Without contact, the contact's normal is the direction of the tool.
+  /// Without contact, the normal of the tick's contact is the direction of the tool.
   Tick tick;
   bool hasApplied = false; ///< the tick has an applied force
-  std::string safety;  ///< why the applied force differs, in words; "" if it does not, or not known
+  std::string safety;  ///< why the applied force differs, in words; "" if it does not differ or the
+                       ///< reason is unknown
   vtkIdType cell = -1; ///< of the body; -1: no contact
 
-  /// Depth at which the first assumption of the response breaks at the contact, mm, and which one
-  /// (ResponseLimit).
+  /// Depth at which the first assumption of the response fails at the contact, mm, and that
+  /// assumption (ResponseLimit).
   double validity = std::numeric_limits<double>::infinity();
   int limit = 0;
-  /// Estimated relative error of the force; NaN if the response keeps none.
+  /// Estimated relative error of the force; NaN if the response has no error array.
   double error = std::numeric_limits<double>::quiet_NaN();
 
-  /// Other tools of the session may have lowered or raised the surface here.
+  /// True if other tools of the session may have lowered or raised the surface here.
   bool hasOthers = false;
 
   bool touches() const { return this->cell >= 0; }
@@ -48,7 +50,7 @@ struct ShownContact
   {
     return (this->tick.contact.contactPoint - this->tick.tip).dot(this->tick.contact.normal);
   }
-  /// Whether other tools have changed the depth of the tip's own dent.
+  /// True if other tools have changed the depth of the tip's own dent.
   bool isLetDown() const
   {
     constexpr double seen = 0.005; // mm
@@ -71,23 +73,23 @@ struct ShownContact
   }
 };
 
-/// Tip `index` of the output of vtkToolContactProbe or vtkHapticRecorder::GetRecording.
-/// FrictionForce, ContactState, AppliedForce and its SafetyLinks are optional; false if any other
-/// array is missing or there is no such tip.
+/// Reads tip `index` of the output of vtkToolContactProbe or vtkHapticRecorder::GetRecording.
+/// FrictionForce, ContactState, AppliedForce and its SafetyLinks are optional. Returns false if any
+/// other array is missing or there is no such tip.
 bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);
 
-/// The newest tick of one of a session's devices, with its validity; without contact the tool is
-/// along `freeDirection`. A session that does not run, or a device without force, has no applied
-/// force.
+/// Reads the newest tick of one device of a session, with its validity. Without contact the tool is
+/// along `freeDirection`. There is no applied force if the session does not run or the device has
+/// no force.
 ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection);
 
-/// From the numbers of vtkContactScene::ShowContact.
+/// Makes a contact from the arguments of vtkContactScene::ShowContact.
 ShownContact contactOfNumbers(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell);
 
-/// Sets validity, limit and error of a contact from Validity, Limit and Error of the response with
-/// this prefix: the least of the three corners of its cell. Infinite without those arrays, or
-/// without a contact.
+/// Sets validity, limit and error of a contact from the arrays Validity, Limit and Error of the
+/// response with this prefix: the smallest of the three corners of its cell. Infinite without those
+/// arrays or without a contact.
 void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
 } // namespace palpate
 

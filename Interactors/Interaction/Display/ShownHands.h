@@ -30,8 +30,8 @@ public:
   ContactCircle(const ContactCircle&) = delete;
   ContactCircle& operator=(const ContactCircle&) = delete;
 
-  /// Around `center`, perpendicular to the unit vector `normal`; a radius (mm) of 0, or not finite:
-  /// none.
+  /// Draws the circle around `center`, perpendicular to the unit vector `normal`. If the radius
+  /// (mm) is 0 or not finite, there is no circle.
   void show(
     const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double radius, bool dashed);
   void hide();
@@ -43,15 +43,15 @@ private:
   vtkSmartPointer<vtkActor> Actor;
 };
 
-/// A ball, not visible yet, for the place of a contact in a blind comparison.
+/// Makes a ball, not yet visible, that marks the position of a contact in a blind comparison.
 vtkSmartPointer<vtkActor> makePlaceMarker();
 
-/// Places it on the surface, not at the tip, as the depth of the tip would reveal the body's
-/// stiffness.
+/// Puts the marker on the surface, not at the tip: the depth of the tip would reveal the stiffness
+/// of the body.
 void placeMarker(const ShownContact& contact, vtkActor* marker);
 
-/// The tools over a body, one per hand, each with its arrows and its circle of contact. There is
-/// always a first; the others have its style.
+/// The tools over a body, one per hand, each with its arrows and its circle of contact. The first
+/// always exists; the others have its style.
 class ShownHands
 {
 public:
@@ -67,13 +67,13 @@ public:
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }
 
-  /// Direction of a hand's tool without contact; may be set before there is such a hand. Zero
-  /// (default): the last direction.
+  /// Direction of a hand's tool without contact. May be set before the hand exists. Zero (default):
+  /// the last direction.
   void setFreeDirection(std::size_t hand, const Eigen::Vector3d& direction);
   Eigen::Vector3d freeDirection(std::size_t hand) const;
 
-  /// Shows a hand's tool and forces, and a circle of this radius (mm; 0: none) that lies `depth` mm
-  /// below the contact point.
+  /// Shows a hand's tool and forces, and a circle of this radius (mm; 0: none) `depth` mm below the
+  /// contact point.
   void show(std::size_t hand, const ShownContact& contact, double radius, double depth);
   void hideCircles();
 

@@ -24,7 +24,7 @@ constexpr PanelScale ModulusScale{ 0.001, 10.0, true, 0.01 };
 constexpr PanelScale PoissonScale{ 0.0, 0.5, false, 0.01 };
 constexpr PanelScale StrengthScale{ 0.0, 3.0, false, 0.05 };
 constexpr PanelScale SecondsScale{ 0.01, 100.0, true, 0.01 };
-constexpr double FirstSeconds = 1.0; ///< of a relaxation added to a body without one
+constexpr double FirstSeconds = 1.0; ///< for a relaxation added to a body without one
 constexpr PanelScale FrictionScale{ 0.0, 1.0, false, 0.01 };
 constexpr PanelScale ExaggerationScale{ 1.0, 64.0, true, 0.1 };
 
@@ -44,7 +44,7 @@ std::string decimals(double value, int count)
   return written.str();
 }
 
-/// A tool's description, shortened to the width of a button.
+/// Description of a tool, shortened to the width of a button.
 std::string toolText(vtkContactTool* tool)
 {
   std::string text = tool->GetDescription();
@@ -205,7 +205,7 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
   rows.emplace_back(std::move(models));
 }
 
-/// The controls of the first relaxation.
+/// Adds the controls of the first relaxation.
 void ContactControls::addRelaxation(std::vector<ControlRow>& rows)
 {
   vtkContactSetup* setup = this->Setup;

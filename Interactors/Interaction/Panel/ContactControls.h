@@ -19,16 +19,17 @@ class vtkLiveCharts;
 
 namespace palpate
 {
-/// A number that may be changed during contact.
+/// A quantity that may be changed during contact.
 struct ControlQuantity
 {
   std::string name;
   PanelScale scale;
-  std::string (*write)(double); ///< with its unit
+  std::string (*write)(double); ///< text of a value with its unit
   std::function<double()> read;
   std::function<void(double)> change;
-  bool setsForces = false;                               ///< whether forces change with it
-  std::function<bool()> isOffered = [] { return true; }; ///< now
+  bool setsForces = false;                               ///< whether a change of the quantity
+                                                         ///< changes the forces
+  std::function<bool()> isOffered = [] { return true; }; ///< whether the row is shown at present
 };
 
 /// An action, or a switch.
@@ -39,11 +40,11 @@ struct ControlButton
   std::function<bool()> isOn = [] { return false; };
 };
 
-/// A heading; a quantity; or buttons side by side.
+/// A row of the panel: a heading, a quantity, or buttons side by side.
 using ControlRow = std::variant<std::string, ControlQuantity, std::vector<ControlButton>>;
 
 /// The content of a contact's panel: its rows, their present values, and the effect of changes. The
-/// look is up to the panel.
+/// panel itself decides on the look.
 class ContactControls
 {
 public:
@@ -54,13 +55,13 @@ public:
   ContactControls(const ContactControls&) = delete;
   ContactControls& operator=(const ContactControls&) = delete;
 
-  /// The rows that setup and charts allow; valid as long as this object.
+  /// The rows that the setup and the charts allow; valid during the lifetime of this object.
   std::vector<ControlRow> rows();
 
-  /// Requests the responses for changed settings, and passes those that are ready to session and
-  /// scene; returns whether there were any.
+  /// Requests the responses for changed settings. Passes finished responses to the session and the
+  /// scene. Returns whether there were any.
   bool update();
-  /// Chooses new scales of force if forces have become much larger or smaller.
+  /// Chooses new force scales if the forces have become much larger or smaller.
   void fitScales();
 
   void chooseTool(int tool);
@@ -70,7 +71,7 @@ public:
   void setShowsCharts(bool shown);
   void toggleTiming();
 
-  /// What is being computed, or what went wrong.
+  /// Text about the work in progress, or the error.
   std::string status() const;
 
 private:
@@ -87,7 +88,7 @@ private:
   std::function<void(int)> ToolShown;
   bool Compares = false;
   bool ShowsCharts = true;
-  double ShownForce; ///< to which the scales of force were fitted, N
+  double ShownForce; ///< force to which the force scales were fitted, N
 };
 } // namespace palpate
 

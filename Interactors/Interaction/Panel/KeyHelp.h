@@ -23,16 +23,16 @@ public:
   KeyHelp(const KeyHelp&) = delete;
   KeyHelp& operator=(const KeyHelp&) = delete;
 
-  /// A line per key: "key<tab>what it does"; an empty line is a gap.
+  /// One line per key: "key<tab>function"; an empty line is a gap.
   void setText(const std::string& text);
   const std::string& text() const { return this->Text; }
 
-  /// Shows it in a renderer, on top; null: hides it.
+  /// Shows the sheet in a renderer, on top of the rest; null hides the sheet.
   void show(vtkRenderer* renderer);
   bool isShown() const { return this->Renderer != nullptr; }
 
 private:
-  /// Centres it in the present size of the window.
+  /// Centres the sheet in the present size of the window.
   void place();
 
   std::string Text;

@@ -13,12 +13,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeftMargin = 10.0; // pixels, of a label that begins at the left
+constexpr double LeftMargin = 10.0; // pixels, for a label that begins at the left
 }
 
 PanelButton::PanelButton()
 {
-  this->NumberOfStates = 1; // the owner decides whether it is on
+  this->NumberOfStates = 1; // the owner decides whether the button is on
   stylePanelText(this->Text, TextColor);
   this->Text->GetTextProperty()->SetJustificationToCentered();
   this->Text->GetTextProperty()->SetVerticalJustificationToCentered();

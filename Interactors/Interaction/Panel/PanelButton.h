@@ -26,9 +26,9 @@ public:
   bool isOn() const { return this->On; }
   void alignLeft();
 
-  /// In pixels of the renderer, from its lower left corner.
+  /// Position and size in pixels of the renderer, from its lower left corner.
   void place(double left, double bottom, double width, double height, int fontSize);
-  /// Its middle, in pixels of the renderer.
+  /// Centre of the button, in pixels of the renderer.
   void findMiddle(double position[2]) const;
 
   int ComputeInteractionState(int x, int y, int modify = 0) override;

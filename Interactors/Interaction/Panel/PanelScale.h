@@ -7,13 +7,14 @@
 
 namespace palpate
 {
-/// The value of a quantity over the position along a slider: 0 at its left end, 1 at its right.
+/// Relates the value of a quantity to the position along a slider, from 0 (left end) to 1 (right
+/// end).
 struct PanelScale
 {
   double low = 0.0;
   double high = 1.0;
-  bool isLogarithmic = false; ///< low > 0 then
-  double step = 0.01;         ///< of the values; of a logarithmic scale, relative
+  bool isLogarithmic = false; ///< requires low > 0
+  double step = 0.01;         ///< step of the values; relative for a logarithmic scale
 
   double shareOf(double value) const
   {
@@ -23,7 +24,7 @@ struct PanelScale
     return std::clamp(share, 0.0, 1.0);
   }
 
-  /// Rounded to a whole number of steps.
+  /// The value at a position, rounded to a whole number of steps.
   double valueAt(double share) const
   {
     const double within = std::clamp(share, 0.0, 1.0);

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-// Pixels, of a sheet with enough room.
+// Pixels, for a sheet with enough room.
 constexpr double Width = 240.0;
 constexpr double Margin = 16.0;
 constexpr double HeadingHeight = 40.0;

@@ -21,7 +21,7 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// Headings, sliders and buttons one below the other, in a renderer, whatever their purpose.
+/// A column of headings, sliders and buttons in a renderer, for any purpose.
 class PanelSheet
 {
 public:
@@ -33,10 +33,10 @@ public:
   PanelSheet& operator=(const PanelSheet&) = delete;
 
   void addHeading(const std::string& text);
-  /// `changed` when the handle moves, `released` when it is let go.
+  /// `changed` is called when the handle moves, `released` when the mouse button is released.
   PanelSlider* addSlider(Action changed, Action released);
-  /// `inRow` buttons are side by side, added by as many calls; a single one has its label at the
-  /// left.
+  /// Adds a button to a row of `inRow` buttons; call it `inRow` times for the row. A single button
+  /// has its label at the left.
   PanelButton* addButton(const std::string& label, Action pressed, int inRow = 1);
   void addStatus();
   void clear();
@@ -47,14 +47,14 @@ public:
   void show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor);
   void hide();
   bool isShown() const { return this->Renderer != nullptr; }
-  /// Fits everything to the present size of the renderer; call before a frame.
+  /// Fits all rows to the present size of the renderer; call it before a frame.
   void place();
 
   const std::vector<vtkSmartPointer<PanelSlider>>& sliders() const { return this->Sliders; }
   const std::vector<vtkSmartPointer<PanelButton>>& buttons() const { return this->Buttons; }
 
 private:
-  /// A line of the sheet: one of the three, or some buttons.
+  /// A row of the sheet: a text, a slider or some buttons.
   struct Row
   {
     vtkSmartPointer<vtkTextActor> text;

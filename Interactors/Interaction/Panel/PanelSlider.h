@@ -33,9 +33,9 @@ public:
   bool isHeld() const { return this->Held; }
   void release() { this->Held = false; }
 
-  /// The row, in pixels of the renderer, from its lower left corner.
+  /// Position and size of the row in pixels of the renderer, from its lower left corner.
   void place(double left, double bottom, double width, double height, int fontSize);
-  /// Where the handle is at a value, in pixels of the renderer.
+  /// Position of the handle for a value, in pixels of the renderer.
   void findHandle(double value, double position[2]) const;
 
   void SetTitleText(const char* title) override { this->Title = title ? title : ""; }
@@ -67,7 +67,7 @@ private:
   Format Write;
   double Share = 0.0;
   bool Held = false;
-  PixelBox Row; ///< is not drawn
+  PixelBox Row; ///< not drawn
   PixelBox Track;
   PixelBox Filled;
   PixelBox Handle;

@@ -13,18 +13,19 @@ class SteeredTilt
 {
 public:
   static constexpr double Largest = 60.0; ///< degrees
-  static constexpr double PerNotch = 2.5; ///< of a wheel, or a key; degrees
+  static constexpr double PerNotch = 2.5; ///< degrees per notch of the wheel, or per key press
 
-  /// To the right and away from the viewer, degrees; no more than Largest either way.
+  /// Sets the tilt to the right and away from the viewer, degrees. Each is limited to Largest in
+  /// both directions.
   void set(double right, double away);
   void lean(double right, double away) { this->set(this->Right + right, this->Away + away); }
   double right() const { return this->Right; }
   double away() const { return this->Away; }
 
-  /// Whether a tilt was ever set: until then the axis is the surface's normal.
+  /// True once a tilt was set. Before that, the axis is the normal of the surface.
   bool isTold() const { return this->IsTold; }
-  /// The axis, unit, from the tip up the shaft, of a tool on a surface with this outward normal;
-  /// without a renderer to the right of x and away along y.
+  /// Axis of a tool on a surface with this outward normal: a unit vector from the tip up the shaft.
+  /// Without a renderer, "right" is along x and "away" along y.
   std::array<double, 3> axis(const double normal[3], vtkRenderer* renderer) const;
 
 private:
@@ -33,12 +34,12 @@ private:
   bool IsTold = false;
 };
 
-/// The state of a hand steered by a mouse, kept while the mouse steers another.
+/// State of a hand that the mouse steers. It is kept while the mouse steers another hand.
 struct SteeredHand
 {
   SteeredTilt tilt;
   double wheelDepth = 0.0;           ///< mm
-  double tip[3] = { 0.0, 0.0, 0.0 }; ///< where it was steered to, mm
+  double tip[3] = { 0.0, 0.0, 0.0 }; ///< last point it was steered to, mm
 };
 } // namespace palpate
 

@@ -17,11 +17,12 @@ namespace palpate
 {
 namespace
 {
-/// Relative to the body's diagonal. vtkStaticCellLocator misses faces in the walls between its
-/// bins, as a block may have.
+/// Relative to the diagonal of the body. vtkStaticCellLocator misses faces that are in the walls
+/// between its bins, as the faces of a block may be.
 constexpr double Tolerance = 1e-6;
 
-/// World point under a display position, at a depth of the view volume from 0 (near) to 1 (far).
+/// World point under a display position. `depth` is the depth in the view volume, from 0 (near) to
+/// 1 (far).
 void worldUnder(vtkRenderer* renderer, const int position[2], double depth, double world[3])
 {
   renderer->SetDisplayPoint(position[0], position[1], depth);

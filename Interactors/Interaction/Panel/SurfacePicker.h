@@ -14,7 +14,7 @@ class vtkCellLocator;
 
 namespace palpate
 {
-/// The place on a body under a pointer.
+/// Finds the point of a body under a pointer.
 class SurfacePicker
 {
 public:
@@ -23,12 +23,12 @@ public:
   SurfacePicker(const SurfacePicker&) = delete;
   SurfacePicker& operator=(const SurfacePicker&) = delete;
 
-  /// The body and the prefix of the response whose normals count. Another body with the same points
-  /// and cells needs no new locator.
+  /// Sets the body and the prefix of the response whose normals are used. Another body with the
+  /// same points and cells does not need a new locator.
   void setBody(vtkPolyData* body, const std::string& responseName);
 
-  /// The first intersection of the body with the line of sight through a display position, and the
-  /// outward unit normal there. False if there is none, or no normal.
+  /// Finds the first intersection of the body with the line of sight through a display position,
+  /// and the outward unit normal there. Returns false if there is no intersection or no normal.
   bool pick(vtkRenderer* renderer, const int position[2], double point[3], double normal[3]);
 
 private:
@@ -38,8 +38,8 @@ private:
   std::string ResponseName;
 };
 
-/// The point on the line of sight through a display position at the distance of `tip` from the
-/// viewer, and `away` farther; and the direction opposite to the camera's line of sight.
+/// Finds the point on the line of sight through a display position that is `away` farther from the
+/// viewer than `tip`, and the direction opposite to the camera's line of sight.
 void pointInView(vtkRenderer* renderer, const int position[2], const double tip[3], double away,
   double point[3], double towards[3]);
 } // namespace palpate

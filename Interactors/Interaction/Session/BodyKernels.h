@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// The kernels and peaks of a body for a session's ticks, per prefix of its responses. May be made
-/// on any thread.
+/// The kernels and peaks of a body for the ticks of a session, by the prefix of its responses. May
+/// be made on any thread.
 struct BodyKernels
 {
   /// Largest force (N) and stiffness (N/mm).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of vtkHapticSession that its header does not show.
+// Private parts of vtkHapticSession.
 #ifndef HapticSessionState_h
 #define HapticSessionState_h
 
@@ -10,12 +10,12 @@
 #include <memory>
 #include <vector>
 
-/// The data read from the body, per response, as long as it is unchanged.
+/// The data read from the body, by response. Valid while the body is unchanged.
 struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
   vtkMTimeType time = 0;
-  bool given = false; ///< by the caller, for the next Start
+  bool given = false; ///< given by the caller, for the next Start
 };
 
 /// The hand that a servo scene is fitted to.

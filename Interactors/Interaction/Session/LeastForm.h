@@ -12,23 +12,24 @@
 
 namespace palpate
 {
-/// A request for the simplest form of a response that keeps its forces.
+/// A request for the simplest form of a response that keeps its forces within a tolerance.
 struct LeastFormRequest
 {
-  vtkSmartPointer<vtkPolyData> body; ///< with the response
-  std::string name;                  ///< its prefix
-  double tolerance = 0.01;           ///< of the force, relative
-  double deflection = 0.0; ///< mm, at which regime and validity are checked; 0: half of Range
+  vtkSmartPointer<vtkPolyData> body; ///< the body with the response
+  std::string name;                  ///< prefix of the response
+  double tolerance = 0.01;           ///< relative error of the force
+  double deflection = 0.0; ///< deflection at which regime and validity are checked, mm; 0: half of
+                           ///< Range
 
-  /// A point force is considered if this array is given, with the body's global compliance (mm/N);
-  /// tool and material are then those of the response.
+  /// If this array is given, a point force is considered, too. The array is the global compliance
+  /// of the body (mm/N). Tool and material are those of the response.
   std::string complianceArray;
   vtkSmartPointer<vtkContactTool> tool;
   double youngsModulus = 0.0; ///< MPa
   double poissonRatio = 0.0;
 };
 
-/// The body with that form in place of the response, and why, in a sentence.
+/// The body with that form in place of the response, and the reason for the form in a sentence.
 struct LeastForm
 {
   vtkSmartPointer<vtkPolyData> body; ///< null after an error
@@ -36,7 +37,7 @@ struct LeastForm
   std::string error;
 };
 
-/// By attachRegime and attachChoice. On any thread.
+/// Uses attachRegime and attachChoice. May run on any thread.
 PALPATEINTERACTION_EXPORT LeastForm findLeastForm(const LeastFormRequest& request);
 } // namespace palpate
 

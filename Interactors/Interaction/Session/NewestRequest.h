@@ -18,15 +18,15 @@
 namespace palpate
 {
 /**
- * A thread that works on the newest request: a new request replaces those that wait, and marks the
- * current one as stale. Only the destructor waits for it. The thread starts with the first request
- * and runs at lower priority if permitted.
+ * A thread that works on the newest request. A new request replaces those that wait, and marks the
+ * current one as stale. Only the destructor waits for the thread. The thread starts with the first
+ * request and runs at lower priority if permitted.
  */
 template <class Request, class Result>
 class NewestRequest
 {
 public:
-  /// Whether to give up: there is a newer request, or this one was cancelled.
+  /// Returns true if the work should stop: there is a newer request, or this one was cancelled.
   using Stale = std::function<bool()>;
   /// Runs on the thread. Stale results are discarded.
   using Work = std::function<Result(const Request&, const Stale&)>;
@@ -56,7 +56,7 @@ public:
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Waiting = std::move(request);
-      this->Done.reset(); // of an older request
+      this->Done.reset(); // the result of an older request
       ++this->Newest;
     }
     if (!this->Thread.joinable())
@@ -82,7 +82,7 @@ public:
     return this->Waiting || this->UnderWay == this->Newest;
   }
 
-  /// The result of the newest request, once; nothing until then.
+  /// Returns the result of the newest request once; empty before it is ready and afterwards.
   std::optional<Result> collect()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -94,7 +94,7 @@ private:
   {
 #ifdef __linux__
     constexpr int yielding = 10;
-    setpriority(PRIO_PROCESS, 0, yielding); // of this thread and those it starts
+    setpriority(PRIO_PROCESS, 0, yielding); // for this thread and those it starts
 #endif
     std::unique_lock<std::mutex> lock(this->Mutex);
     while (true)

@@ -15,7 +15,8 @@ namespace palpate
 {
 namespace
 {
-/// A compliance is inversely proportional to the modulus, a mode to its square root.
+/// Compliance is inversely proportional to Young's modulus; a mode is inversely proportional to its
+/// square root.
 void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
 {
   if (request.complianceArray.empty() || request.complianceFactor == 1.0)
@@ -42,14 +43,14 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
         scaled->SetComponent(t, c, factor * scaled->GetComponent(t, c));
       }
     }
-    data->AddArray(scaled); // in place of the one of this name
+    data->AddArray(scaled); // replaces the array of this name
   }
 }
 
 void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses& made,
   const std::function<bool()>& stale)
 {
-  made.error = request.tools[tool]->FindFault(); // not from GetKernel, which prints
+  made.error = request.tools[tool]->FindFault(); // GetKernel would print the error
   if (!made.error.empty())
   {
     return;
@@ -68,7 +69,7 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
   made.body = body;
 }
 
-/// The body with the form of a tool's response used for the force; null after an error.
+/// The body with the form of a tool's response that gives the force; null after an error.
 vtkSmartPointer<vtkPolyData> feltForm(
   const ResponseRequest& request, std::size_t tool, MadeResponses& made)
 {
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkPolyData> feltForm(
   return form.body;
 }
 
-/// As the session would make them; one after the other, as each is threaded.
+/// Makes the kernels as the session would. One after the other, since each uses several threads.
 void makeKernels(
   const ResponseRequest& request, MadeResponses& made, const std::function<bool()>& stale)
 {

@@ -19,25 +19,26 @@ struct SessionDevice
     Simulated,
     Plant,
     Replay,
-    Opened,     ///< hid, bridge: hardware or another program, only in real time
+    Opened,     ///< "hid", "bridge": hardware or another program, only in real time
     OfTheCaller ///< given by C++
   };
 
   Kind kind = Simulated;
   std::shared_ptr<HapticDevice> device; ///< null if it is made at Start
-  Trajectory trajectory;                ///< of Replay
-  HeldPlant held;                       ///< of Plant
+  Trajectory trajectory;                ///< for Replay
+  HeldPlant held;                       ///< for Plant
 
-  /// Whether its motion does not depend on the force, so that no loop is closed through it.
+  /// True if the motion of the device does not depend on the force, so that no loop is closed
+  /// through it.
   bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
-  /// Whether it is a hand that follows a path, or is steered.
+  /// True for a hand that follows a path or is steered.
   bool isSimulated() const { return this->kind == Simulated || this->kind == Plant; }
-  /// The specification at `rate`, Hz, also of a device that is made at Start.
+  /// Specification at `rate`, Hz. Also valid for a device that is made at Start.
   DeviceSpecification specification(double rate) const;
 };
 
 /// Reads "simulated", "plant", "plant:SETTINGS" (readPlant), "replay:FILE", "hid:PATH" or
-/// "bridge:ADDRESS", and opens it. Returns what is wrong, and leaves `device` unchanged, or "".
+/// "bridge:ADDRESS", and opens the device. Returns "" or an error, which leaves `device` unchanged.
 std::string openSessionDevice(const std::string& name, SessionDevice& device);
 } // namespace palpate
 

@@ -68,8 +68,8 @@ double VirtualRun::time() const
 
 void VirtualRun::step(double seconds)
 {
-  // Half a tick of tolerance, so that steps which add up to a whole number of ticks run that
-  // number.
+  // The tolerance of half a tick ensures that steps which add up to a whole number of ticks run
+  // exactly that number.
   this->Reached += seconds;
   const double end = this->Reached - 0.5 * this->Period;
   while (this->time() < end)
@@ -92,7 +92,7 @@ void VirtualRun::tick()
     this->stepAll(time);
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-  // Freed here, after the tick.
+  // Retired scenes are freed here, outside of the measured time of the tick.
   this->Step ? this->Step->takeRetired() : this->Together->takeRetired();
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
@@ -139,7 +139,7 @@ void RealTimeRun::change(std::unique_ptr<ServoScene> scene)
 
 const Tick& RealTimeRun::newest(std::size_t hand)
 {
-  this->collect(); // reading the newest tick at display rate keeps the ring buffer from filling
+  this->collect(); // reads the newest tick at display rate, so that the ring buffer does not fill
   return this->Loop.newest(hand);
 }
 

@@ -23,7 +23,7 @@ namespace palpate
 using SessionHands = std::vector<std::shared_ptr<HapticDevice>>;
 
 /// The devices and their servo step, from one Start of a session to the next. For the thread that
-/// owns the session. History and tape are of the first device.
+/// owns the session. History and tape record the first device.
 class SessionRun
 {
 public:
@@ -40,31 +40,31 @@ public:
   SessionRun(const SessionRun&) = delete;
   SessionRun& operator=(const SessionRun&) = delete;
 
-  /// Leaves no force on the devices.
+  /// Stops the run. No force remains on the devices.
   virtual void stop() = 0;
   virtual bool isRunning() const = 0;
-  /// Changes the force to another servo scene.
+  /// Changes over to another servo scene.
   virtual void change(std::unique_ptr<ServoScene> scene) = 0;
-  /// In virtual time, runs all ticks due in the next `seconds`.
+  /// In virtual time: runs all ticks due in the next `seconds`.
   virtual void step(double seconds) = 0;
   /// Virtual time, s, of the next tick; 0 in real time.
   virtual double time() const = 0;
 
   std::size_t hands() const { return this->Hands.size(); }
-  /// The newest tick of a device; a default one before the first.
+  /// Newest tick of a device; a default tick before the first.
   virtual const Tick& newest(std::size_t hand) = 0;
-  /// Collects what has been recorded meanwhile.
+  /// Collects the ticks recorded since the last call.
   virtual void collect() = 0;
   virtual std::uint64_t ticksMade() const = 0;
   /// The loop of the servo thread; null in virtual time.
   virtual ServoLoop* loop() { return nullptr; }
 
-  /// Every tick of a device up to the last collect(), if recorded.
+  /// All ticks of a device up to the last collect(), if they are recorded.
   const std::vector<Tick>& ticks(std::size_t hand) const { return this->Kept[hand].ticks; }
-  /// The last ticks, as far as they are kept.
+  /// The last ticks, as far as they are stored.
   const TickHistory& history() const { return this->History; }
   const TickSummary& summary(std::size_t hand) const { return this->Kept[hand].summary; }
-  /// Time each recorded tick took, in virtual time.
+  /// In virtual time: duration of each recorded tick.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
   vtkIdType firstPoly = 0; ///< cell id of the newest body's first triangle
@@ -98,13 +98,13 @@ protected:
   std::vector<double> Nanoseconds;
 };
 
-/// In virtual time, on the caller's thread; nothing depends on the machine but nanoseconds().
+/// A run in virtual time, on the caller's thread. Only nanoseconds() depends on the machine.
 class VirtualRun final : public SessionRun
 {
 public:
   VirtualRun(
     std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept);
-  /// Of several devices.
+  /// For several devices.
   VirtualRun(SessionHands hands, HandsStep servo, double rate, const TicksKept& kept);
   ~VirtualRun() override { this->stop(); }
 
@@ -121,21 +121,21 @@ private:
   void tick();
   void stepAll(double time);
 
-  std::optional<ServoStep> Step;     ///< of one device
-  std::optional<HandsStep> Together; ///< of several, instead
+  std::optional<ServoStep> Step;     ///< for one device
+  std::optional<HandsStep> Together; ///< for several devices, instead of Step
   double Period;
-  double Reached = 0.0; ///< time stepped to so far, s; ticks fall behind by less than one
+  double Reached = 0.0; ///< sum of all steps so far, s; ticks are behind it by less than one period
   bool Running = true;
   std::vector<Tick> Newest;
 };
 
-/// On the servo thread.
+/// A run on the servo thread.
 class RealTimeRun final : public SessionRun
 {
 public:
   RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
     const ServoLoopSettings& settings, const TicksKept& kept);
-  /// Of several devices.
+  /// For several devices.
   RealTimeRun(
     SessionHands hands, HandsStep servo, const ServoLoopSettings& settings, const TicksKept& kept);
 
@@ -152,7 +152,7 @@ public:
   ServoLoop* loop() override { return &this->Loop; }
 
 private:
-  ServoLoop Loop; ///< after the devices, so that it is destroyed first
+  ServoLoop Loop; ///< declared after the devices, so that it is destroyed first
 };
 } // namespace palpate
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vtkContactSetup keeps, for the files that it is made of.
+// Private state of a vtkContactSetup, shared by its source files.
 #ifndef SetupState_h
 #define SetupState_h
 
@@ -16,7 +16,7 @@
 namespace palpate::SetupArrays
 {
 constexpr const char* Thickness = "LayerThickness";
-constexpr const char* First = "LayerThickness0"; // of a stack
+constexpr const char* First = "LayerThickness0"; // first layer of a stack
 constexpr const char* Second = "LayerThickness1";
 constexpr const char* Compliance = "GlobalCompliance";
 } // namespace palpate::SetupArrays
@@ -24,15 +24,15 @@ constexpr const char* Compliance = "GlobalCompliance";
 struct vtkContactSetup::State
 {
   vtkSmartPointer<vtkPolyData> body;
-  vtkSmartPointer<vtkPolyData> copy; ///< a copy of the body for the other thread
+  vtkSmartPointer<vtkPolyData> copy; ///< copy of the body for the other thread
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<palpate::StackLayer> added; ///< layers below the first
 
   vtkSmartPointer<vtkPolyData> output;
-  palpate::MadeResponses made; ///< what the output was assembled from
+  palpate::MadeResponses made; ///< the responses from which the output was assembled
   vtkMTimeType requested = 0;  ///< modification time of the last request for responses
 
-  /// Last, so that it is destroyed first.
+  /// Declared last, so that it is destroyed first.
   palpate::NewestRequest<palpate::ResponseRequest, palpate::MadeResponses> background{
     palpate::makeResponses
   };

@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-/// 0 for no values.
+/// The value that the fraction `share` of the values does not exceed; 0 without values.
 double quantile(const std::vector<double>& sorted, double share)
 {
   return sorted.empty()

@@ -15,26 +15,27 @@ class vtkTable;
 
 namespace palpate
 {
-/// The ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s),
-/// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink);
+/// Writes the ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s),
+/// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink), and
 /// `MemoryForce` if any tick has memory. `firstPoly` is the cell id of the body's first triangle.
 void fillRecording(const std::vector<Tick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 
-/// Tip `index` of such a recording or of vtkToolContactProbe's output. False if there is no such
-/// tip, or one of Force, Deflection, ContactPoint and ContactCell is missing; other arrays are
-/// optional: time and applied force are NaN without.
+/// Reads tip `index` of such a recording or of the output of vtkToolContactProbe. Returns false if
+/// there is no such tip or one of Force, Deflection, ContactPoint and ContactCell is missing. Other
+/// arrays are optional; without them, time and applied force are NaN.
 bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick);
 
-/// One row, see vtkHapticRecorder::GetStatistics; `nanoseconds` holds the time of each tick.
+/// Writes one row, see vtkHapticRecorder::GetStatistics. `nanoseconds` holds the duration of each
+/// tick.
 void fillStatistics(
   const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics);
-/// The same in real time, with the times of the servo loop.
+/// The same for real time, with the times of the servo loop.
 void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table);
 
-/// A row per fraction of the ticks, see vtkHapticRecorder::GetTiming.
+/// Writes one row per fraction of the ticks, see vtkHapticRecorder::GetTiming.
 void fillTiming(const ServoStatistics& statistics, vtkTable* table);
-/// A row per class of durations, see vtkHapticRecorder::GetTimingHistogram.
+/// Writes one row per class of durations, see vtkHapticRecorder::GetTimingHistogram.
 void fillTimingHistogram(const ServoStatistics& statistics, vtkTable* table);
 } // namespace palpate
 

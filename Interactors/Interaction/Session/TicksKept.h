@@ -11,17 +11,17 @@
 
 namespace palpate
 {
-/// Counts and peaks over all ticks of a run, whether or not the ticks are kept.
+/// Counts and peaks over all ticks of a run, whether the ticks are stored or not.
 struct TickSummary
 {
   std::uint64_t ticks = 0;
   std::uint64_t inContact = 0;
   double peakForce = 0.0;      ///< ideal, N
-  double memoryAtPeak = 0.0;   ///< its memory part, N
+  double memoryAtPeak = 0.0;   ///< memory part of the peak force, N
   double peakApplied = 0.0;    ///< N
   double peakFriction = 0.0;   ///< N
   double peakDeflection = 0.0; ///< mm
-  std::uint16_t acted = 0;     ///< every SafetyLink that acted in any of them
+  std::uint16_t acted = 0;     ///< every SafetyLink that acted in any tick
 
   void add(const Tick& tick)
   {
@@ -37,11 +37,11 @@ struct TickSummary
   }
 };
 
-/// The ticks between start() and stop().
+/// Stores the ticks between start() and stop().
 class TickTape
 {
 public:
-  /// Keeps ticks from the next one on; drops earlier ones.
+  /// Stores ticks from the next one on; discards earlier ticks.
   void start()
   {
     this->Ticks.clear();
@@ -64,12 +64,12 @@ private:
   bool Running = false;
 };
 
-/// Which ticks are kept.
+/// Selects the ticks that are stored.
 struct TicksKept
 {
-  bool all = true;                ///< of the whole run
-  double historySeconds = 0.0;    ///< the last ones
-  std::shared_ptr<TickTape> tape; ///< the ticks between its start() and stop()
+  bool all = true;                ///< all ticks of the run
+  double historySeconds = 0.0;    ///< length of the history, s
+  std::shared_ptr<TickTape> tape; ///< stores the ticks between its start() and stop()
 };
 } // namespace palpate
 

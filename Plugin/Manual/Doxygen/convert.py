@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, page_name, split_target
 
-# Pages whose links make the tree of contents: what they name stands below them.
+# Pages whose links make the table of contents. The linked pages are placed below them.
 CONTENTS = {"manual", "house"}
 ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids",
                                  "Filters/Strain", "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
@@ -22,7 +22,7 @@ def private_headers():
         text = re.sub(r"#.*", "", (room / "CMakeLists.txt").read_text(encoding="utf-8"))
         private = False
         for word in re.findall(r"[^\s()]+|\)", text):
-            if word == ")" or re.fullmatch(r"[A-Z_]{4,}", word): # the end of a list, or the name of one
+            if word == ")" or re.fullmatch(r"[A-Z_]{4,}", word): # the end of a list, or the name of a list
                 private = word in ("PRIVATE_CLASSES", "PRIVATE_HEADERS")
             elif private:
                 yield room / (word if word.endswith(".h") else word + ".h")
@@ -57,7 +57,7 @@ class Page:
         if level == "#":
             return self.title(text)
         if self.name == "index":
-            level = level[1:] # Doxygen's main page has sections where others have subsections
+            level = level[1:] # Doxygen's main page has sections where other pages have subsections
         return "%s %s {#%s}" % (level, text, self.label(self.name, anchor(text)))
 
     def link(self, match):
@@ -85,7 +85,7 @@ class Page:
 
     def lines(self, text):
         if not any(line.startswith("# ") for _, line, code in lines_of(text) if not code):
-            yield self.title(self.path.stem.replace("-", " ").capitalize()) # a bare table
+            yield self.title(self.path.stem.replace("-", " ").capitalize()) # a table without a heading
         for _, line, code in lines_of(text):
             comment = re.fullmatch(r"<!-- (\w+) -->", line)
             if code:

@@ -19,7 +19,7 @@ from convert import Page, private_headers
 from pages import TOP, links, page_name, pages, split_target
 
 EXAMPLES = TOP / "Plugin/Python/examples"
-# What an example is called with, where it needs something.
+# Arguments of the examples that need some.
 ARGUMENTS = {"touch_window.py": ["--demo"], "read_contract.py": ["ball.vtp", "Finger", "100"]}
 
 

@@ -12,7 +12,7 @@ TOP = Path(__file__).resolve().parents[3]
 FENCE = re.compile(r"^ *```")
 HEADING = re.compile(r"^(#{1,6}) +(.*?) *$")
 CODE_SPAN = re.compile(r"(`+)(.+?)\1")
-# !, text, target: the text may hold code and one pair of brackets.
+# "!", text, target. The text may contain code and one pair of brackets.
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 EXTERNAL = re.compile(r"[a-z]+:")
 
@@ -44,7 +44,7 @@ def links(text):
     """(line number, is a picture, target) of each link that is not to another site."""
     for number, line, code in lines_of(text):
         if not code:
-            # What a code span says is no link; that a link's text is code does not matter here.
+            # Text in a code span is not a link. It does not matter here that the text of a link may be code.
             plain = CODE_SPAN.sub(lambda span: "`" * len(span.group()), line)
             for picture, _, target in LINK.findall(plain):
                 if not EXTERNAL.match(target):

@@ -23,7 +23,7 @@ int unitOf(pqPipelineSource* source)
   return vtkSMPropertyHelper(source->getProxy(), Unit).GetAsInt();
 }
 
-/// The render views in which an output of these is visible.
+/// The render views in which an output of these sources is visible.
 QSet<pqRenderView*> viewsOf(const QList<pqPipelineSource*>& sources)
 {
   QSet<pqRenderView*> views;
@@ -67,7 +67,7 @@ void pqUnitCamera::startup()
 
 void pqUnitCamera::watch(pqPipelineSource* source)
 {
-  // A state file sets properties before the source is announced.
+  // A state file sets properties before ParaView announces the source.
   const QString group = source->getProxy()->GetXMLGroup();
   if (group == "filters" && source->getProxy()->GetProperty(Unit))
   {
@@ -95,7 +95,7 @@ void pqUnitCamera::onDataUpdated(pqPipelineSource* source)
   this->resetViewsSoon();
 }
 
-/// After the pipeline, and the objects that show its sources, have finished.
+/// Resets the views after the pipeline, and the objects that show its sources, have finished.
 void pqUnitCamera::resetViewsSoon()
 {
   if (!this->Waiting.isEmpty())
@@ -113,7 +113,7 @@ void pqUnitCamera::resetViews()
     for (pqRenderView* view : views)
     {
       this->Waiting.remove(source);
-      view->getViewProxy()->Update(); // for the bounds that it is reset to
+      view->getViewProxy()->Update(); // updates the bounds to which the camera is reset
       view->resetCamera();
       view->render();
     }

@@ -9,9 +9,9 @@
 class pqPipelineSource;
 
 /**
- * A body whose Length Unit changes becomes ten or a thousand times as large, so that an unchanged
- * camera shows nothing. Once such a change is applied, the render views that show the body, or
- * results of it, are reset, keeping their direction.
+ * When the Length Unit of a body changes, the body becomes ten or a thousand times as large, and an
+ * unchanged camera shows nothing. Once such a change is applied, this class resets the render views
+ * that show the body, or results of it. They keep their direction.
  *
  * Nothing else moves the camera: no other property, and no unit set by a state file.
  */
@@ -38,7 +38,7 @@ private:
   Q_DISABLE_COPY(pqUnitCamera)
 
   QHash<pqPipelineSource*, int> Units; ///< the last unit of each source
-  QSet<pqPipelineSource*> Waiting;     ///< for a view that shows an output in another unit
+  QSet<pqPipelineSource*> Waiting;     ///< sources whose view shows an output in another unit
 };
 
 #endif

@@ -21,8 +21,8 @@
 pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : Superclass(proxy, group, parent)
 {
-  // The panel is notified of the change, too: afterwards, so that the filter is not left marked as
-  // changed, and once for all changes that have arrived meanwhile.
+  // The panel is notified of the change, too. follow() runs after that, so that the filter is not
+  // left marked as changed, and once for all changes that have arrived until then.
   const auto come = [this]()
   {
     if (!this->IsPending)
@@ -35,7 +35,8 @@ pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidg
   this->connect(this, &pqPropertyWidget::changeFinished, come);
   this->connect(
     this, &pqInteractivePropertyWidgetAbstract::endInteraction, this, &pqTouchHandle::traceEnd);
-  // The panel numbers handles in an order of its own, so each is named by the property it moves.
+  // The panel numbers handles in its own order, so each handle is named after the property that it
+  // moves.
   const char* property = proxy->GetPropertyName(group->GetProperty("WorldPosition"));
   const QString position = property ? property : "";
   this->connect(this, &QObject::objectNameChanged, this,

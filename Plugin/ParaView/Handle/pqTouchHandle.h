@@ -5,10 +5,10 @@
 #include "pqHandlePropertyWidget.h"
 
 /**
- * ParaView's point handle, whose filter follows it at once: the property group's panel widget
- * "touch_handle". A new position, dragged, picked or typed, is given to the filter without Apply,
- * and the view is drawn. Before the first Apply, or with changes of other properties, it waits for
- * Apply.
+ * ParaView's point handle, with a filter that follows it immediately: the panel widget
+ * "touch_handle" of a property group. A new position, dragged, picked or typed, is passed to the
+ * filter without Apply, and the view is drawn. Before the first Apply, or if other properties have
+ * changed, too, the position waits for Apply.
  */
 class pqTouchHandle : public pqHandlePropertyWidget
 {
@@ -21,7 +21,7 @@ public:
 
 private Q_SLOTS:
   void follow();
-  /// The end of a drag: traces the last position alone.
+  /// At the end of a drag: traces only the last position.
   void traceEnd();
 
 private:
@@ -29,7 +29,7 @@ private:
   /// Whether a property of the filter waits for Apply.
   bool hasOtherChanges() const;
 
-  bool IsPending = false; ///< a position that follow() has not seen
+  bool IsPending = false; ///< whether there is a position that follow() has not processed
 };
 
 #endif

@@ -38,7 +38,7 @@ Widget* named(const char* name, const char* help)
   return widget;
 }
 
-/// "± 4 %" of the newest tick; "–" without a contact, or if the response keeps no error.
+/// "± 4 %" for the newest tick; "–" without a contact, or if the response has no error array.
 QString errorOf(vtkHapticSession* session)
 {
   const Tick tick = session->GetNewestTick();

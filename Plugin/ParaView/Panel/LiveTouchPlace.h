@@ -8,17 +8,17 @@ namespace palpate
 {
 struct ContactBody;
 
-/// The handle in the view, and the tip that it defines: as in vtkToolTouch, so that both give the
-/// same force.
+/// The handle in the view, and the tip that it defines, as in vtkToolTouch. Both give the same
+/// force.
 struct TouchHandle
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
-  /// There is no position yet: the touch begins where findTouchStart finds.
+  /// True if there is no position yet: the touch begins at the place of findTouchStart.
   bool isToBeFound = false;
   /// Whether the tip is first moved to the surface point nearest to the handle.
   bool snaps = true;
-  /// How far the tip is moved inward along the normal there, mm. 0: half of the range of the
-  /// response if it snaps, otherwise not at all.
+  /// Distance by which the tip is moved inward along the normal there, mm. 0: half of the range of
+  /// the response if it snaps, otherwise no movement.
   double depth = 0.0;
 };
 
@@ -30,7 +30,7 @@ struct LiveTouchPlace
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< outward, unit
 };
 
-/// Cost: 1 µs, even on a body of millions of triangles.
+/// Finds the place for a handle. Cost: 1 µs, even for a body of millions of triangles.
 LiveTouchPlace findPlace(const ContactBody& body, const TouchHandle& handle);
 } // namespace palpate
 

@@ -16,11 +16,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double Lift = 3.0;   // mm above the surface, where a simulated hand starts
-constexpr double Hover = 10.0; // mm above the surface, where a device's hand starts
-constexpr double Leap = 0.1; // of the body's size: beyond this distance a simulated hand is lifted
+constexpr double Lift = 3.0;   // mm above the surface, start of a simulated hand
+constexpr double Hover = 10.0; // mm above the surface, start of a device's hand
+constexpr double Leap = 0.1;   // fraction of the body's size: beyond this distance a simulated hand
+                               // is lifted
 
-/// Keeps the session's errors as text, without class and address, which VTK includes.
+/// Stores the text of the session's errors, without the class and the address that VTK adds.
 void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
 {
   std::string error = static_cast<const char*>(text);
@@ -30,7 +31,7 @@ void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
   *static_cast<std::string*>(kept) = error;
 }
 
-/// The same arrays in separate objects, as displayed objects cache their bounds.
+/// The same arrays in another object, since objects on display cache their bounds.
 vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
 {
   auto view = vtkSmartPointer<vtkPolyData>::New();
@@ -62,7 +63,7 @@ void LiveTouchSession::start(vtkPolyData* body, const std::string& response,
 
 void LiveTouchSession::replace(vtkPolyData* body, const std::string& response)
 {
-  // During preparation no session runs that could keep its device.
+  // If the session does not run yet, there is no open device, so the request must name it.
   this->request(body, response, this->Now == State::Touching ? std::string() : this->Device);
 }
 
@@ -81,7 +82,7 @@ void LiveTouchSession::stop()
   {
     this->Session->Stop();
   }
-  this->Session = nullptr; // and its device
+  this->Session = nullptr; // releases its device, too
   this->Now = State::Idle;
   this->Kernels = {};
   this->Tool = nullptr;
@@ -111,7 +112,7 @@ bool LiveTouchSession::take(PreparedLiveTouch& made)
   {
     this->fail(made.error.empty() ? this->Complaint : made.error);
   }
-  // The other thread has finished the newest request, and so all.
+  // The other thread has finished the newest request, and so all requests.
   this->Held.clear();
   return true;
 }
@@ -196,7 +197,7 @@ bool LiveTouchSession::change(const PreparedLiveTouch& made)
   return true;
 }
 
-/// Starts above the place, and moves there.
+/// Puts the hand above the place, and moves it there.
 void LiveTouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
@@ -232,11 +233,12 @@ bool LiveTouchSession::steer(const TouchHandle& handle)
     return true;
   }
   this->Session->Stop();
-  this->Session->SetBody(this->Body, this->Kernels); // so that Start takes no time
+  this->Session->SetBody(this->Body, this->Kernels); // with the kernels, so that Start takes no
+                                                     // time
   this->putDown();
   if (this->Session->GetState() == vtkHapticSession::Stopped)
   {
-    this->Now = State::Preparing; // nothing to keep
+    this->Now = State::Preparing; // there is no session to keep
     return this->fail(this->Complaint);
   }
   return true;

@@ -20,18 +20,19 @@ namespace palpate
 /**
  * A body with responses under a device, in real time, for the panel.
  *
- * Slow work - the search structure of the body, a device that has to answer - is done on a separate
- * thread; start and replace return at once, and collect, called once a frame, continues when that
- * is done. A body that replaces another is felt from then on; until then the old one is.
+ * Slow work is done on another thread: the search structure of the body, a device that has to
+ * answer. start and replace return immediately. collect, called once a frame, continues when that
+ * work is done. A body that replaces another is in use from then on; before that, the old body is
+ * in use.
  *
- * A simulated hand follows steer. It begins above the surface, since there is no force before the
- * tip has been outside; when the target is far away it is lifted and put down there, rather than
- * moved through the body. Physical devices begin 10 mm above the place of the handle, their x to
- * the right and y up in the view.
+ * A simulated hand follows steer. It begins above the surface, since there is no force until the
+ * tip has been outside. If the target is far away, the hand is lifted and put down there; it is not
+ * moved through the body. Physical devices begin 10 mm above the place of the handle, with x to the
+ * right and y up in the view.
  *
- * stop, and the destructor, leave no force on the device and close it.
+ * stop and the destructor leave no force on the device and close it.
  *
- * For one thread. The bodies given must not be changed in place.
+ * For one thread. The given bodies must not be changed in place.
  */
 class LiveTouchSession
 {
@@ -48,33 +49,33 @@ public:
   LiveTouchSession(const LiveTouchSession&) = delete;
   LiveTouchSession& operator=(const LiveTouchSession&) = delete;
 
-  /// Prepares, then starts. `device` as for vtkHapticDevice::Open; `sight`: the user's view of the
-  /// body, with which the device is aligned.
+  /// Prepares, then starts. `device` as for vtkHapticDevice::Open. `sight` is the user's view of
+  /// the body; the device is aligned with it.
   void start(vtkPolyData* body, const std::string& response, const std::string& device,
     const TouchHandle& handle, const Sight& sight);
-  /// Gives the running session another body, or another response of it.
+  /// Gives the running session another body, or another response of the same body.
   void replace(vtkPolyData* body, const std::string& response);
   void stop();
 
-  /// To be called once a frame. True if state, body or error have changed.
+  /// To be called once a frame. Returns true if state, body or error have changed.
   bool collect();
-  /// To be called once a frame with the handle, which only the simulated device follows. False if
-  /// the session has ended because of it, see error().
+  /// To be called once a frame with the handle. Only a simulated device follows the handle. Returns
+  /// false if the session has ended because of this, see error().
   bool steer(const TouchHandle& handle);
 
   State state() const { return this->Now; }
   /// Whether another body is being prepared.
   bool isPreparing() const { return this->Background.isBusy(); }
-  /// Why the last start or replace has failed, or ""; and the defects of the mesh, or "".
+  /// The error of the last start or replace, or ""; and the defects of the mesh, or "".
   const std::string& error() const { return this->Error; }
   const std::string& warning() const { return this->Warning; }
 
   /// Null unless Touching.
   vtkHapticSession* session() { return this->Session; }
-  /// The tool whose response is touched; null unless Touching.
+  /// The tool of the response in use; null unless Touching.
   vtkContactTool* tool() { return this->Tool; }
   vtkPolyData* body() { return this->Body; }
-  /// Largest force of the response, at its range, N.
+  /// Largest force of the response at its range, N.
   double peakForce() const { return this->Peak; }
   /// The target of the tip, and the outward normal there.
   const LiveTouchPlace& place() const { return this->Place; }
@@ -91,7 +92,7 @@ private:
   State Now = State::Idle;
   std::string Error;
   std::string Warning;
-  std::string Complaint; ///< of the session
+  std::string Complaint; ///< last error of the session
   std::string Device;
   TouchHandle Handle;
   Sight View;
@@ -100,11 +101,11 @@ private:
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkContactTool> Tool;
   vtkSmartPointer<vtkPolyData> Body;
-  BodyKernels Kernels; ///< of the body
+  BodyKernels Kernels; ///< kernels of the body
 
-  /// Bodies the other thread may be reading; only this thread counts references to them.
+  /// Bodies that the other thread may be reading. Only this thread counts references to them.
   std::deque<vtkSmartPointer<vtkPolyData>> Held;
-  /// Last, so that it is destroyed first.
+  /// Declared last, so that it is destroyed first.
   NewestRequest<LiveTouchRequest, PreparedLiveTouch> Background{ prepareLiveTouch };
 };
 } // namespace palpate

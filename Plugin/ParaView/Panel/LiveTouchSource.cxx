@@ -57,7 +57,7 @@ Proxy newFilter(vtkSMSourceProxy* beside, const char* name)
     vtkSMSourceProxy::SafeDownCast(beside->GetSessionProxyManager()->NewProxy("filters", name)));
 }
 
-/// The parts of several ranks; field arrays from the first part that has any.
+/// Joins the parts of several ranks. Field arrays are those of the first part that has any.
 vtkSmartPointer<vtkPolyData> joinParts(vtkCompositeDataSet* parts)
 {
   vtkNew<vtkAppendPolyData> append;

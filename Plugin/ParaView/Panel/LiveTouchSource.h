@@ -17,31 +17,31 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A response on a body, known to the client without its data.
+/// A response of a body, as the client knows it without the data.
 struct StoredResponse
 {
-  std::string name; ///< prefix of its arrays
+  std::string name; ///< prefix of the response arrays
   std::string tool; ///< its tool, "sphere:6.35"; "" if unknown
 };
 
-/// The part of the pipeline that is touched.
+/// The part of the pipeline that is used for a live touch.
 struct LiveTouchSource
 {
   pqOutputPort* body = nullptr;      ///< null: see obstacle
-  pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle leads the tip, or null
+  pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle defines the tip, or null
   std::vector<StoredResponse> responses;
-  QString obstacle; ///< why nothing can be touched, in words; "": it can
+  QString obstacle; ///< reason why no live touch is possible, in words; "" if it is possible
 };
 
-/// The body of the active source: its output, or, for a source *Touch*, its input, as its output is
-/// dented.
+/// Finds the body of the active source: its output or, for a source *Touch*, its input, as its
+/// output is dented.
 LiveTouchSource findLiveTouchSource(pqOutputPort* active);
 
-/// Its data on the client; waits for the server. With several ranks of the server all parts are
-/// joined. Null, and why, if there is none.
+/// Gets the data of the body to the client; waits for the server. With several ranks of the server
+/// all parts are joined. Returns null, and an error, if there are no data.
 vtkSmartPointer<vtkPolyData> fetchBody(pqOutputPort* body, QString& error);
 
-/// The handle of a source *Touch*, also during a drag that is not applied yet.
+/// Reads the handle of a source *Touch*, also during a drag that is not applied yet.
 TouchHandle readTouchHandle(pqPipelineSource* touch);
 } // namespace palpate
 

@@ -16,9 +16,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double ToolShare = 0.15; // of the body's size, length of the tool
-constexpr double ArrowShare = 0.5; // of the body's size, arrow of the largest force
-constexpr double Least = 1e-3;     // mm and N: less is not visible
+constexpr double ToolShare = 0.15; // length of the tool, fraction of the body's size
+constexpr double ArrowShare = 0.5; // length of the largest force's arrow, fraction of the body's
+                                   // size
+constexpr double Least = 1e-3;     // mm and N: smaller changes are not visible
 
 vtkRenderer* rendererOf(pqRenderView* view)
 {
@@ -83,7 +84,7 @@ void LiveTouchStage::prepare(LiveTouchSession& touch)
   const LiveTouchPlace& place = touch.place();
   const double none[3] = { 0.0, 0.0, 0.0 };
   this->Tool->SetContact(place.surface.data(), place.normal.data(), place.surface.data(), none);
-  renderer->AddViewProp(this->Tool); // a repeated call adds nothing
+  renderer->AddViewProp(this->Tool); // a repeated call has no effect
   this->ShowsNothing = true;
 }
 

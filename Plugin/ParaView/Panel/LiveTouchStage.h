@@ -17,8 +17,9 @@ namespace palpate
 class LiveTouchSession;
 
 /**
- * Tool, force arrow and, if wanted, a handle in a view of ParaView: drawn by the client over the
- * server's picture, as ParaView's own widgets are. Not part of the pipeline, nor of a state file.
+ * Tool, force arrow and, if needed, a handle in a view of ParaView. The client draws them over the
+ * server's picture, as ParaView's own widgets. They are not part of the pipeline or of a state
+ * file.
  */
 class LiveTouchStage
 {
@@ -33,13 +34,13 @@ public:
   void leave();
   pqRenderView* view() const { return this->View; }
 
-  /// Fits tool and arrow to the body, and shows the tool above its place.
+  /// Fits tool and arrow to the size of the body, and shows the tool above its place.
   void prepare(LiveTouchSession& touch);
-  /// Moves tool and arrow to the newest tick. False if they have not moved visibly.
+  /// Moves tool and arrow to the newest tick. Returns false if they have not moved visibly.
   bool show(LiveTouchSession& touch);
 
   ///@{
-  /// Its own handle, which the user drags; on release it jumps to the surface.
+  /// The stage's own handle, which the user drags. On release it jumps to the surface.
   void showHandle(const Eigen::Vector3d& position);
   bool hasHandle() const;
   Eigen::Vector3d handle() const;
@@ -55,7 +56,7 @@ private:
   vtkNew<vtkPointHandleRepresentation3D> Cross;
   bool Released = false;
   bool ShowsNothing = true;
-  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< shown
+  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< as shown
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   Eigen::Vector3d Applied = Eigen::Vector3d::Zero();
 };

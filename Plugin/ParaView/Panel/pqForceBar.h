@@ -5,9 +5,9 @@
 #include <QWidget>
 
 /**
- * A force as a bar, N: the applied force, solid; the ideal force, if it differs, as an outline; the
- * largest force of the device as a red mark. The bar ends at the full scale; a limit beyond it is
- * not drawn.
+ * A force as a bar, N. The applied force is solid; the ideal force, if it differs, is an outline;
+ * the largest force of the device is a red mark. The bar ends at the full scale; a limit beyond the
+ * scale is not drawn.
  */
 class pqForceBar : public QWidget
 {
@@ -20,7 +20,7 @@ public:
 
   double force() const { return this->Applied; }
   double limit() const { return this->Limit; }
-  /// Length of the bar, and position of the mark; N, > 0.
+  /// Sets the length of the bar and the position of the mark; N, > 0.
   void setScale(double fullScale, double limit);
   void setForce(double applied, double ideal);
 

@@ -27,7 +27,7 @@
 namespace
 {
 constexpr int FrameTime = 16;    // ms
-constexpr int NumbersTime = 100; // ms: faster cannot be read
+constexpr int NumbersTime = 100; // ms: faster numbers cannot be read
 constexpr int RateTime = 1000;   // ms
 } // namespace
 
@@ -42,7 +42,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   this->Form = new palpate::LiveTouchForm(contents);
   scroll->setWidget(contents);
   this->setWidget(scroll);
-  this->hide(); // until it is shown by the menu View
+  this->hide(); // until the menu View shows it
 
   this->Frame.setInterval(FrameTime);
   QObject::connect(&this->Frame, &QTimer::timeout, this, &pqLiveTouchPanel::frame);
@@ -61,7 +61,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &pqLiveTouchPanel::onDataUpdated);
   QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this,
-    &pqLiveTouchPanel::showSource); // applied for the first time
+    &pqLiveTouchPanel::showSource); // on the first Apply
   QObject::connect(
     model, &pqServerManagerModel::preSourceRemoved, this, &pqLiveTouchPanel::onSourceGoes);
   QObject::connect(
@@ -76,7 +76,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
 
 pqLiveTouchPanel::~pqLiveTouchPanel()
 {
-  // At the end of the program source and view may no longer exist.
+  // At the end of the program, source and view may no longer exist.
   this->Touch.stop();
   delete this->Form;
 }
@@ -93,7 +93,7 @@ void pqLiveTouchPanel::showEvent(QShowEvent* event)
 
 void pqLiveTouchPanel::closeEvent(QCloseEvent* event)
 {
-  this->stop(); // no force without a button that ends it
+  this->stop(); // there must be no force without a button that ends it
   this->QDockWidget::closeEvent(event);
 }
 
@@ -130,7 +130,7 @@ void pqLiveTouchPanel::onToggled(bool shown)
 {
   if (!shown)
   {
-    this->stop(); // as by closing it
+    this->stop(); // as if it were closed
   }
 }
 
@@ -177,7 +177,7 @@ void pqLiveTouchPanel::fail(const QString& error)
 
 void pqLiveTouchPanel::stop()
 {
-  this->Touch.stop(); // first of all
+  this->Touch.stop(); // before everything else, so that there is no force
   this->Frame.stop();
   if (!this->Body)
   {
@@ -192,7 +192,7 @@ void pqLiveTouchPanel::stop()
     view->render();
   }
   this->Form->showRest(this->Touch, this->CanStart, this->Fault);
-  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // after the removal
+  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // after the source is removed
 }
 
 palpate::TouchHandle pqLiveTouchPanel::readHandle() const
@@ -215,7 +215,7 @@ void pqLiveTouchPanel::frame()
   {
     this->onSessionChanged();
   }
-  // If rendering takes long, half of the time is left to the user.
+  // If rendering takes long, half of the time is left for the user's input.
   if (this->Touch.state() != palpate::LiveTouchSession::State::Touching ||
     this->Rest.elapsed() < this->RenderTime)
   {

@@ -16,17 +16,18 @@ class pqServer;
 class pqView;
 
 /**
- * The dock *Live Touch*: the active source's body under a haptic device, felt by a servo thread and
- * shown in the active render view.
+ * The dock *Live Touch*: the body of the active source under a haptic device. A servo thread
+ * computes the force, and the active render view shows it.
  *
- * It connects widgets (LiveTouchForm), session (LiveTouchSession), pipeline (LiveTouchSource) and
- * view (LiveTouchStage). A timer reads the newest tick some 60 times a second while a session runs;
- * the view is rendered when the tool has moved, and half of the time is left to the user. It never
- * waits for the servo thread or a preparation, only for data of a remote server.
+ * The panel connects widgets (LiveTouchForm), session (LiveTouchSession), pipeline
+ * (LiveTouchSource) and view (LiveTouchStage). While a session runs, a timer reads the newest tick
+ * about 60 times a second. The view is rendered when the tool has moved; half of the time is left
+ * for the user's input. The panel never waits for the servo thread or a preparation, only for data
+ * of a remote server.
  *
- * The session ends, with no force on the device, when the dock is closed, before its source, view
- * or server is removed, before a state is loaded, and when ParaView quits. Body, view and handle
- * are those of the Start; new data of the body replace the old.
+ * The session ends, with no force on the device, when the dock is closed; before its source, view
+ * or server is removed; before a state is loaded; and when ParaView quits. The session keeps the
+ * body, view and handle of its Start; new data of the body replace the old data.
  */
 class pqLiveTouchPanel : public QDockWidget
 {
@@ -61,20 +62,20 @@ private:
   void showNumbers();
   bool isIdle() const { return this->Touch.state() == palpate::LiveTouchSession::State::Idle; }
 
-  palpate::LiveTouchForm* Form; ///< owned, like its widgets
+  palpate::LiveTouchForm* Form; ///< owned, together with its widgets
   palpate::LiveTouchStage Stage;
-  palpate::LiveTouchSession Touch;    ///< after the stage, so that it is destroyed first
-  pqOutputPort* Body = nullptr;       ///< touched; null while idle
-  pqPipelineSource* Leader = nullptr; ///< whose handle leads the tip, or null
+  palpate::LiveTouchSession Touch;    ///< declared after the stage, so that it is destroyed first
+  pqOutputPort* Body = nullptr;       ///< the body in use; null while idle
+  pqPipelineSource* Leader = nullptr; ///< the source whose handle defines the tip, or null
   bool CanStart = false;
-  QString Fault; ///< why the last start failed
+  QString Fault; ///< error of the last start
   bool Fetching = false;
   QTimer Frame;
-  QElapsedTimer Rendering; ///< since the last one began
-  QElapsedTimer Rest;      ///< since the last one ended
-  qint64 RenderTime = 0;   ///< ms, of the last one
-  QElapsedTimer Shown;     ///< since numbers were shown
-  QElapsedTimer Measured;  ///< since ticks were counted
+  QElapsedTimer Rendering; ///< since the last rendering began
+  QElapsedTimer Rest;      ///< since the last rendering ended
+  qint64 RenderTime = 0;   ///< duration of the last rendering, ms
+  QElapsedTimer Shown;     ///< since the numbers were shown
+  QElapsedTimer Measured;  ///< since the ticks were counted
   vtkIdType MeasuredTicks = 0;
   double Rate = 0.0; ///< ticks per second
 };

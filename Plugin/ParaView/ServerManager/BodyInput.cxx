@@ -17,8 +17,8 @@ namespace palpate
 {
 void BodyInput::admit(vtkInformation* port)
 {
-  // In this order: a composite is taken whole, and other data reach vtkBodySurface, which reports
-  // them.
+  // The order matters: a composite must be passed as a whole. Other data are passed to
+  // vtkBodySurface, which reports them.
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -39,7 +39,7 @@ void BodyInput::askForGhosts(vtkInformationVector** inputs, vtkInformationVector
 
 bool BodyInput::isKept(vtkDataObject* data) const
 {
-  // The ranks must agree on whether vtkBodySurface runs: several always run it.
+  // The ranks must agree on whether vtkBodySurface runs. With several ranks it always runs.
   auto* ranks = vtkMultiProcessController::GetGlobalController();
   return this->Kept && data && data->GetMTime() == this->KeptFrom &&
     this->Surface->GetMTime() == this->KeptBy && (!ranks || ranks->GetNumberOfProcesses() == 1);

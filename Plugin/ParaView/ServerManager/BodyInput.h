@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The body of a proxy: converts any data of ParaView for a filter of triangles in mm.
+ * The body input of a proxy: converts any data of ParaView for a filter that needs triangles in mm.
  *
- * A thin subclass of the filter has one, by palpateBodyInputMacro. It declares that the port
- * accepts any data, and in RequestData runs the filter's own RequestData on replaced inputs. Data
- * that are not a body are an error of vtkBodySurface that names the filter to apply before.
+ * A thin subclass of the filter has such a member, by palpateBodyInputMacro. The subclass declares
+ * that the port accepts any data, and its RequestData runs the filter's own RequestData on replaced
+ * inputs. For data that are not a body, vtkBodySurface reports an error that names the filter to
+ * apply first.
  */
 #ifndef palpate_BodyInput_h
 #define palpate_BodyInput_h
@@ -25,17 +26,18 @@ namespace palpate
 class BodyInput
 {
 public:
-  /// For FillInputPortInformation: any data, composites whole.
+  /// For FillInputPortInformation: accepts any data, composites as a whole.
   static void admit(vtkInformation* port);
 
-  /// For RequestUpdateExtent, after the filter's own: volumes in pieces need ghost cells.
+  /// For RequestUpdateExtent, after that of the filter: volumes in pieces need ghost cells.
   static void askForGhosts(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-  /// Its settings are the user's. It is not an input of the filter: include it in GetMTime.
+  /// The filter that converts, with the settings of the user. It is not an input of the filter, so
+  /// GetMTime must include it.
   vtkBodySurface* surface() { return this->Surface; }
 
-  /// The inputs of `ports` ports with the first one's data as triangles in mm; null after an error,
-  /// on all ranks alike. Cached for the same data, unit and rank.
+  /// The inputs of `ports` ports, with the data of the first one replaced by triangles in mm. Null
+  /// after an error, on all ranks alike. Cached for the same data, unit and rank.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports);
 
 private:
@@ -43,7 +45,7 @@ private:
 
   vtkNew<vtkBodySurface> Surface;
   vtkSmartPointer<vtkPolyData> Kept;
-  vtkMTimeType KeptFrom = 0; // MTime of the data and of the surface's settings
+  vtkMTimeType KeptFrom = 0; // modification times of the data and of the surface's settings
   vtkMTimeType KeptBy = 0;
   vtkSmartPointer<vtkInformationVector> First;
   std::vector<vtkInformationVector*> Inputs;
@@ -52,7 +54,7 @@ private:
 
 /**
  * Makes a filter accept any surface or volume, composite or not, in any unit of length (0 mm, the
- * default, 1 cm, 2 m). For the end of its subclass.
+ * default, 1 cm, 2 m). To be used at the end of the subclass.
  */
 #define palpateBodyInputMacro()                                                                    \
 public:                                                                                            \

@@ -16,9 +16,9 @@ struct Published
 
 constexpr std::array<Published, 9> Materials = { {
   { 0.1, 0.45 }, // Custom: not used
-  // Mahvash and Hayward 2002, section 4: E* = 3.45 MPa of a rubber, hence E = 3.45 (1 - 0.5^2).
+  // Mahvash and Hayward 2002, section 4: E* = 3.45 MPa for a rubber, so E = 3.45 (1 - 0.5^2).
   { 2.5875, 0.5 },
-  // Johnston et al. 2014, tension: 1.32 MPa cured at 25 degrees C, 2.97 at 200.
+  // Johnston et al. 2014, tension: 1.32 MPa if cured at 25 degrees C, 2.97 MPa at 200 degrees C.
   { 1.32, 0.5 },
   // Nguyen et al. 2014, shear waves in 5 % gelatin: G = 4.18 +- 0.84 kPa.
   { 0.01254, 0.5 },
@@ -26,11 +26,11 @@ constexpr std::array<Published, 9> Materials = { {
   { 0.00627, 0.5 },
   // Chakouch et al. 2015, magnetic resonance elastography, rectus femoris: G = 3.91 +- 0.16 kPa.
   { 0.01173, 0.5 },
-  // The same, fat under the skin of the thigh: G = 3.04 +- 0.12 kPa.
+  // Chakouch et al. 2015, fat under the skin of the thigh: G = 3.04 +- 0.12 kPa.
   { 0.00912, 0.5 },
   // Briot et al. 2022, suction, 7 persons: 3.04 +- 1.17 kPa.
   { 0.00304, 0.5 },
-  // The same, skin: 56.3 +- 16.4 kPa.
+  // Briot et al. 2022, skin: 56.3 +- 16.4 kPa.
   { 0.0563, 0.5 },
 } };
 

@@ -2,11 +2,11 @@
 /**
  * Named materials: Young's modulus and Poisson's ratio as published.
  *
- * The list is the enumeration "Material" of ToolContactResponse and ContactRegime, in its order;
- * the help there names author, year and how it was measured. Published values of a soft tissue
- * scatter by a factor of two and more, with the person, the place, the strain and the method: a
- * preset is only a starting value. If a shear modulus G was published, E = 3 G, as for Poisson's
- * ratio 0.5.
+ * The list is the enumeration "Material" of ToolContactResponse and ContactRegime, in its order.
+ * The help there names author, year and method of measurement. Published values of a soft tissue
+ * differ by a factor of two and more, with the person, the place, the strain and the method: a
+ * preset is only a starting value. If a shear modulus G was published, E = 3 G, which assumes
+ * Poisson's ratio 0.5.
  */
 #ifndef palpate_MaterialPreset_h
 #define palpate_MaterialPreset_h
@@ -19,15 +19,15 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// 0, Custom, up to count() - 1; others are ignored.
+  /// From 0, Custom, to count() - 1; other values are ignored.
   void choose(int material);
   int chosen() const { return this->Chosen; }
 
-  /// The user's values for Custom.
+  /// Values of the user, for Custom.
   double youngsModulus = 0.1; // MPa
   double poissonRatio = 0.45;
 
-  /// The present value.
+  /// The value in use.
   double youngsModulusInForce() const;
   double poissonRatioInForce() const;
 
@@ -37,8 +37,8 @@ private:
 } // namespace palpate
 
 /**
- * Adds a Material by name to a filter's subclass, at the end of its class: it replaces
- * YoungsModulus and PoissonRatio, which are kept for Custom.
+ * Adds a Material by name to a filter's subclass, at the end of its class. It replaces
+ * YoungsModulus and PoissonRatio, whose values are kept for Custom.
  */
 #define palpateMaterialPresetMacro()                                                               \
 public:                                                                                            \

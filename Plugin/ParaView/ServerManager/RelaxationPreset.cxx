@@ -15,9 +15,10 @@ const std::array<Branches, 4>& relaxations()
     // +- 0.13, so p = 0.72/0.28, and 0.19 +- 0.10 s.
     { { 2.57, 0.19 } },
     // Zheng and Mak 1999, J. Biomech. Eng. 121:330, indentation of limbs, quasi-linear: alpha 0.029
-    // to 0.277, so p = alpha/(1 - alpha) 0.03 to 0.38, and 0.05 to 8.93 s: the middle of both.
+    // to 0.277, so p = alpha/(1 - alpha) is 0.03 to 0.38, and 0.05 to 8.93 s. The values here are
+    // in the middle of both ranges.
     { { 0.15, 1.0 } },
-    // An assumption, not published: loops as narrow as in Mahvash and Hayward 2002.
+    // An assumption, not published: it gives loops as narrow as in Mahvash and Hayward 2002.
     { { 0.05, 0.1 }, { 0.05, 3.0 } },
   } };
   return Published;

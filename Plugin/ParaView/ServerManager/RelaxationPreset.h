@@ -2,8 +2,8 @@
 /**
  * Named relaxations, as published, to combine with the moduli of MaterialPreset.
  *
- * The list is the enumeration "Relaxation" of ToolContactResponse, in its order; the help there
- * names author and year. Published values for a tissue scatter more than its modulus.
+ * The list is the enumeration "Relaxation" of ToolContactResponse, in its order. The help there
+ * names author and year. Published values for a tissue differ more than its modulus.
  */
 #ifndef palpate_RelaxationPreset_h
 #define palpate_RelaxationPreset_h
@@ -19,14 +19,14 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// 0, Custom, up to count() - 1; others are ignored.
+  /// From 0, Custom, to count() - 1; other values are ignored.
   void choose(int relaxation);
   int chosen() const { return this->Chosen; }
 
-  /// The user's values for Custom: strength and seconds of each.
+  /// Values of the user, for Custom: strength and time (s) of each branch.
   std::vector<std::array<double, 2>> own;
 
-  /// The present values.
+  /// The values in use.
   std::vector<std::array<double, 2>> inForce() const;
 
 private:
@@ -34,8 +34,8 @@ private:
 };
 } // namespace palpate
 
-/// Adds a Relaxation by name to a filter's subclass, at the end of its class: it replaces the
-/// relaxations given one by one, which are kept for Custom.
+/// Adds a Relaxation by name to a filter's subclass, at the end of its class. It replaces the
+/// single relaxations, whose values are kept for Custom.
 #define palpateRelaxationPresetMacro()                                                             \
 public:                                                                                            \
   void SetRelaxation(int relaxation)                                                               \

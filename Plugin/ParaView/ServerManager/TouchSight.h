@@ -10,8 +10,8 @@ class vtkSMProxy;
 
 namespace palpate
 {
-/// The present view of bodies in a render view; the default for any other proxy, or none. On the
-/// client.
+/// The present view of a body in a render view; the default sight for any other proxy, or null. For
+/// the client.
 PALPATESERVERMANAGER_EXPORT Sight sightOf(vtkSMProxy* view);
 } // namespace palpate
 

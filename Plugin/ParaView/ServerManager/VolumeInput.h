@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The volume of a proxy: converts any data of ParaView for a filter of one vtkUnstructuredGrid in
- * mm. A thin subclass of the filter has one, by palpateVolumeInputMacro; see BodyInput.h.
+ * The volume input of a proxy: converts any data of ParaView for a filter that needs one
+ * vtkUnstructuredGrid in mm. A thin subclass of the filter has such a member, by
+ * palpateVolumeInputMacro; see BodyInput.h.
  */
 #ifndef palpate_VolumeInput_h
 #define palpate_VolumeInput_h
@@ -24,13 +25,14 @@ public:
   /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
   int LengthUnit = 0;
 
-  /// The inputs of up to three ports, the first one's data as one mesh in mm (blocks and partitions
-  /// are joined where their points coincide exactly), a surface, image or mesh on the others in mm;
-  /// null after an error, with what is wrong in `fault`. The same data for the same data and unit.
+  /// The inputs of up to three ports: on the first port one mesh in mm (blocks and partitions are
+  /// joined where their points coincide exactly), on the others a surface, image or mesh in mm.
+  /// Null after an error, which sets `fault`. The same objects are returned for the same data and
+  /// unit.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:
-  /// What another port has, in mm.
+  /// The data of another port, in mm.
   struct Other
   {
     vtkSmartPointer<vtkDataObject> Made;
@@ -53,8 +55,8 @@ private:
 };
 } // namespace palpate
 
-/// Makes a filter of a volume accept any, in any unit of length. For the end of its subclass. The
-/// source needs BodyInput.h, vtkInformation.h and vtkInformationVector.h.
+/// Makes a filter of a volume accept any volume, in any unit of length. To be used at the end of
+/// the subclass. The source file needs BodyInput.h, vtkInformation.h and vtkInformationVector.h.
 #define palpateVolumeInputMacro()                                                                  \
 public:                                                                                            \
   void SetLengthUnit(int unit)                                                                     \

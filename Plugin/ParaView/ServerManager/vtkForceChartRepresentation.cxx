@@ -24,7 +24,7 @@ void vtkForceChartRepresentation::SetAbscissa(const char* name)
   }
 }
 
-/// Sets a title unless somebody else has.
+/// Sets a title unless the user has set another one.
 void vtkForceChartRepresentation::TitleAxis(int axis, const std::string& title, std::string& given)
 {
   vtkAxis* shown = this->GetChart()->GetAxis(axis);
@@ -45,7 +45,7 @@ void vtkForceChartRepresentation::PrepareForRendering()
     return;
   }
   const bool first = this->Abscissa == GetFirstColumn() ||
-    !table->GetColumnByName(this->Abscissa.c_str()); // it existed before the filter changed
+    !table->GetColumnByName(this->Abscissa.c_str()); // the column existed before the filter changed
   const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
@@ -63,8 +63,8 @@ void vtkForceChartRepresentation::PrepareForRendering()
   }
 }
 
-/// The bounds of a force by its error (vtkResponseCurves.h) are thin lines in the force's colour,
-/// without legend.
+/// The bounds of a force by its error (vtkResponseCurves.h) are thin lines in the colour of the
+/// force, without an entry in the legend.
 void vtkForceChartRepresentation::StyleBands()
 {
   vtkChartXY* chart = this->GetChart();
@@ -94,7 +94,7 @@ void vtkForceChartRepresentation::StyleBands()
   }
 }
 
-/// Before every render, as the view may have cleared a title.
+/// Before each render the titles are set again, as the view may have cleared them.
 int vtkForceChartRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
 {

@@ -3,10 +3,10 @@
  * @class vtkForceChartRepresentation
  * @brief lines in ParaView's chart, over the table's first column and with titles on the axes
  *
- * As vtkXYChartRepresentation, except that the abscissa is a column by its name or, with the name
- * `First column` (the default), the column that is first when the chart is drawn, so that it
- * follows the filter; and that titles of the bottom and left axes left empty by the view become the
- * name of the abscissa and `Force (N)`. Titles set in the view are kept.
+ * As vtkXYChartRepresentation, with two exceptions. The abscissa is a column given by its name.
+ * With the name `First column` (the default), it is the first column at the time of drawing, so
+ * that it follows the filter. If the view leaves the titles of the bottom and left axes empty, they
+ * become the name of the abscissa and `Force (N)`. Titles set in the view are kept.
  */
 #ifndef vtkForceChartRepresentation_h
 #define vtkForceChartRepresentation_h
@@ -22,11 +22,11 @@ public:
   static vtkForceChartRepresentation* New();
   vtkTypeMacro(vtkForceChartRepresentation, vtkXYChartRepresentation);
 
-  /** The name of Abscissa for the first column. */
+  /** Name of the Abscissa that means the first column. */
   static const char* GetFirstColumn() { return "First column"; }
 
   ///@{
-  /** The column under the curves. Default `First column`. */
+  /** The column of the horizontal axis. Default `First column`. */
   void SetAbscissa(const char* name);
   const char* GetAbscissa() { return this->Abscissa.c_str(); }
   ///@}
@@ -46,7 +46,7 @@ private:
   void TitleAxis(int axis, const std::string& title, std::string& given);
 
   std::string Abscissa = GetFirstColumn();
-  std::string BottomTitle; ///< as set by this
+  std::string BottomTitle; ///< as set by this object
   std::string LeftTitle;
 };
 

@@ -3,8 +3,8 @@
  * @class vtkPVContactRegime
  * @brief the regime of a named material
  *
- * A Material by name replaces YoungsModulus and PoissonRatio, which are kept for Custom; arrays per
- * point take precedence.
+ * A Material by name replaces YoungsModulus and PoissonRatio, whose values are kept for Custom.
+ * Arrays per point take precedence.
  */
 #ifndef vtkPVContactRegime_h
 #define vtkPVContactRegime_h

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVNoduleDetectability
- * @brief where nodules are felt, on any volume
+ * @brief where nodules change the force noticeably, on any volume
  *
- * The filter as ParaView's menu offers it: its body may be any volume mesh, as that of
- * vtkPVElasticCompliance. Settings and results are those of the superclass; all lengths but the
+ * The filter in ParaView's menu: its body may be any volume mesh, as that of
+ * vtkPVElasticCompliance. Settings and results are those of the superclass. All lengths except the
  * input's coordinates are in mm.
  */
 #ifndef vtkPVNoduleDetectability_h

@@ -3,8 +3,8 @@
  * @class vtkPVNoduleMaterial
  * @brief nodules in any volume
  *
- * The filter as ParaView's menu offers it: its body may be any volume mesh, as that of
- * vtkPVElasticCompliance. Settings and results are those of the superclass; all lengths but the
+ * The filter in ParaView's menu: its body may be any volume mesh, as that of
+ * vtkPVElasticCompliance. Settings and results are those of the superclass. All lengths except the
  * input's coordinates are in mm.
  */
 #ifndef vtkPVNoduleMaterial_h

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVToolContactResponse
- * @brief responses of any body, of a named material
+ * @brief responses of any body, with a named material
  *
- * The filter as ParaView's menu offers it: its body may be any surface or volume, composite or not,
- * in any unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are
- * those of the superclass; all lengths but the input's coordinates are in mm. A Material by name
- * replaces YoungsModulus and PoissonRatio, which are kept for Custom; arrays per point take
- * precedence. Likewise a Relaxation by name replaces the relaxations given one by one.
+ * The filter in ParaView's menu: its body may be any surface or volume, composite or not, in any
+ * unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are those of
+ * the superclass. All lengths except the input's coordinates are in mm. A Material by name replaces
+ * YoungsModulus and PoissonRatio, whose values are kept for Custom; arrays per point take
+ * precedence. In the same way, a Relaxation by name replaces the single relaxations.
  */
 #ifndef vtkPVToolContactResponse_h
 #define vtkPVToolContactResponse_h

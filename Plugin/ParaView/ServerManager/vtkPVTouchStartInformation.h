@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVTouchStartInformation
- * @brief where a touch of a source's output begins, found on the server
+ * @brief the starting point of a touch on a source's output, found on the server
  *
- * Gathered from a source: the place that palpate::findTouchStart finds on its output, for the
- * client's view and one response. With several ranks it is that of the first that has one, as Touch
- * does not support a body in pieces.
+ * Gathered from a source: the place that palpate::findTouchStart finds on its output, for the view
+ * of the client and one response. With several ranks it is the place of the first rank that has
+ * one, as Touch does not support a body in pieces.
  */
 #ifndef vtkPVTouchStartInformation_h
 #define vtkPVTouchStartInformation_h
@@ -31,7 +31,7 @@ public:
   /** Sets the output port, the response and the view. */
   void Ask(int port, const std::string& responseName, const palpate::Sight& sight);
 
-  /** Whether a place was found, and where, mm. */
+  /** Whether a place was found, and its position, mm. */
   bool IsFound() const { return this->Found; }
   const double* GetStart() const { return this->Start; }
 

@@ -3,9 +3,9 @@
  * @class vtkPVVoxelBody
  * @brief any body filled with hexahedra
  *
- * The filter as ParaView's menu offers it: its body may be any surface or volume, composite or not,
- * in any unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are
- * those of the superclass; all lengths but the input's coordinates are in mm.
+ * The filter in ParaView's menu: its body may be any surface or volume, composite or not, in any
+ * unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are those of
+ * the superclass. All lengths except the input's coordinates are in mm.
  */
 #ifndef vtkPVVoxelBody_h
 #define vtkPVVoxelBody_h

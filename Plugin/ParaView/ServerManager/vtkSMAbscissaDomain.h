@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMAbscissaDomain
- * @brief the columns over which a chart of forces may be plotted: the first one, or one by its name
+ * @brief the possible abscissas of a chart of forces: the first column, or a column by its name
  *
- * As vtkSMChartSeriesListDomain, with vtkForceChartRepresentation's `First column` before the
- * columns, as the default.
+ * As vtkSMChartSeriesListDomain, with the `First column` of vtkForceChartRepresentation before the
+ * columns. It is the default.
  */
 #ifndef vtkSMAbscissaDomain_h
 #define vtkSMAbscissaDomain_h

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMForceSeriesDomain
- * @brief which columns a chart of forces shows at first, and how
+ * @brief the columns that a chart of forces shows at first, and their style
  *
- * As vtkSMChartSeriesSelectionDomain, but only forces are shown at first, whose names end with
- * `(N)`; and with default_mode="value" readings, whose names contain ` measured`, get the value of
- * the attribute `measured_value`: points instead of a line.
+ * As vtkSMChartSeriesSelectionDomain, but only forces are shown at first. Their names end with
+ * `(N)`. With default_mode="value", readings get the value of the attribute `measured_value`:
+ * points instead of a line. The names of readings contain ` measured`.
  */
 #ifndef vtkSMForceSeriesDomain_h
 #define vtkSMForceSeriesDomain_h
@@ -33,7 +33,7 @@ private:
   vtkSMForceSeriesDomain(const vtkSMForceSeriesDomain&) = delete;
   void operator=(const vtkSMForceSeriesDomain&) = delete;
 
-  std::string MeasuredValue; ///< empty: as for the others
+  std::string MeasuredValue; ///< empty: the same value as for the others
 };
 
 #endif

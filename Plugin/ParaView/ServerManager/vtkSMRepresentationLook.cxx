@@ -49,11 +49,11 @@ void setColors(vtkSMProxy* representation, vtkPVXMLElement* element)
   vtkSMProxy* map = maps->GetColorTransferFunction(array, proxies);
   if (proxies->GetNumberOfProxies("lookup_tables") == before)
   {
-    return; // there was one
+    return; // the map exists already
   }
   setNumbers(map, "RGBPoints", numbersOf(element, "points"));
   vtkSMPropertyHelper(map, "ColorSpace")
-    .Set(VTK_CTF_LAB); // its default differs between versions of ParaView
+    .Set(VTK_CTF_LAB); // the default differs between versions of ParaView
   map->UpdateVTKObjects();
 }
 } // namespace

@@ -3,7 +3,7 @@
  * @class vtkSMRepresentationLook
  * @brief the look of a representation when it is first shown
  *
- * An initialization helper for representations of ParaView with some different values, which the
+ * An initialization helper for representations of ParaView. It replaces some values that the
  * palette and the user's settings would otherwise give:
  *
  * @verbatim
@@ -16,7 +16,7 @@
  * @endverbatim
  *
  * Look: a property with numbers. ColorMap: position, red, green, blue of each colour of the map of
- * that array; an existing map is unchanged.
+ * that array. An existing map is not changed.
  */
 #ifndef vtkSMRepresentationLook_h
 #define vtkSMRepresentationLook_h

@@ -65,7 +65,7 @@ void vtkSMResponseNameDomain::Update(vtkSMProperty*)
   auto* property = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
   if (property && property->GetNumberOfElements() == 1)
   {
-    // The panel would reset a name that it cannot offer; a name set on purpose must be kept.
+    // The panel would reset a name that it cannot offer. A name set on purpose must be kept.
     const std::string present = text(property->GetElement(0));
     const bool written = present != text(property->GetDefaultValue(0));
     if (!present.empty() && (written || names.empty()) && !contains(names, present))

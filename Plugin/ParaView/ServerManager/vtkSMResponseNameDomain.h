@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMResponseNameDomain
- * @brief the responses of a body, to choose from by name
+ * @brief the names of a body's responses, to choose from
  *
- * For a StringVectorProperty of one element that names a response. The panel then offers the
- * responses found on the input that the XML requires as function "Input": every p whose point
- * arrays `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or `<p>Coefficient`
- * exist.
+ * For a StringVectorProperty of one element that names a response. The panel offers the responses
+ * found on the input that the XML requires as function "Input": every prefix p with the point
+ * arrays `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or `<p>Coefficient`.
  *
- * The default is the XML's, if the body has that response, otherwise the first one that it has. A
- * name set by a script or a state is kept and offered, too, whatever the body has: the filter
- * reports a missing response. While none is found (the input is not computed yet), the present name
- * is the only choice.
+ * The default is that of the XML if the body has this response, otherwise the body's first
+ * response. A name set by a script or a state is kept and offered even if the body does not have
+ * it: the filter reports a missing response. While no response is found (the input is not computed
+ * yet), the present name is the only choice.
  *
  * @verbatim
  * <ResponseNameDomain name="responses">
@@ -35,7 +34,7 @@ public:
   vtkTypeMacro(vtkSMResponseNameDomain, vtkSMStringListDomain);
 
   using vtkSMStringListDomain::IsInDomain;
-  /** Any name may be written. */
+  /** Accepts any name. */
   int IsInDomain(vtkSMProperty* property) override;
 
   void Update(vtkSMProperty* property) override;

@@ -23,7 +23,7 @@
 
 namespace
 {
-/// The response that will be touched: at first the default of its domain.
+/// The response for the touch; at first the default of its domain.
 std::string ResponseNameOf(vtkSMProxy* touch)
 {
   vtkSMProperty* property = touch->GetProperty("ResponseName");
@@ -65,7 +65,7 @@ int vtkSMTouchStartDomain::SetDefaultValues(vtkSMProperty* property, bool use_un
     vtkNew<vtkPVTouchStartInformation> start;
     const palpate::Sight sight = palpate::sightOf(ActiveViewOf(touch));
     start->Ask(static_cast<int>(body.GetOutputPort()), ResponseNameOf(touch), sight);
-    source->UpdatePipeline(); // a script may not have updated it; Touch needs the body anyway
+    source->UpdatePipeline(); // a script may not have updated it, and Touch needs the body anyway
     source->GatherInformation(start);
     if (start->IsFound())
     {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMTouchStartDomain
- * @brief bounds of a body, and as default a good place to begin a touch
+ * @brief bounds of a body, and a good starting point of a touch as the default
  *
- * As vtkSMBoundsDomain, for a DoubleVectorProperty of a position, beside a property ResponseName.
- * The default is the place of palpate::findTouchStart for the active view, or for one along -z; on
- * a body without a response the corner of the bounds, as in vtkSMBoundsDomain. With the attribute
- * `beside` it is to the right of that in the view, by this fraction of the body's diagonal.
+ * As vtkSMBoundsDomain, for a DoubleVectorProperty of a position, next to a property ResponseName.
+ * The default is the place of palpate::findTouchStart for the active view, or for a view along -z.
+ * For a body without a response it is the corner of the bounds, as in vtkSMBoundsDomain. The
+ * attribute `beside` moves it to the right in the view, by this fraction of the body's diagonal.
  * Positions set by scripts, states and traces are not affected.
  */
 #ifndef vtkSMTouchStartDomain_h

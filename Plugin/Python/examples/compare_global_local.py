@@ -17,11 +17,11 @@ def surface_with_compliance(size, held):
     box.SetZLength(size[2])
     surface = vtkTriangleFilter()
     surface.SetInputConnection(box.GetOutputPort())
-    solid = palpate.vtkVoxelBody()                          # hexahedra of 1 mm, held where it says
+    solid = palpate.vtkVoxelBody()                          # hexahedra of 1 mm, held at the given faces
     solid.SetInputConnection(surface.GetOutputPort())
     solid.SetSpacing(1)
     solid.SetFixedFaces(held)
-    body = palpate.vtkElasticCompliance()                   # how it gives way as a whole
+    body = palpate.vtkElasticCompliance()                   # global compliance of the body
     body.SetInputConnection(solid.GetOutputPort())
     body.SetYoungsModulus(YOUNG)
     body.SetPoissonRatio(POISSON)

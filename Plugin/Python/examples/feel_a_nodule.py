@@ -9,9 +9,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
-YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa, of the ball over that, -
-SIZE, HEIGHT, CELL = 20, 18, 1.0                            # mm, bonded below
-RADIUS, TOP = 3.0, 2.0                                      # mm: the ball, and how deep it begins
+YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa; modulus of the ball over that of the block; -
+SIZE, HEIGHT, CELL = 20, 18, 1.0                            # mm, bonded at the bottom
+RADIUS, TOP = 3.0, 2.0                                      # mm: radius of the ball, depth of its top
 TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
 
 
@@ -38,7 +38,7 @@ material.SetInputData(block())
 material.SetYoungsModulus(YOUNG)
 material.SetPoissonRatio(POISSON)
 material.AddNodule(0, 0, HEIGHT - TOP - RADIUS, RADIUS, RATIO * YOUNG)
-felt = palpate.vtkNoduleDetectability()                     # with the ball and without, solved once for all tools
+felt = palpate.vtkNoduleDetectability()                     # with and without the ball, solved once for all tools
 felt.SetInputConnection(material.GetOutputPort())
 first = palpate.vtkContactTool()
 first.SetSpecification(TOOLS[0])
@@ -46,10 +46,10 @@ felt.SetTool(first)
 for tool in TOOLS[1:]:
     felt.AddMoreTool(tool)
 felt.SetMaximumDeflection(0.4)
-felt.AddObserver("WarningEvent", lambda *_: None)           # what is held has no response
+felt.AddObserver("WarningEvent", lambda *_: None)           # points that are held have no response
 felt.Update()
 surface = felt.GetOutput()
-change = surface.GetPointData().GetArray("ForceChange")     # of each tool, where that is most
+change = surface.GetPointData().GetArray("ForceChange")     # largest relative change of each tool's force
 for number, tool in enumerate(TOOLS):
     print(tool, *("%+.0f %% at %d mm" % (100 * change.GetComponent(surface.FindPoint((x, 0, HEIGHT)), number), x)
                   for x in (0, 3, 6)))

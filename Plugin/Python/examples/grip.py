@@ -36,9 +36,9 @@ solid.SetFixedFaces("x-")                                   # a strip held at on
 bending.SetInputConnection(solid.GetOutputPort())
 bending.SetYoungsModulus(YOUNG)
 bending.SetPoissonRatio(POISSON)
-bending.SetNumberOfCouplingModes(8)                         # what one finger does to the other, as the strip bends
+bending.SetNumberOfCouplingModes(8)                         # one finger moves the surface at the other: bending
 bending.Update()
-finger = "sphere:%g" % FINGER                               # by itself as hard as a pinch it bends the strip by 5 mm
+finger = "sphere:%g" % FINGER                               # alone, with the same force, it bends the strip by 5 mm
 strip = palpate.response(bending.GetOutput(), finger, YOUNG, POISSON, compliance="GlobalCompliance",
                          maximum_deflection=8, samples=32, coupling=True)
 plane = np.array([[-12, -6, 0], [12, -6, 0], [12, 6, 0], [-12, 6, 0.0]]), np.array([[0, 1, 2], [0, 2, 3]])
@@ -68,7 +68,7 @@ for name, body, tips in cases:
             renderer.AddActor(shown(ball, (0.7, 0.75, 0.85), tip + FINGER * normal, 0.6))
             renderer.AddActor(shown(arrow, (0.9, 0.3, 0.1), tip + 2 * FINGER * normal))
             renderer.GetActors().GetLastActor().SetScale(6 * np.linalg.norm(force)) # mm/N
-            renderer.GetActors().GetLastActor().RotateY(-90 * normal[2]) # from x, along which it is, to the normal
+            renderer.GetActors().GetLastActor().RotateY(-90 * normal[2]) # from x, its own direction, to the normal
         renderer.GetActiveCamera().SetPosition(25, -90, 45)
         renderer.GetActiveCamera().SetViewUp(0, 0, 1)
         renderer.GetActiveCamera().SetParallelProjection(True)

@@ -9,10 +9,10 @@ import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 SCANS = "/usr/share/mricron/templates/"
-BONE = 35                                                   # grey value below which it is bone, or air
+BONE = 35                                                   # grey value below which a voxel is bone or air
 TISSUES = ((1, 0.035, 0.49), (2, 50, 0.3), (3, 0.003, 0.49)) # label, MPa, Poisson's ratio: skin, skull, brain
 TOOL, DEPTH = "sphere:6.35", 0.8                            # mm
-X, Z, HALF, BEHIND = 95, 125, 22, 34                        # mm: the middle of the forehead, and how much of the head
+X, Z, HALF, BEHIND = 95, 125, 22, 34                        # mm: centre of the forehead, size of the piece
 
 
 def voxels(name):
@@ -32,14 +32,14 @@ def image(values):
 
 
 grey, brain = voxels("ch2.nii.gz"), voxels("ch2bet.nii.gz") > 0
-inside = numpy.maximum.accumulate((grey >= BONE)[:, ::-1], axis=1)[:, ::-1] # behind something bright
+inside = numpy.maximum.accumulate((grey >= BONE)[:, ::-1], axis=1)[:, ::-1] # behind a bright voxel
 front = int(numpy.where(inside[Z, :, X])[0].max())
 piece = numpy.zeros_like(grey)
 cut = (slice(Z - HALF, Z + HALF), slice(front - BEHIND, None), slice(X - HALF, X + HALF))
 piece[cut] = inside[cut]
 blurred, surface = vtk.vtkImageGaussianSmooth(), vtk.vtkFlyingEdges3D()
 blurred.SetInputData(image(piece))
-blurred.SetStandardDeviations(1, 1, 1)                      # a voxel: its steps are no shape
+blurred.SetStandardDeviations(1, 1, 1)                      # one voxel: the steps of the voxels are not a shape
 surface.SetInputConnection(blurred.GetOutputPort())
 surface.SetValue(0, 0.5)
 whole, smooth = vtk.vtkPolyDataConnectivityFilter(), vtk.vtkWindowedSincPolyDataFilter()
@@ -52,12 +52,12 @@ points = vtk_to_numpy(smooth.GetOutput().GetPoints().GetData())
 here = points[numpy.hypot(points[:, 0] - X, points[:, 2] - Z) < 1.5]
 here = here[here[:, 1].argmax()].astype(float)              # on the skin
 
-solid = palpate.vtkGradedBody()                             # held where it was cut out
+solid = palpate.vtkGradedBody()                             # held at the cut faces
 solid.SetInputConnection(smooth.GetOutputPort())
 solid.SetSurfaceSpacing(4)
-solid.AddFineBall(*here, 8, 1.5)                            # fine where it is touched
+solid.AddFineBall(*here, 8, 1.5)                            # fine at the contact
 solid.SetFixedFaces("x-:2,x+:2,y-:2,z-:2,z+:2")
-tissues = palpate.vtkScannedMaterial()                      # each cell what the image says
+tissues = palpate.vtkScannedMaterial()                      # each cell has the material of the image there
 tissues.SetInputConnection(solid.GetOutputPort())
 tissues.SetImageData(image(numpy.where(brain, 3.0, numpy.where(inside & (grey < BONE), 2.0, 1.0))))
 for tissue in TISSUES:
@@ -71,7 +71,7 @@ for index, name in enumerate(("YoungsModulus", "PoissonRatio")):
 felt.SetTool(tool)
 felt.SetMaximumDeflection(DEPTH)
 felt.SetSourceSpacing(3)
-felt.AddObserver("WarningEvent", lambda *_: None)           # what is held has no response
+felt.AddObserver("WarningEvent", lambda *_: None)           # points that are held have no response
 felt.Update()
 thickness = float((grey[Z, front - 20:front + 1, X][::-1] < BONE)[2:].argmax() + 2) # mm, to the first dark voxel
 body = felt.GetOutput()

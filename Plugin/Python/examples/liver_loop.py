@@ -13,12 +13,12 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkViewsContext2D import vtkContextView
 from vtkmodules.util.numpy_support import numpy_to_vtk
 import vtkmodules.vtkRenderingContextOpenGL2                # draws charts
-import vtkmodules.vtkRenderingFreeType                      # and their texts
+import vtkmodules.vtkRenderingFreeType                      # draws the texts of charts
 
 points = [[-30, -30, 0], [30, -30, 0], [0, 30, 0]]          # mm
 slab = np.array(points, dtype=float), np.array([[0, 1, 2]]) # one triangle, facing +z
 body = palpate.response(slab, tool="paraboloid:6.35", young=0.01, poisson=0.5, layer=10, maximum_deflection=5,
-                        samples=16, relax=[(0.5, 0.5), (0.5, 10)]) # strength, and time in s: of two branches
+                        samples=16, relax=[(0.5, 0.5), (0.5, 10)]) # strength, and time in s, of two branches
 
 depth, speed = 5, 1                                         # mm, mm/s
 time = np.arange(0, 2 * depth / speed, 0.001)               # s

@@ -27,7 +27,7 @@ response.SetTool(punch)
 response.Update()
 
 felt = response.GetOutput()
-sites = response.GetOutputDataObject(1)                     # a table: what was found at each
+sites = response.GetOutputDataObject(1)                     # a table: the body found at each site
 for row in range(sites.GetNumberOfRows()):
     name = sites.GetValueByName(row, "Site").ToString()
     modulus = sites.GetValueByName(row, "ReducedModulus (MPa)").ToDouble()

@@ -9,7 +9,7 @@ import palpate
 import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-YOUNG, POISSON, DEPTH, TOOL = 0.1, 0.45, 1.5, "sphere:3"    # MPa and -, as vtkElasticContactResponse has them; mm
+YOUNG, POISSON, DEPTH, TOOL = 0.1, 0.45, 1.5, "sphere:3"    # MPa and - as in vtkElasticContactResponse; mm
 
 
 def horned_surface():
@@ -17,7 +17,7 @@ def horned_surface():
     axis = numpy.arange(-30, 50, 1.25)
     z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
     inside = [25 - numpy.sqrt(x**2 + y**2 + z**2)]
-    for t in numpy.linspace(0, 1, 30):                      # balls along a curve, smaller and smaller
+    for t in numpy.linspace(0, 1, 30):                      # balls along a curve, smaller towards its end
         away = numpy.sqrt((abs(x) - 12 - 12 * t)**2 + (y - 4 + 10 * t)**2 + (z - 18 - 18 * t**0.7)**2)
         inside.append(7 - 3.5 * t - away)
     inside = numpy.minimum(numpy.log(numpy.exp(inside).sum(axis=0)), z + 15.3)
@@ -34,18 +34,18 @@ def horned_surface():
 
 
 scan = horned_surface()
-solid = palpate.vtkGradedBody()                             # tetrahedra, fine where it is curved
+solid = palpate.vtkGradedBody()                             # tetrahedra, fine where the surface is curved
 solid.SetInputConnection(scan.GetOutputPort())
 solid.SetSurfaceSpacing(3)
 tool = palpate.vtkContactTool()
 tool.SetSpecification(TOOL)
-felt = palpate.vtkElasticContactResponse()                  # solved at points 3 mm apart, felt at those of the scan
+felt = palpate.vtkElasticContactResponse()                  # sources 3 mm apart, responses at the scan's points
 felt.SetInputConnection(solid.GetOutputPort())
 felt.SetSurfaceConnection(scan.GetOutputPort())
 felt.SetTool(tool)
 felt.SetMaximumDeflection(DEPTH)
 felt.SetSourceSpacing(3)
-felt.AddObserver("WarningEvent", lambda *_: None)           # what is held has no response
+felt.AddObserver("WarningEvent", lambda *_: None)           # points that are held have no response
 felt.Update()
 body, plain = felt.GetOutput(), palpate.response(scan, TOOL, YOUNG, POISSON, maximum_deflection=DEPTH)
 points = [body.FindPoint(place) for place in ((0, 25, 0), (-18, 0, 34), (-28, -6, 36))]

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import palpate
 import vtkmodules.vtkRenderingContextOpenGL2                # draws charts
-import vtkmodules.vtkRenderingFreeType                      # and their texts
+import vtkmodules.vtkRenderingFreeType                      # draws the texts of charts
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkViewsContext2D import vtkContextView
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-POISSON, RADIUS, DEPTH = 0.45, 1.0, 0.2                     # -, mm, mm: of the rim, which is deepest
+POISSON, RADIUS, DEPTH = 0.45, 1.0, 0.2                     # -, mm, mm: depth of the rim, which is deepest
 YOUNG = 1 - POISSON**2                                      # MPa: a reduced modulus of 1 MPa
 
 plane = np.array([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0.0]]), np.array([[0, 1, 2], [0, 2, 3]])
@@ -59,7 +59,7 @@ for kind, rows, whose in ((vtkChart.LINE, np.column_stack((fine, *feel(fine))), 
         plot.SetInputData(data, 0, 1)
         plot.SetColor(*colour, 255)
         plot.SetWidth(2)
-        chart.SetPlotCorner(plot, column - 1)               # force to the left axis, torque to the right one
+        chart.SetPlotCorner(plot, column - 1)               # force at the left axis, torque at the right axis
 chart.SetTitle("A flat end of 1 mm radius, its rim 0.2 mm deep in 1 MPa")
 chart.SetShowLegend(True)
 view.GetRenderWindow().SetOffScreenRendering(1)

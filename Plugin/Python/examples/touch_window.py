@@ -14,7 +14,7 @@ ball.SetThetaResolution(300)
 ball.SetPhiResolution(300)
 ball.Update()
 
-setup = palpate.vtkContactSetup()                           # what is touched, and with what
+setup = palpate.vtkContactSetup()                           # body, tools and material of the contact
 setup.SetBody(ball.GetOutput())
 setup.SetYoungsModulus(0.05)                                # MPa
 for specification in ("sphere:6.35", "flat:1.6"):
@@ -23,12 +23,12 @@ for specification in ("sphere:6.35", "flat:1.6"):
     setup.AddTool(tool)
 setup.Update()
 
-session = palpate.vtkHapticSession()                        # who feels it: a thread at 1 kHz
+session = palpate.vtkHapticSession()                        # the servo thread at 1 kHz
 session.SetRealTime(True)
 session.GetRecorder().SetRecording(False)
 setup.ApplyTo(session)
 
-view, strip = vtk.vtkRenderer(), vtk.vtkRenderer()          # the body, and the panel beside it
+view, strip = vtk.vtkRenderer(), vtk.vtkRenderer()          # the body, and the panel next to it
 window = vtk.vtkRenderWindow()
 for part, left, right in ((view, 0, 0.77), (strip, 0.77, 1)):
     part.SetViewport(left, 0, right, 1)
@@ -68,7 +68,7 @@ def press_and_print(modulus):
     begin = time.time()
     while time.time() < begin + 1.5:
         clock.ShowFrame()
-        begin = time.time() if setup.IsBusy() else begin    # a new modulus is there in a second or two
+        begin = time.time() if setup.IsBusy() else begin    # a new modulus takes a second or two
     session.GetIdealForce(force := [0.0, 0.0, 0.0])
     print("%.4f mm deep: %.4f N" % (session.GetDeflection(), vtk.vtkMath.Norm(force)))
 

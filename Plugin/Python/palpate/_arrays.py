@@ -31,7 +31,7 @@ def to_cells(connectivity, size):
     ends = np.arange(0, connectivity.size + 1, size, dtype=connectivity.dtype)
     flat = connectivity.reshape(-1)
     cells.SetData(to_vtk(ends), to_vtk(flat))
-    # VTK has made its own arrays in the same memory: these must keep it alive.
+    # VTK has made its own arrays in the same memory. These must keep the memory alive.
     cells.GetOffsetsArray()._numpy_reference = ends
     cells.GetConnectivityArray()._numpy_reference = flat
     return cells

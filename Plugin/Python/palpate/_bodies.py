@@ -89,6 +89,6 @@ def _read(name):
     if not name.lower().endswith(tuple(extensions)):
         raise ValueError("'%s' is of unknown kind; a body may be %s" % (name, " ".join(sorted(extensions))))
     reader = vtkBodyFileReader()
-    with open(name, "rb"):                          # FileNotFoundError, PermissionError
+    with open(name, "rb"):                          # raises FileNotFoundError, PermissionError
         reader.SetFileName(name)
     return _filters.run(reader, RuntimeError).GetOutput()

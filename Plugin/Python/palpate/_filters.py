@@ -11,7 +11,7 @@ class Listener:
 
     def __init__(self, *objects):
         self._shows = vtkObject.GetGlobalWarningDisplay()
-        vtkObject.GlobalWarningDisplayOn()      # without it there are no events
+        vtkObject.GlobalWarningDisplayOn()      # without this there are no events
         self.errors, self.warnings = [], []
         self._observed = []
         for one in objects:
@@ -21,7 +21,7 @@ class Listener:
     @staticmethod
     def _take(texts):
         def take(caller, event, text):
-            if not caller.IsA("vtkExecutive"):      # it only repeats that there was an error
+            if not caller.IsA("vtkExecutive"):      # an executive only repeats that there was an error
                 texts.append(words(text or "what is wrong cannot be shown: its words are not UTF-8"))
         take.CallDataType = "string0"
         return take

@@ -47,7 +47,7 @@ def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_
     Raises ValueError with the words of vtkMeasuredContactResponse, also where no site can be used; TypeError for arguments
     of another type. Sites that are refused give a RuntimeWarning. Runs on all threads, some 0.1 s for a site.
     """
-    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # a module that may not be built
+    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # a module that may be missing in a build
 
     made = vtkMeasuredContactResponse()
     made.SetInputData(as_body(body))

@@ -49,7 +49,7 @@ class CoupledProbe(tuple):
         return pair
 
     def __getattr__(self, name):
-        if name == "felt":                              # not set yet, while it is copied
+        if name == "felt":                              # not set yet, during a copy
             raise AttributeError(name)
         return getattr(self.felt, name)
 
@@ -177,7 +177,7 @@ def _as_tips(tips, path, time, axis, coupled):
             time = np.tile(_arrays.reals(time, "time (s)", (moments,)), lines)
         tips = np.ascontiguousarray(np.swapaxes(tips, 0, 1)).reshape(-1, 3)
     elif np.ndim(tips) == 1:
-        tips = np.asanyarray(tips)[None, :]             # a mask stays, to be refused
+        tips = np.asanyarray(tips)[None, :]             # a mask is kept, so that it can be refused
     tips = _arrays.reals(tips, "tips", (None, 3))
     made = vtkPolyData()
     made.SetPoints(_arrays.to_points(tips))
@@ -220,7 +220,7 @@ class _prepared:
         return self.filter
 
     def __exit__(self, kind, *_):
-        self.filter.SetInputData(1, None)               # the tips are not kept
+        self.filter.SetInputData(1, None)               # do not keep the tips
         if kind is None:
             self._kept[:] = [(weakref.ref(self.body, self._forget), self.state, self.filter)]
 

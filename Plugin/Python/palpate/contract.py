@@ -42,7 +42,7 @@ def evaluate(response, point, deflection):
     f, k = response["force"][point], response["stiffness"][point]
     reach, m, n = response["range"][point], response["exponent"], response["force"].shape[1]
     with np.errstate(all="ignore"):
-        # between samples: rho(s) = F / s^(2m) is interpolated, the factor range^m cancels
+        # Between samples, rho(s) = F / s^(2m) is interpolated; the factor range^m cancels.
         s = np.sqrt(d / reach)
         i = np.clip(np.nan_to_num(s * n, nan=1.0).astype(int), 1, n - 1)
         knots = np.arange(1, n + 1) / n

@@ -29,9 +29,9 @@ inline NumberRange rangeOf(const SettingRow& setting)
   return { range.what, range.least, range.most, range.includesLeast };
 }
 
-constexpr double Kilometre = 1e6; // mm: no body is larger
+constexpr double Kilometre = 1e6; // mm: larger than any body
 
-/// Its range, as an option and as a setting of a trial's alternative.
+/// Range of Young's modulus, both as an option and as a setting of a trial's alternative.
 inline constexpr NumberRange YoungsModulusRange =
   NumberRange::positive("a modulus in MPa, e.g. 0.05");
 inline constexpr NumberRange PoissonsRatioRange =

@@ -8,14 +8,14 @@
 
 namespace palpate
 {
-/// The layers under the surface: a layer on a rigid base, with the thickness of the scan or a
-/// constant one, where 0 is a half-space; or a stack of layers.
+/// The layers under the surface. Either one layer on a rigid base, with the thickness of the scan
+/// or a constant thickness (0: a half-space), or a stack of layers.
 struct LayerChoice
 {
   bool scanned = false;
   double thickness = 0.0; ///< mm, unless scanned
-  LayerStack stack = {};  ///< without layers: none
-  /// In a scanned stack of two: the layer whose thickness is the rest of the soft tissue.
+  LayerStack stack = {};  ///< empty: no stack
+  /// For a scanned stack of two layers: the layer whose thickness is the rest of the soft tissue.
   std::size_t scannedLayer = 0;
   bool usual = false; ///< skin over fat, with numbers from the literature
 

@@ -41,7 +41,7 @@ std::string demandOf(const NumberRange& range, double value)
 
 std::string NumberRange::read(const std::string& text, double& number) const
 {
-  const std::size_t sign = !text.empty() && text[0] == '+' ? 1 : 0; // from_chars does not accept +
+  const std::size_t sign = !text.empty() && text[0] == '+' ? 1 : 0; // from_chars rejects "+"
   const char* const end = text.data() + text.size();
   double value = 0.0;
   const auto result = std::from_chars(text.data() + sign, end, value);

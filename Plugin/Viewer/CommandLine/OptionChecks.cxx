@@ -55,7 +55,7 @@ std::string readLayer(const std::string& text, LayerChoice& layer)
 
 namespace
 {
-/// Skin, with fat as the rest of the scan's thickness; see HeadScene.cxx for the numbers.
+/// Skin over fat; fat takes the rest of the scan's thickness. See HeadScene.cxx for the numbers.
 LayerChoice skinOverFat()
 {
   LayerChoice choice;
@@ -66,7 +66,7 @@ LayerChoice skinOverFat()
   return choice;
 }
 
-/// MM:MPA:NU or that and :slip.
+/// Reads "MM:MPA:NU" or "MM:MPA:NU:slip".
 std::string readStackLayer(const std::string& text, StackLayer& layer, bool& scanned)
 {
   std::vector<std::string> parts = CLI::detail::split(text, ':');
@@ -81,7 +81,7 @@ std::string readStackLayer(const std::string& text, StackLayer& layer, bool& sca
   return fault.empty() ? PoissonsRatioRange.read(parts[2], layer.poissonsRatio) : fault;
 }
 
-/// Checks the layers together.
+/// Checks the combination of the layers.
 std::string checkLayers(const LayerChoice& choice, std::size_t scanned)
 {
   const LayerStack& stack = choice.stack;

@@ -12,31 +12,31 @@
 
 namespace palpate
 {
-/// Validates a number with a readable error; CLI11's own ranges print their limits with 300 digits,
-/// and accept NaN.
+/// Validates a number, with a readable error. (CLI11's own ranges print their limits with 300
+/// digits, and accept NaN.)
 CLI::Validator within(const NumberRange& range, const char* kind);
 CLI::Validator any(const char* what);
 CLI::Validator positive(const char* what, double most = NumberRange::Endless);
 CLI::Validator notNegative(const char* what);
 
-// Each returns what is wrong with the text of an option, or "".
+// Each function returns "" or the error in the text of an option.
 
-/// --layer: "scan", "none" or a thickness.
+/// Reads --layer: "scan", "none" or a thickness.
 std::string readLayer(const std::string& text, LayerChoice& layer);
-/// --layers: "scan", or layers MM:MPA:NU with commas between them, outermost first. MM may be
-/// "scan" in one of two layers on the rigid base, and 0 in the last, which is then the half-space
-/// below;
-/// ":slip" after a layer: without friction on the one above, ",slip" at the end: on the rigid base.
+/// Reads --layers: "scan", or layers MM:MPA:NU separated by commas, outermost first. MM may be
+/// "scan" in one of two layers on the rigid base. MM may be 0 in the last layer, which is then a
+/// half-space. ":slip" after a layer means no friction with the layer above it. ",slip" at the end
+/// means no friction with the rigid base.
 std::string readLayers(const std::string& text, LayerChoice& layer);
-/// --solid: "" (0, chosen) or the size of a tetrahedron.
+/// Reads --solid: "" (0, size chosen automatically) or the size of a tetrahedron.
 std::string readSolid(const std::string& text, double& spacing);
-/// --strain: "small", "auto", "neo-hooke", "ogden:ALPHA", "demiray:B".
+/// Reads --strain: "small", "auto", "neo-hooke", "ogden:ALPHA", "demiray:B".
 std::string readStrain(const std::string& text, LawTerms& terms);
-/// --length-unit: mm per unit, in CLI11's text.
+/// Reads --length-unit: converts the text for CLI11 to mm per unit.
 std::string readLengthUnit(std::string& text);
-/// --fixed, as for vtkVoxelBody.
+/// Checks --fixed, as for vtkVoxelBody.
 std::string checkFaces(const std::string& text);
-/// --tool.
+/// Checks --tool.
 std::string checkToolText(const std::string& text);
 } // namespace palpate
 

@@ -24,7 +24,7 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
-/// Splits the alternatives; a comma within the numbers of a tool does not separate them.
+/// Splits the text into alternatives. A comma within the numbers of a tool is not a separator.
 std::vector<std::string> splitChoices(const std::string& text)
 {
   std::vector<std::string> choices;
@@ -84,7 +84,7 @@ std::string readInto(
   return fault;
 }
 
-/// What is wrong with it, or "".
+/// Reads one setting into `choice`. Returns "" or an error.
 std::string readSetting(const std::string& name, const std::string& value, TrialChoice& choice)
 {
   std::map<std::string, std::function<std::string()>> readers = {

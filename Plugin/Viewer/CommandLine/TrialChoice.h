@@ -11,29 +11,30 @@
 
 namespace palpate
 {
-/// One of the alternatives of a blind comparison, by its changes to the session.
+/// One alternative of a blind comparison: its changes to the session.
 struct TrialChoice
 {
-  std::string name; ///< as given
-  std::string tool; ///< empty: the scene's first
+  std::string name; ///< the text of the alternative
+  std::string tool; ///< empty: the first tool of the scene
   std::optional<double> youngsModulus;
   std::optional<double> poissonsRatio;
   std::optional<LayerChoice> layer;
-  std::optional<bool> hasLump; ///< with the nodules of the body, or without
-  ContactSettings contact;     ///< those of the session, with the alternative's changes
+  std::optional<bool> hasLump; ///< whether the body has its nodules
+  ContactSettings contact;     ///< settings of the session, with the changes of this alternative
 };
 
 /**
- * Reads "sphere:6.35,flat:1.6", "friction=0,friction=0.3" or
- * "sphere:6.35+layer=7,sphere:6.35+layer=none": alternatives with commas between them, each made of
- * a tool, settings, or both with a plus between them. Settings: young, poisson, layer (MM or none),
- * layers (as --layers, without scan),
- * the words lump and none (of a body with nodules: as it is, or without them), and those of
- * SettingTable that are options, with the values of the options of these names. A
- * piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
+ * Reads alternatives separated by commas, such as "sphere:6.35,flat:1.6", "friction=0,friction=0.3"
+ * or "sphere:6.35+layer=7,sphere:6.35+layer=none". Each alternative is a tool, settings, or both,
+ * joined by a plus. Settings:
+ * - young, poisson, layer (MM or none), layers (as --layers, without scan);
+ * - the words lump and none, for a body with nodules: with or without them;
+ * - the entries of SettingTable that are options, with the values of these options.
  *
- * `usual`: settings that the alternatives do not change. Returns an error that names the
- * alternative and leaves `choices` unchanged, or "".
+ * A piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
+ *
+ * `usual` has the settings that the alternatives do not change. Returns "", or an error that names
+ * the alternative; then `choices` is unchanged.
  */
 std::string readTrialChoices(
   const std::string& text, const ContactSettings& usual, std::vector<TrialChoice>& choices);

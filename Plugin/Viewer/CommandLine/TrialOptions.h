@@ -13,11 +13,11 @@ class App;
 
 namespace palpate
 {
-/// The options of a blind comparison. `alternatives` gets the text of the alternatives, to be read
-/// once all options are known.
+/// Adds the options of a blind comparison. `alternatives` gets the text of the alternatives. It is
+/// read after all other options.
 void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alternatives);
 
-/// The tools of the alternatives become those of the scene. Throws CLI::ValidationError.
+/// Makes the tools of the alternatives the tools of the scene. Throws CLI::ValidationError.
 void takeTrialTools(ViewerOptions& options);
 } // namespace palpate
 

@@ -15,9 +15,9 @@ namespace palpate
 namespace
 {
 constexpr int MostFurtherHands = 3;
-constexpr double LargestDepth = 1000.0; // mm: minutes at the speed of pressing
+constexpr double LargestDepth = 1000.0; // mm: a depth that takes minutes at the speed of pressing
 
-/// The settings of the contact that the table offers to the command line.
+/// Adds the settings of the contact that the table offers as options.
 void addContactOptions(CLI::App& app, ContactSettings& contact)
 {
   for (const SettingRow& setting : SettingTable)
@@ -53,7 +53,7 @@ void addContactOptions(CLI::App& app, ContactSettings& contact)
   }
 }
 
-/// Options of the device, the servo thread and its records.
+/// Adds the options of the device, the servo thread and its records.
 void addDeviceOptions(CLI::App& app, ViewerOptions& options)
 {
   app
@@ -79,7 +79,7 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
     "--record", options.record, "also write every tick, a trajectory .csv for replay:FILE");
 }
 
-/// Options of other views than one tool over one body.
+/// Adds the options of views other than one tool over one body.
 void addViewOptions(CLI::App& app, ViewerOptions& options)
 {
   CLI::Option* compare = app.add_flag("--compare", options.compare,
@@ -315,7 +315,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "choose from regime, validity and spread what is felt: a point force, one law, a few, or a "
       "response per vertex, and say why (default; --no-auto: per vertex as computed, as always in "
       "--trial)")
-    ->disable_flag_override(); // a number too large for CLI11 is no ParseError
+    ->disable_flag_override(); // CLI11 does not report a number that is too large as a ParseError
   app
     .add_option("--tolerance", options.tolerance,
       "how much the chosen form may change a force, relative (see vtkResponseChoice)")

@@ -16,13 +16,13 @@
 
 namespace palpate
 {
-/// The viewer's command line. Lengths in mm, moduli in MPa. Options not given are chosen by the
-/// scene.
+/// Values of the viewer's command line. Lengths in mm, moduli in MPa. The scene chooses the options
+/// that are not given.
 struct ViewerOptions
 {
   std::string body;
   std::string scene = "head";
-  std::string scan; ///< of the head scene; empty: that of Debian's mricron-data
+  std::string scan; ///< for the head scene; empty: the scan of Debian's mricron-data
   std::vector<std::string> tools;
   std::optional<double> youngsModulus;
   std::optional<double> poissonsRatio;
@@ -32,14 +32,16 @@ struct ViewerOptions
   bool strainGiven = false;          ///< --strain
   PronySeries relaxation;            ///< --relax
   std::optional<LayerChoice> layer;  ///< --layer or --layers
-  double baseValue = 35.0;           ///< of a scan: grey level below which it is bone
+  double baseValue = 35.0;           ///< for a scan: grey level below which it is bone
   std::vector<std::string> measured; ///< files of curves
-  std::string registration;          ///< of their frame with the body's; empty: the same frame
-  double reach = 20.0;               ///< of a measured site, mm
-  double maximumStrain = 0.4;        ///< of measured readings
+  std::string registration;          ///< file of the transform from the curves' frame to the body's
+                                     ///< frame; empty: the same frame
+  double reach = 20.0;               ///< around a measured site, mm
+  double maximumStrain = 0.4;        ///< for measured readings
   double voxel = 0.0;                ///< side of the hexahedra that fill a surface, mm; 0: none
-  bool solid = false;                ///< --solid: filled with graded tetrahedra
-  double solidSpacing = 0.0;         ///< of these at the surface, mm; 0: chosen
+  bool solid = false;                ///< --solid: fills the body with graded tetrahedra
+  double solidSpacing = 0.0;         ///< size of the tetrahedra at the surface, mm; 0: chosen
+                                     ///< automatically
   std::string fixedFaces = "z-";     ///< sides of the bounding box that hold the solid
   double lengthScale = 1.0;
   double resolution = 0.0;
@@ -48,31 +50,32 @@ struct ViewerOptions
   std::optional<std::array<double, 3>> site;
   std::optional<std::array<double, 3>> slideTo;
   double rate = 1000.0;
-  ContactSettings contact; ///< its Poisson's ratio is the scene's
+  ContactSettings contact; ///< the scene sets its Poisson's ratio
   std::string output = "palpate-output";
   std::string save;
   std::string exportTo;
-  bool pictures = true; ///< of a session off screen
+  bool pictures = true; ///< for a session off screen
   bool window = false;
-  bool compare = false; ///< its own two bodies, side by side
-  bool map = false;     ///< where the shape of the first tool matters, instead of a session
+  bool compare = false; ///< compares two built-in bodies, side by side
+  bool map = false;     ///< shows where the shape of the first tool matters, instead of a session
   std::string screenshot;
   std::string device = "simulated";
   std::vector<std::string> hands; ///< further devices on the same body
   double scale = 1.0;             ///< mm of the body per mm of the hand
-  std::string record;             ///< a trajectory of every tick
+  std::string record;             ///< file for a trajectory of all ticks
   bool listDevices = false;
-  std::vector<TrialChoice> trial; ///< blind comparison of these; empty: none
+  std::vector<TrialChoice> trial; ///< alternatives of a blind comparison; empty: none
   int trialRounds = 5;
   std::optional<std::uint64_t> trialSeed;
   std::string trialLog;    ///< empty: trial.csv in the output folder
-  std::string question;    ///< empty: which pushes back more
-  bool automatic = true;   ///< use the simplest form of the response that keeps its forces
-  double tolerance = 0.01; ///< of that form, relative
+  std::string question;    ///< empty: "which pushes back more"
+  bool automatic = true;   ///< whether to use the simplest form of the response that keeps its
+                           ///< forces
+  double tolerance = 0.01; ///< of that form, relative error of the force
 };
 
-/// Reads the command line. Returns an exit code if the program must end (help, version, or a wrong
-/// call, which has been explained on the error stream), otherwise nothing.
+/// Reads the command line. Returns an exit code if the program must end (help, version, or an
+/// error, already explained on the error stream), otherwise an empty optional.
 std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options);
 } // namespace palpate
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerModules.h"
 
-/// The only symbol that the module exports.
+/// The only exported symbol of the module.
 extern "C" __attribute__((visibility("default"))) const palpate::ModuleTable*
 palpateViewerComparisonModule()
 {

@@ -32,11 +32,11 @@ void sayProgress(const char* what)
   std::fprintf(stderr, "palpate: %s\n", what);
 }
 
-/// The motion over one body.
+/// The motion over one body, as recorded.
 struct Press
 {
   vtkSmartPointer<vtkPolyData> recording = vtkSmartPointer<vtkPolyData>::New();
-  vtkIdType pressed = 0; ///< the last tick before the slide
+  vtkIdType pressed = 0; ///< index of the last tick before the slide
 };
 
 std::string pressAndSlide(
@@ -61,7 +61,7 @@ std::string pressAndSlide(
   session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
   session->GetRecorder()->GetRecording(press.recording);
-  // The simulated hand is limited to 10 N, but bodies are compared, not devices.
+  // The simulated hand is limited to 10 N, but the comparison is about bodies, not devices.
   press.recording->GetPointData()->RemoveArray("AppliedForce");
   // The path is approach, press, slide ...: see vtkPressPath.
   const double slide = path->GetPointData()->GetArray("Time")->GetTuple1(2);
@@ -74,7 +74,7 @@ std::string drawComparison(const std::string& file, const std::array<ComparedBod
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0); // the same pixels on every machine
+  window->SetMultiSamples(0); // gives the same pixels on every machine
   window->SetSize(PictureWidth, PictureHeight);
   vtkNew<vtkBodyComparison> comparison;
   comparison->SetRenderWindow(window);
@@ -89,7 +89,7 @@ std::string drawComparison(const std::string& file, const std::array<ComparedBod
   return writePicture(window, file);
 }
 
-/// Regime index, sensitivity and verdict of the first tool over both bodies: one row each.
+/// Regime index, sensitivity and verdict of the first tool over both bodies, one row per body.
 std::string drawRegime(const std::string& file, const std::array<ComparedBody, 2>& bodies)
 {
   MapStage stage("", false);

@@ -10,11 +10,13 @@ namespace palpate
 {
 /**
  * --compare without a window: the same motion over both bodies, in virtual time. Writes into the
- * output folder
+ * output folder:
  * - comparison.png: bodies under the first tool, curves of all tools, verdicts, at the end of the
  *   press;
  * - regime.png: λ, sensitivity and verdict over both bodies;
- * - strip.csv and block.csv: the trajectories. Prints the results. Returns an error, or "".
+ * - strip.csv and block.csv: the trajectories.
+ *
+ * Prints the results. Returns "" or an error.
  */
 std::string runComparison(const ViewerOptions& options);
 } // namespace palpate

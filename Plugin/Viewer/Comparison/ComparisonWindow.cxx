@@ -43,17 +43,17 @@ const char* const KeySheet =
   "? or h\tthis help\n"
   "q\tquit";
 
-/// Two bodies in a window: a session on each, steered to the same place.
+/// Two bodies in a window, with a session on each. Both are steered to the same place.
 class ComparisonWindow
 {
 public:
   ComparisonWindow(const ViewerOptions& options, const std::array<ComparedBody, 2>& bodies);
 
-  /// Until the window is closed. Returns an error, or "".
+  /// Runs until the window is closed. Returns "" or an error.
   std::string run();
 
 private:
-  /// Makes the side under the mouse the one whose body is picked.
+  /// Makes the body on the side under the mouse the one that is picked.
   void lead(std::size_t side);
   void followPointer();
   void showFrame();
@@ -71,7 +71,7 @@ private:
   vtkNew<vtkInteractorStyleHaptic> Style;
   std::array<vtkNew<vtkHapticSession>, 2> Sessions;
   std::size_t Leader = 1;
-  std::array<double, 2> Strongest{}; ///< ideal force of the frames, N
+  std::array<double, 2> Strongest{}; ///< largest ideal force in any frame, N
   EventActions Actions;
 };
 
@@ -80,7 +80,8 @@ ComparisonWindow::ComparisonWindow(
   : Options(options)
   , Bodies(bodies)
 {
-  this->Window->SetMultiSamples(0); // three times slower without a graphics card; FXAA is not
+  this->Window->SetMultiSamples(0); // multisampling is three times slower without a graphics card;
+                                    // FXAA is not slower
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName("Palpate: global and local deformation");
   this->Interactor->SetRenderWindow(this->Window);
@@ -93,7 +94,7 @@ ComparisonWindow::ComparisonWindow(
     session->SetRate(options.rate);
     chooseContact(options, bodies[i].scene, session);
     session->RealTimeOn();
-    session->LockMemoryOn(); // the loop is this program's purpose
+    session->LockMemoryOn(); // the servo loop is the purpose of this program
     session->GetRecorder()->RecordingOff();
   }
   this->Style->SetMaximumDepth(options.maximumDeflection);
@@ -210,7 +211,7 @@ std::string ComparisonWindow::run()
   this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
-  // Computed now, to be shown at once later.
+  // Computed now, so that a later change shows at once.
   this->Comparison->SetColor(vtkBodyComparison::RegimeIndex);
   this->Comparison->SetColor(vtkBodyComparison::Displacement);
   this->Interactor->Initialize();

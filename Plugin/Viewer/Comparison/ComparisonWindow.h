@@ -9,9 +9,9 @@
 namespace palpate
 {
 /**
- * --compare in a window: a session on each body, one mouse moves the tool of both to the same
- * place. Keys 1 to 9 choose the tool, m the colours of the bodies, q ends; then prints the results
- * at the last contact. Returns when the window is closed; an error, or "".
+ * --compare in a window: a session on each body. One mouse moves both tools to the same place. Keys
+ * 1 to 9 choose the tool, m the colours of the bodies, q ends. Returns when the window is closed,
+ * after printing the results at the last contact. Returns "" or an error.
  */
 std::string runComparisonWindow(const ViewerOptions& options);
 } // namespace palpate

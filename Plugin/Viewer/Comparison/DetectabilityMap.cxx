@@ -28,7 +28,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double FeltFrom = 10.0;  // %, as vtkNoduleDetectability's default
+constexpr double FeltFrom = 10.0;  // %, the default of vtkNoduleDetectability
 constexpr double ViewMargin = 7.0; // mm
 constexpr int MapColors = 256;
 constexpr int BarTextSize = 15;
@@ -37,7 +37,7 @@ constexpr Color PaleTissue = { 0.93, 0.89, 0.84 };
 constexpr Color DeepRed = { 0.55, 0.02, 0.10 };
 constexpr Color NoResponse = { 0.62, 0.62, 0.64 };
 
-/// One tool's change, in per cent, as scalars of the points.
+/// The change for one tool, in per cent, as scalars of the points.
 vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
   return shown;
 }
 
-/// The largest change of all tools, rounded up to ten per cent.
+/// The largest change for any tool, in per cent, rounded up to a multiple of ten.
 double largestOf(vtkPolyData* body)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkLookupTable> makeChangeColors(double largest)
   colors->SetTableRange(0.0, largest);
   for (int i = 0; i < MapColors; ++i)
   {
-    // The root resolves small ones.
+    // The square root makes small changes distinguishable.
     const double share = std::sqrt(static_cast<double>(i) / (MapColors - 1));
     Color color{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -122,7 +122,7 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  // Little shading, so that colours can be compared with the legend.
+  // Little shading, so that colours can be compared with those of the legend.
   actor->GetProperty()->SetAmbient(0.55);
   actor->GetProperty()->SetDiffuse(0.45);
   actor->GetProperty()->SetSpecular(0.0);
@@ -145,7 +145,7 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   stage.addTitle(title);
 }
 
-/// The change over each nodule, one line each; short, for a picture, or long.
+/// The change over each nodule, one line each: short for a picture, otherwise long.
 std::string describeNodules(const ViewerScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();

@@ -25,7 +25,7 @@ namespace palpate
 namespace
 {
 constexpr int TextSize = 17;
-constexpr double Zoom = 1.25; // the camera's reset fits the ball around the body
+constexpr double Zoom = 1.25; // the camera's reset fits the sphere around the body, which is larger
 constexpr double LegendShare = 0.27;
 
 vtkSmartPointer<vtkTextActor> makeText(const std::string& words, double x, double y)
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkPolyData> judgeBody(
 MapStage::MapStage(const std::string& name, bool onScreen)
 {
   this->Window->SetOffScreenRendering(!onScreen);
-  this->Window->SetMultiSamples(0); // the same pixels on every machine
+  this->Window->SetMultiSamples(0); // gives the same pixels on every machine
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName(name.c_str());
 }
@@ -87,7 +87,8 @@ vtkRenderer* MapStage::addRenderer(const Viewport& viewport)
   {
     renderer->SetActiveCamera(this->Renderers.front()->GetActiveCamera());
   }
-  // The camera is shared with bodies of other bounds.
+  // The camera is shared with bodies of other bounds, so the clipping range is set before each
+  // render.
   vtkNew<vtkCallbackCommand> fit;
   fit->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkRenderer*>(caller)->ResetCameraClippingRange(); });
@@ -132,7 +133,7 @@ void MapStage::lookFrom(vtkPolyData* body, const Direction& from, const Directio
   camera->SetViewUp(up.data());
   this->Renderers.front()->ResetCamera(body->GetBounds());
   camera->Zoom(Zoom);
-  camera->SetWindowCenter(LegendShare, 0.0); // the centre of the area free of the legend
+  camera->SetWindowCenter(LegendShare, 0.0); // the centre of the area without the legend
 }
 
 std::string MapStage::show(const ViewerOptions& options)

@@ -17,8 +17,8 @@ class vtkContactTool;
 
 namespace palpate
 {
-/// The result of vtkContactRegime for a body with the material of a scene, at the scene's depth;
-/// without its responses. Null and an error on failure.
+/// The result of vtkContactRegime for a body with the material of a scene, at the depth of the
+/// scene, without its responses. Returns null and an error on failure.
 vtkSmartPointer<vtkPolyData> judgeBody(
   const ViewerScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
 
@@ -34,17 +34,17 @@ public:
   vtkRenderer* addRenderer(const Viewport& viewport);
   /// Adds a body coloured by a vtkRegimeMap::MapQuantity; returns its renderer.
   vtkRenderer* addMap(vtkPolyData* judged, int quantity, const Viewport& viewport);
-  /// A line in the upper left corner of the last map.
+  /// Adds a line of text in the upper left corner of the last map.
   void addTitle(const std::string& title);
   void addWords(const std::string& words, const Viewport& viewport);
 
-  /// Sets the camera of all maps to show `body` whole.
+  /// Sets the camera of all maps so that `body` is completely visible.
   void lookFrom(vtkPolyData* body, const Direction& from, const Direction& up);
 
   vtkRenderWindow* window() { return this->Window; }
 
-  /// By the options, writes map.png in the output folder, or shows the window until it is closed,
-  /// then writes its --screenshot. Returns an error, or "".
+  /// Depending on the options, writes map.png in the output folder, or shows the window until it is
+  /// closed and then writes its --screenshot. Returns "" or an error.
   std::string show(const ViewerOptions& options);
 
 private:

@@ -22,14 +22,15 @@ namespace palpate
 {
 namespace
 {
-/// Fractions of the surface, from 0 to 1: the verdicts of vtkContactRegime, and no stable contact.
+/// Fractions of the surface, from 0 to 1: for each verdict of vtkContactRegime, and for no stable
+/// contact.
 struct Shares
 {
   std::array<double, 3> verdict{};
   double none = 0.0;
 };
 
-/// A third of each triangle counts for each of its corners.
+/// Each corner of a triangle counts with a third of the triangle's area.
 Shares measureShares(vtkPolyData* judged)
 {
   vtkDataArray* index = judged->GetPointData()->GetArray("RegimeIndex");
@@ -63,7 +64,7 @@ Shares measureShares(vtkPolyData* judged)
   return shares;
 }
 
-/// "-0.82 to 0.01".
+/// Text of a range: "-0.82 to 0.01".
 std::string rangeOf(vtkPolyData* judged, const char* name)
 {
   std::array<double, 2> range{};

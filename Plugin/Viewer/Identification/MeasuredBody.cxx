@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// "E* = 0.05 MPa (0.049 to 0.051)"; "" if there is no such number.
+/// Text of an estimate: "E* = 0.05 MPa (0.049 to 0.051)"; "" if there is no such number.
 std::string estimate(vtkTable* sites, vtkIdType row, const char* symbol, const std::string& column,
   const std::string& unit)
 {
@@ -79,7 +79,7 @@ std::string describeRegistration(vtkMeasuredContactResponse* measured)
   return buffer.data();
 }
 
-/// The first identified site; without one the filter would have failed.
+/// Row of the first identified site. There is one, since the filter would fail otherwise.
 vtkIdType firstIdentified(vtkTable* sites)
 {
   vtkIdType row = 0;

@@ -9,10 +9,10 @@
 namespace palpate
 {
 /**
- * Gives the body of a scene the responses of all its tools from the curves measured on it
+ * Gives the body of a scene the responses of all its tools, from the curves measured on it
  * (--measured, --register): "Response" for the first tool, then "Response2" ... The notes of the
- * scene list the result of each site; it is touched at the first site unless a place is given.
- * Returns an error, or "".
+ * scene list the result for each site. The contact is at the first site unless a place is given.
+ * Returns "" or an error.
  */
 std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate

@@ -21,11 +21,11 @@ namespace palpate
 {
 namespace
 {
-// The rubber of Mahvash and Hayward 2002, section 4.2. They give no Poisson's ratio.
+// The rubber of Mahvash and Hayward 2002, section 4.2. The paper gives no Poisson's ratio.
 constexpr double ReducedModulus = 3.45; // MPa
 constexpr double PoissonRatio = 0.45;
 
-// mm. The paper gives no sizes.
+// Sizes in mm. The paper gives none.
 constexpr double Length = 72.0; // along x
 constexpr double Width = 20.0;
 constexpr double StripThickness = 3.0;
@@ -36,11 +36,11 @@ constexpr double PlateThickness = 3.0;
 constexpr double PlateMargin = 4.0;
 constexpr double SlideLength = 14.0;
 
-constexpr double Spacing = 2.0; // of the finite elements, along the surface
+constexpr double Spacing = 2.0; // mm, size of the finite elements along the surface
 constexpr int StripLayers = 6;
 constexpr int BlockLayers = 10;
-constexpr int Subdivisions = 2; // of the surface that is touched
-constexpr int Modes = 6;        // of the bending for display
+constexpr int Subdivisions = 2; // of the contact surface
+constexpr int Modes = 6;        // number of bending modes, for display
 
 /// Bits of vtkElasticCompliance's array Fixed.
 enum Hold : unsigned char
@@ -52,8 +52,8 @@ enum Hold : unsigned char
 
 using Place = std::array<double, 3>;
 
-/// On rollers along y near the ends of the strip, which also hold it down; free to slide along, but
-/// not to lift off.
+/// The strip is on rollers along y near its ends. They also hold it down: it can slide along, but
+/// cannot lift off.
 unsigned char holdStrip(const Place& place)
 {
   const bool below = place[2] == -StripThickness;
@@ -70,7 +70,7 @@ unsigned char holdBlock(const Place& place)
   return place[2] == -BlockThickness ? AlongX | AlongY | AlongZ : 0;
 }
 
-/// A cuboid below z = 0, of hexahedra.
+/// A cuboid of hexahedra below z = 0.
 vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
   double thickness, int layers, unsigned char (*hold)(const Place&))
 {
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
   return cells->GetOutput();
 }
 
-/// The solid's surface with compliance and modes, fine enough for a dent.
+/// The surface of the solid with compliance and modes, fine enough for a dent.
 std::string makeSurface(vtkUnstructuredGrid* solid, ViewerScene& scene)
 {
   vtkNew<vtkElasticCompliance> elastic;
@@ -135,7 +135,7 @@ void addCuboid(vtkAppendPolyData* all, const std::array<double, 6>& bounds)
   all->AddInputConnection(cube->GetOutputPort());
 }
 
-/// The rigid plate under both, and the rollers on their posts.
+/// The rigid plate under both bodies, and the rollers on their posts.
 vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
 {
   constexpr double halfLength = 0.5 * Length + PlateMargin;
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
   return all->GetOutput();
 }
 
-/// The properties common to both.
+/// Sets the properties that both bodies have in common.
 void describe(const ViewerOptions& options, ViewerScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonsRatio;
@@ -183,7 +183,7 @@ void describe(const ViewerOptions& options, ViewerScene& scene)
   scene.depth = options.depth.value_or(1.0);
   scene.center = { 0.0, 0.0, -1.5 };
   scene.directions = { { 0.0, 0.0, 1.5 }, { SlideLength, 0.0, 1.5 } };
-  scene.pictureAt = 0.0; // in the middle
+  scene.pictureAt = 0.0; // in the middle of the strip
   scene.viewFrom = { 0.25, -0.9, 0.42 };
 }
 } // namespace

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// One of the bodies of --compare.
+/// One of the two bodies of --compare.
 struct ComparedBody
 {
   ViewerScene scene;
@@ -23,12 +23,13 @@ struct ComparedBody
 };
 
 /**
- * A strip on two rollers, which bends, and a block bonded to a rigid plate, which does not: of the
- * same rubber, with the same top face, z = 0, under the paper's three tools. Both compliances are
- * by finite elements, the block's too. Motion: a press in the middle and a slide along the strip.
+ * Makes a strip on two rollers, which bends, and a block bonded to a rigid plate, which does not.
+ * They have the same rubber, the same top face z = 0, and the three tools of the paper. Both
+ * compliances are computed by finite elements. Motion: a press in the middle and a slide along the
+ * strip.
  *
  * Forces of the tools 1 mm deep: within 3 % of each other on the strip, 67 % apart on the block.
- * Returns an error, or "".
+ * Returns "" or an error.
  */
 std::string makeComparedBodies(const ViewerOptions& options, std::array<ComparedBody, 2>& bodies);
 } // namespace palpate

@@ -17,18 +17,20 @@ namespace palpate
 {
 namespace
 {
-// mm. The mixed cells near a nodule's axis decide: 0.75 there is as accurate as everywhere.
-constexpr double Finest = 0.75;     // of cells up to FinestHalf beside a nodule's axis
-constexpr double FinestHalf = 3.75; // five of them
-constexpr double Fine = 1.0;        // of cells where nodules are
-constexpr double Between = 2.0;     // of those between them
-constexpr double Margin = 30.0;     // from there to the walls: more than ten contact radii
-constexpr double Grading = 2.0;     // of neighbouring cells there
-constexpr double FineDepth = 9.0;   // deeper parts have little effect
+// Sizes in mm. The mixed cells near the axis of a nodule determine the accuracy: 0.75 there gives
+// the same accuracy as 0.75 everywhere.
+constexpr double Finest = 0.75;     // size of cells up to FinestHalf from the axis of a nodule
+constexpr double FinestHalf = 3.75; // five cells
+constexpr double Fine = 1.0;        // size of cells at nodules
+constexpr double Between = 2.0;     // size of cells between nodules
+constexpr double Margin = 30.0;     // from the outermost nodules to the walls: more than ten
+                                    // contact radii
+constexpr double Grading = 2.0;     // ratio of neighbouring cells in the margin
+constexpr double FineDepth = 9.0;   // depth of fine cells; deeper cells have little effect
 constexpr double BlockHeight = 40.0;
-constexpr double AroundNodule = 0.75; // fine cells beyond its sides
+constexpr double AroundNodule = 0.75; // width of fine cells beyond the sides of a nodule
 
-/// Adds coordinates up to `end` at growing distances.
+/// Adds coordinates up to `end` at increasing distances.
 void growTo(std::vector<double>& line, double end)
 {
   double step = Fine;
@@ -40,7 +42,7 @@ void growTo(std::vector<double>& line, double end)
   }
 }
 
-/// Adds coordinates up to `end`, none farther from the next than `most`.
+/// Adds equidistant coordinates up to `end`, at most `most` apart.
 void fillTo(std::vector<double>& line, double end, double most)
 {
   const double begin = line.back();
@@ -55,7 +57,8 @@ void fillTo(std::vector<double>& line, double end, double most)
   }
 }
 
-/// Nodules along one axis: their centre, and the extent of fine cells beside it.
+/// Nodules at the same coordinate of one axis: their centre, and the half width of the fine cells
+/// around it.
 struct Row
 {
   double middle = 0.0;
@@ -85,7 +88,8 @@ std::vector<Row> rowsOf(double PhantomNodule::*place)
   return rows;
 }
 
-/// Planes across the block: finest at the centre of each row, wide beyond them.
+/// Coordinates of the planes across the block: finest at the centre of each row, coarse outside of
+/// all rows.
 std::vector<double> planes(const std::vector<Row>& rows)
 {
   std::vector<double> outward = { rows.front().half - rows.front().middle };
@@ -134,7 +138,7 @@ vtkSmartPointer<vtkDoubleArray> arrayOf(const std::vector<double>& line)
   return array;
 }
 
-/// An array of the grid's points, `isSo(x)` each.
+/// An array on the points of the grid: `value` where `isSo(x)` is true, otherwise 0.
 template <class Question>
 vtkSmartPointer<vtkUnsignedCharArray> marked(
   vtkUnstructuredGrid* grid, const char* name, unsigned char value, const Question& isSo)
@@ -150,7 +154,7 @@ vtkSmartPointer<vtkUnsignedCharArray> marked(
   return marks;
 }
 
-/// Marks the points bonded to the box, and those that are searched.
+/// Marks the points bonded to the box, and the points of the field to search.
 void markPoints(vtkUnstructuredGrid* grid)
 {
   std::array<double, 6> box{};

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// To be raised when the body or its solution changes, so that no outdated cache is used.
+/// Must be increased when the body or its solution changes, so that no outdated cache is used.
 constexpr int PhantomRevision = 2;
 
 /// A hard ball in the phantom, mm; the skin is the plane z = 0.
@@ -21,22 +21,22 @@ struct PhantomNodule
   double radius = 0.0;
 };
 
-/// Three radii, a column each, at three depths, a row each, six millimetres and more apart.
+/// Three radii, one per column, at three depths, one per row, 6 mm or more apart.
 constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0, 1.5 },
   { -2.0, -16.0, 1.0, 3.0 }, { 13.0, -16.0, 1.0, 5.0 }, { -14.0, 0.0, 2.0, 1.5 },
   { -2.0, 0.0, 2.0, 3.0 }, { 13.0, 0.0, 2.0, 5.0 }, { -14.0, 16.0, 3.0, 1.5 },
   { -2.0, 16.0, 3.0, 3.0 }, { 13.0, 16.0, 3.0, 5.0 } } };
 
-/// Ratio of a nodule's modulus to that of its surroundings.
+/// Ratio of a nodule's modulus to the modulus of the block.
 constexpr double NoduleHardness = 10.0;
 
-/// The field that is searched, mm: x from, to, y from, to; plain tissue around all nodules.
+/// The field to search, mm: x from, x to, y from, y to. It has plain tissue around all nodules.
 constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
 
 /**
  * A block of 95 x 104 x 40 mm in a rigid box, bonded to its bottom and sides (`Fixed`), with the
- * nodules in it (vtkNoduleMaterial), `Pressed` in the field: cells of 0.75 to 1 mm at the nodules,
- * 9 mm deep, coarser elsewhere.
+ * nodules in it (vtkNoduleMaterial). The array `Pressed` marks the field. Cells are 0.75 to 1 mm at
+ * the nodules, down to 9 mm depth, and coarser elsewhere.
  */
 vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);
 } // namespace palpate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A block of soft tissue with nine hard nodules under its skin, to be found by feel: finite
-// elements of the whole, with the nodules and without, solved once and kept in the cache.
+// A block of soft tissue with nine hard nodules under its skin, to be found by palpation. Finite
+// elements of the whole block, with the nodules and without, are solved once and stored in the
+// cache.
 #include "ViewerScene.h"
 
 #include "BodyCache.h"
@@ -22,17 +23,17 @@ namespace palpate
 namespace
 {
 constexpr double PressedTo = 0.8;             // mm
-constexpr double SourceSpacing = 1.0;         // mm: half the distance to most nodules
+constexpr double SourceSpacing = 1.0;         // mm: half the distance of most nodules
 constexpr double SourceSpacingWithout = 15.0; // mm: half the distance to a wall
 
-/// Everything that the solved phantom depends on.
+/// Cache key: everything that the solved phantom depends on.
 std::string phantomKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   return joined(PhantomRevision, solvedKey(options, scene), '|',
     shortestDecimals(options.depth.value_or(PressedTo)));
 }
 
-/// The arrays of a solved phantom.
+/// Names of the arrays of a solved phantom.
 std::vector<std::string> arraysOf(std::size_t tools)
 {
   std::vector<std::string> arrays = { "ForceChange" };
@@ -80,7 +81,7 @@ std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
   return {};
 }
 
-/// The option that a scene with its own body cannot have.
+/// Name of an option that is not possible for a scene with its own body.
 std::string refused(const ViewerOptions& options)
 {
   const char* option = options.voxel > 0.0 ? "--voxel"
@@ -132,7 +133,7 @@ std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
     " times as stiff, of 1.5, 3 and 5 mm, which begin 1, 2 and 3 mm under the skin, in a bonded "
     "box");
   scene.depth = PressedTo;
-  // From over the nodule of 3 mm that begins 2 mm deep to that which begins 1 mm deep.
+  // From above the nodule of 3 mm radius whose top is 2 mm deep to the one whose top is 1 mm deep.
   scene.center = { 0.0, 0.0, -20.0 };
   scene.directions = { { -2.0, 0.0, 20.0 }, { -2.0, -16.0, 20.0 } };
   scene.pictureAt = 0.0;

@@ -27,17 +27,20 @@ namespace palpate
 {
 namespace
 {
-// Two minutes on two cores: a factor of a hundred thousand unknowns, ten thousand solutions.
+// These sizes take two minutes on two cores: the factorization for a hundred thousand unknowns, and
+// ten thousand solutions.
 constexpr double UsualCells = 20000.0;
 constexpr double UsualSources = 10000.0;
-/// Cells of vtkGradedBody per squared spacing of the surface.
+/// Number of vtkGradedBody's cells: this factor times the surface area over the squared spacing.
 constexpr double CellsPerSquare = 8.7;
-/// No finer than a tool's contact needs, no coarser than the body's shape needs.
+/// Limits of the spacing: at least this fraction of the contact radius, and at most this fraction
+/// of the cube root of the volume, which the shape of the body needs.
 constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
-/// Sources are nodes, including those in the middle of each edge.
+/// Sources are nodes, including the nodes in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
-/// Spacing of the second mesh, which tells the error of the first: a sixth of its cost.
+/// Ratio of the spacing of the second mesh, which gives the error of the first. It has a sixth of
+/// the cost of the first.
 constexpr double CoarserRatio = 2.0;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
@@ -45,7 +48,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The size of cells at the surface, and the distance of the points that are solved for.
+/// The size of cells at the surface, and the distance of the source points.
 struct SolidSizes
 {
   double spacing = 0.0; ///< mm
@@ -70,7 +73,8 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   return sizes;
 }
 
-/// The law of finite strain for a tool: as requested, or Neo-Hooke if that is tabulated.
+/// The law of finite strain for a tool: the given one, or Neo-Hooke if it is tabulated for the
+/// tool.
 StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const ViewerScene& scene)
 {
   if (options.strainGiven && !scene.terms.automatic)
@@ -82,8 +86,8 @@ StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const 
   return { isKnown ? StrainModel::NeoHooke : StrainModel::Linear, 0.0 };
 }
 
-/// Everything that the responses depend on. The revision changes when the same input gives other
-/// results.
+/// Cache key: everything that the responses depend on. The revision changes when the same input
+/// gives other results.
 std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   constexpr int Revision = 10;
@@ -93,7 +97,7 @@ std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
     contentOf(scene.body));
 }
 
-/// The body filled with tetrahedra; returns what is wrong, or "".
+/// Fills the body with tetrahedra. Returns "" or an error.
 std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vtkGradedBody* filled)
 {
   filled->SetInputData(body);
@@ -102,7 +106,8 @@ std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vt
   return updateQuietly(filled);
 }
 
-/// The same with longer cells; what is wrong with the surface has been told by then.
+/// Fills the body with longer cells. Defects of the surface have already been reported for the
+/// first mesh, so warnings are not repeated.
 std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
 {
   coarser->SetInputData(first->GetInput());
@@ -113,7 +118,7 @@ std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
   return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 
-/// Fills the scene's body and presses its tools; sets body and notes.
+/// Fills the body of the scene and presses its tools. Sets body and notes.
 std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
@@ -127,7 +132,7 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
     }
     radii.push_back(tools.back()->GetKernel()->contactRadius(options.maximumDeflection));
   }
-  // The tool with the widest contact first, as the others share its solutions.
+  // The tool with the widest contact is first, as the others use its solutions.
   std::vector<std::size_t> order(tools.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),

@@ -26,9 +26,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int BodyModes = 6; ///< of the body's global motion
+constexpr int BodyModes = 6; ///< modes of the body's global motion
 
-/// Refuses a solid whose finite elements certainly exceed the memory, before it is filled.
+/// Returns an error for a solid whose finite elements certainly exceed the memory, before it is
+/// filled.
 std::string checkMemory(vtkPolyData* body, double spacing)
 {
   const BodyMesh mesh = makeBodyMesh(body);
@@ -43,7 +44,7 @@ std::string checkMemory(vtkPolyData* body, double spacing)
       area += 0.5 * side.cross(mesh.point(corners[2]) - from).norm();
     }
   }
-  const double side = std::max(spacing, 1e-9); // a lower bound, so that all numbers are finite
+  const double side = std::max(spacing, 1e-9); // a lower bound keeps all numbers finite
   const double voxels = mesh.enclosedVolume() / std::pow(side, 3);
   const MemoryForecast forecast = forecastMemory(voxels, area / std::pow(side, 2));
   const double available = availableMemory();
@@ -60,8 +61,8 @@ std::string checkMemory(vtkPolyData* body, double spacing)
   return text.data();
 }
 
-/// Interpolates the modes of the solid from all its points, as they are also valid at those without
-/// a compliance.
+/// Interpolates the modes from all points of the solid: they are also valid at points without a
+/// compliance.
 void carryModes(vtkPolyData* solid, vtkPolyData* body)
 {
   vtkDataArray* signs = solid->GetFieldData()->GetArray("GlobalModeSign");
@@ -112,7 +113,7 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
   {
     return "the solid made of the body has no point with a compliance: is --voxel too coarse?";
   }
-  // A fixed side has no valid points; there the values interpolated along the surface are used.
+  // A fixed side has no valid points. The values interpolated along the surface are used there.
   const FacingPoints others(solid,
     [&](vtkIdType id)
     { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });

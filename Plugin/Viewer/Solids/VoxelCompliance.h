@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// The options by which a surface becomes a solid: --voxel, --fixed, --young, --poisson.
+/// Options for making a solid of a surface: --voxel, --fixed, --young, --poisson.
 struct VoxelComplianceOptions
 {
   double spacing = 2.0;          ///< mm
@@ -19,18 +19,19 @@ struct VoxelComplianceOptions
 };
 
 /**
- * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid it encloses, and
- * six modes of its global motion (`GlobalMode0`..., `GlobalModeSign`): fills it with hexahedra
- * (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's own points. A
- * sentence on what was done is added to `notes`. Returns an error, or "".
+ * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid that it encloses,
+ * and six modes of its global motion (`GlobalMode0`..., `GlobalModeSign`). Fills the surface with
+ * hexahedra (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's own
+ * points. Adds a sentence about this to `notes`. Returns "" or an error.
  */
 std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes);
 
-/// Interpolates the compliance, from the points of `solid` whose `ComplianceStatus` is 0 or, where
-/// none faces the same way, from the others, and the modes, from all, at the points of `body`: each
-/// from the nearest that face the same way (FacingPoints). Returns an error that names the first
-/// point without any source, or "".
+/// Interpolates compliance and modes at the points of `body`, each from the nearest points of
+/// `solid` that face the same way (FacingPoints). The compliance is taken from points whose
+/// `ComplianceStatus` is 0 or, if none of them faces the same way, from the other points. The modes
+/// are taken from all points. Returns "", or an error that names the first point without any
+/// source.
 std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body);
 } // namespace palpate
 

@@ -25,7 +25,7 @@ namespace
 const char* const Question = "Which one pushes back more?";
 const char* const LumpQuestion = "Under which one is the lump?";
 
-/// The force at a resting tip without friction, N.
+/// Force at a tip at rest, without friction, N.
 double forceAt(vtkPolyData* body, const std::string& response, const ContactSettings& contact,
   const std::array<double, 3>& tip)
 {
@@ -67,7 +67,7 @@ std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoi
   {
     return "alternative '" + choice.name + "': this body has no lumps; give --scene phantom";
   }
-  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without"; // its nodules
+  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without"; // without nodules
   if (law == own)
   {
     for (std::size_t i = 0; i < scene.tools.size(); ++i)
@@ -123,7 +123,8 @@ std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& sc
     this->Head.alternatives.push_back(
       { choice.name, forceAt(responses.body, this->ResponseNames[i], choice.contact, pressed) });
   }
-  // Lumps are hard: with one tool, the alternative with the larger force has one.
+  // Lumps are hard: if all alternatives have the same tool, the one with the larger force has a
+  // lump.
   const bool asksForLump = std::all_of(this->Choices.begin(), this->Choices.end(),
     [this](const TrialChoice& choice)
     { return choice.hasLump && choice.tool == this->Choices.front().tool; });
@@ -138,7 +139,7 @@ std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& sc
   std::string path = options.trialLog;
   if (path.empty())
   {
-    std::error_code ignored; // then the log cannot be written, and reports it
+    std::error_code ignored; // if it fails, opening the log will report it
     std::filesystem::create_directories(options.output, ignored);
     path = options.output + "/trial.csv";
   }

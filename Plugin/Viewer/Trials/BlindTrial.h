@@ -17,39 +17,40 @@ class vtkHapticSession;
 namespace palpate
 {
 /**
- * A running blind comparison: what X and Y are at present, which of them the session renders, and
- * the log. Window and console only see X and Y, not which alternative is which.
+ * A blind comparison in progress: the alternatives that X and Y stand for at present, which of X
+ * and Y the session renders, and the log. Window and console only know X and Y, not the
+ * alternatives.
  *
- * The alternatives share body, device and force factor, so that their ratios are those of the
- * computed forces.
+ * The alternatives share body, device and force factor, so that the ratios of their forces are
+ * those of the computed forces.
  */
 class BlindTrial
 {
 public:
   /// Plans the trials, and attaches the responses of the alternatives that the scene does not have.
-  /// Returns an error that names the alternative, or "".
+  /// Returns "" or an error that names the alternative.
   std::string prepare(
     const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
-  /// Once the session has its device: opens the log. Returns an error, or "".
+  /// Opens the log. Call it after the session has its device. Returns "" or an error.
   std::string open(const ViewerOptions& options, const ViewerScene& scene,
     const ResponseSet& responses, vtkHapticSession* session);
 
   std::size_t numberOfTrials() const { return this->Plan.size(); }
   bool isOver() const { return this->Asked >= this->Plan.size(); }
   bool showsX() const { return this->ShowsX; }
-  /// "trial 3 of 20".
+  /// Title of the current trial: "trial 3 of 20".
   std::string title() const;
   const std::string& question() const { return this->Head.question; }
 
   /// Begins the current trial, with X.
   void begin();
-  /// Gives the session X or Y; a running one changes to it.
+  /// Gives the session X or Y. A running session changes over to it.
   void show(bool x);
   void switchOver();
-  /// Logs the answer; then call begin() for the next trial. Returns an error, or "".
+  /// Logs the answer. After that, call begin() for the next trial. Returns "" or an error.
   std::string answer(bool choseX);
 
-  /// The result of all answers so far, in lines.
+  /// The result of all answers so far, in lines of text.
   std::vector<std::string> summary() const;
 
 private:
@@ -59,7 +60,7 @@ private:
   void apply(std::size_t alternative);
 
   std::vector<TrialChoice> Choices;
-  std::vector<std::string> ResponseNames; ///< of the choices
+  std::vector<std::string> ResponseNames; ///< of the alternatives
   std::vector<Trial> Plan;
   TrialHead Head;
   TrialLog Log;

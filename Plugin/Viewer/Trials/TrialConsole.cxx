@@ -20,7 +20,7 @@ namespace palpate
 {
 namespace
 {
-/// The path of the simulated hand, `times` times in sequence.
+/// The path of the simulated hand, repeated `times` times.
 vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
 {
   vtkDataArray* time = path->GetPointData()->GetArray("Time");
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
       points->InsertNextPoint(path->GetPoint(i));
       when->InsertNextValue(end + time->GetTuple1(i));
     }
-    end += time->GetTuple1(count - 1); // the sum stored last, so that time does not go back
+    end += time->GetTuple1(count - 1); // adds the stored last time, so that time does not go back
   }
   auto all = vtkSmartPointer<vtkPolyData>::New();
   all->SetPoints(points);
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
   return all;
 }
 
-/// The simulated hand follows its path once; returns the largest force, N.
+/// Moves the simulated hand along its path once. Returns the largest force, N.
 double pressOnce(vtkHapticSession* session, double seconds)
 {
   double strongest = 0.0;
@@ -60,7 +60,7 @@ double pressOnce(vtkHapticSession* session, double seconds)
   return strongest;
 }
 
-/// Lets the simulated hand press X and Y.
+/// Presses X and Y with the simulated hand.
 void pressBoth(BlindTrial& trial, vtkHapticSession* session, double seconds)
 {
   const double x = pressOnce(session, seconds);
@@ -69,8 +69,8 @@ void pressBoth(BlindTrial& trial, vtkHapticSession* session, double seconds)
   std::printf("X pushed back with up to %.4g N, Y with up to %.4g N\n", x, y);
 }
 
-/// One trial; sets `hasEnded` at the end of the input. `seconds` of each press; 0: a person
-/// presses.
+/// Runs one trial. Sets `hasEnded` at the end of the input. `seconds` is the duration of each
+/// press; 0: a person presses.
 std::string ask(BlindTrial& trial, vtkHapticSession* session, double seconds, bool& hasEnded)
 {
   const bool isSimulated = seconds > 0.0;
@@ -134,7 +134,7 @@ std::string runTrialConsole(const ViewerOptions& options, const ViewerScene& sce
   if (error.empty())
   {
     placeDevice(scene, responses, session);
-    error = startQuietly(session); // which determines the force factor
+    error = startQuietly(session); // this determines the force factor
   }
   if (error.empty())
   {

@@ -9,14 +9,14 @@
 
 namespace palpate
 {
-/// The comparison in a window: space switches, 1 and 2 answer; nothing reveals which is which.
-/// Returns an error, or "".
+/// The comparison in a window: the space bar switches, 1 and 2 answer. Nothing reveals which
+/// alternative is X. Returns "" or an error.
 std::string runTrialWindow(const ViewerOptions& options, const ViewerScene& scene);
 
 /**
- * The comparison without a display, answers from the standard input, a line each: 1 or 2; with a
- * physical device also s, which switches. The simulated hand presses both in virtual time, and its
- * forces are printed for the answer. Returns an error, or "".
+ * The comparison without a display. Answers are read from the standard input, one per line: 1 or 2;
+ * with a physical device also s, which switches. Without one, the simulated hand presses both
+ * alternatives in virtual time, and its forces are printed for the answer. Returns "" or an error.
  */
 std::string runTrialConsole(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate

@@ -4,12 +4,12 @@
 
 namespace palpate::testing
 {
-/// How often this thread has asked for or returned memory: by operator new and delete, and, where
-/// no sanitizer owns them, by malloc, calloc and realloc. Linking AllocationCount.cxx replaces
-/// these for the whole process, the libraries included.
+/// Number of times that this thread has allocated or freed memory by operator new and delete and,
+/// if no sanitizer replaces them, by malloc, calloc and realloc. Linking AllocationCount.cxx
+/// replaces these functions for the whole process, including its libraries.
 long allocationCount() noexcept;
 
-/// Whether malloc itself is counted.
+/// True if malloc itself is counted.
 bool countsMalloc() noexcept;
 } // namespace palpate::testing
 

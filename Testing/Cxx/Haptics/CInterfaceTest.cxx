@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C interface gives the numbers of ServoStep, and reasons instead of crashes.
+// The C interface gives the same numbers as ServoStep. For wrong input it reports the reason and
+// does not crash.
 #include "Haptics/palpate.h"
 
 #include "Contact/FlatBodyFile.h"
@@ -53,7 +54,7 @@ BodyHandle load(const Exported& file)
   return { palpate_body_load(file.path.c_str(), nullptr, 0), &palpate_body_free };
 }
 
-/// Why settings are refused; "" if they are not.
+/// Reason for refusing the settings; "" if they are accepted.
 std::string refusal(const palpate_body* body, const palpate_settings& settings)
 {
   std::array<char, 256> reason{};
@@ -85,7 +86,7 @@ TEST(CInterface, StepsAsServoStepDoes)
     const palpate::Tick expected = servo.step(sample, t);
     palpate_tick tick;
     palpate_step(contact, sample.position.data(), t, &tick);
-    palpate_foresee(contact); // changes nothing
+    palpate_foresee(contact); // has no effect
     EXPECT_EQ(tick.state, static_cast<int>(expected.contact.state));
     EXPECT_EQ(tick.deflection, expected.contact.deflection);
     EXPECT_EQ(tick.normal_force, expected.contact.normalForce);
@@ -288,8 +289,9 @@ TEST(CInterface, TellsItsVersion)
   EXPECT_EQ(palpate_api_version(), PALPATE_API_VERSION);
 }
 
-// The sizes of PALPATE_API_VERSION 1 where pointers and doubles have eight bytes, by hand: a
-// program that was compiled once goes on. Members come from `reserved`.
+// The sizes in PALPATE_API_VERSION 1, counted by hand, for pointers and doubles of eight bytes.
+// They must not change, so that a compiled program continues to work. New members take their space
+// from `reserved`.
 TEST(CInterface, StructsKeepTheirSizes)
 {
   static_assert(sizeof(double) == 8 && sizeof(int) == 4);

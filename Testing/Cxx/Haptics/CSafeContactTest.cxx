@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of the C interface with mapping, safety, clutch and scenes gives the numbers of
+// The part of the C interface with mapping, safety, clutch and scenes gives the same numbers as
 // ServoStep.
 #include "CBall.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -38,7 +38,7 @@ ContactHandle makeContact(const palpate_body* body, const palpate_mapping* mappi
     &palpate_contact_free };
 }
 
-/// Why a contact is refused; "" if it is not.
+/// Reason for refusing a contact; "" if it is accepted.
 std::string refusal(
   const palpate_body* body, const palpate_mapping* mapping, const palpate_safety* safety)
 {
@@ -83,7 +83,7 @@ TEST(CSafeContact, StepsAsServoStepDoesThroughAllThereIs)
   palpate_mapping_default(&place);
   for (int i = 0; i < 9; ++i)
   {
-    place.rotation[i] = turn(i / 3, i % 3); // row after row
+    place.rotation[i] = turn(i / 3, i % 3); // row by row
   }
   place.translation[1] = 4.0;
   place.scale = 2.0;
@@ -207,7 +207,7 @@ TEST(CSafeContact, DefaultsAreThoseOfTheKernel)
 
 TEST(CSafeContact, EachSafetyReachesTheChain)
 {
-  // Switched off one by one, the contact is the plain one again.
+  // With the links switched off one by one, the contact is the plain one again.
   const CBall ball(3.0F);
   palpate_safety safety = usualSafety();
   safety.maximum_force = 5.0;
@@ -221,12 +221,12 @@ TEST(CSafeContact, EachSafetyReachesTheChain)
     {
       palpate_sample sample;
       palpate_sample_default(&sample);
-      sample.position[2] = 0.0199 - 4e-5 * i; // begins inside
+      sample.position[2] = 0.0199 - 4e-5 * i; // starts inside the body
       palpate_step_sample(contact.get(), &sample, 1e-3 * i, &tick);
     }
     return tick;
   };
-  EXPECT_EQ(deepest().tick.device_force[2], 0.0); // the gate
+  EXPECT_EQ(deepest().tick.device_force[2], 0.0); // because of the gate
   safety.gate = 0;
   const palpate_full_tick capped = deepest();
   EXPECT_NE(capped.acted & PALPATE_STIFFNESS_CAP, 0U);
@@ -305,7 +305,8 @@ TEST(CSafeContact, FitsABodyOrSaysWhyNot)
   std::array<char, 256> reason{};
   ASSERT_EQ(
     palpate_mapping_fit(&mapping, ball.c.get(), workspace, 5.0, reason.data(), reason.size()), 1);
-  // A ball of 20 mm and 5 mm around it into 50 mm (float32 of the mesh, and its highest corner).
+  // A ball of 20 mm with a margin of 5 mm is fitted into 50 mm. The tolerances are for the float32
+  // mesh and its highest corner.
   EXPECT_NEAR(mapping.scale, 0.5, 1e-4);
   EXPECT_NEAR(
     std::hypot(mapping.translation[0], mapping.translation[1], mapping.translation[2]), 0.0, 1e-5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C interface with a device that turns and is sent torque gives the numbers of ServoStep.
+// The C interface with a device that turns and outputs torque gives the same numbers as ServoStep.
 #include "CBall.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -15,7 +15,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// And what C says of settings for it.
+/// The ball, with the check of the C interface for its settings.
 struct Ball : CBall
 {
   Ball()
@@ -28,7 +28,7 @@ struct Ball : CBall
     return { palpate_contact_new_safe(this->c.get(), nullptr, &safety, nullptr, 0, nullptr, 0),
       &palpate_contact_free };
   }
-  /// Why a contact is refused; "" if it is not.
+  /// Reason for refusing a contact; "" if it is accepted.
   std::string refusal(const palpate_safety& safety) const
   {
     std::array<char, 256> reason{};
@@ -45,7 +45,7 @@ TEST(CTurning, TorqueIsOfferedAndLimitedAsTheKernelDoes)
 {
   palpate_device device;
   palpate_device_default(&device);
-  EXPECT_EQ(device.maximum_torque, 0.0); // none, as before there was any
+  EXPECT_EQ(device.maximum_torque, 0.0); // no torque, as before torque was supported
   device.maximum_torque = 0.25;
   palpate_safety safety;
   palpate_safety_of(&device, &safety);
@@ -62,9 +62,9 @@ TEST(CTurning, TorqueIsOfferedAndLimitedAsTheKernelDoes)
   safety.maximum_torque = 0.25;
   safety.maximum_torque_rate = -2.0;
   EXPECT_EQ(ball.refusal(safety), "maximum_torque_rate must be positive (N m/s), but is -2");
-  safety.maximum_torque_rate = 0.0; // any
+  safety.maximum_torque_rate = 0.0; // no limit
 
-  // A turned tool goes through mapping and chain as in the kernel's step.
+  // Mapping and chain treat a turned tool as in the kernel's step.
   palpate::SafetySettings settings = palpate::SafetySettings::of(palpate::DeviceSpecification());
   settings.maximumTorque = 0.25;
   settings.maximumTorsionalStiffness = 2.0;

@@ -14,7 +14,7 @@ namespace
 constexpr double Period = 1e-3; // s
 constexpr std::uint32_t Button = 2;
 
-/// A hand on its way, mm.
+/// Position of a moving hand, mm.
 Vector3d handAt(int tick)
 {
   return { 0.1 * tick, std::sin(0.3 * tick), -2.0 };
@@ -47,14 +47,14 @@ TEST(Clutch, TheTipStaysWhileHeldAndGoesOnFromThere)
     const std::uint32_t buttons = held ? (i < 200 ? Button : 8) : 1;
     const Vector3d tip = clutch.follow(handAt(i), buttons, Period);
     EXPECT_EQ(clutch.isHeld(), held);
-    if (wasHeld) // the tick of the release too: no jump, however far the hand has come
+    if (wasHeld) // also in the tick of the release: no jump, independent of the motion of the hand
     {
       EXPECT_EQ(tip, last);
       offset = tip - handAt(i);
     }
-    else // also in the tick of the press: the tip moves by as much as the hand
+    else // also in the tick of the press: the tip moves with the hand
     {
-      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding of 40 mm
+      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding error of 40 mm
     }
     last = tip;
   }
@@ -67,7 +67,7 @@ TEST(Clutch, ForceFadesAndComesBackStraightInTime)
 {
   Clutch clutch(Button);
   clutch.follow(handAt(0), 0, Period);
-  // 1 ms of 50: a fiftieth per tick, and never more; sums of fiftieths are exact to rounding.
+  // 1 ms of 50 ms is a fiftieth per tick, never more. Sums of fiftieths are exact up to rounding.
   for (int i = 1; i <= 60; ++i)
   {
     clutch.follow(handAt(i), Button, Period);
@@ -97,8 +97,8 @@ TEST(Clutch, AButtonThatBouncesMakesNoStep)
 TEST(ForceRamp, ALateTickMakesItLongerNotSteeper)
 {
   ForceRamp ramp(0.0);
-  EXPECT_EQ(ramp.advance(1.0, 0.0), 0.0); // time stands still
-  EXPECT_EQ(ramp.advance(1.0, 3.0), 0.1); // a stall of 3 s
+  EXPECT_EQ(ramp.advance(1.0, 0.0), 0.0); // no time has passed
+  EXPECT_EQ(ramp.advance(1.0, 3.0), 0.1); // a delay of 3 s
   EXPECT_NEAR(ramp.advance(1.0, 0.0025), 0.15, 1e-15);
   EXPECT_NEAR(ramp.advance(0.0, 0.001), 0.13, 1e-15);
   for (int i = 0; i < 9; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading and writing the simulated, faulty, recording and replaying devices touches no heap.
+// Reading and writing the simulated, faulty, recording and replaying devices does not use the heap.
 #include "AllocationCount.h"
 #include "FaultyDevice.h"
 #include "RecordingDevice.h"
@@ -32,7 +32,7 @@ struct Met
   int pressing = 0;
 };
 
-/// A virtual wall below 0; times that are NaN, stand still and jump among them.
+/// A virtual wall below 0. Some times are NaN, repeat or jump.
 Met expectNoAllocation(HapticDevice& device)
 {
   Met met;
@@ -70,7 +70,7 @@ std::vector<SimulatedDevice::WayPoint> toAndFro()
   return path;
 }
 
-/// Friction, limits, encoders, delays: every event of the plant.
+/// Friction, limits, encoders, delays: all events of the plant.
 std::unique_ptr<SimulatedDevice> everything(bool isSteered = false)
 {
   palpate::SimulatedPlant plant;
@@ -116,12 +116,12 @@ TEST(DeviceAllocation, Faulty)
 
 TEST(DeviceAllocation, RecordingAndReplay)
 {
-  palpate::RecordingDevice recorder(everything(), Ticks / 2); // some find no room
+  palpate::RecordingDevice recorder(everything(), Ticks / 2); // some readings find no room
   expectNoAllocation(recorder);
   EXPECT_GT(recorder.overruns(), 1000U);
   std::vector<palpate::RecordedSample> samples;
   recorder.drain(samples);
-  // Those with a time that is no number belong in no file.
+  // Samples whose time is NaN do not go to a file.
   std::vector<palpate::RecordedSample> timed;
   for (const palpate::RecordedSample& sample : samples)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One factor for all tools: the paper's three keep their ratios, which a cap alone takes from them.
+// One factor for all tools keeps the ratios of the paper's three tools. A cap alone changes them.
 #include "Haptics/Devices/DeviceFit.h"
 
 #include "Contact/CappedResponse.h"
@@ -24,7 +24,7 @@ namespace
 constexpr double Rubber = 3.45; // E*, MPa
 constexpr double Depth = 1.0;   // mm
 
-/// A tool of the paper, pressed into rubber up to 2 mm, as a body stores it.
+/// A tool of the paper, pressed into rubber down to 2 mm, as stored in a body.
 struct PaperTool
 {
   explicit PaperTool(const std::string& text)
@@ -70,7 +70,7 @@ DeviceSpecification device(double force, double stiffness)
 
 TEST(DeviceFit, ThePapersToolsKeepTheirRatios)
 {
-  // Diameters in the paper: 12.7 mm sphere, 3.2 mm flat, 3.2 mm sphere.
+  // Diameters in the paper: sphere 12.7 mm, flat 3.2 mm, sphere 3.2 mm.
   const std::array<PaperTool, 3> tools{ PaperTool("sphere:6.35"), PaperTool("flat:1.6"),
     PaperTool("sphere:1.6") };
   const double stiffest = 2.0; // N/mm
@@ -79,7 +79,7 @@ TEST(DeviceFit, ThePapersToolsKeepTheirRatios)
   {
     fit.include(*tool.Field, Depth);
   }
-  // The stiffest at 1 mm is the large sphere, 2 E* a = 16.8 N/mm.
+  // The large sphere has the largest stiffness at 1 mm, 2 E* a = 16.8 N/mm.
   EXPECT_NEAR(fit.peakForce(), 11.4, 0.05);
   EXPECT_NEAR(fit.peakStiffness(), tools[0].Law->evaluate(Depth, Rubber).stiffness, 2e-3);
   EXPECT_NEAR(fit.factor(), 0.12, 0.005);
@@ -92,19 +92,20 @@ TEST(DeviceFit, ThePapersToolsKeepTheirRatios)
     const BlendedResponse response = tools[i].response();
     ideal[i] = response.evaluate(Depth).force;
     capped[i] = CappedResponse(response, stiffest).evaluate(Depth).force;
-    // As the chain does it: the cap counts after the factor, so it is that much higher.
+    // As in the chain: the cap applies after the factor, so it is larger by its inverse.
     const CappedResponse after(response, stiffest / fit.factor());
     fitted[i] = fit.factor() * after.evaluate(Depth).force;
     EXPECT_LE(fit.factor() * after.evaluate(Depth).stiffness, stiffest * (1.0 + 1e-12));
   }
-  // Rounded to the digits of the reference; 0.0005 for the stored samples (4e-4 of the force).
+  // Tolerance for the digits of the reference, plus 0.0005 for the stored samples (4e-4 of the
+  // force).
   const std::array<double, 3> ofReference{ 11.4, 11.0, 5.45 };
   const std::array<double, 3> cappedOfReference{ 1.99, 2.00, 1.96 };
   for (std::size_t i = 0; i < 3; ++i)
   {
     EXPECT_NEAR(ideal[i], ofReference[i], 0.05);
     EXPECT_NEAR(capped[i], cappedOfReference[i], 0.0055);
-    // The cap never acts on what the factor has fitted.
+    // The cap has no effect on forces that the factor has fitted.
     EXPECT_NEAR(fitted[i], fit.factor() * ideal[i], 1e-9);
   }
   EXPECT_NEAR(spread(capped), 0.02, 0.005);
@@ -115,14 +116,14 @@ TEST(DeviceFit, ThePapersToolsKeepTheirRatios)
 TEST(DeviceFit, ForceOrStiffnessWhicheverIsShorter)
 {
   DeviceFit fit(device(3.0, 2000.0));
-  EXPECT_EQ(fit.factor(), 1.0); // nothing to fit
+  EXPECT_EQ(fit.factor(), 1.0); // no responses to fit
   fit.include(2.0, 1.0);
-  EXPECT_EQ(fit.factor(), 1.0); // all within its limits
+  EXPECT_EQ(fit.factor(), 1.0); // all are within its limits
   fit.include(12.0, 4.0);
   EXPECT_EQ(fit.factor(), 0.25);
   fit.include(1.0, 20.0);
   EXPECT_EQ(fit.factor(), 0.1);
-  // Twice the scale: a spring of the body is felt twice as stiff, a force as it is.
+  // With twice the scale, the hand perceives twice the stiffness of the body, but the same force.
   DeviceFit large(device(3.0, 2000.0), 2.0);
   large.include(12.0, 20.0);
   EXPECT_EQ(large.factor(), 0.05);
@@ -135,7 +136,7 @@ TEST(DeviceFit, PeaksOfABodyAreThoseOfItsWorstPoint)
   constexpr std::size_t points = 30000; // several ranges of forRanges
   ResponseStore store(points);
   store.randomizeCurves(3);
-  store.status[7] = 2; // not a response
+  store.status[7] = 2; // not a valid response
   store.force[8 * 7] = 1e6F;
   const ResponseField field(store.arrays());
   DeviceFit fit(device(1.0, 1000.0));
@@ -157,7 +158,7 @@ TEST(DeviceFit, PeaksOfABodyAreThoseOfItsWorstPoint)
       stiffness = std::max(stiffness, value.stiffness);
     }
   }
-  // The same places but for rounding.
+  // The same places, up to rounding.
   EXPECT_NEAR(fit.peakForce(), force, 1e-12 * force);
   EXPECT_NEAR(fit.peakStiffness(), stiffness, 1e-12 * stiffness);
 }

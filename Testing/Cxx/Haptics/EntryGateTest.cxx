@@ -27,14 +27,14 @@ TEST(EntryGate, RampOfTheFirstTouch)
 {
   EntryGate gate(true, 0.5);
   EXPECT_EQ(gate.share(0.0, false), 0.0);
-  EXPECT_EQ(gate.share(1.0, true), 1.0); // of no force
+  EXPECT_EQ(gate.share(1.0, true), 1.0); // fraction of a zero force
   EXPECT_EQ(gate.share(2.0, false), 0.0);
   EXPECT_EQ(gate.share(2.125, false), 0.25);
-  EXPECT_EQ(gate.share(2.25, true), 0.5); // goes on outside
+  EXPECT_EQ(gate.share(2.25, true), 0.5); // continues outside
   EXPECT_EQ(gate.share(2.375, false), 0.75);
   EXPECT_EQ(gate.share(2.5, false), 1.0);
   EXPECT_EQ(gate.share(3.0, true), 1.0);
-  EXPECT_EQ(gate.share(4.0, false), 1.0); // the second touch is not the first
+  EXPECT_EQ(gate.share(4.0, false), 1.0); // a second contact has no ramp
   gate.close();
   EXPECT_EQ(gate.share(5.0, true), 1.0);
   EXPECT_EQ(gate.share(6.0, false), 0.0);

@@ -16,21 +16,21 @@
 namespace palpate
 {
 /**
- * Another device, with faults (DeviceFaults): to see what a loop makes of them.
+ * Another device with faults (DeviceFaults), to test the reaction of a loop.
  *
- * Deterministic: what happens depends on the faults, the seed and the times read, with a generator
- * of its own (splitmix64; Steele, Lea and Flood 2014); each reading draws one number per kind of
- * fault, so that the rate of one does not move the others. The device within is read in every tick
- * and so moves on; it is sent zero force in the tick of a disconnection, and after it, until it is
- * written again, keeps that.
+ * Deterministic: the events depend on the faults, the seed and the times of the readings. It has
+ * its own random generator (splitmix64; Steele, Lea and Flood 2014). Each reading draws one number
+ * per kind of fault, so that the rate of one fault does not influence the others. The inner device
+ * is read in every tick, so its motion continues. It gets zero force in the tick of a disconnection
+ * and keeps this force until the next write.
  *
- * errors() adds to those of the device within: what was dropped as lost, forces not taken as
- * unsent, and disconnections. What repeats or comes late goes unnoticed, as it does at a device
- * that does not number its reports. With wrong settings nothing is connected, and status() says
- * why.
+ * errors() adds to the errors of the inner device: dropped samples as lost, refused forces as
+ * unsent, and disconnections. Repeated or late samples are not noticed, as for a device that does
+ * not number its reports. With wrong settings no device is connected, and status() gives the
+ * reason.
  *
- * A tick costs O(scheduled faults). read and write are the servo thread's, status and errors for
- * any.
+ * A tick costs O(scheduled faults). read and write are for the servo thread, status and errors for
+ * any thread.
  */
 class PALPATE_EXPORT FaultyDevice final : public HapticDevice
 {
@@ -50,7 +50,7 @@ public:
   HapticDevice& device() noexcept { return *this->Device; }
 
 private:
-  /// Whether a fault strikes the reading of this time, and until when it lasts.
+  /// Whether a fault occurs at the reading of this time, and its end.
   struct Strike
   {
     bool is = false;
@@ -60,7 +60,7 @@ private:
 
   void strike(double time) noexcept;
   DeviceSample tell(const DeviceSample& reading, double time) noexcept;
-  /// Uniform in [0, 1).
+  /// Random number, uniform in [0, 1).
   double draw() noexcept;
   bool isStruck(DeviceFault fault) const noexcept
   {
@@ -73,8 +73,8 @@ private:
   std::uint64_t Generator;
   std::array<Strike, DeviceFaultCount> Strikes;
   double LastTime = -std::numeric_limits<double>::infinity();
-  DeviceSample Last; ///< as told
-  DeviceSample Late; ///< on its way
+  DeviceSample Last; ///< the last sample returned
+  DeviceSample Late; ///< a delayed sample
   double LateDue = 0.0;
   bool IsLate = false;
 

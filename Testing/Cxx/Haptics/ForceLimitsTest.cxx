@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two links that know nothing but the force: its magnitude and its rate.
+// The two links that depend only on the force: the limits of its magnitude and of its rate.
 #include "Haptics/Safety/SafetyLinks.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -21,7 +21,7 @@ TEST(ForceLimit, KeepsTheDirection)
   const Vector3d large(3.0, -4.0, 12.0); // 13 N
   EXPECT_LE((limit.limit(large) - 2.5 / 13.0 * large).norm(), 1e-15);
   EXPECT_EQ(limit.limit(Vector3d::Zero()), Vector3d::Zero());
-  // Where a sum of squares overflows.
+  // A value whose sum of squares overflows.
   EXPECT_NEAR(limit.limit(Vector3d(1e200, 0.0, 0.0)).x(), 2.5, 1e-15);
 }
 
@@ -50,7 +50,7 @@ TEST(ForceRateLimit, RisesAndFallsAlongTheStraightLine)
   }
   EXPECT_EQ(slew.limit(0.0501, target), target);
   slew.sent(0.050, target);
-  EXPECT_EQ(slew.limit(0.050, -target), target); // the same time again
+  EXPECT_EQ(slew.limit(0.050, -target), target); // the same time once more
   EXPECT_LE((slew.limit(0.060, -target) - 0.8 * target).norm(), 1e-12);
   EXPECT_EQ(slew.limit(0.15001, -target), -target);
 }
@@ -59,7 +59,7 @@ TEST(ForceRateLimit, StartsFromWhatWasSent)
 {
   ForceRateLimit slew(100.0);
   slew.sent(1.0, Vector3d(0.0, 0.0, 5.0));
-  slew.sent(1.001, Vector3d(0.0, 0.0, 1.0)); // another link has cut it
+  slew.sent(1.001, Vector3d(0.0, 0.0, 1.0)); // reduced by another link
   EXPECT_NEAR(slew.limit(1.002, Vector3d(0.0, 0.0, 5.0)).z(), 1.1, 1e-12);
   slew.reset();
   EXPECT_EQ(slew.limit(1.003, Vector3d(0.0, 0.0, 5.0)), Vector3d::Zero());
@@ -72,7 +72,7 @@ TEST(ForceRateLimit, LimitsThatAreNone)
   const Vector3d force(1.0, 2.0, 3.0);
   ForceRateLimit unlimited(Infinity);
   EXPECT_EQ(unlimited.limit(0.0, force), force);
-  EXPECT_EQ(unlimited.limit(NotANumber, force), force); // time is not looked at
+  EXPECT_EQ(unlimited.limit(NotANumber, force), force); // the time is not used
   for (const double none : { 0.0, -1.0, NotANumber, -Infinity })
   {
     ForceRateLimit slew(none);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that dies of an exception lets go of the hand, if it was told to: of a device that
-// throws in a tick, of an exception in another thread. What is written is seen on the error stream.
+// A process that dies of an exception releases the force on the hand, if this was requested: for a
+// device that throws in a tick, and for an exception in another thread. The test reads the error
+// stream.
 #include "Haptics/Safety/ForceRelease.h"
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoLoop.h"
@@ -27,7 +28,7 @@ void say(std::string_view text)
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-/// Says when it is given zero force; throws in its tenth reading if it is to.
+/// Writes a message when it is given zero force. May throw in its tenth reading.
 class SpeakingDevice final : public StandingDevice
 {
 public:
@@ -69,14 +70,14 @@ private:
   if (releases)
   {
     releaseForceOnTerminate();
-    releaseForceOnTerminate(); // once is enough, twice does no harm
+    releaseForceOnTerminate(); // a second call has no effect
   }
   const auto body = uniformBody(icosphere(20.0, 3));
   SpeakingDevice device(inTheTick);
   ServoLoop loop(device, ServoStep(*body, WorkspaceMapping(), 10.0), 1000.0);
   loop.start();
   waitForTicks(loop, inTheTick ? ~std::uint64_t{ 0 } : 10);
-  std::thread([] { throw std::runtime_error("<the program's>"); }).join(); // nobody catches it
+  std::thread([] { throw std::runtime_error("<the program's>"); }).join(); // not caught
   std::abort();
 }
 
@@ -89,7 +90,7 @@ protected:
 
 TEST_F(ForceReleaseDeathTest, ADeviceThatThrowsIsGivenZeroForce)
 {
-  // and then the process dies as it would have: with the words of the exception
+  // Then the process dies as usual, with the message of the exception.
   EXPECT_DEATH(pressAndDie(true, true), "<let go>(.|\n)*<a device's>");
 }
 
@@ -100,6 +101,6 @@ TEST_F(ForceReleaseDeathTest, AnExceptionElsewhereLetsTheServoThreadLetGo)
 
 TEST_F(ForceReleaseDeathTest, WithoutTheCallNothingIsChanged)
 {
-  // The pattern begins with the stream: nothing was said before.
+  // The pattern begins at the start of the stream: there was no earlier message.
   EXPECT_DEATH(pressAndDie(false, true), "^terminate called(.|\n)*<a device's>");
 }

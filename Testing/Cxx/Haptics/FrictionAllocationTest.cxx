@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction touches no heap: stuck, sliding, turning, deeper, out of range, flipped, NaN.
+// Friction does not use the heap: stuck, sliding, turning, deeper, out of range, flipped, NaN.
 #include "AllocationCount.h"
 #include "Contact/Friction.h"
 
@@ -54,7 +54,7 @@ TEST(TickAllocation, Friction)
       }
     }
     EXPECT_EQ(allocationCount() - before, 0);
-    EXPECT_GT(sliding, 500); // it has been everywhere
+    EXPECT_GT(sliding, 500); // both sticking and sliding occurred
     EXPECT_LT(sliding, 4500);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What two hands that feel one another are let have by passivity control: all of a passive scene,
-// where one lets go under the other; and together no more than they put in, of one that is not.
+// Passivity control of two hands whose contacts deflect the surface for one another. In a passive
+// scene it does not reduce their forces, even if one hand leaves under the other. In an active
+// scene both together get no more energy than they put in.
 #include "Haptics/Servo/HandsStep.h"
 
 #include "CoupledPlate.h"
@@ -25,7 +26,8 @@ namespace
 constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm
 constexpr double Period = 1e-3;
 
-/// Two hands on flat ends 5 mm apart, so deep (mm), that feel their springs times `scale`.
+/// Two hands on flat ends 5 mm apart, at these depths (mm). Their forces are those of the springs
+/// times `scale`.
 struct TwoHands
 {
   TwoHands(const SafetySettings& safety, double scale)
@@ -55,13 +57,13 @@ struct TwoHands
 };
 } // namespace
 
-// The second presses where the first has let the surface down, and comes out when the first has
-// left: what it gets then is more than it put in, by what the first got less.
+// The second hand presses where the first has lowered the surface, and leaves after the first has
+// left. It gets more energy than it put in; the first got less by the same amount.
 TEST(HandsEnergy, WhatOneLeavesTheOtherGets)
 {
   SafetySettings safety = SafetySettings::of({});
   safety.capStiffness = false;
-  // 400 and 1000 N/m of one; together 537 and 1342, less than the device's 1500.
+  // 400 and 1000 N/m for one hand; 537 and 1342 N/m for both, less than the device's 1500 N/m.
   for (const double scale : { 0.1, 0.25 })
   {
     TwoHands hands(safety, scale);
@@ -93,8 +95,9 @@ TEST(HandsEnergy, WhatOneLeavesTheOtherGets)
   }
 }
 
-// Springs of 4000 N/m on devices whose damping b takes 1500: hands that move at random, each by
-// itself, get no more than b |dx|²/T a tick beyond what they put in, whatever goes between them.
+// Springs of 4000 N/m on devices whose damping b allows 1500 N/m. Hands that move at random,
+// independently, together get at most b |dx|²/T per tick more than they put in, for any transfer
+// between them.
 TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
 {
   SafetySettings safety = SafetySettings::of({});
@@ -127,7 +130,7 @@ TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
     }
     least = std::min(least, balance);
   }
-  EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // asked back once, of each; rounding
+  EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // the Slack of each hand, and rounding
   EXPECT_GT(acted, 1000);
 }
 } // namespace hands_energy

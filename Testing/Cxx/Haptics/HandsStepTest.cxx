@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two devices on one body: what one feels of the other, against equations solved by hand; what is
-// each one's own; losing one; changing the scene under both.
+// Two devices on one body: the effect of one contact on the other, compared with equations solved
+// by hand; separate data of each hand; loss of one; change of the scene for both.
 #include "Haptics/Servo/HandsStep.h"
 
 #include "CoupledPlate.h"
@@ -28,7 +28,7 @@ using namespace palpate::testing;
 namespace
 {
 constexpr double Endless = std::numeric_limits<double>::infinity();
-constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, of a flat end on 1 MPa
+constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, for a flat end on 1 MPa
 constexpr double Apart = 5.0;                       ///< mm
 constexpr double Mutual = 1.0 / (Pi * Apart);       ///< C_12 of Boussinesq, mm/N
 
@@ -42,7 +42,7 @@ DeviceSample sampleOf(const WorkspaceMapping& mapping, const Vector3d& tip)
   return sample;
 }
 
-/// Hands at two places, so deep; they touch what is at z = 0.
+/// Samples of two hands at these depths below z = 0, mm.
 Samples pressing(double first, double second)
 {
   return { sampleOf({}, { 25.0, 29.3, -first }), sampleOf({}, { 25.0 + Apart, 29.3, -second }) };
@@ -65,7 +65,7 @@ HandsStep handsOn(const std::shared_ptr<const ContactBody>& body,
   return { sceneOf(body), { { {}, safety }, { {}, safety } } };
 }
 
-/// Of two linear springs that let one another down; of the first.
+/// Force of the first of two linear springs, each of which lowers the surface for the other.
 double coupled(double own, double other)
 {
   return Spring * (own - Mutual * Spring * other) / (1.0 - std::pow(Mutual * Spring, 2));
@@ -92,8 +92,8 @@ Vector3d wandering(int tick)
 }
 } // namespace
 
-// One hand, and two on a body without coupling: to the bit what a ServoStep of its own gives each,
-// through a mapping that turns, every link of the chain and the clutch.
+// One hand, or two hands on a body without coupling, give the same bits as a separate ServoStep for
+// each, with a mapping that turns, all links of the chain, and the clutch.
 TEST(HandsStep, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
 {
   const CoupledPlate plate;
@@ -124,7 +124,7 @@ TEST(HandsStep, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
       expectSame(both[0], one);
       expectSame(alone.step(samples.data(), time)[0], one);
     }
-    else // whoever is silent is not felt
+    else // a silent device has no force and no contact
     {
       EXPECT_EQ(both[0].deviceForce, Vector3d::Zero());
       EXPECT_EQ(alone.step(samples.data(), time)[0].contact.state, ContactState::Invalid);
@@ -143,20 +143,21 @@ TEST(HandsStep, TheSecondLiftsForceOffTheFirst)
   EXPECT_NEAR(hands.step(samples.data(), 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6); // floats
   for (int tick = 1; tick < 200; ++tick)
   {
-    const double depth = std::min(0.8, 0.008 * tick); // mm, by the second
+    const double depth = std::min(0.8, 0.008 * tick); // mm, of the second hand
     samples = pressing(0.5, depth);
     const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
     const double first = coupled(0.5, depth);
     const double second = coupled(depth, 0.5);
-    // 8 mm/s: two rounds of a tick leave less than 1e-4 of the force in motion.
-    const double left = tick < 110 ? 2e-4 : 2e-6; // 10 ticks at rest later that of floats
+    // 8 mm/s: with two iterations per tick, the error is below 1e-4 of the force during motion.
+    const double left = tick < 110 ? 2e-4 : 2e-6; // 10 ticks after the motion only the error of
+                                                  // floats is left
     if (second > 0.02)
     {
       EXPECT_NEAR(ticks[0].deviceForce.z(), first, left * Spring) << tick;
       EXPECT_NEAR(ticks[1].deviceForce.z(), second, left * Spring) << tick;
     }
   }
-  // What was lifted off is C_12 F_2 K.
+  // The force of the first hand is reduced by C_12 F_2 K.
   const auto& ticks = hands.ticks();
   EXPECT_NEAR(0.5 * Spring - ticks[0].deviceForce.z(), Mutual * ticks[1].deviceForce.z() * Spring,
     1e-5); // floats
@@ -167,7 +168,7 @@ TEST(HandsStep, TheSecondLiftsForceOffTheFirst)
   EXPECT_NEAR(apart.step(samples.data(), 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6);
 }
 
-// In the tick in which one is lost the other feels the body as if it stood there alone.
+// In the tick in which one device is lost, the other has the force of a single contact.
 TEST(HandsStep, LosingOneLeavesTheOtherAlone)
 {
   const auto body = flatPlate();
@@ -201,7 +202,7 @@ TEST(HandsStep, LosingOneLeavesTheOtherAlone)
     {
       hands.stop(1);
     }
-    for (; loss == Silent && tick < 49 + 20; ++tick) // to the time-out it is there
+    for (; loss == Silent && tick < 49 + 20; ++tick) // up to the time-out the contact remains
     {
       hands.step(samples.data(), 1e-3 * tick);
       EXPECT_GT(hands.ticks()[1].deviceForce.z(), 0.0);
@@ -211,7 +212,7 @@ TEST(HandsStep, LosingOneLeavesTheOtherAlone)
     EXPECT_EQ(ticks[1].deviceForce, Vector3d::Zero()) << loss;
     EXPECT_NEAR(ticks[0].deviceForce.z(), 0.5 * Spring, 1e-6) << loss;
     EXPECT_EQ(ticks[0].acted, 0) << loss;
-    // It comes back in the depth: the gate is shut, until it has been outside.
+    // It returns inside the body: the gate is closed until the tip has been outside.
     hands.start(1);
     for (int again = 1; again < 5; ++again)
     {
@@ -222,13 +223,13 @@ TEST(HandsStep, LosingOneLeavesTheOtherAlone)
   }
 }
 
-// Two flat ends at their device's limit together: opposite motion is stiffer than one alone by 1/(1
-// - 2a/(πr)), and the cap leaves that much less of each.
+// Two flat ends at the limit of their devices: motion in opposite directions is stiffer than a
+// single contact by 1/(1 - 2a/(πr)), and the cap reduces each force by this factor.
 TEST(HandsStep, TheStiffnessCapCountsBoth)
 {
   SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
   safety.capStiffness = true;
-  safety.maximumStiffness = 2000.0; // N/m: half of the spring
+  safety.maximumStiffness = 2000.0; // N/m: half of the spring's stiffness
   for (const bool isCoupled : { true, false })
   {
     HandsStep hands = handsOn(flatPlate(isCoupled), safety);
@@ -245,7 +246,8 @@ TEST(HandsStep, TheStiffnessCapCountsBoth)
   }
 }
 
-// Two masses without a hand, each pressed by a constant force, that swing against one another.
+// Two masses without a hand, each pressed by a constant force, that oscillate in opposite
+// directions.
 namespace
 {
 bool calmsDown(bool isCoupled, double stiffness)
@@ -286,13 +288,13 @@ bool calmsDown(bool isCoupled, double stiffness)
 }
 } // namespace
 
-// The stiffest spring of one such mass is 2003.339 N/m (stability_K_limits.csv); of two whose
-// contacts feel one another the opposite motion reaches it at 1 - 2a/(πr) of that.
+// The largest stable spring of one such mass is 2003.339 N/m (stability_K_limits.csv). For two
+// coupled contacts, motion in opposite directions reaches this limit at 1 - 2a/(πr) of it.
 TEST(HandsStep, OppositeMotionIsUnstableWhereItsStiffnessIs)
 {
   const double limit = 2003.339;
   const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // 0.745
-  // 3 % off the limit a swing changes by e^±3 in 20 s.
+  // At 3 % from the limit, an oscillation changes by e^±3 in 20 s.
   EXPECT_TRUE(calmsDown(true, 0.97 * share * limit));
   EXPECT_FALSE(calmsDown(true, 1.03 * share * limit));
   EXPECT_TRUE(calmsDown(false, 1.03 * share * limit));
@@ -300,8 +302,8 @@ TEST(HandsStep, OppositeMotionIsUnstableWhereItsStiffnessIs)
   EXPECT_FALSE(calmsDown(false, 1.03 * limit));
 }
 
-// Work on both devices, in their own units, of a closed path a quarter of a turn apart: the sheet's
-// 2e-6 F δ for two rounds a tick.
+// Work on both devices, in their own units, over a closed path, a quarter of a turn apart. The
+// bound is 2e-6 F δ, the reference for two iterations per tick.
 TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
 {
   const std::shared_ptr<const ContactBody> body = CoupledPlate().body();
@@ -314,7 +316,7 @@ TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
   HandsStep hands(sceneOf(body, settings), { { mappings[0], safety }, { mappings[1], safety } });
   std::array<Vector3d, 2> places;
   std::array<Vector3d, 2> forces;
-  double work = 0.0; // mJ, in the body's units
+  double work = 0.0; // mJ, in the units of the body
   double turnedOver = 0.0;
   for (int tick = 0; tick <= 2000; ++tick)
   {
@@ -358,11 +360,11 @@ TEST(HandsStep, AnotherSceneIsTakenFromNoForce)
   {
     next();
   }
-  EXPECT_FALSE(hands.change(std::make_unique<ServoScene>(ball))); // for one hand
+  EXPECT_FALSE(hands.change(std::make_unique<ServoScene>(ball))); // a body for one hand only
   EXPECT_FALSE(hands.change(nullptr));
   EXPECT_FALSE(hands.isSwitching());
   EXPECT_TRUE(hands.change(sceneOf(body)));
-  EXPECT_TRUE(hands.change(sceneOf(ball))); // the newest counts
+  EXPECT_TRUE(hands.change(sceneOf(ball))); // the newest scene counts
   double before = hands.ticks()[1].deviceForce.z();
   const double old = before;
   double least = before;
@@ -370,8 +372,8 @@ TEST(HandsStep, AnotherSceneIsTakenFromNoForce)
   for (; hands.isSwitching(); ++ramp)
   {
     const Tick& second = next()[1];
-    // T/50 ms of what either scene gives, no more than 10 δ^1.5 of the ball; what two rounds leave
-    // of the new one's first ticks is less.
+    // The change is at most T/50 ms of the force of either scene, which is at most 10 δ^1.5 of the
+    // ball. The error of two iterations in the first ticks of the new scene is smaller.
     EXPECT_LE(std::abs(second.deviceForce.z() - before), 0.02 * 10.0 * std::pow(0.8, 1.5) + 1e-3);
     before = second.deviceForce.z();
     least = std::min(least, before);
@@ -394,6 +396,6 @@ TEST(HandsStep, AnotherSceneIsTakenFromNoForce)
   {
     ++retired;
   }
-  EXPECT_EQ(retired, 3); // the old one, one outdated, one for a single hand
+  EXPECT_EQ(retired, 3); // the old scene, an outdated one, and one for a single hand
 }
 } // namespace hands_step

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantiles against the sorted durations themselves; readings from another thread only ever grow.
+// Quantiles compared with those of the sorted durations. Counts that another thread reads never
+// decrease.
 #include "Haptics/Servo/LatencyHistogram.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ using palpate::LatencyHistogram;
 
 namespace
 {
-/// The definition: the least value that `share` of all do not exceed.
+/// The definition of a quantile: the smallest value that the fraction `share` of all values does
+/// not exceed.
 std::int64_t exactQuantile(const std::vector<std::int64_t>& sorted, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));
@@ -40,7 +42,7 @@ void expectQuantiles(const LatencyCounts& counts, std::vector<std::int64_t> all)
 std::vector<std::int64_t> durations(int count, unsigned seed)
 {
   std::mt19937 random(seed);
-  std::lognormal_distribution<double> spread(10.0, 2.0); // a median of 22 µs
+  std::lognormal_distribution<double> spread(10.0, 2.0); // median 22 µs
   std::vector<std::int64_t> all;
   for (int i = 0; i < count; ++i)
   {
@@ -62,7 +64,7 @@ TEST(LatencyCounts, ClassesCoverEveryDurationOnceAndNarrowly)
     EXPECT_LE(longest - shortest, shortest / 32) << i;
     shortest = longest + 1;
   }
-  EXPECT_EQ(shortest, std::int64_t{ 1 } << 36); // 69 s, nearly
+  EXPECT_EQ(shortest, std::int64_t{ 1 } << 36); // nearly 69 s
   EXPECT_EQ(LatencyCounts::classOf(shortest), LatencyCounts::Classes - 1);
   EXPECT_EQ(
     LatencyCounts::classOf(std::numeric_limits<std::int64_t>::max()), LatencyCounts::Classes - 1);
@@ -121,7 +123,8 @@ TEST(LatencyHistogram, OfTwoReadingsTheLaterHoldsTheEarlier)
     const LatencyCounts counts = histogram->read();
     ASSERT_GE(counts.total(), total);
     ASSERT_GE(counts.worst(), worst);
-    // Of one set of counts: all of them lie within the worst, and within its class something does.
+    // The counts are consistent: none is above the worst value, and the class of the worst value is
+    // not empty.
     ASSERT_EQ(counts.quantile(1.0), counts.worst());
     ASSERT_LE(counts.quantile(0.5), counts.quantile(0.99));
     total = counts.total();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The newest value, never a torn one, and nobody waits. The thread sanitizer runs this too.
+// The reader gets the newest value, never a torn one, and no thread waits. The thread sanitizer
+// runs this test, too.
 #include "Haptics/Servo/LatestValue.h"
 
 #include <gtest/gtest.h>

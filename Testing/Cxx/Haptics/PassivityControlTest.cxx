@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No motion gets more energy out of the forces sent than went in and the device's own damping
-// takes, whatever the scene; and a passive scene is not touched.
+// No motion gets more energy from the sent forces than it put in and the device's own damping
+// dissipates, for any scene. A passive scene is not changed.
 #include "Haptics/Safety/PassivityControl.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -25,12 +25,12 @@ namespace
 constexpr double Stiffest = 2000.0; // N/m
 constexpr double Period = 1e-3;     // s
 
-/// Runs a control, and keeps the books a second time: of the work of what was sent, and of what the
-/// damping of the device takes at least.
+/// Runs a control and computes the energies independently: the work of the sent forces, and the
+/// least energy that the damping of the device dissipates.
 struct Audit
 {
   PassivityControl control{ Stiffest, Period };
-  double given = 0.0;   ///< to the hand, J
+  double given = 0.0;   ///< work on the hand, J
   double damping = 0.0; ///< b |d|²/T
   int cut = 0;
   Vector3d sent = Vector3d::Zero();
@@ -56,7 +56,7 @@ private:
   Vector3d Last = Vector3d::Zero();
 };
 
-/// Motions of all kinds: smooth, noisy, jumping, at rest but for one encoder step.
+/// Motions of all kinds: smooth, noisy, jumping, at rest except for one encoder step.
 class Motion
 {
 public:
@@ -70,7 +70,7 @@ public:
     const Vector3d noise(this->Gauss(Random), this->Gauss(Random), this->Gauss(Random));
     switch (this->Kind)
     {
-      case 0: // up to some 0.3 m/s
+      case 0: // up to about 0.3 m/s
         this->Velocity += 2e-5 * noise - 0.02 * this->Velocity - 2e-4 * this->Place;
         this->Place += this->Velocity;
         break;
@@ -110,7 +110,8 @@ TEST(PassivityControl, CountsTheExactWorkOfEachHold)
     const Vector3d place = 1e-3 * Vector3d(gauss(random), gauss(random), gauss(random));
     control.observe(Period * i, place);
     energy += i > 0 ? 0.5 * Stiffest * (place - last).squaredNorm() - sent.dot(place - last) : 0.0;
-    // Rounding of a thousand sums of some 1e-2 J, and of the hold's length (1e-13 of it).
+    // Rounding error of a thousand sums of about 1e-2 J, and of the length of the hold (1e-13 of
+    // it).
     ASSERT_NEAR(control.energy(), energy, 1e-12);
     sent = Vector3d(gauss(random), gauss(random), gauss(random));
     control.sent(Period * i, sent);
@@ -126,15 +127,15 @@ TEST(PassivityControl, TicksWithoutANewReadingCountByTheirMean)
   control.sent(0.001, Vector3d(2.0, 0.0, 0.0));
   control.sent(0.003, Vector3d(5.0, 0.0, 0.0));
   control.observe(0.004, Vector3d(1e-3, 7.0, 0.0) - Vector3d(0.0, 7.0, 0.0));
-  // 1 N for 1 ms, 2 N for 2 ms, 5 N for 1 ms: 2.5 N over 1 mm; a hold of 4 T has a quarter of the
+  // 1 N for 1 ms, 2 N for 2 ms, 5 N for 1 ms: 2.5 N over 1 mm. A hold of 4 T has a quarter of the
   // credit.
   EXPECT_NEAR(control.energy(), 0.25 * 0.5 * Stiffest * 1e-6 - 2.5e-3, 1e-15);
 }
 
 TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
 {
-  // Forces that know nothing of the motion; and the most active there are, which know where the
-  // hand will go next and push it there.
+  // Some forces are independent of the motion. The others are the most active possible: they know
+  // the next motion of the hand and push along it.
   for (unsigned seed = 0; seed < 40; ++seed)
   {
     Audit audit;
@@ -153,14 +154,15 @@ TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
       const Vector3d sent = audit.tick(i, place, wanted);
       asked += wanted.dot(next - place);
       place = next;
-      // In every hold so far, the whole promise: no more than what is not asked back (Slack) above
-      // what went in and the damping took; 1e-12 for rounding.
+      // The full promise, for every hold so far: the energy given is at most the energy put in, the
+      // energy dissipated, and the Slack that is not reclaimed; 1e-12 for rounding.
       ASSERT_LE(audit.given, audit.damping + PassivityControl::Slack + 1e-12) << seed << ' ' << i;
-      // It only takes away: the direction stays, the size does not grow.
+      // The control only reduces the force: the direction does not change, the magnitude does not
+      // grow.
       ASSERT_LE(sent.norm(), wanted.norm() * (1.0 + 1e-15));
       ASSERT_NEAR(sent.dot(wanted), sent.norm() * wanted.norm(), 1e-14 * wanted.squaredNorm());
     }
-    if (knows && seed % 4 != 2) // of leaps of some mm in a tick the damping takes all there is
+    if (knows && seed % 4 != 2) // for jumps of some mm per tick, the damping alone dissipates more
     {
       EXPECT_GT(asked, 0.1);
       EXPECT_GT(audit.cut, 500) << seed;
@@ -170,9 +172,9 @@ TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
 
 TEST(PassivityControl, TheWorstThrow)
 {
-  // Pressed 1 mm into a spring, then an active scene asks for more, and the hand is thrown along
-  // the force by any way: the worst, F/K_max times one over the share of the damping, is among
-  // them.
+  // The hand is pressed 1 mm into a spring. Then an active scene requests more force, and the hand
+  // is thrown along the force over various distances. They include the worst, F/K_max times one
+  // over the fraction of the damping.
   for (const double asked : { 2.0, 2.05, 2.5, 6.0 })
   {
     for (double way = 0.2; way < 3.0; way += 0.05)
@@ -198,9 +200,9 @@ TEST(PassivityControl, TheWorstThrow)
 
 TEST(PassivityControl, DoesNothingOnAPassiveScene)
 {
-  // Energies with no second derivative above K_max: U, and F = -∇U. Those of a tool in a half-space
-  // as stiff as allowed, softer ones, a sphere's law, a ball, a corner of two planes, a bounded
-  // force, a valley seen from outside (everywhere inside).
+  // Potentials U with second derivatives up to K_max, and F = -∇U: a tool in a half-space of the
+  // largest stiffness, softer ones, the law of a sphere, a ball, a corner of two planes, a bounded
+  // force, a valley that is entered from its edge (everywhere inside).
   const auto along = [](double force, const Vector3d& direction) -> Vector3d
   { return force * direction; };
   struct Scene
@@ -210,7 +212,7 @@ TEST(PassivityControl, DoesNothingOnAPassiveScene)
   };
   const auto below = [](const Vector3d& p) { return std::max(0.0, -p.z()); };
   const auto inBall = [](const Vector3d& p) { return std::max(0.0, 0.006 - p.norm()); };
-  const double most = 0.02; // m, deeper than the motions go
+  const double most = 0.02; // m, deeper than the motions
   const Scene scenes[] = {
     { [&](const Vector3d& p) { return along(Stiffest * below(p), Vector3d::UnitZ()); }, below },
     { [&](const Vector3d& p) { return along(150.0 * below(p), Vector3d::UnitZ()); }, below },
@@ -257,8 +259,8 @@ TEST(PassivityControl, DoesNothingOnAPassiveScene)
 
 TEST(PassivityControl, TheHoldLeaksWhatTheDampingTakes)
 {
-  // A press and release at v of a linear spring gives F_max v T to the hand; observed E ends above
-  // zero, because the device's own damping has taken K_max v T x_max of it.
+  // A press and release of a linear spring at speed v gives F_max v T to the hand. The observed
+  // energy E ends above zero, because the device's own damping has dissipated K_max v T x_max.
   const double stiffness = 1500.0;
   const double speed = 0.1; // 0.1 mm per tick
   const int turn = 50;      // 5 mm
@@ -276,8 +278,8 @@ TEST(PassivityControl, TheHoldLeaksWhatTheDampingTakes)
 
 TEST(PassivityControl, AnOverStiffSpringIsFeltAsOneThatIsNot)
 {
-  // Five times too stiff: with half of the damping, half as stiff as allowed. Slightly too stiff:
-  // with most of it.
+  // Five times too stiff: with half of the damping, half of the allowed stiffness is left. Slightly
+  // too stiff: most of it is left.
   for (const double share : { 5.0, 1.1 })
   {
     Audit audit;
@@ -296,8 +298,8 @@ TEST(PassivityControl, AnOverStiffSpringIsFeltAsOneThatIsNot)
 
 TEST(PassivityControl, WhatFrictionTookIsNotLent)
 {
-  // Up to 5 N over 5 mm against the hand, as of friction: 12.5 mJ. Then the scene pushes with 5 N,
-  // 2 mm deep: it may give back 5 N over 2 mm.
+  // A force of up to 5 N opposes the hand over 5 mm, like friction: 12.5 mJ. Then the scene pushes
+  // with 5 N at a depth of 2 mm: it may return 5 N over 2 mm.
   for (const bool knowsDepth : { true, false })
   {
     Audit audit;
@@ -326,9 +328,9 @@ TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
   control.grant(4.0, Infinity);
   EXPECT_NEAR(control.energy(), 0.5 * 16.0 / Stiffest, 1e-15);
   EXPECT_EQ(control.limit(force), force);
-  control.grant(4.0, 3e-3); // knows more
+  control.grant(4.0, 3e-3); // with a known depth, more
   EXPECT_NEAR(control.energy(), 12e-3, 1e-15);
-  control.grant(4.0, 1e-3); // nothing is taken
+  control.grant(4.0, 1e-3); // a smaller energy changes nothing
   EXPECT_NEAR(control.energy(), 12e-3, 1e-15);
   control.bound(4.0, 2e-3);
   EXPECT_NEAR(control.energy(), 8e-3, 1e-15);
@@ -338,7 +340,8 @@ TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
 
 TEST(PassivityControl, ALateHoldIsPaidFor)
 {
-  // Pressed 1 mm into the stiffest spring, then thrown out 3 mm within one hold of ten periods.
+  // The hand is pressed 1 mm into the stiffest spring, then thrown out by 3 mm within one hold of
+  // ten periods.
   PassivityControl control(Stiffest, Period);
   int i = 0;
   for (; i <= 20; ++i)
@@ -352,15 +355,15 @@ TEST(PassivityControl, ALateHoldIsPaidFor)
   const double before = control.energy();
   const double late = Period * (i + 9);
   control.observe(late, Vector3d(0.0, 0.0, 2e-3));
-  // Its own lag: 2 N over 3 mm, a tenth of the credit for 3 mm.
+  // The lag of this hold: 2 N over 3 mm, less a tenth of the credit for 3 mm.
   const double after = before - 2.0 * 3e-3 + 0.1 * 0.5 * Stiffest * 9e-6;
   EXPECT_NEAR(control.energy(), after, 1e-12);
   EXPECT_LT(after, 0.0);
   EXPECT_EQ(control.limit(Vector3d(0.0, 0.0, 1.0)), Vector3d::Zero());
   control.sent(late, Vector3d::Zero());
-  control.bound(0.0, 0.0); // outside: what is owed stays owed
+  control.bound(0.0, 0.0); // outside: a debt remains
   EXPECT_NEAR(control.energy(), after, 1e-12);
-  // 2 mm of motion at 1 mm per tick pay 1 mJ each.
+  // Motion of 2 mm at 1 mm per tick pays 1 mJ each.
   control.observe(late + Period, Vector3d(0.0, 0.0, 3e-3));
   EXPECT_NEAR(control.energy(), after + 1e-3, 1e-12);
 }
@@ -385,7 +388,7 @@ TEST(PassivityControl, LimitsThatAreNone)
     control.observe(Period, Vector3d(1e-3, 0.0, 0.0));
     EXPECT_EQ(control.limit(force), Vector3d::Zero()) << none;
   }
-  // A jump beyond all numbers leaves a number, and no force.
+  // After a jump beyond the range of numbers, the energy is a number, and the force is zero.
   PassivityControl jumped(Stiffest, Period);
   jumped.observe(0.0, Vector3d::Zero());
   jumped.sent(0.0, force);
@@ -397,7 +400,7 @@ TEST(PassivityControl, LimitsThatAreNone)
   EXPECT_TRUE(jumped.isNew());
 }
 
-// By trying: no larger force keeps the sum within the square.
+// By trial: no larger force keeps the sum of squares within the bound.
 TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
 {
   std::mt19937 random(11);
@@ -442,11 +445,11 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
   EXPECT_EQ(ForcesUnderWay(NotANumber, Period).late(), 0U);
   EXPECT_EQ(ForcesUnderWay(-1.0, Period).late(), 0U);
   EXPECT_EQ(ForcesUnderWay(1.0, Period).late(), ForcesUnderWay::Most);
-  EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // rounding is no tick
+  EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // rounding adds no tick
 }
 
-// Forces that act up to n ticks late, as it comes: nothing is got but what the device's damping
-// takes, as long as the hand is one.
+// Forces that act up to n ticks late, at random. The hand gains no more energy than the device's
+// damping dissipates, as long as it moves as a real hand can.
 TEST(PassivityControl, AStatedDelayGivesNoEnergy)
 {
   double withoutBound = 0.0;
@@ -469,7 +472,7 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
         {
           if (i > 0)
           {
-            // To and fro about the surface, within 20 m/s².
+            // Back and forth around the surface, within 20 m/s².
             Vector3d push(gauss(random), gauss(random), gauss(random));
             push = 5e-3 * push - 2.0 * place - 0.01 * velocity;
             velocity += push / std::max(1.0, push.norm() / 0.02);
@@ -487,7 +490,7 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
           sent.push_back(control.limit(wanted));
           forces += sent.back().norm();
           control.sent(Period * i, sent.back());
-          given = depth == 0.0 ? std::min(given, 0.0) : given; // nothing is owed at a new touch
+          given = depth == 0.0 ? std::min(given, 0.0) : given; // no debt remains at a new contact
         }
         EXPECT_GT(forces / 20000.0, 0.05) << late << " " << seed;
         if (isTold)
@@ -501,11 +504,11 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
       }
     }
   }
-  EXPECT_GT(withoutBound, 1e-6); // J: the test would see it
+  EXPECT_GT(withoutBound, 1e-6); // J: without the stated delay the test fails
 }
 
-// Held for as long as it was told, the force gives a hand no more than was put in, whatever that
-// does within its reach: it goes along the force as fast as it can.
+// If the force is held for the stated time, it gives the hand at most the energy put in, for any
+// motion that a hand can make. Here the hand moves along the force as fast as possible.
 TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
 {
   std::mt19937 random(3);
@@ -514,7 +517,7 @@ TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
   for (int i = 0; i < 500; ++i)
   {
     PassivityControl control(Stiffest, Period);
-    const double speed = 0.3 * (2.0 * share(random) - 1.0); // in, then on or out
+    const double speed = 0.3 * (2.0 * share(random) - 1.0); // first into the body, then on or out
     double depth = 0.0;
     double time = 0.0;
     double force = 0.0;
@@ -539,7 +542,7 @@ TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
     const double acceleration =
       PassivityControl::HandAcceleration + force / PassivityControl::LightestHandle;
     const double way =
-      std::max(0.0, -speed) * hold + 0.5 * acceleration * hold * hold; // out, along the force
+      std::max(0.0, -speed) * hold + 0.5 * acceleration * hold * hold; // outward, along the force
     EXPECT_LE(force * way, control.energy() * (1.0 + 1e-9));
     EXPECT_GT(force * way * 1.01, control.energy()) << "no shorter than need be";
   }

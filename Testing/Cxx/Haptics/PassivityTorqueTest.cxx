@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Force and torque in one account: its promise for any motion and any scene, and that without
-// torque nothing is other than before.
+// Force and torque in one energy account: the promise for any motion and any scene. Without torque,
+// the results do not change.
 #include "Haptics/Safety/PassivityControl.h"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,9 @@ private:
 
 TEST(PassivityTorque, NoSceneAndNoMotionGetsMoreOutThanWentIn)
 {
-  // Forces and torques that know where the hand will go next and push it there: the most active
-  // there are; or that know nothing. Turns about one axis, where M · φ is the work exactly.
+  // Some forces and torques know the next motion of the hand and push along it, which is the most
+  // active case. Others are independent of the motion. Turns are about one axis, for which the work
+  // is exactly M · φ.
   int cut = 0;
   for (unsigned seed = 0; seed < 24; ++seed)
   {
@@ -67,7 +68,7 @@ TEST(PassivityTorque, NoSceneAndNoMotionGetsMoreOutThanWentIn)
       const Wrench sent = control.limit(wanted);
       control.sent(Period * i, sent);
       cut += sent.force != wanted.force ? 1 : 0;
-      // One factor for both, and no more than was asked for.
+      // One factor applies to both and is at most 1.
       const double share = sent.force.norm() / wanted.force.norm();
       ASSERT_LE(share, 1.0 + 1e-15);
       ASSERT_LE((sent.torque - share * wanted.torque).norm(), 1e-15);
@@ -75,18 +76,19 @@ TEST(PassivityTorque, NoSceneAndNoMotionGetsMoreOutThanWentIn)
       damping += 0.5 * Stiffest * way.squaredNorm() + 0.5 * Torsion * turn * turn;
       place += way;
       angle += turn;
-      // 1e-10 for the rounding of an angle that has wandered by some rad, 1e-15 of it in each tick.
+      // 1e-10 for the rounding of an angle that has changed by some rad, 1e-15 of it in each tick.
       ASSERT_LE(given, damping + PassivityControl::Slack + 1e-10) << seed << ' ' << i;
     }
   }
-  EXPECT_GT(cut, 10000); // of 72000: there was something to be kept from
+  EXPECT_GT(cut, 10000); // of 72000 ticks: the control was needed
 }
 
 TEST(PassivityTorque, CountsTheWorkOfBothInEachHold)
 {
   PassivityControl control(Stiffest, Period, 0.0, Torsion);
   control.observe(0.0, Vector3d::Zero(), ToolOrientation::Identity());
-  control.grant(2.0, 1e-3, 0.1); // 2 mJ; of springs F²/2K + M²/2K_θ 1 mJ and 10 mJ, which is more
+  control.grant(2.0, 1e-3, 0.1); // 2 mJ; the energies of springs, F²/2K = 1 mJ and M²/2K_θ = 10 mJ,
+                                 // are larger together
   EXPECT_NEAR(control.energy(), 11e-3, 1e-15);
   const Wrench sent{ Vector3d(0.0, 0.0, 1.0), Vector3d(0.05, 0.0, 0.0) };
   control.sent(0.0, sent);
@@ -94,7 +96,7 @@ TEST(PassivityTorque, CountsTheWorkOfBothInEachHold)
   const double work = 1.0 * 1e-3 + 0.05 * 0.02;
   const double damping = 0.5 * Stiffest * 1e-6 + 0.5 * Torsion * 4e-4;
   EXPECT_NEAR(control.energy(), 11e-3 - work + damping, 1e-15);
-  // A turn that is not told may have given M²/2K_θ, and nothing is credited for it.
+  // A turn that is not reported may have given M²/2K_θ. It gets no credit.
   control.sent(Period, sent);
   control.observe(2.0 * Period, Vector3d(0.0, 0.0, 1e-3));
   EXPECT_NEAR(control.energy(), 11e-3 - work + damping - 0.05 * 0.05 / (2.0 * Torsion), 1e-15);
@@ -102,7 +104,7 @@ TEST(PassivityTorque, CountsTheWorkOfBothInEachHold)
 
 TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
 {
-  // A scene that has been given 6.25 mJ, F²/2K of 5 N, and turns the hand on for ever.
+  // A scene with a grant of 6.25 mJ, F²/2K for 5 N, turns the hand on without end.
   PassivityControl control(Stiffest, Period, 0.0, Torsion);
   control.observe(0.0, Vector3d::Zero(), ToolOrientation::Identity());
   control.grant(5.0, 0.0);
@@ -119,13 +121,14 @@ TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
   }
   const double damping = 1000 * 0.5 * Torsion * Turn * Turn;
   EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // rounding
-  EXPECT_GT(given, 0.9 * whole);                                       // and it can be had
+  EXPECT_GT(given, 0.9 * whole);                                       // nearly all of it
 }
 
 TEST(PassivityTorque, DoesNothingToASpringOfForceAndTorque)
 {
-  // U = ½ K_max z² + ½ K_θ θ², as stiff as allowed: half of each, and a coupling that makes up the
-  // rest, U = ½ (½K z² + 2 · ½√(K K_θ) z θ + ½K_θ θ²): its largest stiffness is K in scaled ways.
+  // U = ½ K_max z² + ½ K_θ θ² is the stiffest allowed. Here half of each, and a coupling that makes
+  // up the rest, U = ½ (½K z² + 2 · ½√(K K_θ) z θ + ½K_θ θ²): its largest stiffness is K in scaled
+  // coordinates.
   PassivityControl control(Stiffest, Period, 0.0, Torsion);
   const double both = 0.5 * std::sqrt(Stiffest * Torsion);
   Anything any(1);
@@ -162,7 +165,7 @@ TEST(PassivityTorque, WithoutTorqueAllIsAsBefore)
       place += any.vector(1e-4);
       const Vector3d wanted = any.vector(2.0);
       plain.observe(t, place);
-      turning.observe(t, place); // told no turn: none is counted
+      turning.observe(t, place); // without an orientation: no turn is counted
       plain.bound(wanted.norm(), 1e-3);
       turning.bound(wanted.norm(), 1e-3);
       const Vector3d sent = plain.limit(wanted);
@@ -195,6 +198,6 @@ TEST(PassivityTorque, LimitsThatAreNone)
   EXPECT_EQ(unlimited.limit(wanted).torque, wanted.torque);
   PassivityControl uncounted(Stiffest, Period, 0.0, infinity);
   EXPECT_EQ(uncounted.limit(wanted).torque, wanted.torque);
-  EXPECT_LT(uncounted.limit(wanted).force.norm(), 1e-2); // nothing has been put in
+  EXPECT_LT(uncounted.limit(wanted).force.norm(), 1e-2); // no energy has been put in
 }
 } // namespace passivity_torque

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One axis of the simulated device against closed forms of mechanics, and against brute force.
+// One axis of the simulated device compared with closed forms of mechanics, and with small time
+// steps.
 #include "Haptics/Simulation/PlantAxis.h"
 
 #include "Agreement.h"
@@ -28,7 +29,7 @@ SimulatedPlant plant(double mass, double damping, double friction = 0.0)
   return made;
 }
 
-/// A dozen operations on numbers of order one.
+/// Rounding error of a dozen operations on numbers of order one.
 constexpr double Rounding = 1e-14;
 } // namespace
 
@@ -60,7 +61,7 @@ TEST(PlantAxis, HandSpringAndDamper)
   const double critical = 2.0 * std::sqrt(mass * stiffness);
   for (const double damping : { 0.0, 0.3 * critical, critical, 4.0 * critical })
   {
-    // Half of the damping in the device, half in the hand: both act.
+    // Half of the damping is in the device, half in the hand: both act.
     PlantAxis axis(plant(mass, 0.5 * damping), { stiffness, 0.5 * damping });
     for (const double t : { 1e-3, 0.019, 0.021, 0.11 })
     {
@@ -72,8 +73,8 @@ TEST(PlantAxis, HandSpringAndDamper)
       const double cosine = isCritical ? 1.0 : square > 0.0 ? std::cos(w * t) : std::cosh(w * t);
       const double sine = isCritical ? t : (square > 0.0 ? std::sin(w * t) : std::sinh(w * t)) / w;
       const double expected = std::exp(-a * t) * (0.01 * cosine + (-0.3 + a * 0.01) * sine);
-      // The terms are of 0.01 and cancel; at the critical damping the root of rounding would show
-      // in the closed form, not here, where none is taken.
+      // The terms are of order 0.01 and cancel. At critical damping, the closed form would show the
+      // square root of the rounding error; the axis takes no root.
       EXPECT_NEAR(end.position, expected, 1e-2 * 10.0 * Rounding) << damping << " " << t;
     }
   }
@@ -98,7 +99,7 @@ TEST(PlantAxis, OneStepIsAsGoodAsManyPieces)
   {
     pieces = axis.advance(pieces, { 0.7, 0.1 * i * 5e-5, 0.1 }, 5e-5);
   }
-  // A thousand roundings of the last digit.
+  // Rounding errors of a thousand operations.
   EXPECT_NEAR(pieces.position, whole.position, 1e-14);
   EXPECT_NEAR(pieces.velocity, whole.velocity, 1e-12);
 }
@@ -106,10 +107,10 @@ TEST(PlantAxis, OneStepIsAsGoodAsManyPieces)
 TEST(PlantAxis, FrictionStopsItAndHoldsIt)
 {
   PlantAxis axis(plant(0.1, 0.0, 0.4), Nobody);
-  // ½ m v² = f_c x: 0.1·0.04/2/0.4 m, after m v/f_c = 0.05 s.
+  // ½ m v² = f_c x: x = 0.1·0.04/2/0.4 m, after m v/f_c = 0.05 s.
   const auto stopped = axis.advance({ 0.0, -0.2 }, { 0.0 }, 0.06);
   EXPECT_EQ(stopped.velocity, 0.0);
-  EXPECT_TRUE(agrees(stopped.position, -0.005, 1e-10)); // events are found to 2^-40
+  EXPECT_TRUE(agrees(stopped.position, -0.005, 1e-10)); // events are located to 2^-40
   EXPECT_EQ(axis.advance(stopped, { 0.399 }, 1.0).position, stopped.position);
   EXPECT_EQ(axis.advance(stopped, { -0.399 }, 1.0).position, stopped.position);
   EXPECT_TRUE(agrees(axis.advance(stopped, { 0.6 }, 0.1).velocity, (0.6 - 0.4) / 0.1 * 0.1, 1e-12));
@@ -118,7 +119,7 @@ TEST(PlantAxis, FrictionStopsItAndHoldsIt)
 TEST(PlantAxis, FrictionTurnsWithTheMotion)
 {
   PlantAxis axis(plant(0.1, 0.0, 0.4), Nobody);
-  // Thrown against 1 N: up with -14 m/s², back with 6 m/s².
+  // Thrown against 1 N: decelerates at 14 m/s², returns at 6 m/s².
   const auto end = axis.advance({ 0.0, 0.7 }, { -1.0 }, 0.05 + 0.1);
   EXPECT_TRUE(agrees(end.velocity, -6.0 * 0.1, 1e-10));
   EXPECT_TRUE(agrees(end.position, 0.5 * 14.0 * 0.05 * 0.05 - 0.5 * 6.0 * 0.1 * 0.1, 1e-10));
@@ -127,13 +128,13 @@ TEST(PlantAxis, FrictionTurnsWithTheMotion)
 TEST(PlantAxis, AMovingHandOvercomesFriction)
 {
   PlantAxis axis(plant(0.1, 0.0, 0.4), { 200.0, 0.0 });
-  // The spring reaches f_c when the target has gone f_c/k = 2 mm, at 0.1 m/s after 20 ms; from then
-  // on m x'' = k v_t t - k x: x = v_t (t - sin(ωt)/ω).
+  // The spring reaches f_c when the target has moved f_c/k = 2 mm, at 0.1 m/s after 20 ms. From
+  // then on m x'' = k v_t t - k x: x = v_t (t - sin(ωt)/ω).
   EXPECT_EQ(axis.advance({ 0.0, 0.0 }, { 0.0, 0.0, 0.1 }, 0.0199).position, 0.0);
   const double omega = std::sqrt(200.0 / 0.1);
   const auto end = axis.advance({ 0.0, 0.0 }, { 0.0, 0.0, 0.1 }, 0.02 + 0.03);
   EXPECT_TRUE(agrees(end.position, 0.1 * (0.03 - std::sin(omega * 0.03) / omega), 1e-9));
-  // The other way as well.
+  // The same in the other direction.
   EXPECT_EQ(axis.advance({ 0.0, 0.0 }, { 0.0, 0.0, -0.1 }, 0.05).position, -end.position);
 }
 
@@ -142,19 +143,19 @@ TEST(PlantAxis, AHandIsNotStrongerThanItsLimit)
   HandModel hand{ 1000.0, 0.0 };
   hand.maximumForce = 0.5;
   PlantAxis axis(plant(0.1, 0.0), hand);
-  // The target is 1 m away: 0.5 N and no more.
+  // The target is 1 m away: the force is 0.5 N.
   EXPECT_TRUE(agrees(axis.advance({ 0.0, 0.0 }, { 0.0, 1.0 }, 0.2).position, 0.1, 1e-12));
   EXPECT_EQ(axis.handForce({ 0.0, 0.0 }, { 0.0, 1.0 }), 0.5);
   EXPECT_EQ(axis.handForce({ 0.0, 0.0 }, { 0.0, -1.0 }), -0.5);
-  // Released 2 mm away: 0.5 N over 1.5 mm to a spring of 0.5 mm; energy gives the speed there.
+  // Released 2 mm away: 0.5 N over 1.5 mm, then a spring of 0.5 mm. Energy gives the speed there.
   const double reached = std::sqrt(2.0 * 0.0015 / 5.0);
   const double speed = 5.0 * reached;
   const double omega = std::sqrt(1000.0 / 0.1);
-  const double quarter = std::atan2(0.0005 * omega, speed) / omega; // to the middle
+  const double quarter = std::atan2(0.0005 * omega, speed) / omega; // to the centre
   const auto middle = axis.advance({ 0.0, 0.0 }, { 0.0, 0.002 }, reached + quarter);
   EXPECT_NEAR(middle.position, 0.002, 1e-12);
   EXPECT_TRUE(agrees(middle.velocity, std::hypot(speed, 0.0005 * omega), 1e-9));
-  // Against a motor stronger than it, it loses.
+  // A stronger motor pushes the hand away.
   EXPECT_LT(axis.advance({ 0.0, 0.0 }, { -0.6, 0.0 }, 10.0).position, -40.0);
 }
 
@@ -170,7 +171,7 @@ TEST(PlantAxis, EverythingAtOnceAgainstSmallSteps)
   int resting = 0;
   for (int tick = 0; tick < 400; ++tick)
   {
-    // The target goes 8 mm in 0.1 s, rests as long, and returns; the motor pushes now and then.
+    // The target moves 8 mm in 0.1 s, rests for 0.1 s, and returns. The motor pushes at some times.
     const int phase = tick / 100;
     const double speed = phase == 0 ? 0.08 : phase == 2 ? -0.08 : 0.0;
     const double passed = 1e-3 * (tick % 100);
@@ -195,8 +196,8 @@ TEST(PlantAxis, EverythingAtOnceAgainstSmallSteps)
     }
     limited += std::abs(axis.handForce(exact, load)) == 1.2;
     resting += exact.velocity == 0.0;
-    // Steps of first order: the difference shrinks with them, and is at most 1.2e-5 m/s and
-    // 1.5e-7 m at half a microsecond.
+    // The small steps are of first order: the difference decreases with them. It is at most 1.2e-5
+    // m/s and 1.5e-7 m for steps of half a microsecond.
     EXPECT_NEAR(exact.velocity, small.velocity, 3e-5) << tick;
     EXPECT_NEAR(exact.position, small.position, 4e-7) << tick;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is reported as granted is what the system says, granted or refused. Capabilities belong to a
-// thread, so that a test can give up its own.
+// The report of the permitted scheduling equals the state of the system, both for granted and for
+// refused requests. Capabilities belong to a thread, so a test can drop its own.
 #include "Haptics/Servo/RealTimeGrant.h"
 
 #include "ProcessMemory.h"
@@ -30,7 +30,7 @@ using palpate::testing::lockedMemory;
 
 namespace
 {
-/// What a thread asked for, was told, and is.
+/// Request, report and state of a thread.
 struct Asked
 {
   RealTimeGrant grant;
@@ -66,7 +66,7 @@ void giveUpCapabilities()
   ASSERT_EQ(syscall(SYS_capset, &header, none.data()), 0);
 }
 
-/// A limit of the process, put back at the end.
+/// Changes a limit of the process; restored at the end.
 class Limit
 {
 public:
@@ -164,7 +164,7 @@ TEST(RealTimeGrant, MemoryIsLockedOrItIsSaidWhyNot)
   const Asked asked = askInAThread(request);
   EXPECT_EQ(asked.grant.memoryLocked, asked.grant.memoryError == 0);
 #ifndef PALPATE_SANITIZED
-  EXPECT_EQ(lockedMemory() > 0.0, asked.grant.memoryLocked); // sanitizers let mlockall do nothing
+  EXPECT_EQ(lockedMemory() > 0.0, asked.grant.memoryLocked); // no effect with sanitizers
 #endif
   munlockall();
 }

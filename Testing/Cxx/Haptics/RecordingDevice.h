@@ -16,32 +16,33 @@
 
 namespace palpate
 {
-/// What went through a device in one tick; its own frame, SI units.
+/// Reading and force of a device in one tick, in its own frame and SI units.
 struct RecordedSample
 {
   double time = 0.0;
   DeviceSample sample;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< written; zero if none was
-  bool isTaken = false;                            ///< by the device: the force
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< the written force; zero if none was written
+  bool isTaken = false;                            ///< whether the device has accepted the force
 };
 
 /**
- * Records another device: every reading with its time and the force written upon it, in a
- * preallocated ring (SampleRing). Readings and forces pass unchanged.
+ * Records another device: every reading with its time and the force written after it, in a
+ * preallocated ring (SampleRing). Readings and forces are passed on unchanged.
  *
- * A recording belongs to the device: its frame, no contact, no mapping. It goes to a file by
- * trajectoryOf, and from there to a ReplayDevice that reads the same bits.
+ * A recording belongs to the device: its frame, no contact, no mapping. trajectoryOf converts it
+ * for a file. A ReplayDevice then reads the same bits from the file.
  *
- * read and write are the servo thread's; drain may run in one other at the same time. Drained often
- * enough it records without end; otherwise the newest readings are lost and counted (overruns). A
- * reading is kept when its force is written or the next one is read: the last one before the loop
- * ends counts once it was answered. Forces beyond the first of a reading, as the zero that a loop
- * sends when it stops, are passed on but not kept.
+ * read and write are for the servo thread; drain may run in one other thread at the same time. If
+ * it is drained often enough, the recording has no limit. Otherwise the newest readings are lost
+ * and counted (overruns). A reading is stored when its force is written or the next reading is
+ * made, so the last one before the end of a loop is stored only if its force was written. Further
+ * forces for the same reading, such as the zero that a loop sends when it stops, are passed on but
+ * not stored.
  */
 class PALPATE_EXPORT RecordingDevice final : public HapticDevice
 {
 public:
-  /// `capacity`: readings kept until they are drained; 150 bytes each.
+  /// `capacity`: largest number of readings between two drains, 150 bytes each.
   RecordingDevice(std::unique_ptr<HapticDevice> device, std::size_t capacity);
 
   const DeviceSpecification& specification() const noexcept override;
@@ -54,9 +55,9 @@ public:
   std::string status() const override { return this->Device->status(); }
   DeviceErrors errors() const noexcept override { return this->Device->errors(); }
 
-  /// Appends what was recorded since the last call.
+  /// Appends the records since the last call.
   void drain(std::vector<RecordedSample>& samples);
-  /// Readings that found no room.
+  /// Number of readings that found no room.
   std::uint64_t overruns() const noexcept { return this->Ring.overruns(); }
   HapticDevice& device() noexcept { return *this->Device; }
 
@@ -67,10 +68,9 @@ private:
   bool IsPending = false;
 };
 
-/// The recording as a trajectory with the device's columns, its tips by the loop's mapping. A
-/// sample that is not valid has a tip of 0, and so has one whose position or velocity is not
-/// finite: it is not valid in the trajectory. A sent force that is not finite becomes 0, and not
-/// taken.
+/// Converts a recording to a trajectory with the columns of the device. The mapping of the loop
+/// gives the tips. The tip is 0 for an invalid sample. A sample whose position or velocity is not
+/// finite becomes invalid. A sent force that is not finite becomes 0 and "not taken".
 PALPATE_EXPORT Trajectory trajectoryOf(
   const std::vector<RecordedSample>& samples, const WorkspaceMapping& mapping);
 } // namespace palpate

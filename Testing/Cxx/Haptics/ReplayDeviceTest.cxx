@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recording, written and read, plays the same bits; a session's file gives the same ticks again.
+// A recording that is written and read replays the same bits. The file of a session gives the same
+// ticks again.
 #include "Haptics/Devices/ReplayDevice.h"
 
 #include "FaultyDevice.h"
@@ -46,7 +47,7 @@ bool same(const Vector3d& a, const Vector3d& b)
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
 
-/// Presses on a plate of 10 mm and moves about, with a hand that gives way.
+/// Presses on a plate of 10 mm and moves around, with a compliant hand.
 std::unique_ptr<HapticDevice> handOnPlate(const WorkspaceMapping& mapping = WorkspaceMapping())
 {
   palpate::SimulatedPlant plant;
@@ -58,7 +59,7 @@ std::unique_ptr<HapticDevice> handOnPlate(const WorkspaceMapping& mapping = Work
       { 1.0, mapping.toDevice({ 7.0, 4.0, 2.0 }) } });
 }
 
-/// Runs a servo step on a device; the ticks.
+/// Runs a servo step on a device. Returns the ticks.
 std::vector<Tick> run(
   HapticDevice& device, const palpate::ContactBody& body, const WorkspaceMapping& mapping)
 {
@@ -82,7 +83,7 @@ Trajectory reread(const Trajectory& trajectory)
   return read;
 }
 
-/// A mapping that turns and moves and magnifies.
+/// A mapping that turns, moves and magnifies.
 WorkspaceMapping oblique()
 {
   const Eigen::Matrix3d turn =
@@ -117,7 +118,7 @@ TEST(ReplayDevice, LinearBetweenRowsAtRestAtTheEnds)
   EXPECT_EQ(device.read(1.5).position, Vector3d(0, 0.008, 0.004));
   EXPECT_EQ(device.read(2.0).position, Vector3d(0, 0.016, 0));
   EXPECT_EQ(device.read(3.0).position, Vector3d(0, 0.008, 0));
-  EXPECT_EQ(device.read(3.0).position, Vector3d(0, 0.008, 0)); // the time alone counts
+  EXPECT_EQ(device.read(3.0).position, Vector3d(0, 0.008, 0)); // only the time matters
   for (const double time : { 4.0, 5.0, 1e9 })
   {
     EXPECT_EQ(device.read(time).position, Vector3d(0, 0, 0));
@@ -139,7 +140,7 @@ TEST(ReplayDevice, RowsThatAreNotValidStay)
   trajectory.rows[1].tip.setZero();
   trajectory.rows[1].contact.state = palpate::ContactState::Invalid;
   ReplayDevice device(trajectory, WorkspaceMapping());
-  EXPECT_EQ(device.read(1.9).position, Vector3d(0, 0, 0.008)); // not on its way to (0, 0, 0)
+  EXPECT_EQ(device.read(1.9).position, Vector3d(0, 0, 0.008)); // no interpolation towards (0, 0, 0)
   EXPECT_TRUE(device.read(1.9).valid);
   EXPECT_FALSE(device.read(2.0).valid);
   EXPECT_FALSE(device.read(3.9).valid);
@@ -161,10 +162,10 @@ TEST(ReplayDevice, VelocityButtonsAndFreshnessOfARecording)
   }
   ReplayDevice device(trajectory, WorkspaceMapping());
   const DeviceSample before = device.read(1.25);
-  EXPECT_EQ(before.position, Vector3d(0.25, 0, 0)); // the device's own, not the tip's
+  EXPECT_EQ(before.position, Vector3d(0.25, 0, 0)); // the position of the device, not of the tip
   EXPECT_EQ(before.velocity, Vector3d(0, 1.0, 0));
   EXPECT_EQ(before.buttons, 0U);
-  EXPECT_FALSE(before.fresh); // on the way to a reading that was not
+  EXPECT_FALSE(before.fresh); // interpolated towards a reading that was not fresh
   EXPECT_FALSE(device.read(2.0).fresh);
   EXPECT_EQ(device.read(2.0).buttons, 1U);
   EXPECT_TRUE(device.read(3.0).fresh);
@@ -175,7 +176,7 @@ TEST(ReplayDevice, VelocityButtonsAndFreshnessOfARecording)
 TEST(ReplayDevice, ASessionsFileGivesTheSameTicks)
 {
   const auto plate = uniformBody(openPlate(10.0, 20));
-  // Without rotation the tips come back to the bit, scaled and moved or not.
+  // Without rotation the tips have the same bits again, scaled and moved or not.
   for (const WorkspaceMapping& mapping :
     { WorkspaceMapping(), WorkspaceMapping(Eigen::Matrix3d::Identity(), { 1.3, -0.7, 0.3 }, 0.77) })
   {
@@ -213,7 +214,7 @@ TEST(ReplayDevice, TipsThroughARotation)
   ReplayDevice device(trajectory, mapping);
   for (const TrajectoryRow& row : trajectory.rows)
   {
-    // Coordinates of up to 100 mm, whose last bit is 1.4e-14.
+    // Coordinates are up to 100 mm; the last bit is 1.4e-14.
     const Vector3d tip = mapping.toBody(device.read(row.time).position);
     EXPECT_NEAR((tip - row.tip).norm(), 0.0, 5e-14);
   }
@@ -226,7 +227,7 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
   faults.schedule = { { DeviceFault::Dropped, 0.25, 0.003 }, { DeviceFault::NotANumber, 0.3 },
     { DeviceFault::Repeated, 0.32, 0.005 }, { DeviceFault::Disconnect, 0.5, 0.1 } };
   const WorkspaceMapping mapping = oblique();
-  // What the loop saw is recorded, faults and all.
+  // The recording has the samples that the loop received, including faults.
   RecordingDevice recorder(std::make_unique<FaultyDevice>(handOnPlate(mapping), faults), 1000);
   EXPECT_EQ(recorder.specification().rate, recorder.device().specification().rate);
   const std::vector<Tick> ticks = run(recorder, *plate, mapping);
@@ -247,7 +248,7 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
   const Trajectory read = reread(palpate::trajectoryOf(samples, mapping));
   EXPECT_TRUE(read.hasDevice);
   EXPECT_FALSE(read.hasContact);
-  // Another mapping than then: the positions are the device's own.
+  // The mapping differs from that of the recording: positions are those of the device.
   ReplayDevice replay(read, WorkspaceMapping());
   int invalid = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -265,9 +266,9 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
     }
     ASSERT_TRUE(same(read.rows[i].sentForce, samples[i].force)) << i;
   }
-  EXPECT_EQ(invalid, 101); // gone for 0.1 s, and one that was not a number
+  EXPECT_EQ(invalid, 101); // disconnected for 0.1 s, and one sample that was not a number
 
-  // And with the same mapping the loop feels the same.
+  // With the same mapping, the loop computes the same forces.
   const std::vector<Tick> again = run(replay, *plate, mapping);
   int pressing = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
@@ -290,7 +291,7 @@ TEST(RecordingDevice, CountsWhatFindsNoRoom)
   std::vector<RecordedSample> samples;
   recorder.drain(samples);
   ASSERT_EQ(samples.size(), 10U);
-  EXPECT_EQ(samples.back().force.z(), 9.0); // the first ones are kept
+  EXPECT_EQ(samples.back().force.z(), 9.0); // the first readings are kept
   recorder.read(25 * Period);
   recorder.write(Vector3d(0, 0, 25));
   recorder.drain(samples);
@@ -301,15 +302,15 @@ TEST(RecordingDevice, CountsWhatFindsNoRoom)
 TEST(RecordingDevice, ReadingsWithoutForcesAndForcesWithoutReadings)
 {
   RecordingDevice recorder(handOnPlate(), 10);
-  recorder.write(Vector3d(0, 0, 1)); // before any reading: passed on only
+  recorder.write(Vector3d(0, 0, 1)); // before any reading: only passed on
   recorder.read(0.0);
   recorder.read(1.0);
   recorder.write(Vector3d(0, 0, 2));
-  recorder.write(Vector3d(0, 0, 3)); // as the zero at the end of a loop
+  recorder.write(Vector3d(0, 0, 3)); // like the zero at the end of a loop
   recorder.read(2.0);
   std::vector<RecordedSample> samples;
   recorder.drain(samples);
-  ASSERT_EQ(samples.size(), 2U); // that of 2 s is not answered yet
+  ASSERT_EQ(samples.size(), 2U); // the reading of 2 s has no force yet
   EXPECT_EQ(samples[0].force, Vector3d(0, 0, 0));
   EXPECT_FALSE(samples[0].isTaken);
   EXPECT_EQ(samples[1].force, Vector3d(0, 0, 2));

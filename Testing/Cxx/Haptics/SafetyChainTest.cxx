@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The links together: their order, and what each of them leaves of the force.
+// All links together: their order, and the effect of each on the force.
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
@@ -46,8 +46,8 @@ TEST(SafetyChain, GateIsClosedUntilOnceOutside)
 
 TEST(SafetyChain, FixedOrder)
 {
-  // Fit before cap: the factor counts for the capped force. Then the slew limit, from what was
-  // sent; then the magnitude.
+  // Fit comes before cap: the factor applies to the capped force. Then the slew limit, starting
+  // from the sent force; then the magnitude.
   SafetySettings settings = whole();
   settings.controlPassivity = false;
   settings.forceFactor = 0.5;
@@ -70,7 +70,7 @@ TEST(SafetyChain, FixedOrder)
   EXPECT_EQ(safe.force.z(), 0.5);
   EXPECT_EQ(safe.forceFactor, 0.5);
   EXPECT_EQ(safe.acted, always);
-  safe = step(40.0, 20.0); // 10 N wanted
+  safe = step(40.0, 20.0); // 10 N requested
   EXPECT_NEAR(safe.force.z(), 1.5, 1e-10);
   EXPECT_EQ(safe.acted, slewed);
   safe = step(40.0, 20.0);
@@ -78,16 +78,16 @@ TEST(SafetyChain, FixedOrder)
   safe = step(40.0, 20.0);
   EXPECT_NEAR(safe.force.z(), 2.5, 1e-15);
   EXPECT_EQ(safe.acted, slewed + flag(SafetyLink::Magnitude));
-  safe = step(0.0, 0.0); // from 2.5, not from what the slew limit had come to
+  safe = step(0.0, 0.0); // from 2.5 N, not from the value before the limit of the magnitude
   EXPECT_NEAR(safe.force.z(), 1.5, 1e-10);
   EXPECT_EQ(safe.acted, flag(SafetyLink::Fit) + flag(SafetyLink::Slew));
 }
 
 TEST(SafetyChain, PassivityIsLastAndSeesWhatIsSent)
 {
-  // A wall as stiff as allowed, 6 mm deep, but no force above 2 N: what the clamp leaves has done
-  // work, 2 mJ up to 2 mm and 8 mJ from there; less the lag of the holds, more what the damping
-  // takes of 0.05 mm per tick.
+  // A wall of the largest allowed stiffness, 6 mm deep, with at most 2 N. The limited force has
+  // done work: 2 mJ up to 2 mm and 8 mJ beyond; less the lag of the holds, plus the energy that the
+  // damping dissipates at 0.05 mm per tick.
   SafetySettings settings = whole();
   settings.maximumStiffness = 1000.0;
   settings.maximumForce = 2.0;
@@ -119,8 +119,9 @@ TEST(SafetyChain, PassivityBoundsAnOverStiffWall)
 
 TEST(SafetyChain, RepeatedReadingsAreOneHold)
 {
-  // A device that tells its place every fourth tick, 0.4 mm further on: the work of 4 ms, and what
-  // the damping takes in 4 ms, a quarter of what it takes for the same way in one.
+  // A device that reports its position every fourth tick, each time 0.4 mm further. The work is
+  // that of 4 ms. The damping dissipates a quarter of the energy that it would for the same
+  // distance in 1 ms.
   ChainedWall wall(whole());
   wall.feel(0.0);
   const double way = 4e-4;
@@ -136,8 +137,9 @@ TEST(SafetyChain, RepeatedReadingsAreOneHold)
 
 TEST(SafetyChain, EntryRampReachesTheWholeForceAtRest)
 {
-  // The hand rests 4 mm deep while the force rises: that energy is given on purpose, to the last
-  // step, here of half a tick. Nothing more is given than the force of now needs: no depth is told.
+  // The hand rests 4 mm deep while the force rises. This energy is allowed on purpose until the
+  // last step, here of half a tick. Only the energy for the present force is allowed, as the depth
+  // is unknown.
   SafetySettings settings = whole();
   settings.entryRamp = 499.5 * Period;
   ChainedWall wall(settings);
@@ -172,8 +174,8 @@ TEST(SafetyChain, AChangeOnPurposeIsNotTakenForActivity)
       input.changing = onPurpose && i <= 50;
       safe = wall.Chain.apply(input);
     }
-    // 7.8 mJ were put in, and the damping took 0.6: of these √(2·3000·8.4e-3) = 7.1 N could be had,
-    // 0.71 of what is asked for, and with 0.71 of the damping √0.71 of that.
+    // 7.8 mJ were put in, and the damping dissipated 0.6 mJ. They allow √(2·3000·8.4e-3) = 7.1 N,
+    // 0.71 of the request; with 0.71 of the damping √0.71 of that.
     EXPECT_NEAR(safe.force.z(), onPurpose ? 10.0 : std::sqrt(0.71) * 7.1, onPurpose ? 1e-12 : 0.01);
   }
 }
@@ -184,7 +186,8 @@ TEST(SafetyChain, ForceFactorAndStiffnessLimit)
   settings.maximumStiffness = 2000.0;
   SafetyChain chain(settings);
   EXPECT_EQ(chain.bodyStiffnessLimit(1.0), 2.0);
-  EXPECT_EQ(chain.bodyStiffnessLimit(2.0), 1.0); // the body is felt twice as stiff
+  EXPECT_EQ(chain.bodyStiffnessLimit(2.0), 1.0); // the hand perceives twice the stiffness of the
+                                                 // body
   chain.setForceFactor(0.25);
   EXPECT_EQ(chain.bodyStiffnessLimit(1.0), 8.0);
   EXPECT_EQ(chain.settings().forceFactor, 0.25);
@@ -225,7 +228,7 @@ TEST(SafetyChain, MagnitudeOnlyKnowsNoTime)
   SafetyInput input;
   input.valid = true;
   input.idealForce = Vector3d(3.0, 0.0, 4.0);
-  input.cappedForce = Vector3d::Zero(); // not looked at
+  input.cappedForce = Vector3d::Zero(); // not used
   for (const double time : { 0.0, 0.0, 7.0, -3.0, NotANumber, Infinity, 0.0 })
   {
     input.time = time;

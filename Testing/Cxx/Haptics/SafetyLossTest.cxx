@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ends the force, when, and what begins anew after that.
+// The events that end the force, their times, and the restart after them.
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
@@ -45,7 +45,8 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
     SafetyInput bad = wall.at(4e-3);
     loss.spoil(bad, wall.Chain);
     const SafeForce lost = wall.Chain.apply(bad);
-    EXPECT_EQ(lost.force, Vector3d::Zero()); // exactly, though the slew limit is 5 N per tick
+    EXPECT_EQ(lost.force, Vector3d::Zero()); // exactly zero, although the slew limit is 5 N per
+                                             // tick
     EXPECT_TRUE(lost.has(loss.link));
     EXPECT_EQ(wall.Chain.energy(), 0.0);
     wall.Chain.start();
@@ -56,7 +57,8 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
       EXPECT_EQ(inside.force, Vector3d::Zero());
       EXPECT_EQ(inside.acted, flag(SafetyLink::Gate));
     }
-    // Once outside all is as before; thrown in deep, the slew limit begins at nothing.
+    // Once the tip has been outside, the force is as before. Deep inside, the slew limit starts at
+    // zero.
     EXPECT_EQ(wall.feel(0.0).acted, 0);
     const SafeForce again = wall.feel(8e-3);
     EXPECT_NEAR(again.force.z(), 5.0, 1e-9);
@@ -73,11 +75,12 @@ TEST(SafetyLoss, WithoutAGateTheForceComesBackFromNothing)
   SafetyInput bad = wall.at(4e-3);
   bad.idealForce.x() = NotANumber;
   EXPECT_EQ(wall.Chain.apply(bad).force, Vector3d::Zero());
-  EXPECT_EQ(wall.feel(8e-3).force, Vector3d::Zero()); // no time since it began anew
+  EXPECT_EQ(wall.feel(8e-3).force, Vector3d::Zero()); // no time has passed since the restart
   EXPECT_NEAR(wall.feel(8e-3).force.z(), 5.0, 1e-9);
 }
 
-// A reading that is missing, or no place, costs its own ticks and the slew limit's.
+// A missing reading, or one without a valid position, only costs its own ticks and those of the
+// slew limit.
 TEST(SafetyLoss, AGapEndsTheForceAndNotTheTouch)
 {
   const std::function<void(SafetyInput&)> gaps[] = { [](SafetyInput& in) { in.valid = false; },
@@ -103,7 +106,7 @@ TEST(SafetyLoss, AGapEndsTheForceAndNotTheTouch)
       const SafeForce back = wall.feel(4e-3);
       EXPECT_NEAR(back.force.z(), 4.0, 1e-12) << ticks;
       EXPECT_EQ(back.acted, 0);
-      // Gone deeper meanwhile: from nothing again, 5 N a tick.
+      // Deeper after the gap: the force starts at zero, with 5 N per tick.
       SafetyInput bad = wall.at(4e-3);
       spoil(bad);
       wall.Chain.apply(bad);
@@ -132,7 +135,8 @@ TEST(SafetyLoss, AGapThatIsLongerThanTheTimeOutIsALoss)
       EXPECT_EQ(safe.force, Vector3d::Zero());
       ++gap;
     } while (safe.isGap && gap < 1000);
-    // Of a device without a time-out, as of most: 20 ms. One more where the sum of ticks rounds.
+    // The default for a device without a time-out, as most are, is 20 ms. One tick more if the sum
+    // of the ticks rounds.
     EXPECT_NEAR(gap, timeOut == 0.01 ? 11 : 21, 1);
     EXPECT_EQ(wall.Chain.energy(), 0.0);
     safe = wall.feel(4e-3);
@@ -157,8 +161,8 @@ TEST(SafetyLoss, AForceIsToldForATime)
   EXPECT_EQ(ChainedWall(free).press().holdTime, 0.02);
 }
 
-// Without passivity control nothing would see to it that a hand which went deeper meanwhile gets no
-// more than it gave: the gate does, as before.
+// Without passivity control, a hand that moves deeper during a gap could get more energy than it
+// put in. The gate prevents this.
 TEST(SafetyLoss, WithoutPassivityControlThereAreNoGaps)
 {
   SafetySettings settings = whole();
@@ -171,8 +175,8 @@ TEST(SafetyLoss, WithoutPassivityControlThereAreNoGaps)
   EXPECT_EQ(wall.feel(4e-3).acted, flag(SafetyLink::Gate));
 }
 
-// A hand that learns when readings are missing, and goes in without a force each time to come out
-// with one, gets nothing: gaps of one to nine ticks. It accelerates by 20 m/s² at most.
+// A hand that knows when readings are missing moves in without a force and out with a force. It
+// gains no energy, for gaps of one to nine ticks. It accelerates by at most 20 m/s².
 TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
 {
   for (const bool gate : { true, false })
@@ -187,8 +191,9 @@ TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
       ChainedWall wall(settings);
       wall.press();
       double depth = 4e-3;
-      double speed = 0.0; // m/s, inwards
-      double given = 0.0; // work of the force on the hand since the touch, less what damping takes
+      double speed = 0.0; // m/s, inward
+      double given = 0.0; // work of the force on the hand since the contact began, less the energy
+                          // dissipated
       const double put = wall.Chain.energy();
       Vector3d force(0.0, 0.0, 4.0);
       const auto go = [&](double wanted, bool isMissing)
@@ -196,7 +201,7 @@ TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
         const double change = PassivityControl::HandAcceleration * Period;
         speed = std::clamp(wanted, speed - change, speed + change);
         const double to = std::clamp(depth + speed * Period, 5e-4, 7e-3);
-        const double moved = depth - to; // out, along the force
+        const double moved = depth - to; // outward, along the force
         given += force.z() * moved - 0.5 * settings.maximumStiffness * moved * moved;
         depth = to;
         SafetyInput input = wall.at(depth);
@@ -222,7 +227,8 @@ TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
 
 TEST(SafetyLoss, SilenceEndsTheForceAfterTheTimeOutInTicks)
 {
-  // The device repeats itself: 20 ms are allowed, so the 21st tick without news is without force.
+  // The device repeats its sample: 20 ms are allowed, so the 21st tick without a new one has no
+  // force.
   for (const double start : { 0.0, 10.0, 12345.0 })
   {
     ChainedWall wall(whole());
@@ -238,7 +244,7 @@ TEST(SafetyLoss, SilenceEndsTheForceAfterTheTimeOutInTicks)
       ++silent;
       EXPECT_EQ(safe.has(SafetyLink::Watchdog), safe.force.isZero(0.0));
     } while (!safe.force.isZero(0.0) && silent < 100);
-    // One more where the sum of the ticks rounds to 20 ms and less.
+    // One tick more if the sum of the ticks rounds to 20 ms or less.
     EXPECT_GE(silent, 20);
     EXPECT_LE(silent, 22);
     for (int i = 0; i < 100; ++i)
@@ -260,10 +266,11 @@ TEST(SafetyLoss, StopStartReset)
   EXPECT_EQ(wall.feel(0.0).acted, flag(SafetyLink::Stopped));
   EXPECT_EQ(wall.feel(1e-3).force, Vector3d::Zero());
   wall.Chain.start();
-  EXPECT_EQ(wall.feel(1e-3).acted, flag(SafetyLink::Gate)); // outside while stopped does not count
+  EXPECT_EQ(wall.feel(1e-3).acted, flag(SafetyLink::Gate)); // outside while stopped does not open
+                                                            // the gate
   wall.press();
   wall.Chain.reset();
-  wall.Time = 0.0; // a session of its own, by its own clock
+  wall.Time = 0.0; // a new session with its own clock
   EXPECT_EQ(wall.feel(4e-3).acted, flag(SafetyLink::Gate));
   EXPECT_NEAR(wall.press().force.z(), 4.0, 1e-12);
 }
@@ -283,7 +290,7 @@ TEST(SafetyLoss, WhateverComesInWhatGoesOutIsSafe)
     SafetyChain chain(settings);
     double time = 0.0;
     double given = 0.0;
-    double allowed = 0.0; // what the damping takes, and what is given on purpose
+    double allowed = 0.0; // energy dissipated by the damping, and energy allowed on purpose
     int forces = 0;
     SafeForce safe;
     Vector3d last = Vector3d::Zero();

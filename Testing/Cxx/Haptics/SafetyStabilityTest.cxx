@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sampled spring stiffer than 2b/T on a mass that nobody holds: growing without the passivity
-// control, dying with it; and one that is as stiff as allowed, untouched.
+// A sampled spring stiffer than 2b/T on a mass without a hand: its oscillation grows without
+// passivity control and decays with it. A spring of the largest allowed stiffness is not changed.
 #include "Haptics/Simulation/PlantAxis.h"
 #include "Haptics/Safety/SafetyChain.h"
 
@@ -26,19 +26,19 @@ constexpr SimulatedPlant Plant{ Mass, Damping };
 struct Course
 {
   double first = 0.0;  ///< largest speed in the first tenth, m/s
-  double last = 0.0;   ///< and in the last
+  double last = 0.0;   ///< largest speed in the last tenth, m/s
   double growth = 0.0; ///< largest increase of ½mv² + E in a tick, J
-  double push = 0.0;   ///< strongest force of the chain, N
-  int acted = 0;       ///< ticks of the control
+  double push = 0.0;   ///< largest force of the chain, N
+  int acted = 0;       ///< number of ticks in which the control acted
 };
 
 enum class Spring
 {
-  Wall, ///< for x < 0 alone
+  Wall, ///< only for x < 0
   Both  ///< on both sides of 0
 };
 
-/// Thrown at a spring with 0.1 m/s, and pushed towards it by a constant force.
+/// The mass meets a spring with 0.1 m/s, and a constant force pushes it towards the spring.
 Course throwAt(Spring kind, double stiffness, bool controlled, double push, int ticks)
 {
   SafetySettings settings;
@@ -90,15 +90,16 @@ TEST(SafetyStability, AnActiveSpringGrowsWithoutTheControlAndDiesWithIt)
     EXPECT_GT(loose.last, 1.5 * loose.first) << share;
     EXPECT_LT(held.last, 0.02 * held.first) << share;
     EXPECT_GT(held.acted, 10) << share;
-    // Kinetic energy and what is stored together never grow: the proof of PassivityControl, in the
-    // books of the plant. 1e-9 J is its Slack.
+    // The sum of kinetic and stored energy never grows. This is the proof of PassivityControl,
+    // checked with the energies of the plant. The Slack is 1e-9 J.
     EXPECT_LE(held.growth, 2e-9) << share;
   }
 }
 
 TEST(SafetyStability, AWallPressedByAConstantForce)
 {
-  // 0.5 N press the mass into a wall: stiffer than 2b/T it bounces for ever, ever higher.
+  // 0.5 N press the mass into a wall. If it is stiffer than 2b/T, the mass bounces without end,
+  // higher and higher.
   for (const double share : { 1.5, 2.0, 5.0 })
   {
     const Course loose = throwAt(Spring::Wall, share * Stiffest, false, 0.5, 5000);
@@ -121,7 +122,7 @@ TEST(SafetyStability, NothingIsTouchedUpToTheLimit)
       EXPECT_EQ(held.push, loose.push) << stiffness;
     }
   }
-  // The plant is what the table is of: stable just below the critical stiffness, not above.
+  // The plant is that of the table: stable just below the critical stiffness, unstable just above.
   const Course below = throwAt(Spring::Both, 0.998 * Critical, false, 0.0, 20000);
   const Course above = throwAt(Spring::Both, 1.002 * Critical, false, 0.0, 20000);
   EXPECT_LT(below.last, below.first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The chain with a torque: the same gate and factor, its own limits, and gone whenever the force
-// is.
+// The chain with a torque: the same gate and factor, its own limits, and no torque whenever there
+// is no force.
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
@@ -32,8 +32,8 @@ SafetySettings turning()
   return SafetySettings::of(device);
 }
 
-/// A wall that also turns the tool upright, by 40 mN m/rad where it is pressed 1 mm, less in
-/// between: weak enough to be passive beside the force.
+/// A wall that also turns the tool upright, by 40 mN m/rad at a depth of 1 mm, less at smaller
+/// depths. This is small enough to be passive in addition to the force.
 struct TurningWall : ChainedWall
 {
   using ChainedWall::ChainedWall;
@@ -46,7 +46,7 @@ struct TurningWall : ChainedWall
     input.cappedTorque = input.idealTorque;
     return input;
   }
-  /// Tilted by 0.1 outside, then pressed 1 mm deep.
+  /// Tilted by 0.1 rad outside, then pressed 1 mm deep.
   SafeForce press()
   {
     SafeForce last;
@@ -87,7 +87,7 @@ TEST(SafetyTorque, GoesWithTheForceInTheSameTick)
   SafetyInput input = wall.at(1e-3, 0.1);
   input.valid = false;
   expectNone(wall.Chain.apply(input), SafetyLink::NoSample);          // a gap
-  EXPECT_LT(wall.Chain.apply(wall.at(1e-3, 0.1)).torque.x(), -0.001); // what the gap left
+  EXPECT_LT(wall.Chain.apply(wall.at(1e-3, 0.1)).torque.x(), -0.001); // the value after the gap
   input = wall.at(1e-3, 0.1);
   input.orientation.x() = NotANumber;
   expectNone(wall.Chain.apply(input), SafetyLink::NoSample);
@@ -97,13 +97,13 @@ TEST(SafetyTorque, GoesWithTheForceInTheSameTick)
   expectNone(wall.Chain.apply(input), SafetyLink::NotFinite);
   expectNone(wall.Chain.apply(wall.at(1e-3, 0.1)), SafetyLink::Gate);
   wall.press();
-  wall.Time += 0.1; // nobody has asked for so long
+  wall.Time += 0.1; // no reading for a long time
   expectNone(wall.Chain.apply(wall.at(1e-3, 0.1)), SafetyLink::Watchdog);
   wall.press();
   wall.Chain.stop();
   expectNone(wall.Chain.apply(wall.at(1e-3, 0.1)), SafetyLink::Stopped);
   wall.Chain.start();
-  // Of a turn that is not told nothing can be counted.
+  // A turn that is not reported cannot be counted.
   wall.press();
   input = wall.at(1e-3, 0.1);
   input.orientation = orientationNotTold();
@@ -123,17 +123,18 @@ TEST(SafetyTorque, LimitsOfItsOwn)
   SafetyInput input = wall.at(1e-3);
   input.orientation = ToolOrientation::Identity();
   input.idealTorque.y() = 1.0;
-  input.cappedTorque.y() = 0.8; // half of it wanted
+  input.cappedTorque.y() = 0.8; // half of the requested torque
   const std::uint16_t always = flag(SafetyLink::Fit) + flag(SafetyLink::StiffnessCap);
   for (const double expected : { 0.04, 0.08, 0.12, 0.16, 0.2, 0.2 })
   {
     const SafeForce safe = wall.Chain.apply(input);
-    EXPECT_NEAR(safe.torque.y(), expected, 1e-12); // times of 1e-3 s after 10 s round to 2e-15
+    EXPECT_NEAR(safe.torque.y(), expected, 1e-12); // times of 1e-3 s round to 2e-15 s after 10 s
     EXPECT_EQ(safe.force.z(), 0.5);
     EXPECT_EQ(safe.acted & (always | flag(SafetyLink::Slew)), always | flag(SafetyLink::Slew));
     input.time += Period;
   }
-  // From what was sent, 0.2: the clamp does not wind up the rate's limit.
+  // Starts from the sent 0.2 N m: the limit of the magnitude does not influence the limit of the
+  // rate.
   input.cappedTorque.setZero();
   EXPECT_NEAR(wall.Chain.apply(input).torque.y(), 0.16, 1e-12);
 
@@ -151,7 +152,7 @@ TEST(SafetyTorque, LimitsOfItsOwn)
 
 TEST(SafetyTorque, ADeviceWithoutTorqueIsSentTheForceOfBefore)
 {
-  // Turns, torques and nonsense among them change no bit where no torque is sent.
+  // Turns, torques and invalid values change no bit if no torque is sent.
   TurningWall turned(whole());
   ChainedWall plain(whole());
   for (int i = -10; i <= 60; ++i)
@@ -171,8 +172,9 @@ TEST(SafetyTorque, ADeviceWithoutTorqueIsSentTheForceOfBefore)
 
 TEST(SafetyTorque, AHandThatTurnsAtDepthGetsNoMoreThanItPutIn)
 {
-  // A flat end: pressed in while tilted it gives little force, turned upright at depth much. The
-  // device outputs no torque, so turning costs the hand nothing; what comes out must have gone in.
+  // A flat end that is pressed in tilted gives a small force; turned upright at depth it gives a
+  // large one. The device outputs no torque, so the turn takes no work of the hand. The energy of
+  // the force must have been put in.
   SafetySettings settings = whole();
   ChainedWall wall(settings);
   double given = 0.0;
@@ -208,7 +210,7 @@ TEST(SafetyTorque, StiffnessCapOfATorque)
   EXPECT_EQ(cappedTorqueShare(contact, Infinity), 1.0);
   EXPECT_EQ(cappedTorqueShare(contact, 5.0), 0.0);
   EXPECT_EQ(cappedTorqueShare(Contact(), 5.0), 1.0);
-  // 1 N m/rad at the device, of ways twice as long in the body: M_body = 2000 M_device.
+  // 1 N m/rad at the device; distances in the body are twice as long: M_body = 2000 M_device.
   SafetySettings settings = turning();
   settings.forceFactor = 0.5;
   EXPECT_EQ(SafetyChain(settings).bodyTorsionalLimit(2.0), 4000.0);
@@ -233,7 +235,7 @@ TEST(SafetyTorque, SettingsOutOfRangeAreNamed)
   EXPECT_EQ(named([](SafetySettings& s) { s.maximumTorqueRate = NotANumber; }),
     "MaximumTorqueRate must be positive (N m/s), but is nan");
   DeviceSpecification none;
-  none.maximumTorque = 3.0; // but it outputs none
+  none.maximumTorque = 3.0; // the device outputs no torque
   EXPECT_EQ(SafetySettings::of(none).maximumTorque, 0.0);
   EXPECT_EQ(SafetySettings::magnitudeOnly(5.0).maximumTorque, 0.0);
 }

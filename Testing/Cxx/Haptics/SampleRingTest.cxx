@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every value, in order, or its loss is counted. The thread sanitizer runs this too.
+// Every value arrives in order, or its loss is counted. The thread sanitizer runs this test, too.
 #include "Haptics/Servo/SampleRing.h"
 
 #include <gtest/gtest.h>
@@ -128,7 +128,7 @@ TEST(SampleRing, BetweenThreadsValuesAreWholeInOrderAndAccountedFor)
   bool finished = false;
   while (!finished)
   {
-    finished = done; // before the drain: what came before it is drained now
+    finished = done; // read before the drain, which then gets all values pushed before
     ring.drain(
       [&](const Values& values)
       {

@@ -12,7 +12,7 @@ using palpate::SampleWatchdog;
 
 TEST(SampleWatchdog, LostOnTheFirstTickAfterTheTimeOut)
 {
-  // Times that a double holds exactly: ticks of 1/1024 s, a time-out of 20 of them.
+  // Times that a double represents exactly: ticks of 1/1024 s, a time-out of 20 ticks.
   const double tick = 1.0 / 1024.0;
   SampleWatchdog watchdog(20.0 * tick);
   int now = 0;
@@ -20,7 +20,7 @@ TEST(SampleWatchdog, LostOnTheFirstTickAfterTheTimeOut)
   {
     EXPECT_FALSE(watchdog.isLost(now * tick, true));
   }
-  for (int silent = 1; silent <= 20; ++silent, ++now) // the last new one came at 49
+  for (int silent = 1; silent <= 20; ++silent, ++now) // the last new sample was at 49
   {
     EXPECT_FALSE(watchdog.isLost(now * tick, false)) << silent;
   }
@@ -28,7 +28,7 @@ TEST(SampleWatchdog, LostOnTheFirstTickAfterTheTimeOut)
   {
     EXPECT_TRUE(watchdog.isLost(now * tick, false)) << silent;
   }
-  // What comes back is a loss once more: the force has been held or zero for all that time.
+  // The returning sample is still a loss: the force has been held or zero for all that time.
   EXPECT_TRUE(watchdog.isLost(now * tick, true));
   EXPECT_FALSE(watchdog.isLost((now + 1) * tick, true));
   EXPECT_FALSE(watchdog.isLost((now + 2) * tick, false));
@@ -47,9 +47,9 @@ TEST(SampleWatchdog, AClockThatGoesBack)
 {
   SampleWatchdog watchdog(0.02);
   EXPECT_FALSE(watchdog.isLost(100.0, true));
-  EXPECT_FALSE(watchdog.isLost(100.0, true)); // the same time is no fault
+  EXPECT_FALSE(watchdog.isLost(100.0, true)); // a repeated time is not a fault
   EXPECT_TRUE(watchdog.isLost(99.999, true));
-  EXPECT_FALSE(watchdog.isLost(100.0, true)); // goes on by the new clock
+  EXPECT_FALSE(watchdog.isLost(100.0, true)); // continues with the new clock
   EXPECT_TRUE(watchdog.isLost(3.0, false));
   EXPECT_FALSE(watchdog.isLost(3.01, false));
   EXPECT_TRUE(watchdog.isLost(3.03, false));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A running servo loop is given other scenes: the newest is rendered, all are freed, by the owner.
-// The sanitizers run this too.
+// A running servo loop is given other scenes. The newest is rendered; all are freed by the owner.
+// The sanitizers run this test, too.
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
@@ -19,7 +19,7 @@ namespace
 {
 const Vector3d Inside(0.0, 0.0, 0.0195); // m: half a millimetre deep in a ball of 20 mm
 
-/// A scene that counts, when it is freed, whether the right thread did it.
+/// A scene that counts, when it is freed, whether the right thread frees it.
 class SceneSource
 {
 public:
@@ -78,13 +78,13 @@ TEST(SceneChange, TheNewSceneIsRenderedAndTheOldOneFreed)
     loop.changeScene(source.make(hard));
     while (loop.freeScenes() == 0)
     {
-      std::this_thread::yield(); // the ramp of 50 ms
+      std::this_thread::yield(); // waits for the ramp of 50 ms
     }
     waitForTicks(loop, loop.ticks() + 2);
     const Tick& after = loop.newest();
     EXPECT_EQ(after.scene, 1u);
     EXPECT_EQ(after.sceneShare, 1.0);
-    // Twice the forces of the body are twice the force, but for the rounding of the ramp's end.
+    // Twice the forces of the body give twice the force, up to the rounding at the end of the ramp.
     EXPECT_NEAR(after.appliedForce.norm(), 2.0 * before, 1e-9);
     EXPECT_EQ(source.Freed, 1);
     EXPECT_EQ(loop.statistics().sceneChanges, 1u);
@@ -137,7 +137,7 @@ TEST(SceneChange, ThousandsWhileTheLoopRuns)
         waitForTicks(loop, loop.ticks() + 2);
       }
     }
-    // The last one is rendered in the end: Changes is even, so it is the soft one.
+    // The last scene is rendered at the end: Changes is even, so it is the soft one.
     const double expected =
       stepOn(source, soft).step(StandingDevice(Inside).read(0.0), 0.0).appliedForce.norm();
     while (loop.newest().sceneShare < 1.0 || loop.newest().appliedForce.norm() != expected)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes go to another thread and come back to be freed by the one that made them: none leaks, none
-// is freed while in use or by the user. The sanitizers run this too.
+// Scenes are passed to another thread and returned to the thread that made them, which frees them.
+// None leaks, none is freed while in use or by the user. The sanitizers run this test, too.
 #include "Haptics/Servo/SceneExchange.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace
 {
-/// Knows how many there are, whether it is in use, and by which thread it was freed.
+/// Counts its instances, and records its use and the thread that freed it.
 class CountedScene
 {
 public:
@@ -95,7 +95,8 @@ TEST(SceneExchange, ListsThatComeBackBeforeACollectionAreJoined)
 TEST(SceneExchange, ThousandsBetweenThreads)
 {
   constexpr int Offers = 20000;
-  constexpr int Together = 8; // so many in quick succession, then waiting until one was taken
+  constexpr int Together = 8; // number of offers in quick succession; then waits until one was
+                              // taken
   int taken = 0;
   std::size_t collected = 0;
   std::atomic<int> newest{ 0 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Another body, tool or material under the tip: within 50 ms, and never a step.
+// Another body, tool or material under the tip: the force changes within 50 ms, without a jump.
 #include "Haptics/Servo/SceneSwitch.h"
 
 #include "Contact/CappedResponse.h"
@@ -32,7 +32,7 @@ std::unique_ptr<ServoScene> sceneOf(
   return std::make_unique<ServoScene>(body, settings, forceFactor);
 }
 
-/// Presses 0.3 to 1.2 mm deep into a ball of 20 mm, to and fro over it.
+/// Presses 0.3 to 1.2 mm deep into a ball of 20 mm, and moves back and forth over it.
 Vector3 tipAt(int tick)
 {
   const double t = Period * tick;
@@ -51,7 +51,7 @@ int count(std::unique_ptr<ServoScene> list)
   return scenes;
 }
 
-/// What would be felt of a scene alone, entered where another contact was.
+/// The force of a scene alone. Its contact begins with the contact of the former scene.
 struct Alone
 {
   explicit Alone(const ServoScene& scene)
@@ -99,13 +99,13 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
   const auto hard = stiffened(ball, 8.0F);
   for (const double friction : { 0.0, 0.5 })
   {
-    for (const double factor : { 1.0, 0.1 }) // of the hard one
+    for (const double factor : { 1.0, 0.1 }) // of the hard scene
     {
       SceneSwitch scenes(sceneOf(soft, 1.0, friction));
       Alone before(*sceneOf(soft, 1.0, friction));
       Alone after(*sceneOf(hard, factor, friction));
       Vector3 last = Vector3::Zero();
-      double leap = 0.0; // what a plain exchange would have made of it
+      double leap = 0.0; // jump of a plain exchange
       int ramped = 0;
       for (int i = 0; i < 200; ++i)
       {
@@ -125,13 +125,14 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
         const SceneForce felt = scenes.update(tipAt(i), Period, Infinity);
         const Vector3 sent = felt.forceFactor * felt.idealForce;
         const double way = std::min(1.0, PerTick * std::max(0, i - 100));
-        // The straight line between the two, each felt on its own.
+        // The force is the linear blend of the forces of both scenes.
         EXPECT_LE((sent - (1.0 - way) * before.sent - way * after.sent).norm(), 1e-12) << i;
         EXPECT_EQ(felt.changing, i > 100 && i <= 150);
         ramped += felt.share > 0.0 && felt.share < 1.0;
         if (i > 100)
         {
-          // What motion makes of the two, and no more of their difference than T / 50 ms.
+          // The step is at most the change by motion, plus T / 50 ms of the difference of both
+          // scenes.
           const double motion =
             std::max((before.sent - before.before).norm(), (after.sent - after.before).norm());
           const double range = (after.before - before.before).norm();
@@ -156,7 +157,7 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
       EXPECT_EQ(count(scenes.takeRetired()), 0);
       if (factor == 1.0)
       {
-        EXPECT_GT(leap, 10.0); // N: a tick may change 0.2 N for it
+        EXPECT_GT(leap, 10.0); // N: the ramp allows 0.2 N of it per tick
       }
     }
   }
@@ -164,8 +165,8 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
 
 TEST(SceneSwitch, BothFitToTheDeviceTheBlendIsToo)
 {
-  // 10 N at 1, and 100 N at 0.1: what is sent stays at 10 N, while a factor that went over beside
-  // the force would make 30 N of it on the way ((1+0.1)/2 of (10+100)/2).
+  // 10 N at factor 1, and 100 N at factor 0.1: the sent force remains at 10 N. If factor and force
+  // were blended separately, it would reach 30 N ((1+0.1)/2 of (10+100)/2).
   const Surface ball = icosphere(20.0, 3);
   SceneSwitch scenes(sceneOf(stiffened(ball, 1.0F)));
   const Vector3 still = tipAt(0);
@@ -184,7 +185,7 @@ TEST(SceneSwitch, StiffnessesAreCappedEachByItsOwnFactor)
   const Surface ball = icosphere(20.0, 3);
   const auto soft = stiffened(ball, 1.0F);
   const auto hard = stiffened(ball, 8.0F);
-  const double limit = 12.0; // N/mm; 15 √δ and 120 √δ are above it
+  const double limit = 12.0; // N/mm; 15 √δ and 120 √δ exceed it
   SceneSwitch scenes(sceneOf(soft));
   SceneSwitch reference(sceneOf(hard, 0.2));
   const Vector3 still = 19.0 * tipAt(0).normalized();
@@ -218,7 +219,7 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
   SceneSwitch scenes(sceneOf(bodies[0]));
   Vector3 last = scenes.update(tipAt(0), Period, Infinity).idealForce;
   const double force = last.norm();
-  scenes.change(nullptr); // nothing
+  scenes.change(nullptr); // no effect
   EXPECT_FALSE(scenes.isSwitching());
   scenes.change(sceneOf(bodies[1]));
   std::vector<double> felt;
@@ -229,20 +230,20 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
       scenes.change(sceneOf(bodies[2]));
       EXPECT_EQ(count(scenes.takeRetired()), 0);
     }
-    if (i == 20) // overtakes the third, which is never felt
+    if (i == 20) // replaces the third, which is never used
     {
       scenes.change(sceneOf(bodies[3]));
       EXPECT_EQ(count(scenes.takeRetired()), 1);
     }
     const Vector3 now = scenes.update(tipAt(0), Period, Infinity).idealForce;
-    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // of 1 → 4, the larger change
+    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // the largest change, 1 → 4
     last = now;
     felt.push_back(now.norm() / force);
   }
   EXPECT_NEAR(felt[0], 1.0, 1e-6);  // float32 curves, as below
   EXPECT_NEAR(felt[25], 2.5, 1e-5); // half way
   EXPECT_NEAR(*std::max_element(felt.begin(), felt.end()), 4.0, 1e-5);
-  EXPECT_NEAR(felt[49], 4.0, 0.061); // at its end, but for a tick
+  EXPECT_NEAR(felt[49], 4.0, 0.061); // at the end of the ramp, less one tick
   EXPECT_NEAR(felt.back(), 2.0, 1e-5);
   EXPECT_EQ(scenes.changes(), 2U);
   EXPECT_FALSE(scenes.isSwitching());
@@ -254,7 +255,7 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
   const Surface slab = subdivided(block(40, 40, 3), 4);
   SceneSwitch scenes(sceneOf(stiffened(slab, 1.0F)));
   scenes.update(Vector3(20.3, 18.7, 2.0), Period, Infinity);
-  const Vector3 deep(20.3, 18.7, 1.2); // past the middle, held to the top by its history
+  const Vector3 deep(20.3, 18.7, 1.2); // beyond the middle; the contact history keeps it on the top
   EXPECT_GT(scenes.update(deep, Period, Infinity).idealForce.z(), 0.0);
   scenes.change(sceneOf(stiffened(slab, 2.0F)));
   for (int i = 0; i < 60; ++i)
@@ -263,7 +264,7 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
     ASSERT_GT(felt.idealForce.z(), 0.0) << i;
     EXPECT_NEAR(felt.contact.deflection, 1.8, 1e-6);
   }
-  // Another body has no such side: a contact of its own begins.
+  // Another body has no such side: a new contact begins.
   scenes.change(sceneOf(stiffened(subdivided(block(40, 40, 2.5), 4), 1.0F)));
   for (int i = 0; i < 60; ++i)
   {
@@ -287,7 +288,7 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
   EXPECT_NEAR(sliding, -5.0, 1e-3); // μ 10 N, float32
   scenes.change(sceneOf(body, 1.0, 0.5));
   double last = sliding;
-  for (int i = 0; i <= 50; ++i) // at rest
+  for (int i = 0; i <= 50; ++i) // the tip is at rest
   {
     const SceneForce felt = scenes.update(tip, Period, Infinity);
     EXPECT_EQ(felt.contact.friction, Vector3::Zero()) << "no pre-sliding displacement";
@@ -296,7 +297,7 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
     EXPECT_LE(std::abs(felt.idealForce.x() - last), -sliding * PerTick + 1e-9);
     last = felt.idealForce.x();
   }
-  // It builds up as any contact's: 10 N/mm over 0.1 mm; below breakaway nothing creeps.
+  // Friction builds up as in any contact: 10 N/mm over 0.1 mm. Below breakaway there is no creep.
   tip.x() += 0.1;
   EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), -1.0, 1e-6);
 }
@@ -311,7 +312,8 @@ TEST(SceneSwitch, ReachIsWhatTheContactCanGiveBack)
   EXPECT_NEAR(smooth.update(tip, Period, Infinity).reach, 1.0, 1e-6);
   rough.update(tip, Period, Infinity);
   const SceneForce stretched = rough.update(tip + Vector3(0.3, 0, 0), Period, Infinity);
-  EXPECT_NEAR(stretched.reach, 1.3, 1e-6); // below breakaway as far as the tip was moved
+  EXPECT_NEAR(stretched.reach, 1.3, 1e-6); // below breakaway it is the distance that the tip was
+                                           // moved
   EXPECT_EQ(smooth.update(Vector3(20, 20, 11), Period, Infinity).reach, 0.0);
   EXPECT_TRUE(smooth.update(Vector3(20, 20, 11), Period, Infinity).outside);
 }
@@ -327,7 +329,7 @@ TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
   scenes.update(tipAt(1), Period, Infinity);
   const SceneSwitch copy(scenes);
   EXPECT_TRUE(copy.isSwitching());
-  EXPECT_EQ(other.use_count(), 3); // here, the one that waits, and its copy
+  EXPECT_EQ(other.use_count(), 3); // this reference, the waiting scene, and its copy
   scenes.forget();
   EXPECT_FALSE(scenes.isSwitching());
   EXPECT_EQ(scenes.changes(), 2U);
@@ -335,7 +337,8 @@ TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
   const SceneForce felt = scenes.update(tipAt(2), Period, Infinity);
   EXPECT_EQ(felt.share, 1.0);
   EXPECT_EQ(felt.idealForce, ToolContact(*other).update(tipAt(2)).force) << "the newest of all";
-  EXPECT_EQ(body.use_count(), 5); // here, both that were left, and the copy's two
+  EXPECT_EQ(body.use_count(), 5); // this reference, both that were discarded, and the two of the
+                                  // copy
   EXPECT_EQ(count(scenes.takeRetired()), 2);
   EXPECT_EQ(body.use_count(), 3);
 }
@@ -356,8 +359,8 @@ TEST(SceneSwitch, OutsideAndTouchingAreOfBoth)
     EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6); // 10 N over 50 ms
     last = felt.idealForce.z();
   }
-  EXPECT_GT(last, 9.5); // 10 δ^1.5, less what the facets sag
-  // And back: outside only when the ramp is over.
+  EXPECT_GT(last, 9.5); // 10 δ^1.5, less the sag of the facets
+  // The change back: "outside" only after the ramp.
   scenes.change(sceneOf(stiffened(icosphere(20.0, 3), 1.0F)));
   for (int i = 0; i < 60; ++i)
   {

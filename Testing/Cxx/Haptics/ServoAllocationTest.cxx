@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ticks of the servo thread touch no heap: with a recording that is drained and one that
+// The ticks of the servo thread do not use the heap: with a recording that is drained and one that
 // overruns, with changes of scene, late ticks, and a device that fails.
 #include "AllocationCount.h"
 #include "SampleResponses.h"
@@ -18,8 +18,8 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Asks, in the servo thread, for the count of this thread at its second reading and at the newest:
-/// all between the two belongs to ticks. The hand goes in and out.
+/// Reads the allocation count of the servo thread at its second reading and at the newest. All
+/// allocations between them belong to ticks. The hand moves in and out.
 class CountingDevice final : public StandingDevice
 {
 public:
@@ -32,7 +32,7 @@ public:
     StandingDevice::write(force);
     return this->Reads % 11 != 0;
   }
-  long First = 0; ///< to be read after the loop
+  long First = 0; ///< read it after the loop
   std::atomic<long> Newest{ 0 };
   bool Allocates = false;
 
@@ -80,7 +80,7 @@ long allocationsOfTicks(CountingDevice& device, double recordedSeconds, bool dra
   }
   loop.stop();
   const ServoStatistics statistics = loop.statistics();
-  EXPECT_GT(statistics.missed, 10u); // it has been everywhere
+  EXPECT_GT(statistics.missed, 10u); // late ticks and scene changes have occurred
   EXPECT_GT(statistics.sceneChanges, 10u);
   EXPECT_GT(statistics.refusedForces, 10u);
   EXPECT_GT(statistics.invalidSamples, 10u);

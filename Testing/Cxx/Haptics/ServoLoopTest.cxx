@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The servo thread: it ticks, publishes, and leaves zero force. No time is asserted.
+// The servo thread ticks, publishes, and leaves zero force. No times are checked.
 #include "Haptics/Servo/ServoLoop.h"
 
 #include "SampleResponses.h"
@@ -28,7 +28,7 @@ namespace
 /// F = 10 δ^1.5 under a tip half a millimetre deep in a ball of 20 mm.
 const Vector3d Inside(0.0, 0.0, 0.0195); // m
 
-// The force of one step taken outside any loop; the step is a copy, so the loop's own is untouched.
+// The force of one step outside of any loop. The step is a copy, so the loop's own is not changed.
 Vector3d forceAt(const Vector3d& position, ServoStep step)
 {
   DeviceSample sample;
@@ -63,14 +63,14 @@ TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
   EXPECT_FALSE(last.valid);
 }
 
-// Beside a loop that sleeps until the tick, of the same reading.
+// Compares with a loop that sleeps until the tick, for the same reading.
 TEST(ServoLoop, ARehearsalChangesNoForce)
 {
   const auto body = uniformBody(icosphere(20.0, 3));
   StandingDevice device(Inside);
   ServoLoopSettings settings;
   settings.rehearsal = 2e-4;
-  settings.realTime.priority = 0; // it may take a processor from others
+  settings.realTime.priority = 0; // otherwise it may take a processor from other threads
   const ServoStep step(*body, WorkspaceMapping(), 10.0);
   ServoLoop loop(device, step, settings);
   ASSERT_EQ(loop.start(), "");
@@ -81,7 +81,7 @@ TEST(ServoLoop, ARehearsalChangesNoForce)
   EXPECT_EQ(device.Last, Vector3d::Zero());
 }
 
-// The bits of every tick of a way on which it sticks, slides, leaves and comes back.
+// The same bits in every tick of a path with stick, slide, exit and re-entry.
 TEST(ServoStep, ARehearsalIsForgotten)
 {
   const std::shared_ptr<const ContactBody> body = uniformBody(icosphere(20.0, 3));
@@ -101,7 +101,7 @@ TEST(ServoStep, ARehearsalIsForgotten)
       Vector3d(std::sin(t) * std::cos(3.0 * t), std::sin(t) * std::sin(3.0 * t), std::cos(t));
     if (tick % 3 > 0)
     {
-      likely = rehearsed.rehearse(sample, t); // as it comes
+      likely = rehearsed.rehearse(sample, t); // rehearses the sample that step() gets
     }
     DeviceSample another = sample;
     another.position *= 0.999;
@@ -158,7 +158,7 @@ TEST(ServoLoop, AnExceptionOfTheOwnerLeavesZeroForce)
 
 namespace
 {
-/// Takes zero force only when asked for the fourth time: the three before find it busy.
+/// Accepts zero force only at the fourth request. The three before it find the device busy.
 class BusyDevice final : public StandingDevice
 {
 public:
@@ -170,7 +170,7 @@ public:
   int Zeros = 0;
 };
 
-/// Refuses everything, as one that is unplugged.
+/// Refuses all forces, like an unplugged device.
 class GoneDevice final : public StandingDevice
 {
 public:
@@ -233,7 +233,7 @@ TEST(SteeredHand, ApproachesItsTargetExponentially)
   SimulatedDevice device(Vector3d::Zero());
   EXPECT_EQ(device.read(0.0).position, Vector3d::Zero());
   device.steerTo(Vector3d(0.01, 0.0, -0.02));
-  // After one time constant 1 - 1/e of the way, whatever the steps (rounding of 30 products).
+  // After one time constant 1 - 1/e of the distance, for any steps (rounding of 30 products).
   for (int i = 1; i <= 30; ++i)
   {
     device.read(i * SteeredTarget::TimeConstant / 30.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a servo loop leaves behind: every tick, and statistics that account for every period. No
-// time is asserted but what a device spends on purpose.
+// The results of a servo loop: every tick, and statistics that account for every period. The only
+// time checked is the time that a device spends on purpose.
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
@@ -26,7 +26,7 @@ ServoLoopSettings recording(double rate, double seconds)
   return settings;
 }
 
-/// Says by its buttons in which tick, 0, 1, …, it was read.
+/// Reports the number of the tick, 0, 1, …, in its buttons.
 class NumberingDevice final : public StandingDevice
 {
 public:
@@ -39,7 +39,7 @@ protected:
   }
 };
 
-/// Fails in ticks that are known: every third is invalid, every fifth a repetition, every seventh
+/// Fails in known ticks: every third sample is invalid, every fifth is a repetition, every seventh
 /// force is refused.
 class FailingDevice final : public StandingDevice
 {
@@ -96,7 +96,7 @@ TEST(ServoRecord, HoldsEveryTick)
   {
     EXPECT_EQ(tick.buttons, next++);
     EXPECT_GT(tick.time, lastTime);
-    // On the grid: seconds from whole nanoseconds.
+    // Times are multiples of the period: seconds from whole nanoseconds.
     EXPECT_NEAR(tick.time * Rate, std::round(tick.time * Rate), 1e-9);
     EXPECT_GT(tick.deviceForce.norm(), 0.1);
     lastTime = tick.time;
@@ -182,8 +182,8 @@ TEST(ServoRecord, PeriodsThatPassInATickAreMissedAndTheGridStays)
   loop.stop();
   std::vector<double> times;
   loop.drain([&](const Tick& tick) { times.push_back(tick.time); });
-  // Those that were due while the tenth tick took 7.5 periods and more. It may have begun late,
-  // and others may have been missed.
+  // The missed ticks are those that were due while the tenth tick took 7.5 periods or more. The
+  // tenth tick may have begun late, and others may have been missed.
   EXPECT_GE(loop.missed(), 7u);
   EXPECT_GE(times[10] - times[9], 7.999e-3);
   EXPECT_NEAR(times.back() * Rate, static_cast<double>(loop.ticks() + loop.missed() - 1), 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body that relaxes in the servo step: time, gaps and losses of readings, other bodies, the loop
+// A relaxing body in the servo step: time, gaps and losses of readings, other bodies, and the loop
 // closed over a mass. N, mm, s.
 #include "Haptics/Servo/ServoStep.h"
 
@@ -46,7 +46,7 @@ SafetySettings unlimited()
   return SafetySettings::magnitudeOnly(Infinity);
 }
 
-/// A press to 1 mm that comes back out and in again, led along.
+/// A press to 1 mm that leaves and enters again, while it moves along the surface.
 Vector3 pathAt(double t)
 {
   return tipAt(0.8 * std::sin(9.0 * t) + 0.2, 28.0 + 3.0 * std::sin(2.0 * t), 29.1);
@@ -64,7 +64,7 @@ TEST(ServoRelaxation, TimeIsThatOfTheTicks)
   double remembered = 0.0;
   for (int i = 0; i < 2000; ++i)
   {
-    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i))); // ticks are not even
+    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i))); // uneven ticks
     const Tick tick = step.step(sampleAt(pathAt(t)), t);
     const Contact expected = contact.update(tick.tip, i > 0 ? t - last : 0.0);
     ASSERT_EQ(tick.contact.force, expected.force) << i;
@@ -88,7 +88,7 @@ TEST(ServoRelaxation, TheSameTicksGiveTheSameBits)
   }
 }
 
-// Readings that are missing pass in the material's time; a loss forgets the contact alone.
+// The material's time continues during missing readings. A loss ends only the contact.
 TEST(ServoRelaxation, MissingReadingsPassInTime)
 {
   const RelaxingPlate plate(1.5, relaxation({ { 1.0, 0.1 } }));
@@ -101,7 +101,8 @@ TEST(ServoRelaxation, MissingReadingsPassInTime)
     const double t = Period * i;
     const Tick truth = whole.step(sampleAt(pressed(i)), t);
     DeviceSample sample = sampleAt(pressed(i));
-    // 5 ms while it is pressed down; then one of a NaN and a long one at rest, which are losses.
+    // 5 ms without readings during the press; then at rest one NaN and a long gap, which are
+    // losses.
     sample.valid = !((i > 30 && i < 36) || (i > 200 && i < 400));
     sample.position.x() = i == 100 ? std::numeric_limits<double>::quiet_NaN() : sample.position.x();
     const Tick felt = gaps.step(sample, t);
@@ -110,8 +111,8 @@ TEST(ServoRelaxation, MissingReadingsPassInTime)
       EXPECT_EQ(felt.deviceForce, Vector3d::Zero());
       continue;
     }
-    // Pressed evenly through the gap, the elements are the same to rounding; what the chords leave
-    // of the curve moves evenly but for (T/τ)² of itself.
+    // With a uniform press through the gap, the elements are the same up to rounding. The
+    // difference between chord and curve is uniform, up to (T/τ)² of itself.
     EXPECT_NEAR(felt.contact.normalForce, truth.contact.normalForce, 1e-4) << i;
   }
   gaps.stop();
@@ -121,7 +122,7 @@ TEST(ServoRelaxation, MissingReadingsPassInTime)
   EXPECT_NEAR(gaps.step(sampleAt(tipAt(0.5)), 0.0).contact.memory, 0.0, 1e-9);
 }
 
-// With the whole chain: what a lost reading hides gives the hand nothing, with gate and without.
+// With the complete chain, a lost reading gives the hand no energy, with and without the gate.
 TEST(ServoRelaxation, ALostReadingCreatesNothing)
 {
   const RelaxingPlate plate(1.5, relaxation({ { 2.0, 0.05 }, { 1.0, 0.5 } }));
@@ -136,7 +137,7 @@ TEST(ServoRelaxation, ALostReadingCreatesNothing)
       safety.maximumForceRate = 1e5;
       safety.period = Period;
       ServoStep step(sceneOf(plate), WorkspaceMapping(), safety);
-      double work = 0.0; // of the hand, mJ
+      double work = 0.0; // work of the hand, mJ
       Vector3d before = Vector3d::Zero();
       Vector3d force = Vector3d::Zero();
       unsigned seed = 17;
@@ -156,7 +157,8 @@ TEST(ServoRelaxation, ALostReadingCreatesNothing)
   }
 }
 
-// Another body under the tip, in contact: it begins at rest, and the force goes over in 50 ms.
+// Another body under the tip, in contact: it begins without memory, and the force changes to it in
+// 50 ms.
 TEST(ServoRelaxation, AnotherBodyBeginsAtRest)
 {
   const RelaxingPlate first(1.5, relaxation({ { 1.0, 0.2 } }));
@@ -181,17 +183,17 @@ TEST(ServoRelaxation, AnotherBodyBeginsAtRest)
   }
   EXPECT_FALSE(step.isSwitching());
   EXPECT_NEAR(tick.contact.memory, 0.0, 1e-6);
-  EXPECT_NEAR(last, 1.08 * 1.08, 2e-2); // beyond the range of 1 mm, by its tangent
+  EXPECT_NEAR(last, 1.08 * 1.08, 2e-2); // beyond the range of 1 mm, along the tangent
   EXPECT_LT(fastest, 1.1 * std::abs(before - last) * Period / 0.05 + 0.005 * before);
 }
 
 namespace
 {
-/// Whether a mass pressed against a flat end's body by a constant force comes to rest.
+/// True if a mass that a constant force presses against a body under a flat end comes to rest.
 bool comesToRest(double stiffness, const PronySeries& series, double mass, double damping,
   double period, double delay)
 {
-  // 2 mm of range, half of it pressed: it never leaves the touch.
+  // The range is 2 mm, half of it is pressed: contact never ends.
   const RelaxingPlate plate(1.0, series, 2.0, [&](const Vector3&) { return 1e-3 * stiffness; });
   const auto body = plate.body();
   ToolContact contact(*body);
@@ -227,7 +229,8 @@ bool comesToRest(double stiffness, const PronySeries& series, double mass, doubl
 }
 } // namespace
 
-// The sheet's exact limits of the sampled loop: below it rests, above it swings up.
+// The exact limits of the sampled loop from the reference: below them the mass comes to rest, above
+// them its oscillation grows.
 TEST(ServoRelaxation, LoopsAreStableToTheExactLimit)
 {
   const ReferenceTable table("rate/stability_prony.csv");
@@ -252,14 +255,14 @@ TEST(ServoRelaxation, LoopsAreStableToTheExactLimit)
   EXPECT_EQ(tested, 14);
 }
 
-// The chain caps the stiffness that a loop feels, the instantaneous one.
+// The chain caps the stiffness that counts in a loop: the instantaneous one.
 TEST(ServoRelaxation, TheCapKnowsTheInstantaneousStiffness)
 {
   const PronySeries series = relaxation({ { 2.0, 0.1 } });
   const RelaxingPlate plate(1.0, series, 1.0, [](const Vector3&) { return 5.0; });
   SafetySettings safety = unlimited();
   safety.capStiffness = true;
-  safety.maximumStiffness = 2000.0; // N/m; with (1 + 2): 667 of the slow response
+  safety.maximumStiffness = 2000.0; // N/m; divided by (1 + 2): 667 for the slow response
   ServoStep step(sceneOf(plate), WorkspaceMapping(), safety);
   double last = 0.0;
   for (int i = 0; i < 500; ++i)

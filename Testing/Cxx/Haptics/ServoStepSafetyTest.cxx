@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The step with its chain, clutch and switch joined: what reaches the device, and when nothing
-// does.
+// The step with chain, clutch and switch: the force that reaches the device, and the cases without
+// force.
 #include "Haptics/Servo/ServoStep.h"
 
 #include "SampleResponses.h"
@@ -41,7 +41,7 @@ DeviceSample sampleAt(const Vector3d& metres, std::uint32_t buttons = 0)
   return sample;
 }
 
-/// Over the slab's middle, in m at scale 1.
+/// A sample over the middle of the slab, in m at scale 1.
 DeviceSample overSlab(double height, std::uint32_t buttons = 0)
 {
   return sampleAt(1e-3 * Vector3d(20.3, 18.7, height), buttons);
@@ -57,7 +57,7 @@ SafetySettings unlimited()
   return SafetySettings::magnitudeOnly(Infinity);
 }
 
-/// All links, for a device that can do all of a slab of 10 δ^1.5 N.
+/// All links, for a device that is strong enough for a slab of 10 δ^1.5 N.
 SafetySettings whole()
 {
   DeviceSpecification device;
@@ -66,7 +66,7 @@ SafetySettings whole()
   return SafetySettings::of(device);
 }
 
-/// A step that has come from outside and presses 1.8 mm deep, past the middle.
+/// A step whose tip has come from outside and presses 1.8 mm deep, beyond the middle.
 struct Pressed
 {
   ServoStep step;
@@ -92,7 +92,7 @@ struct Pressed
 
 TEST(ServoStepSafety, TheFormerStepGivesTheFormerBits)
 {
-  // As before there was a chain: the share of the limit over the norm, in the frame of the body.
+  // As without a chain: the limit over the norm, in the frame of the body.
   const auto body = uniformBody(icosphere(20.0, 3));
   const double limit = 3.0;
   ServoStep step(*body, WorkspaceMapping(), limit);
@@ -103,7 +103,7 @@ TEST(ServoStepSafety, TheFormerStepGivesTheFormerBits)
     const Vector3d tip = (20.0 - 0.9 * std::abs(std::sin(0.01 * i))) *
       Vector3d(std::cos(0.003 * i), std::sin(0.003 * i), 0.4).normalized();
     const DeviceSample sample = sampleAt(1e-3 * tip);
-    const Tick tick = step.step(sample, 0.0); // time was not looked at, and is not
+    const Tick tick = step.step(sample, 0.0); // the time is not used
     const Vector3d force = contact.update(WorkspaceMapping().toBody(sample.position)).force;
     const double magnitude = force.norm();
     const double share = magnitude > limit ? limit / magnitude : 1.0;
@@ -138,7 +138,8 @@ TEST(ServoStepSafety, TheTickTellsWhatCameInAndWhatWentOut)
   EXPECT_EQ(tick.buttons, 9U);
   EXPECT_EQ(tick.velocity, mapping.velocityToBody(sample.velocity));
   EXPECT_EQ(tick.idealForce, tick.contact.force);
-  EXPECT_NEAR(tick.forceFactor, 0.5 * 0.4, 1e-16); // of the session, and of the scene
+  EXPECT_NEAR(tick.forceFactor, 0.5 * 0.4, 1e-16); // factor of the session times factor of the
+                                                   // scene
   EXPECT_LE((tick.appliedForce - 0.2 * tick.idealForce).norm(), 1e-14);
   EXPECT_LE((mapping.forceToDevice(tick.appliedForce) - tick.deviceForce).norm(), 1e-14);
   EXPECT_EQ(tick.acted, static_cast<int>(SafetyLink::Fit));
@@ -154,7 +155,7 @@ TEST(ServoStepSafety, NothingIsSentInTheTickOfAFailureAndContactsAreForgotten)
   DeviceSample wrong = overSlab(1.2);
   wrong.position.y() = NotANumber;
   SafetySettings gated = whole();
-  gated.controlPassivity = false; // no gaps
+  gated.controlPassivity = false; // without passivity control there are no gaps
   for (const SafetySettings& safety : { gated, unlimited() })
   {
     for (const DeviceSample& bad : { gone, wrong, DeviceSample(), sampleAt(Vector3d(0, 0, 1e306)) })
@@ -174,7 +175,7 @@ TEST(ServoStepSafety, NothingIsSentInTheTickOfAFailureAndContactsAreForgotten)
       EXPECT_NE(pressed.last.acted & static_cast<int>(SafetyLink::NoSample), 0);
       EXPECT_FALSE(pressed.step.isSwitching()) << "nothing is left to ramp";
       EXPECT_NE(pressed.step.takeRetired(), nullptr);
-      // The same tip now belongs to the bottom; and with a gate it must come from outside first.
+      // The same tip now belongs to the bottom. With a gate it must first have been outside.
       pressed.go(overSlab(1.2));
       EXPECT_LT(pressed.last.contact.force.z(), 0.0);
       EXPECT_EQ(pressed.last.deviceForce == Vector3d::Zero(), safety.gate);
@@ -197,7 +198,7 @@ TEST(ServoStepSafety, AMissingReadingCostsItsTickAndNotTheTouch)
     EXPECT_EQ(pressed.last.contact.state, ContactState::Invalid);
     EXPECT_FALSE(pressed.last.valid || pressed.last.fresh);
     EXPECT_NE(pressed.last.acted & static_cast<int>(SafetyLink::NoSample), 0);
-    // Still on the side where it went in, from which it is farther than from the bottom.
+    // Still on the side where it entered, which is farther away than the bottom.
     EXPECT_NEAR(pressed.go(overSlab(1.2)).deviceForce.z(), before, 1e-9);
   }
 }
@@ -212,10 +213,10 @@ TEST(ServoStepSafety, ASilentDeviceIsSentNothingFromTheTickItCountsAsLost)
   {
     ++sent;
   }
-  EXPECT_NEAR(sent, 20, 1); // ticks of 1 ms; the tick at 20 ms itself is a matter of rounding
+  EXPECT_NEAR(sent, 20, 1); // ticks of 1 ms; the tick at 20 ms depends on rounding
   EXPECT_EQ(pressed.last.deviceForce, Vector3d::Zero());
   EXPECT_EQ(pressed.last.acted, static_cast<int>(SafetyLink::Watchdog));
-  EXPECT_GT(pressed.last.contact.force.z(), 0.0); // the contact ends with the tick
+  EXPECT_GT(pressed.last.contact.force.z(), 0.0); // the contact ends after this tick
   EXPECT_LT(pressed.go(overSlab(1.2)).contact.force.z(), 0.0);
   EXPECT_EQ(pressed.last.deviceForce, Vector3d::Zero()) << "back, but the gate is shut";
 }
@@ -267,7 +268,8 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
         last = tick.deviceForce.z();
         felt = tick.idealForce.z() * factor;
       }
-      // The cap ends at 1e-7 of K δ, over steps of δ/1000; float32 of the mesh: 1e-6 mm of 1e-3.
+      // The tolerance of the cap is 1e-7 of K δ, over steps of δ/1000; that of the float32 mesh is
+      // 1e-6 mm of 1e-3 mm.
       EXPECT_LE(stiffest, 3000.0 * 1.003) << scale;
       EXPECT_GE(stiffest, 3000.0 * 0.99) << scale;
       EXPECT_GT(uncapped, 2.0 * stiffest);
@@ -277,8 +279,9 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
 
 TEST(ServoStepSafety, ThePassivityControlLeavesAPassiveSceneAlone)
 {
-  // A spring far softer than the device could do, pressed and let go, slid to and fro with
-  // friction: what it holds, δ and the stretch of friction say, is more than F²/(2 K_max).
+  // A spring much softer than the device allows is pressed and released, and slid back and forth
+  // with friction. The energy that it holds, given by δ and the stretch of the friction, is more
+  // than F²/(2 K_max).
   ContactSettings settings;
   settings.friction.coefficient = 0.5;
   settings.friction.tangentialStiffness = 2.0;
@@ -303,7 +306,7 @@ TEST(ServoStepSafety, ThePassivityControlLeavesAPassiveSceneAlone)
 
 TEST(ServoStepSafety, APlanarDeviceFeelsWhatLiesInItsPlane)
 {
-  // It moves along the body's x (its x) and z (its y), in the plane y = 18.7.
+  // The device moves along the body's x (its x) and z (its y), in the plane y = 18.7.
   const WorkspaceMapping mapping =
     WorkspaceMapping::inPlane(Vector3d(20.3, 18.7, 0), Vector3d::UnitX(), Vector3d::UnitZ(), 1.0);
   ContactSettings settings;
@@ -333,8 +336,9 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
     EXPECT_GT(full, 5.0);
     const Vector3d tip = pressed.last.tip;
     double last = full;
-    // Pressed, the hand goes up 20 mm; released, it stands. Under passivity control it waits for
-    // the force to go: as it would carry that along, the control would take it away sooner.
+    // While the button is held, the hand moves up by 20 mm; after the release it stands still. With
+    // passivity control the hand waits until the force is gone: motion along the force would make
+    // the control reduce it sooner.
     const int wait = controlled ? 60 : 1;
     for (int i = 1; i <= 500; ++i)
     {
@@ -342,7 +346,7 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
       const double height = 1.2 + 0.1 * std::clamp(i - wait, 0, 200);
       pressed.go(overSlab(height, held ? Button : 0));
       EXPECT_EQ(pressed.last.clutched, held);
-      EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding of 40 mm
+      EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding error of 40 mm
       EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), full * Period / 0.05 + 1e-9) << i;
       EXPECT_NEAR(pressed.last.contact.force.z(), full, 1e-9) << "the tip feels what it felt";
       last = pressed.last.deviceForce.z();
@@ -352,7 +356,8 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
       }
     }
     EXPECT_NEAR(last, full, 1e-9);
-    // It goes on from there: 1.8 mm up is outside, though the hand is 20 mm higher than at first.
+    // The tip continues from there: 1.8 mm up is outside, although the hand is 20 mm higher than at
+    // first.
     EXPECT_GT(pressed.go(overSlab(21.2 + 1.7)).contact.force.z(), 0.0);
     EXPECT_EQ(pressed.go(overSlab(21.2 + 1.9)).contact.state, ContactState::None);
   }
@@ -370,7 +375,7 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
     EXPECT_GT(tick.contact.force.z(), 5.0);
     EXPECT_EQ(tick.deviceForce, Vector3d::Zero()) << i;
   }
-  // Out and in again.
+  // The tip moves out and in again.
   EXPECT_EQ(step.step(overSlab(11.0), time).contact.state, ContactState::None);
   for (int i = 0; i < 50; ++i)
   {
@@ -381,7 +386,8 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
 
 TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
 {
-  // With all links on, at rest: 10 δ^1.5 N becomes 30 δ^1.5 N at 1.8 mm within 50 ms.
+  // With all links on, at rest: the force changes from 10 δ^1.5 N to 30 δ^1.5 N at 1.8 mm within
+  // 50 ms.
   Pressed pressed(whole());
   const double before = pressed.last.deviceForce.z();
   pressed.step.change(slabScene(2.0F));

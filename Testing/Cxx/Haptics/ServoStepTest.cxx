@@ -82,7 +82,7 @@ TEST(ServoStep, NumbersOfTheTickAreThoseOfToolContact)
 
 TEST(ServoStep, ForceArrivesInTheFrameOfTheDevice)
 {
-  // The device's x is the body's z: pressing the top of a slab is felt along x.
+  // The device's x is the body's z: pressing the top of a slab gives a force along x.
   Eigen::Matrix3d rotation;
   rotation << 0, 1, 0, 0, 0, 1, 1, 0, 0;
   const auto body = uniformBody(thinSlab());
@@ -111,7 +111,7 @@ TEST(ServoStep, LimitKeepsTheDirection)
     const double ideal = tick.contact.force.norm();
     const double sent = tick.deviceForce.norm();
     EXPECT_NEAR(sent, std::min(ideal, limit), 1e-14);
-    EXPECT_EQ(tick.contact.force.norm(), ideal); // the ideal force is not touched
+    EXPECT_EQ(tick.contact.force.norm(), ideal); // the ideal force is not changed
     const Vector3d ahead = mapping.forceToDevice(tick.contact.force);
     EXPECT_LE((sent * ahead - ideal * tick.deviceForce).norm(), 1e-13 * (1.0 + ideal * sent));
     limited += ideal > limit;
@@ -146,14 +146,14 @@ TEST(ServoStep, InvalidSamplesSendNothingAndForget)
   {
     ServoStep step(*body, WorkspaceMapping(), 100.0);
     EXPECT_GT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0020)), 0.0).deviceForce.z(), 0.0);
-    // Past the middle, held to the top by its history.
+    // Beyond the middle, the contact history keeps it on the top.
     EXPECT_GT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0012)), 0.0).deviceForce.z(), 0.0);
     const Tick tick = step.step(bad, 7.0);
     EXPECT_EQ(tick.time, 7.0);
     EXPECT_EQ(tick.contact.state, ContactState::Invalid);
     EXPECT_EQ(tick.contact.force, Vector3d::Zero());
     EXPECT_EQ(tick.deviceForce, Vector3d::Zero());
-    // Forgotten: the same tip now belongs to the bottom.
+    // The history is cleared: the same tip now belongs to the bottom.
     EXPECT_LT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0012)), 0.0).deviceForce.z(), 0.0);
   }
 }
@@ -187,7 +187,7 @@ TEST(ServoStep, PaperFormIsPassedOn)
   const DeviceSample sample = sampleAt(WorkspaceMapping().toDevice(tip));
   ServoStep paper(*body, WorkspaceMapping(), 100.0, { palpate::ForceForm::Paper });
   ServoStep whole(*body, WorkspaceMapping(), 100.0);
-  // h²/(6R²) of a sphere of 80 facets, h = 0.55 … 0.62 R: 5 % to 6.5 %.
+  // h²/(6R²) for a sphere of 80 facets, h = 0.55 … 0.62 R: 5 % to 6.5 %.
   EXPECT_LT(paper.step(sample, 0.0).contact.normalForce,
     0.97 * whole.step(sample, 0.0).contact.normalForce);
 }

@@ -24,7 +24,7 @@ SimulatedDevice threePoints()
 TEST(SimulatedDevice, LinearBetweenWayPoints)
 {
   SimulatedDevice device = threePoints();
-  // Quarters and halves: exact in binary.
+  // Quarters and halves are exact in binary.
   EXPECT_EQ(device.read(1.0).position, Vector3d(0, 0, 0));
   EXPECT_EQ(device.read(1.25).position, Vector3d(0, 0, -0.125));
   EXPECT_EQ(device.read(2.0).position, Vector3d(0, 0, -0.5));

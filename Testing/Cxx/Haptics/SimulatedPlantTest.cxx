@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The simulated device with a mass in a hand: timing of forces and readings, encoders, targets,
-// determinism, wrong settings. Its mechanics: PlantAxisTest, StabilityLimitTest.
+// determinism, wrong settings. For its mechanics see PlantAxisTest and StabilityLimitTest.
 #include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "Agreement.h"
@@ -32,7 +32,7 @@ namespace
 {
 const HandModel Nobody{ 0.0, 0.0 };
 const Vector3d Origin = Vector3d::Zero();
-constexpr double Period = 0.25; // s; exact in binary, as are the delays
+constexpr double Period = 0.25; // s; exact in binary, like the delays
 
 /// 0.5 kg without losses: a force of 1 N gives t² metres.
 SimulatedPlant plainMass()
@@ -58,7 +58,7 @@ TEST(SimulatedPlant, HoldsAForceUntilTheNext)
   EXPECT_EQ(sample.position, Vector3d(0.25, 0.0, -0.5));
   EXPECT_EQ(sample.velocity, Vector3d(1.0, 0.0, -2.0));
   EXPECT_TRUE(sample.valid && sample.fresh);
-  sample = device.read(11.0); // nothing written since: still held
+  sample = device.read(11.0); // no new force: the last one is held
   EXPECT_EQ(sample.position, Vector3d(1.0, 0.0, -2.0));
   device.write(Origin);
   sample = device.read(12.0);
@@ -101,7 +101,7 @@ TEST(SimulatedPlant, DelaysOfTheSample)
   {
     SimulatedPlant plant = plainMass();
     plant.sampleDelay = ticks * Period;
-    // The hand is a stiff one on a path: what is read is where it was.
+    // A stiff hand on a path: the reading is a past position.
     SimulatedDevice device(
       plant, { 1e9, 1e6 }, { { 0.0, { 0, 0, 0 } }, { 100.0, { 100.0, 0, 0 } } });
     for (int tick = 0; tick < 12; ++tick)
@@ -115,7 +115,7 @@ TEST(SimulatedPlant, DelaysOfTheSample)
 
 TEST(SimulatedPlant, ForcesFasterThanTheirDelay)
 {
-  // A force that comes more than four times faster than specified replaces the one before it.
+  // A force that arrives more than four times faster than specified replaces the one before it.
   SimulatedPlant plant = plainMass();
   plant.forceDelay = 0.5;
   DeviceSpecification specification;
@@ -126,7 +126,7 @@ TEST(SimulatedPlant, ForcesFasterThanTheirDelay)
     device.read(1e-3 * tick);
     device.write({ 1.0, 0.0, 0.0 });
   }
-  // 9.5 s of 1 N, none of it lost.
+  // 9.5 s with 1 N, without loss.
   EXPECT_TRUE(agrees(device.read(10.0 + 1e-9).position.x(), 9.5 * 9.5, 1e-6));
 }
 
@@ -138,11 +138,11 @@ TEST(SimulatedPlant, EncodersRound)
   device.read(0.0);
   EXPECT_EQ(device.read(0.0).velocity, Origin);
   device.write({ 1.0, -1.0, 0.0 });
-  DeviceSample sample = device.read(0.25); // at 0.0625, half a step: away from zero
+  DeviceSample sample = device.read(0.25); // at 0.0625, half a step: rounded away from zero
   EXPECT_EQ(sample.position, Vector3d(0.125, -0.125, 0.0));
   sample = device.read(0.5); // at 0.25
   EXPECT_EQ(sample.position, Vector3d(0.25, -0.25, 0.0));
-  EXPECT_EQ(sample.velocity, Vector3d(0.5, -0.5, 0.0)); // of the readings
+  EXPECT_EQ(sample.velocity, Vector3d(0.5, -0.5, 0.0)); // computed from the readings
   EXPECT_EQ(device.truePosition(), Vector3d(0.25, -0.25, 0.0));
   EXPECT_EQ(device.trueVelocity(), Vector3d(1.0, -1.0, 0.0));
   sample = device.read(0.55); // at 0.3025
@@ -165,7 +165,7 @@ TEST(SimulatedPlant, FollowsAPathWithinTheTick)
   }
   seldom.read(0.0);
   seldom.read(0.04);
-  // The corners and the jump of the path are met exactly: only roundings differ.
+  // Corners and jumps of the path are located exactly: only rounding errors differ.
   EXPECT_NEAR((often.truePosition() - seldom.truePosition()).norm(), 0.0, 1e-15);
   EXPECT_GT(seldom.truePosition().norm(), 1e-6);
 }
@@ -180,11 +180,12 @@ TEST(SimulatedPlant, ASteeredHand)
   {
     const Vector3d x = device.read(1e-3 * tick).position;
     const double share = std::exp(-1e-3 * tick / SteeredTarget::TimeConstant);
-    // The aim's speed, at most 0.7 m/s, changes in ticks: settled before the end of each.
+    // The speed of the target, at most 0.7 m/s, changes in ticks: the hand has settled before the
+    // end of each.
     EXPECT_NEAR(x.x(), 0.01 * share, 1e-8);
     EXPECT_NEAR(x.y(), 0.02 * (1.0 - share), 1e-8);
   }
-  device.steerTo({ NotANumber, 0.0, 0.0 }); // is not heard
+  device.steerTo({ NotANumber, 0.0, 0.0 }); // ignored
   const Vector3d before = device.read(0.101).position;
   EXPECT_TRUE(device.read(0.102).valid);
   EXPECT_NEAR((device.read(0.2).position - before).norm(), 0.0, 1e-3);
@@ -205,7 +206,7 @@ TEST(SimulatedPlant, SteeredFromAnotherThread)
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3d x = device.read(time += 1e-3).position;
-    EXPECT_EQ(x.x(), x.y()); // no target is torn
+    EXPECT_EQ(x.x(), x.y()); // targets are not torn
     EXPECT_EQ(x.x(), x.z());
   }
   mouse.join();
@@ -262,7 +263,7 @@ TEST(SimulatedPlant, ATimeThatDoesNotIncrease)
   {
     EXPECT_FALSE(device.read(time).valid);
   }
-  EXPECT_EQ(device.read(2.0).position.x(), 4.0); // none of that has moved it
+  EXPECT_EQ(device.read(2.0).position.x(), 4.0); // the refused forces have not moved it
 }
 
 TEST(SimulatedPlant, RefusesAForceThatIsNotFinite)
@@ -272,7 +273,7 @@ TEST(SimulatedPlant, RefusesAForceThatIsNotFinite)
   device.write({ 1.0, 0.0, 0.0 });
   device.read(1.0);
   EXPECT_FALSE(device.write({ NotANumber, 0.0, 0.0 }));
-  EXPECT_EQ(device.read(2.0).position.x(), 3.0); // goes on at 2 m/s
+  EXPECT_EQ(device.read(2.0).position.x(), 3.0); // it continues at 2 m/s
 }
 
 TEST(SimulatedPlant, WrongSettingsAreNamed)
@@ -364,14 +365,14 @@ TEST(SimulatedPlant, IsReadFromText)
   for (const auto& [text, error] : wrong)
   {
     EXPECT_EQ(palpate::readPlant(text, held), error) << text;
-    EXPECT_EQ(held.plant.mass, 0.2); // as it was
+    EXPECT_EQ(held.plant.mass, 0.2); // unchanged
   }
 }
 
 TEST(SimulatedPlant, StatesWhatASampledLoopMayRender)
 {
-  // b > KT/2 (Colgate and Schenkel 1997); StabilityLimitTest has where such loops break indeed: at
-  // 2003.339 N/m, with a tick of delay at 668.513. Half of that comes to rest.
+  // b > KT/2 (Colgate and Schenkel 1997). StabilityLimitTest has the exact limits of such loops:
+  // 2003.339 N/m, and 668.513 N/m with a delay of one tick. Half of each comes to rest.
   EXPECT_EQ(palpate::specificationOf(SimulatedPlant(), 1000.0).maximumStiffness, 1000.0);
   SimulatedPlant late;
   late.forceDelay = 0.0005;

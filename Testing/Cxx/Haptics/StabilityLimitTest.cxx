@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A virtual spring closed over the simulated device becomes unstable where the exact theory of the
-// zero-order hold says (Data/Reference/stability_K_limits.csv; device of 0.1 kg, no hand), and the
-// hold leaks the energy it must.
+// A virtual spring closed over the simulated device becomes unstable at the limit of the exact
+// theory of the zero-order hold (Data/Reference/stability_K_limits.csv; device of 0.1 kg, no hand).
+// The hold creates the predicted energy.
 #include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "Agreement.h"
@@ -29,12 +29,12 @@ struct Loop
 {
   double period = 1e-3;
   double damping = 1.0;        ///< of the device
-  double virtualDamping = 0.0; ///< rendered from backward differences
+  double virtualDamping = 0.0; ///< computed from backward differences
   double forceDelay = 0.0;
   double sampleDelay = 0.0;
 };
 
-/// Positions read in so many ticks of a loop with a virtual spring about 0, released at 1 mm.
+/// Positions in the first `ticks` ticks of a loop with a virtual spring about 0, released at 1 mm.
 std::vector<double> released(const Loop& loop, double stiffness, int ticks)
 {
   SimulatedPlant plant;
@@ -59,8 +59,8 @@ std::vector<double> released(const Loop& loop, double stiffness, int ticks)
 }
 
 /**
- * Whether the loop is stable, by its motion: a linear loop of order n obeys x_{k+n} = Σ a_i
- * x_{k+i}; n such equations give the characteristic polynomial z^n - Σ a_i z^i, whose roots lie
+ * Stability of the loop, found from its motion. A linear loop of order n obeys x_{k+n} = Σ a_i
+ * x_{k+i}. n such equations give the characteristic polynomial z^n - Σ a_i z^i. Its roots are
  * within the unit circle if Jury's conditions hold.
  */
 template <int Order>
@@ -102,11 +102,11 @@ double limit(const Loop& loop)
   return low;
 }
 
-/// Whether forty thousand ticks later the mass swings less than at first.
+/// True if the oscillation of the mass is smaller forty thousand ticks later.
 bool calmsDown(const Loop& loop, double stiffness)
 {
   constexpr int Ticks = 40000;
-  constexpr int Window = 2000; // many periods, so that peaks are met in both
+  constexpr int Window = 2000; // many periods, so that both windows contain peaks
   const std::vector<double> x = released(loop, stiffness, Ticks);
   double first = 0.0;
   double last = 0.0;
@@ -119,10 +119,10 @@ bool calmsDown(const Loop& loop, double stiffness)
 }
 
 const char* const Table = "stability_K_limits.csv";
-/// The table's eigenvalues are off its own closed form by up to 4e-9.
+/// The table's eigenvalues differ from its closed form by up to 4e-9.
 constexpr double TableDigits = 1e-8;
-/// The identification's own roundings, over the bT/2m = 2.5e-4 at which eigenvalues move with K at
-/// 10 kHz.
+/// Rounding errors of the identification, divided by bT/2m = 2.5e-4, by which eigenvalues change
+/// with K at 10 kHz.
 constexpr double Identified = 2e-9;
 } // namespace
 
@@ -147,8 +147,8 @@ TEST(StabilityLimit, OneTickOfDelay)
     Loop loop;
     loop.period = table.number(row, "T_s");
     loop.damping = table.number(row, "b_Ns_per_m");
-    // Of the force, of the sample, and half of each: a loop feels their sum. The limit of a
-    // fractional delay split in two is that of the whole.
+    // A delay of the force, of the sample, and half of each: the loop depends on their sum. The
+    // limit for a fractional delay split in two is that for the whole delay.
     for (const double share : { 1.0, 0.0, 0.5 })
     {
       loop.forceDelay = share * loop.period;
@@ -179,7 +179,7 @@ TEST(StabilityLimit, SwingsDieOutBelowAndGrowAbove)
   {
     double period;
     double delay;
-    double stiffness; // the reference's numbers
+    double stiffness; // limit of the reference, N/m
   };
   for (const Case& given : { Case{ 1e-3, 0.0, 2003.33889 }, Case{ 0.25e-3, 0.0, 8003.33 },
          Case{ 1e-3, 1e-3, 668.5 }, Case{ 0.25e-3, 0.25e-3, 2668.5 } })
@@ -187,8 +187,8 @@ TEST(StabilityLimit, SwingsDieOutBelowAndGrowAbove)
     Loop loop;
     loop.period = given.period;
     loop.forceDelay = given.delay;
-    // At 1e-3 from the limit the swing changes by a factor of e^(1e-3 b T n/2m), at least 5 % in
-    // the ticks taken; the peaks are met to (ωT)²/8 = 0.3 %.
+    // At 1e-3 from the limit the oscillation changes by a factor of e^(1e-3 b T n/2m), at least 5 %
+    // in these ticks. Peaks are sampled with an error of (ωT)²/8 = 0.3 %.
     EXPECT_TRUE(calmsDown(loop, 0.999 * given.stiffness)) << given.stiffness;
     EXPECT_FALSE(calmsDown(loop, 1.001 * given.stiffness)) << given.stiffness;
   }
@@ -196,7 +196,8 @@ TEST(StabilityLimit, SwingsDieOutBelowAndGrowAbove)
 
 TEST(StabilityLimit, TheHandCalms)
 {
-  // A hand is a spring and a damper in parallel with the device's: unstable without, stable with.
+  // A hand is a spring and a damper, in parallel with those of the device: unstable without a hand,
+  // stable with it.
   DeviceSpecification specification;
   for (const bool isHeld : { false, true })
   {
@@ -212,7 +213,7 @@ TEST(StabilityLimit, TheHandCalms)
     }
     if (isHeld)
     {
-      // At rest between the two springs: k x_t/(k + K).
+      // At rest between the two springs: x = k x_t/(k + K).
       EXPECT_NEAR(last, 200.0 * 1e-4 / 5200.0, 1e-12);
     }
     else
@@ -224,8 +225,8 @@ TEST(StabilityLimit, TheHandCalms)
 
 TEST(StabilityLimit, EnergyTheHoldLeaks)
 {
-  // A strong, well damped hand presses at v to a depth of 2 mm and draws back at v. What the motor
-  // has done on the way is Σ F_k (x_{k+1} - x_k), and F_max v T for any monotone law.
+  // A strong, well damped hand presses at speed v to a depth of 2 mm and returns at v. The work of
+  // the motor is Σ F_k (x_{k+1} - x_k), which is F_max v T for any monotone law.
   constexpr double Period = 1e-3;
   constexpr double Depth = 2e-3;
   for (const double speed : { 0.02, 0.1 })
@@ -235,7 +236,7 @@ TEST(StabilityLimit, EnergyTheHoldLeaks)
       const double time = 4e-3 / speed;
       SimulatedPlant plant;
       plant.mass = 0.01;
-      // The hand follows within F/k = 3e-9 m of 2 mm, and settles within a tick.
+      // The hand follows within F/k = 3e-9 m for 2 mm, and settles within a tick.
       SimulatedDevice device(plant, { 1e9, 1e5 },
         { { 0.0, { 0, 0, Depth } }, { time, { 0, 0, -Depth } }, { 2.0 * time, { 0, 0, Depth } } });
       double work = 0.0;
@@ -252,7 +253,7 @@ TEST(StabilityLimit, EnergyTheHoldLeaks)
         device.write({ 0.0, 0.0, force });
       }
       EXPECT_GT(strongest, 2.9);
-      // 3e-9 m over the distance of a tick, at least 2e-5 m.
+      // 3e-9 m compared with the distance per tick, at least 2e-5 m.
       EXPECT_TRUE(agrees(work, strongest * speed * Period, 1e-3)) << speed << " " << exponent;
     }
   }

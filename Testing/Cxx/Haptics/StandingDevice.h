@@ -11,8 +11,8 @@
 
 namespace palpate::testing
 {
-/// A device that stands still and remembers; for the test to read after the loop has stopped.
-/// onRead is called in every tick, for what else is to happen there.
+/// A device that stands still and stores the forces. The test reads them after the loop has
+/// stopped. onRead is called in every tick, for further actions.
 class StandingDevice : public HapticDevice
 {
 public:
@@ -50,7 +50,7 @@ protected:
   virtual void onRead(DeviceSample&, std::uint64_t) {}
 };
 
-/// Waits for the loop to have made `count` ticks; bounded by the test's own time limit.
+/// Waits until the loop has made `count` ticks. The time limit of the test bounds the wait.
 inline void waitForTicks(const ServoLoop& loop, std::uint64_t count)
 {
   while (loop.ticks() < count)

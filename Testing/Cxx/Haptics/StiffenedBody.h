@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// The surface with F = `factor` 10 δ^1.5 N everywhere, and its own point normals.
+/// The surface with its own point normals and with F = `factor` 10 δ^1.5 N everywhere.
 inline std::shared_ptr<const ContactBody> stiffened(const Surface& surface, float factor)
 {
   ResponseStore store(surface.points.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tick touches no heap: not on onset, sliding, leaving, at borders, beyond range, on NaN.
+// The tick does not use the heap: on onset, sliding, leaving, at borders, beyond range, on NaN.
 #include "AllocationCount.h"
 #include "CoupledPlate.h"
 #include "RelaxingPlate.h"
@@ -37,7 +37,7 @@ namespace
 {
 constexpr int Ticks = 5000;
 
-/// How often each state was met: the test must have been everywhere.
+/// Number of ticks in each state, to check that the test has reached all states.
 using States = std::array<int, 7>;
 
 void met(States& states, ContactState state)
@@ -45,7 +45,7 @@ void met(States& states, ContactState state)
   ++states[static_cast<std::size_t>(state)];
 }
 
-/// Over and under a 10 mm plate, past its border, up to 3 mm deep, every 97th tip NaN.
+/// Path over and under a 10 mm plate, beyond its border, up to 3 mm deep; every 97th tip is NaN.
 Vector3d pathOf(int tick)
 {
   const double t = 1e-3 * tick;
@@ -62,7 +62,7 @@ void expectEverywhere(const States& states)
   }
 }
 
-/// Keeps an allocation from being optimised away.
+/// Prevents the optimiser from removing an allocation.
 void* volatile Sink = nullptr;
 } // namespace
 
@@ -70,7 +70,7 @@ TEST(TickAllocation, TheCounterSeesAllocations)
 {
   long before = allocationCount();
   Sink = ::operator new(8);
-  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and malloc under it
+  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and malloc in it
   before = allocationCount();
   ::operator delete(Sink);
   EXPECT_EQ(allocationCount(), before + 1);
@@ -117,7 +117,7 @@ TEST(TickAllocation, ToolContact)
 
 TEST(TickAllocation, OverSharpAndBluntEdges)
 {
-  // A block with one edge cut off: a tip winds around it under its faces, over all its edges.
+  // A block with one edge cut off: a tip moves around it under its faces, over all its edges.
   const Surface bevelled =
     subdivided(prism({ { 0, 0 }, { 10, 0 }, { 10, 7 }, { 7, 10 }, { 0, 10 } },
                  { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 } }, 10.0),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ticks of the last seconds, against a list that is searched from its beginning.
+// The ticks of the last seconds, compared with a full list that is searched from its beginning.
 #include "Haptics/Servo/TickHistory.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@ palpate::Tick tickAt(double time, unsigned number)
 {
   palpate::Tick tick;
   tick.time = time;
-  tick.scene = number; // to tell them apart
+  tick.scene = number; // distinguishes the ticks
   return tick;
 }
 
-/// The numbers of those less than `seconds` before the last, but for half a period.
+/// Numbers of the ticks less than `seconds` before the last, with a tolerance of half a period.
 std::vector<unsigned> within(const std::vector<double>& times, double seconds, double rate)
 {
   std::vector<unsigned> numbers;
@@ -68,7 +68,7 @@ TEST(TickHistory, IsTheSearchedListWhereTicksAreMissed)
   for (unsigned i = 0; i < 2000; ++i)
   {
     tick +=
-      1 + skipped(random) + (pause(random) == 0 ? 70 : 0); // now and then longer than it holds
+      1 + skipped(random) + (pause(random) == 0 ? 70 : 0); // sometimes longer than the history
     times.push_back(0.001 * static_cast<double>(tick));
     history.add(tickAt(times.back(), i));
     expectSame(history, within(times, 0.04, 1000.0));
@@ -89,7 +89,7 @@ TEST(TickHistory, HoldsABoundedNumberWhateverTheTimes)
   palpate::TickHistory history(0.01, 1000.0);
   for (unsigned i = 0; i < 100; ++i)
   {
-    history.add(tickAt(1.0, i)); // a clock that stands still
+    history.add(tickAt(1.0, i)); // a clock that does not move
   }
   EXPECT_EQ(history.size(), 11U);
   EXPECT_EQ(history[10].scene, 99U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns of a tool: against rotation matrices and angles by hand; and a hand that is steered to
-// turn.
+// Turns of a tool, compared with rotation matrices and angles computed by hand; and a hand whose
+// orientation is steered.
 #include "Haptics/Devices/SteeredAxis.h"
 #include "Haptics/Devices/TimedPath.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -20,7 +20,7 @@ using palpate::NotANumber;
 
 namespace
 {
-constexpr double Rounding = 1e-14; ///< of a dozen operations on numbers up to π
+constexpr double Rounding = 1e-14; ///< rounding error of a dozen operations on numbers up to π
 
 Vector3d anyDirection(std::mt19937& random)
 {
@@ -46,7 +46,7 @@ TEST(ToolOrientation, TheShaftIsTheToolsOwnZ)
     const Matrix3d turn =
       Eigen::AngleAxisd(3.0 * axis.x(), anyDirection(random)).toRotationMatrix();
     ToolOrientation told(turn);
-    told.coeffs() *= 1.0 + 1e-4 * axis.y(); // a device may round
+    told.coeffs() *= 1.0 + 1e-4 * axis.y(); // a device may have rounded the quaternion
     EXPECT_LE((shaftOf(told) - turn.col(2)).norm(), Rounding);
   }
   EXPECT_FALSE(isTold(orientationAlong(Vector3d::Zero())));
@@ -98,18 +98,18 @@ TEST(ToolOrientation, ASteeredHandTurnsAsItMoves)
   EXPECT_FALSE(isTold(hand.read(0.0).orientation));
   hand.turnTo(Vector3d(0.0, 0.0, 2.0));
   EXPECT_LE(
-    (shaftOf(hand.read(0.001).orientation) - Vector3d::UnitZ()).norm(), Rounding); // at once
+    (shaftOf(hand.read(0.001).orientation) - Vector3d::UnitZ()).norm(), Rounding); // immediately
   const Vector3d told = Vector3d(1.0, 2.0, 3.0).normalized();
   const double whole = angleBetween(Vector3d::UnitZ(), told);
   hand.turnTo(told);
   for (int i = 1; i <= 200; ++i)
   {
     const Vector3d shaft = shaftOf(hand.read(0.001 * (i + 1)).orientation);
-    // The law of SteeredTarget, of the angle; each tick rounds anew.
+    // The angle follows the law of SteeredTarget. Each tick has a rounding error.
     EXPECT_NEAR(angleBetween(shaft, told), whole * std::exp(-0.001 * i / 0.03), 1e-12);
-    EXPECT_NEAR(shaft.dot(Vector3d::UnitZ().cross(told)), 0.0, 1e-12); // by the shortest way
+    EXPECT_NEAR(shaft.dot(Vector3d::UnitZ().cross(told)), 0.0, 1e-12); // along the shortest path
   }
-  hand.turnTo(-shaftOf(hand.read(0.202).orientation)); // the other way round
+  hand.turnTo(-shaftOf(hand.read(0.202).orientation)); // the opposite direction
   EXPECT_NEAR(shaftOf(hand.read(0.203).orientation).norm(), 1.0, Rounding);
   const Vector3d held = shaftOf(hand.read(0.3).orientation);
   hand.turnTo(Vector3d(NotANumber, 0.0, 0.0));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written is read to the same bits; files of others are read; broken ones name their line.
+// Written files are read to the same bits; files of other programs are read; for broken files the
+// error names the line.
 #include "Haptics/Devices/TrajectoryFile.h"
 
 #include "FileSizeLimit.h"
@@ -28,7 +29,7 @@ using palpate::TrajectoryRow;
 
 namespace
 {
-/// Any finite double: of all exponents, both signs, subnormal ones, -0.
+/// A random finite double: all exponents, both signs, subnormal numbers, -0.
 double anyNumber(std::mt19937_64& random)
 {
   for (;;)
@@ -129,7 +130,7 @@ std::string faultOf(const std::string& text)
   const std::string fault = palpate::readTrajectory(stream, "t.csv", untouched);
   if (!fault.empty())
   {
-    EXPECT_EQ(untouched.rows.size(), 3U); // nothing half-loaded
+    EXPECT_EQ(untouched.rows.size(), 3U); // a failed reading changes nothing
     EXPECT_TRUE(untouched.hasContact);
   }
   return fault;
@@ -306,7 +307,7 @@ TEST(TrajectoryFile, OnAFullDiskTheFirstRowsAreKeptAndTheOldFileStands)
   ASSERT_EQ(palpate::writeTrajectory(file.path(), old), "");
   const Trajectory trajectory = anyTrajectory(true, true);
   for (const std::size_t room :
-    { 300U, 5000U }) // for the names of the columns only, or for some rows
+    { 300U, 5000U }) // for the names of the columns only, or also for some rows
   {
     std::string error;
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A torsion spring closed over a simulated device that turns: it rings and grows where theory says
-// (Data/Reference/stability_K_limits.csv), and dies with the chain.
+// A torsion spring closed over a simulated device that turns: its oscillation grows beyond the
+// limit of the theory (Data/Reference/stability_K_limits.csv), and decays with the chain.
 #include "Haptics/Safety/SafetyChain.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 
@@ -19,9 +19,9 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// The table is of 0.1 kg and its damping b in N s/m. Equations of motion are linear, so an inertia
-/// and a damping so many times as large have limits so many times as large.
-constexpr double Like = 1e-3; // kg m² for kg
+/// The table is for 0.1 kg and damping b in N s/m. The equations of motion are linear, so the
+/// limits are proportional to inertia and damping.
+constexpr double Like = 1e-3; // kg m² per kg
 constexpr double Inertia = Like * 0.1;
 constexpr double Start = 0.1; // rad
 
@@ -33,7 +33,7 @@ SimulatedDevice deviceOf(double period, double damping)
   HandModel nobody{ 0.0, 0.0 };
   nobody.turnStiffness = 0.0;
   nobody.turnHandDamping = 0.0;
-  const Vector3d tilted(0.0, -std::sin(Start), std::cos(Start)); // by Start about x
+  const Vector3d tilted(0.0, -std::sin(Start), std::cos(Start)); // tilted by Start about x
   return { plant, nobody, { { 0.0, Vector3d::Zero(), tilted } },
     specificationOf(plant, 1.0 / period) };
 }
@@ -46,10 +46,10 @@ double angleOf(const DeviceSample& sample)
 struct Swing
 {
   double first = 0.0; ///< largest angle in the first tenth of the time
-  double last = 0.0;  ///< and in the last
+  double last = 0.0;  ///< largest angle in the last tenth of the time
 };
 
-/// Let go at a torsion spring about upright; the chain may stand between.
+/// Releases the device at a torsion spring about upright, optionally with the chain.
 Swing swing(double period, double damping, double stiffness, SafetyChain* chain, int ticks)
 {
   SimulatedDevice device = deviceOf(period, damping);
@@ -67,7 +67,7 @@ Swing swing(double period, double damping, double stiffness, SafetyChain* chain,
       input.valid = sample.valid;
       input.position = sample.position;
       input.orientation = sample.orientation;
-      input.outside = i == 0; // what is given at first is what the spring holds then
+      input.outside = i == 0; // the first torque is counted as the energy of the spring
       input.changing = i == 1;
       input.idealTorque = input.cappedTorque = sent.torque;
       sent.torque = chain->apply(input).torque;
@@ -91,14 +91,15 @@ TEST(TurningLimit, RingsBeyondWhatTheTableSays)
     const double period = table.number(row, "T_s");
     const double damping = Like * table.number(row, "b_Ns_per_m");
     const double limit = Like * table.number(row, "Jury");
-    // 5 % from the limit the swing changes by e^(0.05 b n T/2m): so many ticks make that e^±1.
+    // At 5 % from the limit the oscillation changes by e^(0.05 b n T/2m). This number of ticks
+    // makes it e^±1.
     const int ticks = static_cast<int>(40.0 * Inertia / (damping * period));
     const Swing below = swing(period, damping, 0.95 * limit, nullptr, ticks);
     const Swing above = swing(period, damping, 1.05 * limit, nullptr, ticks);
-    EXPECT_NEAR(below.first, Start, 0.03 * Start); // it is met at once
+    EXPECT_NEAR(below.first, Start, 0.03 * Start); // the first period has the start angle
     EXPECT_LT(below.last, 0.6 * Start) << period << ' ' << damping;
     EXPECT_GT(above.last, 1.6 * Start) << period << ' ' << damping;
-    EXPECT_GT(limit, 2.0 * damping / period); // 2b_θ/T, and little more
+    EXPECT_GT(limit, 2.0 * damping / period); // 2b_θ/T, or slightly more
     EXPECT_LT(limit, 2.1 * damping / period);
   }
 }
@@ -131,7 +132,7 @@ TEST(TurningLimit, TheChainLetsNoTorqueGrow)
 
 TEST(TurningLimit, TheHandTurnsWhatNoTorqueDoes)
 {
-  // A hand of k_θ and b_θ brings the tool to where it means to hold it; a held torque M tilts it
+  // A hand of k_θ and b_θ turns the tool to its target orientation. A constant torque M tilts it
   // from there by M/k_θ.
   SimulatedPlant plant;
   plant.inertia = Inertia;
@@ -150,7 +151,7 @@ TEST(TurningLimit, TheHandTurnsWhatNoTorqueDoes)
     device.read(1e-3 * i);
     device.writeWrench({ Vector3d::Zero(), Vector3d(0.02, 0.0, 0.0) });
   }
-  EXPECT_NEAR(angleOf(device.read(3.0)), 0.02 / 0.4, 1e-9); // e^(-kt/b) is gone
+  EXPECT_NEAR(angleOf(device.read(3.0)), 0.02 / 0.4, 1e-9); // e^(-kt/b) is negligible
   EXPECT_EQ(device.lastTorque().x(), 0.02);
   EXPECT_FALSE(device.writeWrench(
     { Vector3d::Zero(), Vector3d(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0) }));

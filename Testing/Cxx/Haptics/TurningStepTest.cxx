@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The step with a device that tells how its tool is turned: what the contact is given of it, and
-// that a device which does not tell it has the ticks of before.
+// The step with a device that reports the orientation of its tool: the contact gets the axis. With
+// a device that does not report it, the ticks are as before.
 #include "Haptics/Devices/TrajectoryFile.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -55,8 +55,8 @@ DeviceSample sampleAt(double z, const ToolOrientation& orientation = orientation
 
 TEST(TurningStep, OnePowerOnBothSides)
 {
-  // F · v + M · ω at the device, W, is that in the body, N mm/s, over 1000 scale; also for a device
-  // of left-handed axes, where turns change their sense.
+  // The power F · v + M · ω at the device, in W, equals that in the body, N mm/s, over 1000 scale.
+  // This also holds for a device with left-handed axes, where turns change their sign.
   std::mt19937 random(1);
   std::normal_distribution<double> gauss;
   const auto any = [&]
@@ -75,7 +75,8 @@ TEST(TurningStep, OnePowerOnBothSides)
     const Vector3d force = any();
     const Vector3d torque = any();
     const Vector3d velocity = any();
-    // The body's turn by its definition: an axis that the device turns, seen in the body.
+    // The turn in the body by its definition: the change of an axis that the device turns, seen in
+    // the body.
     const Vector3d turn = 1e-6 * any();
     const Vector3d axis = any().normalized();
     const Vector3d change = mapping.axisToBody(axis + turn.cross(axis)) - mapping.axisToBody(axis);
@@ -105,8 +106,8 @@ TEST(TurningStep, TheContactIsGivenThePose)
   {
     const double z = 10.5 - 0.01 * i;
     const Tick tick = step.step(sampleAt(z, turnedBy(Vector3d(angle, 0.0, 0.0))), 1e-3 * i);
-    // About the device's x, which is the body's y: the shaft leans to the device's -y, the body's
-    // x.
+    // About the device's x, which is the body's y: the shaft tilts to the device's -y, which is the
+    // body's x.
     const Vector3d axis(std::sin(angle), 0.0, std::cos(angle));
     ASSERT_TRUE(tick.valid);
     EXPECT_LE((tick.axis - axis).norm(), 1e-15);
@@ -115,7 +116,7 @@ TEST(TurningStep, TheContactIsGivenThePose)
     EXPECT_EQ(tick.contact.torque, expected.torque);
     EXPECT_EQ(tick.contact.tilt, expected.tilt);
     EXPECT_EQ(tick.idealTorque, expected.torque);
-    EXPECT_EQ(tick.deviceTorque, Vector3d::Zero()); // of a chain that allows none
+    EXPECT_EQ(tick.deviceTorque, Vector3d::Zero()); // the chain permits no torque
   }
 }
 
@@ -169,18 +170,18 @@ TEST(TurningStep, AFileKeepsAxisAndTorqueAndPlaysThem)
   ReplayDevice replay(read, mapping);
   for (std::size_t i = 0; i < ticks.size(); ++i)
   {
-    EXPECT_EQ(read.rows[i].axis, ticks[i].axis); // to the bit
+    EXPECT_EQ(read.rows[i].axis, ticks[i].axis); // the same bits
     EXPECT_EQ(read.rows[i].contact.torque, ticks[i].contact.torque);
     EXPECT_EQ(read.rows[i].contact.state, ticks[i].contact.state);
     const DeviceSample played = replay.read(ticks[i].time);
     EXPECT_EQ(isTold(played.orientation), !ticks[i].axis.isZero(0.0));
     EXPECT_LE((mapping.axisToBody(shaftOf(played.orientation)) - ticks[i].axis).norm(), 1e-14);
   }
-  // Halfway the shaft is halfway.
+  // Halfway between two ticks the shaft is halfway between theirs.
   const Vector3d half = mapping.axisToBody(shaftOf(replay.read(1.5e-3).orientation));
   EXPECT_LE((half - (ticks[1].axis + ticks[2].axis).normalized()).norm(), 1e-12);
 
-  for (Tick& tick : ticks) // one that does not know it has the file of before
+  for (Tick& tick : ticks) // without an orientation, the file is as before
   {
     tick.axis.setZero();
     tick.contact.torque.setZero();

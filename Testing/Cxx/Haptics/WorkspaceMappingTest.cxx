@@ -39,13 +39,14 @@ TEST(WorkspaceMapping, MetresBecomeMillimetres)
 
 TEST(WorkspaceMapping, ByHand)
 {
-  // A quarter turn about z takes x to y; then twice the size; then moved.
+  // A quarter turn about z takes x to y; then twice the size; then a translation.
   Matrix3d quarter;
   quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   const WorkspaceMapping mapping(quarter, Vector3d(10, 20, 30), 2.0);
   EXPECT_EQ(mapping.toBody(Vector3d(0.5, 0.25, 0.125)), Vector3d(-490, 1020, 280));
   EXPECT_EQ(mapping.toDevice(Vector3d(-490, 1020, 280)), Vector3d(0.5, 0.25, 0.125));
-  // A force along the body's y is one along the device's x, and keeps its size whatever the scale.
+  // A force along the body's y is a force along the device's x. Its magnitude does not depend on
+  // the scale.
   EXPECT_EQ(mapping.forceToDevice(Vector3d(0, 3, 0)), Vector3d(3, 0, 0));
   EXPECT_EQ(mapping.scale(), 2.0);
 }
@@ -59,7 +60,7 @@ TEST(WorkspaceMapping, ThereAndBack)
     {
       const WorkspaceMapping mapping(randomRotation(random), randomPoint(random, 100.0), scale);
       const Vector3d device = randomPoint(random, 0.1);
-      // Rounding of up to 600 mm, divided by 1000 scale.
+      // Rounding error of up to 600 mm, divided by 1000 scale.
       EXPECT_LE((mapping.toDevice(mapping.toBody(device)) - device).norm(), 1e-15 / scale);
       const Vector3d body = randomPoint(random, 100.0);
       EXPECT_LE((mapping.toBody(mapping.toDevice(body)) - body).norm(), 1e-12);
@@ -69,7 +70,7 @@ TEST(WorkspaceMapping, ThereAndBack)
 
 TEST(WorkspaceMapping, KeepsWorkUpToTheScale)
 {
-  // Work F·dx on the body's side is 1000·scale times that on the device's: N mm against N m.
+  // The work F·dx in the body is 1000·scale times that at the device: N mm and N m.
   std::mt19937 random(2);
   for (int i = 0; i < 200; ++i)
   {
@@ -80,7 +81,7 @@ TEST(WorkspaceMapping, KeepsWorkUpToTheScale)
     const Vector3d to = randomPoint(random, 0.1);
     const double onBody = force.dot(mapping.toBody(to) - mapping.toBody(from));
     const double onDevice = mapping.forceToDevice(force).dot(to - from);
-    EXPECT_NEAR(onBody, 1000.0 * scale * onDevice, 1e-9); // 1e-16 of 10 N · 600 mm, times a few
+    EXPECT_NEAR(onBody, 1000.0 * scale * onDevice, 1e-9); // a few times 1e-16 of 10 N · 600 mm
     EXPECT_NEAR(mapping.forceToDevice(force).norm(), force.norm(), 1e-14);
   }
 }
@@ -93,7 +94,7 @@ TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
   {
     const Vector3d from = randomPoint(random, 0.1);
     const Vector3d velocity = randomPoint(random, 1.0);
-    const double step = 0.125; // s; the mapping is linear, so any step will do
+    const double step = 0.125; // s; the mapping is linear, so any step is valid
     const Vector3d rate = (each.toBody(from + step * velocity) - each.toBody(from)) / step;
     EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10); // 1e-16 of 300 mm, over step
   }
@@ -101,7 +102,7 @@ TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
 
 TEST(WorkspaceMapping, StiffnessIsFeltScaled)
 {
-  // A spring of the body, K = 2 N/mm along y, moved by the device: dF/dx in the device's frame.
+  // A spring of the body, K = 2 N/mm along y, is moved by the device: dF/dx in the device's frame.
   std::mt19937 random(4);
   for (const double scale : { 0.2, 1.0, 3.0 })
   {
@@ -121,16 +122,16 @@ TEST(WorkspaceMapping, StiffnessIsFeltScaled)
 
 TEST(WorkspaceMapping, PlanarDevicesMoveInAPlaneOfTheBody)
 {
-  // The device's x along the body's y, its y along the body's z: the plane x = 7.
+  // The device's x is along the body's y, its y along the body's z: the plane x = 7.
   const WorkspaceMapping mapping =
     WorkspaceMapping::inPlane(Vector3d(7, 1, 2), Vector3d::UnitY(), Vector3d::UnitZ(), 2.0);
   EXPECT_TRUE(mapping.isPlanar());
   EXPECT_FALSE(mapping.fault());
-  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42)); // whatever its z
+  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42)); // for any z
   EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, std::nan(""))), Vector3d(7, 21, 42));
   EXPECT_EQ(mapping.toDevice(Vector3d(-50, 21, 42)), Vector3d(0.01, 0.02, 0));
   EXPECT_EQ(mapping.velocityToBody(Vector3d(0.5, 0.25, 9)), Vector3d(0, 1000, 500));
-  // Of a force what lies in the plane, neither more nor less.
+  // Only the part of a force in the plane is passed on.
   EXPECT_EQ(mapping.forceToDevice(Vector3d(5, 3, -4)), Vector3d(3, -4, 0));
   EXPECT_EQ(mapping.forceToBody(Vector3d(3, -4, 11)), Vector3d(0, 3, -4));
   EXPECT_FALSE(WorkspaceMapping().isPlanar());
@@ -152,8 +153,8 @@ TEST(WorkspaceMapping, FitsABodyIntoTheWorkspace)
         (planar ? turned.planar() : turned).fitted(lower, upper, workspace, margin);
       ASSERT_FALSE(mapping.fault());
       EXPECT_EQ(mapping.rotation(), turned.rotation());
-      // By brute force: all corners, pushed out by the margin along the axes of the device, are in
-      // the workspace, and the farthest is at its border.
+      // By brute force: all corners, moved outward by the margin along the axes of the device, are
+      // in the workspace, and the farthest is at its border.
       double farthest = 0.0;
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -180,7 +181,7 @@ TEST(WorkspaceMapping, FaultsAreNamed)
   const Vector3d origin = Vector3d::Zero();
   EXPECT_FALSE(WorkspaceMapping().fault());
   Matrix3d mirror = unit;
-  mirror(2, 2) = -1.0; // a device of left-handed axes
+  mirror(2, 2) = -1.0; // a device with left-handed axes
   EXPECT_FALSE(WorkspaceMapping(mirror, origin, 1.0).fault());
   Matrix3d typed;
   typed << 0.7071068, -0.7071068, 0, 0.7071068, 0.7071068, 0, 0, 0, 1; // seven digits
@@ -201,7 +202,7 @@ TEST(WorkspaceMapping, FaultsAreNamed)
   {
     EXPECT_EQ(WorkspaceMapping(unit, origin, wrong).fault().name, "Scale") << wrong;
   }
-  // Axes of a plane that are not at right angles; a box inside out; no workspace; no margin.
+  // Axes of a plane that are not at right angles; a box with wrong bounds; no workspace; no margin.
   EXPECT_EQ(
     WorkspaceMapping::inPlane(origin, Vector3d::UnitX(), Vector3d(1, 1, 0).normalized(), 1.0)
       .fault()

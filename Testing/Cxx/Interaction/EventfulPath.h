@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body and a trajectory over it on which everything happens that can happen to a contact.
+// A body, and a trajectory over it that brings about every event of a contact.
 #ifndef palpate_testing_EventfulPath_h
 #define palpate_testing_EventfulPath_h
 
@@ -19,7 +19,7 @@ constexpr double Radius = 20.0;    // mm, of the body
 constexpr double Range = 1.0;      // mm, of the responses
 constexpr double BorderAt = -12.0; // mm, z of the opening
 
-/// The triangles whose first corner lies above a height, and their points.
+/// The triangles whose first corner is above a height, and their points.
 inline Body above(vtkPolyData* whole, double height)
 {
   vtkNew<vtkPoints> points;
@@ -49,7 +49,7 @@ inline Body above(vtkPolyData* whole, double height)
   return kept;
 }
 
-/// A bumpy ball without its bottom, its modulus and normals different at each point.
+/// A bumpy ball without its bottom. Modulus and normals are different at each point.
 inline Body openBall()
 {
   Body whole = sphereBody(Radius, 4);
@@ -74,8 +74,8 @@ inline Body openBall()
   return body;
 }
 
-/// Where the hand goes, mm: along z to the border and over it, around the axis to and fro, in and
-/// out.
+/// Path of the hand, mm: along z to the border and over it, back and forth around the axis, in and
+/// out of the body.
 inline Body handPath()
 {
   auto path = Body::New();
@@ -99,7 +99,7 @@ inline Body handPath()
   return path;
 }
 
-/// What the simulated device reads on that path, tick by tick.
+/// The samples of the simulated device on that path, tick by tick.
 inline std::vector<palpate::DeviceSample> samplesOf(vtkPolyData* path)
 {
   const palpate::WorkspaceMapping mapping;

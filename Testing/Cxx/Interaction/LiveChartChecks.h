@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the live charts plot, read from their tables, and bodies whose response varies.
+// Reads the data of the live charts from their tables, and makes bodies with a varying response.
 #ifndef palpate_testing_LiveChartChecks_h
 #define palpate_testing_LiveChartChecks_h
 
@@ -35,7 +35,7 @@ inline std::vector<Row> rowsOf(vtkPlot* plot)
   return rows;
 }
 
-/// Those that are drawn.
+/// The rows of a plot that are drawn.
 inline std::vector<Row> pointsOf(vtkPlot* plot)
 {
   std::vector<Row> points;
@@ -64,7 +64,7 @@ inline vtkPlot* plotOf(vtkChartXY* chart, const std::string& label)
   return chart->GetPlot(0);
 }
 
-/// A curve: the plot with this label, and the one after it, which is dotted.
+/// A curve consists of the plot with this label and the dotted plot after it.
 inline std::vector<Row> curveOf(vtkChartXY* chart, const std::string& label)
 {
   vtkPlot* solid = plotOf(chart, label);
@@ -92,7 +92,7 @@ inline Body timedPath(std::initializer_list<std::array<double, 4>> way)
   return path;
 }
 
-/// On a plane z = 0: `depth` mm deep at 0.8 s, then 6 mm along y, and off it from 2.4 s on.
+/// On a plane z = 0: `depth` mm deep at 0.8 s, then 6 mm along y, outside again from 2.4 s on.
 inline Body pressAndSlide(double depth)
 {
   return timedPath({ { 0.3, 0.2, 1.0, 0.0 }, { 0.3, 0.2, 0.0, 0.4 }, { 0.3, 0.2, -depth, 0.8 },
@@ -100,7 +100,8 @@ inline Body pressAndSlide(double depth)
     { 0.4, 6.2, 1.0, 3.2 } });
 }
 
-/// The body with the response of a tool whose modulus is 1 to 5 MPa from point to point; ν = 0.
+/// The body with the response of a tool. The modulus differs from point to point, 1 to 5 MPa;
+/// ν = 0.
 inline Body unevenResponse(vtkPolyData* body, const std::string& tool)
 {
   const auto modulus = [](vtkIdType i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One live chart in a window, over a session that presses and slides.
+// A live chart in a window, for a session that presses and slides.
 #ifndef palpate_testing_LiveChartPicture_h
 #define palpate_testing_LiveChartPicture_h
 
@@ -10,8 +10,8 @@
 
 namespace palpate::testing
 {
-/// A sphere pressed 1.2 mm into a plane whose modulus varies, where the device gives no more than
-/// 10 N, and slid with friction.
+/// A sphere is pressed 1.2 mm into a plane of varying modulus and slides with friction. The device
+/// gives at most 10 N.
 inline vtkSmartPointer<vtkHapticSession> slidingSession()
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -22,7 +22,7 @@ inline vtkSmartPointer<vtkHapticSession> slidingSession()
   return session;
 }
 
-/// A window as large as a chart may be in a live window.
+/// A window as large as one chart in a live window.
 struct LiveChartPicture : Picture
 {
   enum Chart

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A slab of liver that relaxes, pressed by a sphere at 1 mm/s, and what its loop must be
+// A relaxing slab of liver, pressed by a sphere at 1 mm/s, and the expected values of its loop
 // (Data/Reference/rate/loops_paper.csv: p = 0.5, 0.5, tau = 0.5, 10 s).
 #ifndef palpate_testing_LiverSlab_h
 #define palpate_testing_LiverSlab_h
@@ -14,10 +14,10 @@
 namespace palpate::testing
 {
 constexpr double SlabPress = 5.0;  // mm deep, in as many seconds
-constexpr double SlabAbove = 0.25; // mm over the surface, where it begins and ends
+constexpr double SlabAbove = 0.25; // mm above the surface, at the begin and the end
 constexpr double SlabDuration = 2.0 * (SlabPress + SlabAbove);
 
-/// 10 mm thick, bonded, incompressible.
+/// A slab 10 mm thick, bonded, incompressible.
 inline Body liverSlab(double radius, bool relaxes = true)
 {
   const auto filter = filterOf(planeBody(20.0, 4), "paraboloid:1", SlabPress);
@@ -44,13 +44,14 @@ inline vtkSmartPointer<vtkHapticSession> slabSession(vtkPolyData* slab)
   return session;
 }
 
-/// What a press and its way back make, of rows of deflection and force in their order.
+/// Values of a loop: a press and the way back, given as rows of deflection and force in order of
+/// time.
 struct Loop
 {
   double peak = 0.0; ///< N
-  double work = 0.0; ///< of the way in, N mm
-  double loss = 0.0; ///< of it
-  double end = 0.0;  ///< mm: where the tool was let go
+  double work = 0.0; ///< work of the way in, N mm
+  double loss = 0.0; ///< part of the work that is lost, N mm
+  double end = 0.0;  ///< deflection at which contact ends, mm
 
   explicit Loop(const std::vector<Row>& rows)
   {
@@ -66,7 +67,8 @@ struct Loop
   }
 };
 
-/// `peak` and `loss` of loops_paper.csv; what is felt, and the slow force.
+/// Compares with `peak` and `loss` of loops_paper.csv. `felt` is the loop of the total force,
+/// `slow` the loop of the slow force.
 inline void checkLoop(const Loop& felt, const Loop& slow, double peak, double loss)
 {
   PALPATE_CHECK_NEAR(felt.loss / felt.work, loss, 0.01);

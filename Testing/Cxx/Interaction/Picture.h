@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A window to draw into off screen, its picture, and how far it is from another or a baseline.
+// An off-screen window, its picture, and the difference of two pictures.
 #ifndef palpate_testing_Picture_h
 #define palpate_testing_Picture_h
 
@@ -24,19 +24,20 @@
 namespace palpate::testing
 {
 /**
- * Grey levels, summed over red, green and blue, that a pixel may differ by from the pixels around
- * it in the other picture. vtkTesting forgives 105, which hides all that is translucent: a tool in
- * another direction makes no difference there.
+ * Difference in grey levels, summed over red, green and blue, that is ignored between a pixel and
+ * the pixels around it in the other picture. vtkTesting ignores 105. That hides all that is
+ * translucent: a tool in another direction then makes no difference.
  */
 constexpr int ForgivenLevels = 10;
 
 /**
- * The largest difference from a baseline that passes: pixels that differ by full white, summed.
+ * The largest difference from a baseline that passes: the sum over all pixels, in units of a full
+ * white pixel.
  *
- * The same code gives the same pixels on every run and for any number of threads. Another
- * rasteriser, Mesa's softpipe, makes no difference either, by this measure, but for the bar of the
- * legend, which it leaves out. The smallest fault that the tests put into their scenes makes 17;
- * checkFaultShows demands 10.
+ * The same code gives the same pixels in every run and for any number of threads. By this measure,
+ * another rasteriser (Mesa's softpipe) makes no difference either, except for the bar of the
+ * legend, which it does not draw. The smallest fault that the tests put into their scenes gives a
+ * difference of 17; checkFaultShows requires 10.
  */
 constexpr double PictureThreshold = 5.0;
 
@@ -79,7 +80,8 @@ inline void writePicture(vtkImageData* picture, const std::string& file)
   writer->Write();
 }
 
-/// In the unit of PictureThreshold. The difference image goes to `file`, unless that is empty.
+/// Difference of two pictures, in the unit of PictureThreshold. The difference image is written to
+/// `file`, unless that is empty.
 inline double difference(vtkImageData* one, vtkImageData* other, const std::string& file = "")
 {
   if (!std::equal(one->GetDimensions(), one->GetDimensions() + 3, other->GetDimensions()))
@@ -98,8 +100,9 @@ inline double difference(vtkImageData* one, vtkImageData* other, const std::stri
   return compare->GetThresholdedError();
 }
 
-/// Compares with the baseline of the command line (-V FILE); -T FOLDER gets the picture under the
-/// baseline's name, to be looked at and copied, and, if they differ, the difference image.
+/// Compares with the baseline of the command line (-V FILE). Writes the picture into the folder of
+/// -T FOLDER under the name of the baseline, to be examined and copied; if they differ, also the
+/// difference image.
 inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
 {
   vtkNew<vtkTesting> arguments;
@@ -110,7 +113,7 @@ inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
   writePicture(picture, (folder / baseline.filename()).string());
   const bool exists = std::filesystem::exists(baseline);
   double found = std::numeric_limits<double>::infinity();
-  // X_1.png beside X.png: the same picture as another VTK draws it.
+  // X_1.png next to X.png is the same picture as drawn by another version of VTK.
   for (const char* variant : { "", "_1" })
   {
     const std::string stem = baseline.stem().string() + variant;
@@ -130,7 +133,8 @@ inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
   PALPATE_CHECK(found <= PictureThreshold);
 }
 
-/// A scene with a fault must be told from the sound one, with a margin of two. Prints by how much.
+/// A scene with a fault must differ from the correct scene, with a margin of two. Prints the
+/// difference.
 inline void checkFaultShows(const std::string& fault, vtkImageData* sound, vtkRenderWindow* window)
 {
   const double found = difference(sound, draw(window));
@@ -138,7 +142,7 @@ inline void checkFaultShows(const std::string& fault, vtkImageData* sound, vtkRe
   PALPATE_CHECK(found > 2.0 * PictureThreshold);
 }
 
-/// What was changed for a fault has been put back.
+/// Checks that a scene is correct again after a fault has been undone.
 inline void checkSound(vtkImageData* sound, vtkRenderWindow* window)
 {
   PALPATE_CHECK(difference(sound, draw(window)) == 0.0);

@@ -15,7 +15,7 @@
 
 namespace palpate::testing
 {
-/// A hand that is where it is put, unless it is lost.
+/// A hand at a prescribed position, unless it is lost.
 class PlacedDevice final : public palpate::HapticDevice
 {
 public:
@@ -49,7 +49,8 @@ private:
   palpate::DeviceSpecification Limits;
 };
 
-/// A plane of the paper's rubber, z = 0, under three tools: Flat, Sphere, and a Small sphere.
+/// A plane z = 0 of the paper's rubber, with the responses of three tools: Flat, Sphere, and a
+/// Small sphere.
 inline Body threeTools()
 {
   Body body = planeBody(20.0, 20);
@@ -93,14 +94,15 @@ inline double idealOf(vtkHapticSession* session)
   return vtkMath::Norm(force);
 }
 
-/// Presses 1 mm deep with the device; it belongs to the session.
+/// Starts the session with a device that presses 1 mm deep. The device belongs to the session.
 inline PlacedDevice* pressed(
   vtkHapticSession* session, const palpate::DeviceSpecification& specification)
 {
   auto owned = std::make_unique<PlacedDevice>(specification);
   PlacedDevice* device = owned.get();
   session->GetDevice()->Use(std::move(owned));
-  session->GetSafety()->PassivityControlOff(); // the device's place is given: no loop is closed
+  session->GetSafety()->PassivityControlOff(); // the position of the device is prescribed: no loop
+                                               // is closed
   PALPATE_CHECK(session->Start());
   session->Step(0.01);
   device->Height = -1e-3;

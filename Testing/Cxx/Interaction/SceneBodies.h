@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies with responses and tips that touch them, for the scenes of the image tests.
+// Bodies with responses, and tips in contact with them, for the scenes of the image tests.
 #ifndef palpate_testing_SceneBodies_h
 #define palpate_testing_SceneBodies_h
 
@@ -27,7 +27,7 @@ inline Body bumpySphere()
   return body;
 }
 
-/// A tube along x, radius and length in mm, points about 1 mm apart, exact normals.
+/// A tube along x, radius and length in mm, with points about 1 mm apart and exact normals.
 inline Body tubeBody(double radius, double length)
 {
   const int around = static_cast<int>(std::lround(2.0 * vtkMath::Pi() * radius));
@@ -64,7 +64,7 @@ inline Body tubeBody(double radius, double length)
   return body;
 }
 
-/// The path that presses at the first direction, seen from the origin, and slides to the second.
+/// A path that presses at the first direction, seen from the origin, and slides to the second.
 inline Body slidePath(
   vtkPolyData* body, const double (&from)[3], const double (&to)[3], double depth)
 {
@@ -77,7 +77,7 @@ inline Body slidePath(
   return press->GetOutput();
 }
 
-/// What vtkToolContactProbe says of the tips.
+/// The output of vtkToolContactProbe for the tips.
 inline Body probed(vtkPolyData* body, vtkPolyData* tips, const std::string& response = "Response")
 {
   vtkNew<vtkToolContactProbe> probe;
@@ -88,7 +88,7 @@ inline Body probed(vtkPolyData* body, vtkPolyData* tips, const std::string& resp
   return probe->GetOutput();
 }
 
-/// One tip.
+/// Tip data of one tip.
 inline Body singleTip(double x, double y, double z)
 {
   vtkNew<vtkPoints> point;

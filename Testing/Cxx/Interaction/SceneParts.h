@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene shows, measured on the geometry that is drawn and not on what was asked for.
+// Values of a scene, measured on the drawn geometry, not taken from the settings.
 #ifndef palpate_testing_SceneParts_h
 #define palpate_testing_SceneParts_h
 
@@ -22,7 +22,7 @@
 
 namespace palpate::testing
 {
-/// From where to where an actor reaches along a direction, in the world.
+/// Range of an actor along a direction, in world coordinates.
 struct Extent
 {
   double low = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ struct Extent
   double aside = 0.0; ///< largest distance from the line through `origin`
 };
 
-/// Of the drawn points of `actor`, seen from `origin` along the unit vector `direction`.
+/// Extent of the drawn points of `actor`, seen from `origin` along the unit vector `direction`.
 inline Extent extentAlong(vtkActor* actor, const double origin[3], const double direction[3])
 {
   actor->GetMapper()->Update();
@@ -51,7 +51,7 @@ inline Extent extentAlong(vtkActor* actor, const double origin[3], const double 
   return extent;
 }
 
-/// The parts of a tool representation, in the order they are assembled.
+/// The parts of a tool representation, in the order of assembly.
 struct ToolParts
 {
   vtkActor* tool;
@@ -66,7 +66,7 @@ struct ToolParts
   }
 };
 
-/// All arrows of a tool representation with their labels, in the order they are assembled.
+/// All arrows of a tool representation with their labels, in the order of assembly.
 struct ForceParts
 {
   vtkActor *total, *normal, *friction, *applied;
@@ -104,7 +104,7 @@ struct ScaleParts
   }
 };
 
-/// Whether a box of the world lies wholly within the picture.
+/// True if a box in world coordinates is completely inside the picture.
 inline bool isInPicture(vtkRenderer* renderer, const double bounds[6])
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -121,7 +121,7 @@ inline bool isInPicture(vtkRenderer* renderer, const double bounds[6])
   return true;
 }
 
-/// The text in the corner of a scene: the text actor that is a prop of its own.
+/// The text in the corner of a scene: the text actor that is a separate prop.
 inline std::string caption(vtkRenderer* renderer)
 {
   vtkPropCollection* props = renderer->GetViewProps();

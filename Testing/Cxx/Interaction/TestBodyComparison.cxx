@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two plates of one material, one of which gives way as a whole: what is said of them, against the
-// closed forms of the series model, and how they are drawn.
+// Two plates of the same material, one with a global compliance: the results compared with the
+// closed forms of the series model, and the drawing.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -42,7 +42,7 @@ bool isFlat(int tool)
   return tool == 2;
 }
 
-/// F = k d^m of a tool on a half-space.
+/// F = k d^m for a tool on a half-space.
 double halfSpaceForce(int tool, double depth)
 {
   const double size = Tools[tool].size;
@@ -63,7 +63,7 @@ double seriesForce(int tool, double depth, double compliance)
   return halfSpaceForce(tool, low);
 }
 
-/// dlnF/dln(size) in the series model: 1 - λ of a flat, (1 - λ)/(2 + λ) of a paraboloid.
+/// dlnF/dln(size) in the series model: 1 - λ for a flat, (1 - λ)/(2 + λ) for a paraboloid.
 double seriesSensitivity(int tool, double index)
 {
   return isFlat(tool) ? 1.0 - index : (1.0 - index) / (2.0 + index);
@@ -108,9 +108,11 @@ void checkSide(vtkBodyComparison* comparison, int side, double compliance, doubl
   {
     const double force = seriesForce(tool, depth, compliance);
     const double index = compliance * force / depth;
-    // Stored in eight samples: up to 0.5 % in series, see the manual's numbers.
+    // The response is stored in eight samples: up to 0.5 % error in series, see the manual's
+    // numbers.
     PALPATE_CHECK_NEAR(comparison->GetForce(side, tool), force, 0.005 * force);
-    // Not from what is stored; float arrays, and a central difference good to 2e-5.
+    // Not computed from the stored curves. The tolerance is for float arrays and a central
+    // difference with an error of 2e-5.
     PALPATE_CHECK_NEAR(comparison->GetRegimeIndex(side, tool), index, 1e-5);
     PALPATE_CHECK_NEAR(
       comparison->GetToolSensitivity(side, tool), seriesSensitivity(tool, index), 5e-5);
@@ -119,11 +121,11 @@ void checkSide(vtkBodyComparison* comparison, int side, double compliance, doubl
     sum += force;
   }
   const double spread = 3.0 * (largest - least) / sum;
-  PALPATE_CHECK_NEAR(comparison->GetForceSpread(side), spread, 0.006); // of the forces stored
+  PALPATE_CHECK_NEAR(comparison->GetForceSpread(side), spread, 0.006); // of the stored forces
 }
 
-/// Where a paraboloid's verdict changes from mixed to "a point force suffices": 4^S = 1.05, and
-/// with S = (1 - λ)/(2 + λ) and λδ = C k ((1 - λ)δ)^1.5 this depth.
+/// Depth at which the verdict for a paraboloid changes from mixed to "a point force suffices". It
+/// follows from 4^S = 1.05, S = (1 - λ)/(2 + λ) and λδ = C k ((1 - λ)δ)^1.5.
 double pointForceFrom(double size, double compliance)
 {
   const double sensitivity = std::log(1.05) / std::log(4.0);
@@ -132,8 +134,8 @@ double pointForceFrom(double size, double compliance)
   return std::pow(index / (compliance * k * std::pow(1.0 - index, 1.5)), 2.0);
 }
 
-/// The verdicts follow from the largest sensitivity, and the depths they hold for from where that
-/// passes the bound.
+/// The verdicts follow from the largest sensitivity. Their range of depths ends where this
+/// sensitivity passes the bound.
 void checkVerdicts(vtkBodyComparison* comparison)
 {
   double range[2];
@@ -146,14 +148,15 @@ void checkVerdicts(vtkBodyComparison* comparison)
 
   PALPATE_CHECK(comparison->GetVerdict(Left) == 2);
   comparison->GetVerdictRange(Left, range);
-  // The smallest paraboloid is the last to need no shape. Depths are judged every 1/160 of √Range.
+  // The smallest paraboloid is the last for which a point force suffices. Depths are judged every
+  // 1/160 of √Range.
   const double from = pointForceFrom(1.6, Compliance);
-  PALPATE_CHECK(from > 0.05 && from < Depth); // or nothing is tested
+  PALPATE_CHECK(from > 0.05 && from < Depth); // otherwise nothing is tested
   PALPATE_CHECK(range[0] >= from && range[0] <= from + 2.0 * std::sqrt(from * Range) / 100.0);
   PALPATE_CHECK_NEAR(range[1], Range, 1e-6);
   PALPATE_CHECK_TEXT(comparison->GetStatement(Left), "A point force suffices", "The same from");
 
-  // At a depth where it does not suffice yet.
+  // A depth at which a point force does not suffice yet.
   comparison->SetDeflection(0.8 * from);
   PALPATE_CHECK(comparison->ShowPlace(0.0, 0.0, 0.0));
   PALPATE_CHECK(comparison->GetVerdict(Left) == 1);
@@ -162,7 +165,7 @@ void checkVerdicts(vtkBodyComparison* comparison)
   comparison->SetDeflection(Depth);
 }
 
-/// Validity: strain, of the smallest paraboloid (a/R = 0.4: δ = 0.16 R) on the half-space.
+/// Validity by strain, for the smallest paraboloid (a/R = 0.4: δ = 0.16 R) on the half-space.
 void checkValidity(vtkBodyComparison* comparison)
 {
   PALPATE_CHECK_NEAR(comparison->GetValidity(Right), 0.16 * 1.6, 1e-6);
@@ -220,7 +223,7 @@ int TestBodyComparison(int argc, char* argv[])
   checkSide(comparison, Left, Compliance, 0.3);
   comparison->SetDeflection(Depth);
 
-  // One camera.
+  // Both views share one camera.
   PALPATE_CHECK(comparison->GetRenderer(Left)->GetActiveCamera() ==
     comparison->GetRenderer(Right)->GetActiveCamera());
   PALPATE_CHECK(comparison->ShowTips(probed[0], probed[1], 0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of a scene by shader: follows what is set, whenever it is set, as by filter; its bounds;
-// two scenes at once; edges and anti-aliasing; and the picture of a dent.
+// The body of a scene drawn by shader. It shows each setting, whenever it is set, as the filter
+// does. Tests also its bounds, two scenes at once, edges and anti-aliasing, and the picture of a
+// dent.
 #include "TwoPaths.h"
 
 #include "vtkDoubleArray.h"
@@ -13,9 +14,9 @@ using palpate::Vector3;
 
 constexpr double Depth = 1.5;
 constexpr double Rim = 24.0;  // mm, half the side of the box
-constexpr double Color = 4.0; // TestDeflectionShader.cxx says why
+constexpr double Color = 4.0; // reason: see TestDeflectionShader.cxx
 
-/// A box, 0.6 mm from point to point.
+/// A box with points 0.6 mm apart.
 Body box(const std::string& tool)
 {
   return withResponse(boxBody(Rim, Rim, 8.0, 80), tool);
@@ -36,7 +37,7 @@ void showAt(vtkContactScene* scene, vtkPolyData* body, double x, double y)
   scene->ShowTip(probed(body, singleTip(x, y, 8.0 - Depth)), 0);
 }
 
-/// Colours without light differ nowhere, and depths neither.
+/// Neither colours without light nor depths may differ.
 void checkSame(TwoPaths& paths, const std::string& after)
 {
   const Deviation color(paths.colors(true, false), paths.colors(false, false), Color);
@@ -46,12 +47,12 @@ void checkSame(TwoPaths& paths, const std::string& after)
   PALPATE_CHECK(color.share < 0.002 && depth.share < 0.002);
 }
 
-/// What is set between frames shows in the next one, by shader as by filter.
+/// A setting between two frames shows in the next frame, by shader as by filter.
 void checkSettings()
 {
   const Body body = box("sphere:6.35");
   auto scene = makeScene(body, "sphere:6.35");
-  showAt(scene, body, 15.0, -4.0); // 9 mm from the rim: the field goes around it
+  showAt(scene, body, 15.0, -4.0); // 9 mm from the rim: the field continues around it
   TwoPaths paths(scene, Vector3(12.0, -4.0, 8.0), Vector3(0.5, -0.6, 1.0), 14.0);
   checkSame(paths, "first");
   auto before = paths.depths(true);
@@ -80,7 +81,7 @@ void checkSettings()
   scene->SetPoissonRatio(0.0);
   checkSame(paths, "Poisson's ratio");
   PALPATE_CHECK(Deviation(colors, paths.colors(true, false), Color).share > 0.001);
-  // The body moves under the scene; the next contact notices.
+  // The body moves. The scene notices it at the next contact.
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
     double x[3];
@@ -99,7 +100,7 @@ void checkSettings()
   PALPATE_CHECK(*std::max_element(flat.begin(), flat.end()) < 255);
 }
 
-/// Other responses of the same surface: nothing is made or sent to the graphics card again.
+/// With other responses of the same surface, nothing is made or sent to the graphics card again.
 void checkSameSurface()
 {
   const Body body = withResponse(planeBody(20.0, 40), "sphere:6.35");
@@ -115,7 +116,7 @@ void checkSameSurface()
   PALPATE_CHECK(mapper->GetInput() != drawn);
 }
 
-/// The bounds reach down to the dent, so that no clipping plane cuts it off.
+/// The bounds include the dent, so that no clipping plane cuts it off.
 void checkBounds()
 {
   const Body body = withResponse(planeBody(20.0, 40), "sphere:6.35");
@@ -131,7 +132,7 @@ void checkBounds()
   PALPATE_CHECK_NEAR(scene->GetBodyActor()->GetBounds()[4], 0.0, 1e-6);
 }
 
-/// Two scenes in one window have one program and each its own dent.
+/// Two scenes in one window use one program, and each has its own dent.
 void checkTwoScenes()
 {
   const Body body = box("sphere:6.35");
@@ -157,7 +158,7 @@ void checkTwoScenes()
   PALPATE_CHECK(Deviation(one, together, 1e-6).share < 0.001);
 }
 
-/// Edges go through a geometry shader in some versions of VTK, and FXAA through a pass of its own.
+/// In some versions of VTK, edges need a geometry shader; FXAA needs a separate pass.
 void checkEdges()
 {
   const Body body = box("flat:3");
@@ -166,14 +167,14 @@ void checkEdges()
   TwoPaths paths(scene, Vector3(3.0, -4.0, 8.0), Vector3(0.5, -0.6, 1.0), 8.0);
   scene->GetBodyActor()->GetProperty()->EdgeVisibilityOn();
   paths.renderer()->UseFXAAOn();
-  // A line may fall on the next pixel: the picture's own measure, which forgives that.
+  // A line may be one pixel off: the measure for pictures ignores that.
   const auto shader = paths.picture(true);
   PALPATE_CHECK(difference(shader, paths.picture(false)) < PictureThreshold);
   scene->GetBodyActor()->GetProperty()->EdgeVisibilityOff();
   PALPATE_CHECK(difference(shader, paths.picture(true)) > 2.0 * PictureThreshold);
 }
 
-/// A flat punch on a curved body, exaggerated: wall, floor, field and light.
+/// A flat punch on a curved body, exaggerated: wall, floor, field and light of the dent.
 void checkPicture(int argc, char* argv[])
 {
   const Body body = withResponse(bumpySphere(), "flat:4");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sliders dragged and buttons pressed by events of the interactor, under a hand that presses; what
-// is felt then is asserted by the tools' closed forms.
+// Events of the interactor drag sliders and press buttons while a hand presses. The force after
+// each change is compared with the closed form of the tool.
 #include "Picture.h"
 #include "SceneBodies.h"
 
@@ -28,7 +28,7 @@ using namespace palpate::testing;
 constexpr double Depth = 1.0; // mm
 constexpr double Poisson = 0.4;
 
-/// A layer under a sphere, in a window with the panel at its right.
+/// A body under a sphere, in a window with the panel at its right.
 struct Window
 {
   Picture picture{ 1000, 760 };
@@ -101,7 +101,7 @@ struct Window
     this->send(vtkCommand::LeftButtonReleaseEvent, place);
     this->settle();
   }
-  /// From where the handle is to a value, by three moves.
+  /// Drags the handle from one value to another, in three moves.
   void drag(const std::string& name, double from, double to)
   {
     int start[2];
@@ -119,7 +119,7 @@ struct Window
     this->send(vtkCommand::LeftButtonReleaseEvent, end);
     this->settle();
   }
-  /// Until the hand is where it was steered to, bounded.
+  /// Waits until the hand is at its target, for a limited time.
   void arrive()
   {
     for (int i = 0; i < 20000 && std::abs(this->session->GetDeflection() - Depth) > 1e-7; ++i)
@@ -127,7 +127,7 @@ struct Window
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
-  /// Until what was asked for is felt, bounded.
+  /// Waits until the requested response is in use, for a limited time.
   void settle()
   {
     this->clock->ShowFrame();
@@ -137,7 +137,7 @@ struct Window
       this->panel->Update();
     }
     this->panel->Update();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // the force goes over
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // time for the force to change over
     const vtkIdType ticks = this->session->GetNumberOfTicks();
     for (int i = 0; i < 20000 && this->session->GetNumberOfTicks() < ticks + 60; ++i)
     {
@@ -151,7 +151,7 @@ struct Window
     this->session->GetIdealForce(ideal);
     return vtkMath::Norm(ideal);
   }
-  /// Of the tool in the hand on a half-space of what the setup says.
+  /// Force of the chosen tool on a half-space with the material of the setup.
   double expected()
   {
     const double nu = this->setup->GetPoissonRatio();
@@ -160,7 +160,7 @@ struct Window
   }
 };
 
-constexpr double Storage = 1e-3; // relative, of curves of eight samples
+constexpr double Storage = 1e-3; // relative error of curves with eight samples
 
 void checkMaterial(Window& w)
 {
@@ -208,22 +208,23 @@ void checkModel(Window& w)
 {
   w.press("Layer");
   PALPATE_CHECK(w.setup->GetModel() == vtkContactSetup::Layer);
-  PALPATE_CHECK(w.force() > 1.01 * w.expected()); // a near base stiffens
+  PALPATE_CHECK(w.force() > 1.01 * w.expected()); // a rigid base at a small depth increases the
+                                                  // stiffness
   w.press("Half-space");
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
-  // A program may change the setup as well: the panel asks for the responses, and shows it.
+  // A program may also change the setup: the panel requests the responses, and shows the value.
   w.setup->SetYoungsModulus(0.4);
   w.settle();
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   int handle[2];
   PALPATE_CHECK(w.panel->FindSlider("Young's modulus", 0.4, handle));
-  w.send(vtkCommand::LeftButtonPressEvent, handle); // held where it is: at most a pixel away
+  w.send(vtkCommand::LeftButtonPressEvent, handle); // pressed where it is: at most a pixel away
   w.send(vtkCommand::LeftButtonReleaseEvent, handle);
   PALPATE_CHECK_NEAR(w.setup->GetYoungsModulus(), 0.4, 0.02);
   w.settle();
 }
 
-/// Nothing relaxes, until it is given a strength; then it does in its time.
+/// The body does not relax until a strength is set. Then it relaxes with the given time.
 void checkRelaxation(Window& w)
 {
   int nowhere[2];
@@ -233,7 +234,7 @@ void checkRelaxation(Window& w)
   PALPATE_CHECK_NEAR(w.setup->GetRelaxationStrength(0), 1.0, 0.05);
   w.drag("Relaxation time", 1.0, 0.1);
   PALPATE_CHECK_NEAR(w.setup->GetRelaxationTime(0), 0.1, 0.01);
-  // What had lasted has relaxed; a lift, and another press of which half is memory at first.
+  // After a long press the memory is zero. After a lift, half of another press is memory at first.
   w.arrive();
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, 0.01);
   const double above[3] = { 0.3, 0.2, 1.0 };
@@ -282,7 +283,7 @@ int TestContactPanel(int argc, char* argv[])
   checkModel(window);
   checkRelaxation(window);
   checkSession(window);
-  // The panel alone is the picture: the scene is that of other tests.
+  // The picture contains the panel only; other tests cover the scene.
   window.setup->SetYoungsModulus(0.035);
   window.setup->SetRelaxation(0, 0.5, 0.2);
   window.setup->SetChosenTool(0);

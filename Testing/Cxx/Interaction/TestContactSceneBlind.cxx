@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A blind scene draws the same whatever is touched: neither tool, force nor depth can be seen.
+// A blind scene looks the same for every contact: neither tool, force nor depth can be seen.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 
@@ -15,7 +15,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// What is drawn of a tool pressed `depth` mm into the middle of a plane with a force of `force` N.
+/// The picture of a tool pressed `depth` mm into the middle of a plane with a force of `force` N.
 vtkSmartPointer<vtkUnsignedCharArray> drawn(
   const char* tool, double depth, double force, bool blind, const char* remark = "X")
 {
@@ -60,7 +60,7 @@ int TestContactSceneBlind(int, char*[])
   PALPATE_CHECK(same(blind, drawn("sphere:6.35", 1.0, 11.0, true)));
   PALPATE_CHECK(same(blind, drawn("flat:1.6", 1.0, 3.0, true)));
   PALPATE_CHECK(same(blind, drawn("flat:1.6", 0.4, 11.0, true)));
-  // What is to be seen can be: the remark; and without the blindfold all of it.
+  // The remark is visible. In a scene that is not blind, everything is visible.
   PALPATE_CHECK(!same(blind, drawn("flat:1.6", 1.0, 11.0, true, "Y")));
   const auto seen = drawn("flat:1.6", 1.0, 11.0, false);
   PALPATE_CHECK(!same(seen, blind));

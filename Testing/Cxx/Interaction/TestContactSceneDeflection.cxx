@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dent in a plane, close up, at its true depth and exaggerated: the displaced body that is
-// drawn against the half-space field of the tool, and the picture.
+// The dent in a plane, close up, at its true depth and exaggerated: the drawn displacement compared
+// with the half-space field of the tool, and the picture.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -18,7 +18,7 @@ constexpr double Depth = 1.5;
 constexpr double Poisson = 0.3;
 constexpr double Rounding = 2e-5; // mm: coordinates of 20 mm in floats
 
-/// Moves every point of the plane by the field of the tool, times the exaggeration.
+/// Every point of the plane is moved by the field of the tool times the exaggeration.
 void checkDent(vtkContactScene* scene, vtkPolyData* body, vtkContactTool* tool, double exaggeration)
 {
   vtkMapper* mapper = scene->GetBodyActor()->GetMapper();
@@ -42,14 +42,14 @@ void checkDent(vtkContactScene* scene, vtkPolyData* body, vtkContactTool* tool, 
     deepest = std::max(deepest, -moved[2]);
   }
   PALPATE_CHECK_NEAR(deepest, exaggeration * Depth, exaggeration * Rounding);
-  // Coloured by the true displacement, whatever the exaggeration.
+  // The colour is the true displacement for any exaggeration.
   PALPATE_CHECK(std::string(mapper->GetArrayName()) == "ContactDisplacement");
   double range[2];
   drawn->GetPointData()->GetArray("ContactDisplacement")->GetRange(range, -1);
   PALPATE_CHECK_NEAR(range[1], Depth, Rounding);
 }
 
-/// From light to dark all the way, so that it reads in grey too.
+/// Lightness decreases over the whole scale, so that it can be read in grey, too.
 void checkColors(vtkScalarsToColors* colors)
 {
   double before = 2.0;
@@ -80,7 +80,7 @@ int TestContactSceneDeflection(int argc, char* argv[])
   scene->SetPoissonRatio(Poisson);
   scene->SetLargestForce(30.0);
   scene->SetLargestDeflection(Depth);
-  scene->SetDeflectionByShader(false); // the geometry that is drawn is what is checked
+  scene->SetDeflectionByShader(false); // the test needs the drawn geometry
   PALPATE_CHECK(scene->GetExaggeration() == 1.0);
   PALPATE_CHECK(scene->ShowTip(tip, 0));
   checkDent(scene, body, tool, 1.0);

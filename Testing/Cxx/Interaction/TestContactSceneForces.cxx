@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn of the forces under a tool that slides with friction beyond validity: arrows,
-// applied force, circle, trail and scale, each against the numbers it stands for; and the picture.
+// The drawn forces of a tool that slides with friction beyond validity: arrows, applied force,
+// circle, trail and scale, each compared with its numbers; and the picture.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -23,11 +23,12 @@ constexpr double Radius = 6.35;
 constexpr double Friction = 0.4;
 constexpr double Rounding = 1e-4; // mm: geometry in floats
 
-/// Strain ends validity where a = 0.4 R; the exact sphere is then a/2 ln((R+a)/(R-a)) deep.
+/// Validity by strain ends at a = 0.4 R. The deflection of the exact sphere is then a/2
+/// ln((R+a)/(R-a)).
 const double ValidDepth = 0.2 * Radius * std::log(1.4 / 0.6);
 
-/// Down to 1.5 mm, past ValidDepth, then 16 mm along x; probed with friction. The device applies a
-/// third of the force.
+/// Down to 1.5 mm, beyond ValidDepth, then 16 mm along x, probed with friction. The device applies
+/// a third of the force.
 Body slide(vtkPolyData* body)
 {
   vtkNew<vtkPoints> points;
@@ -63,7 +64,7 @@ Body slide(vtkPolyData* body)
   return felt;
 }
 
-/// How much of the axis of an arrow its shaft covers, mm, apart from the head.
+/// Length of an arrow's axis that its shaft covers, without the head, mm.
 double coveredBy(vtkActor* arrow, double neck)
 {
   arrow->GetMapper()->Update();
@@ -73,7 +74,7 @@ double coveredBy(vtkActor* arrow, double neck)
   {
     double bounds[6];
     drawn->GetCellBounds(i, bounds);
-    // Strips of the tube along x: the 32 of a dash are as long.
+    // Strips of the tube along x: the 32 strips of a dash have the same length.
     covered += bounds[1] <= neck + Rounding ? (bounds[1] - bounds[0]) / 32.0 : 0.0;
   }
   return covered;
@@ -105,13 +106,14 @@ void checkForces(vtkContactScene* scene, vtkPolyData* tips, vtkIdType tip)
   data->GetArray("Force")->GetTuple(tip, force);
   data->GetArray("FrictionForce")->GetTuple(tip, rubbing);
   vtkMath::Subtract(force, rubbing, normal);
-  // It slides along x: the friction is Coulomb's, against the motion.
+  // The contact slides along x: the friction is Coulomb's, against the motion.
   PALPATE_CHECK_NEAR(rubbing[0], -Friction * normal[2], 1e-6);
   const double scale = scene->GetToolRepresentation()->GetForceScale();
   checkArrow(parts.total, parts.totalLabel, contact, force, scale, " ");
   checkArrow(parts.normal, parts.normalLabel, contact, normal, scale, "normal");
   checkArrow(parts.friction, parts.frictionLabel, contact, rubbing, scale, "friction");
-  // Beside the ideal force: 6 mm to the right, across arrow and line of sight.
+  // The applied force is 6 mm to the right of the ideal force, perpendicular to arrow and line of
+  // sight.
   double third[3] = { force[0] / 3.0, force[1] / 3.0, force[2] / 3.0 };
   double ahead[3];
   double right[3];
@@ -126,23 +128,24 @@ void checkForces(vtkContactScene* scene, vtkPolyData* tips, vtkIdType tip)
   checkArrow(parts.applied, parts.appliedLabel, from, third, scale, "applied");
 }
 
-/// A circle of the tool's contact radius, at the height where the sphere leaves the surface.
+/// The circle has the contact radius of the tool, at the height where the sphere leaves the
+/// surface.
 void checkCircle(vtkContactScene* scene, const double contact[3], double depth)
 {
   const double a = makeTool("sphere:6.35")->GetContactRadius(depth);
   PALPATE_CHECK_NEAR(scene->GetContactRadius(), a, 1e-9);
-  const double line = 0.08 + 0.05 * a; // half of its width
+  const double line = 0.08 + 0.05 * a; // half of the line's width
   const double up[3] = { 0.0, 0.0, 1.0 };
   const Extent circle = extentAlong(scene->GetCircleActor(), contact, up);
   const double height = -(depth - Radius + std::sqrt(Radius * Radius - a * a));
   PALPATE_CHECK(scene->GetCircleActor()->GetVisibility());
   PALPATE_CHECK_NEAR(circle.aside, a + line, Rounding);
-  PALPATE_CHECK_NEAR(0.5 * (circle.low + circle.high), height, 1e-3); // normals of the body: floats
+  PALPATE_CHECK_NEAR(0.5 * (circle.low + circle.high), height, 1e-3); // normals are floats
   PALPATE_CHECK_NEAR(circle.high - circle.low, 2.0 * line, 1e-3);
 }
 
-/// The force along the trail is that of the tips, its legend has their newtons; dashed where the
-/// tool is deeper than validity.
+/// The force along the trail is the force of the tips, and its legend has the same newtons. The
+/// trail is dashed where the tool is deeper than validity.
 void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
 {
   vtkMapper* mapper = scene->GetTrailActor()->GetMapper();
@@ -153,7 +156,8 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
     scene->GetTrailActor()->GetVisibility() && scene->GetTrailLegend()->GetVisibility());
   PALPATE_CHECK(mapper->GetLookupTable() == scene->GetTrailLegend()->GetLookupTable());
   double* range = mapper->GetLookupTable()->GetRange();
-  PALPATE_CHECK(range[0] == 0.0 && range[1] == 30.0); // 25 N: the next of 10, 20, 30, 40, 60, 80
+  PALPATE_CHECK(range[0] == 0.0 && range[1] == 30.0); // 25 N: the next larger of 10, 20, 30, 40,
+                                                      // 60, 80
   vtkDataArray* force = tips->GetPointData()->GetArray("Force");
   vtkDataArray* deflection = tips->GetPointData()->GetArray("Deflection");
   std::vector<bool> covered(161, false); // each tenth of a millimetre
@@ -161,13 +165,13 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
   {
     double p[3];
     drawn->GetPoint(i, p);
-    // Between the tips 0.4 mm apart.
+    // Interpolates between tips, which are 0.4 mm apart.
     const double position = std::clamp((p[0] + 8.0) / 0.4, 0.0, 40.0);
     const auto left = std::min(static_cast<vtkIdType>(position), vtkIdType{ 39 });
     const double share = position - static_cast<double>(left);
     const double expected = (1.0 - share) * vtkMath::Norm(force->GetTuple3(left)) +
       share * vtkMath::Norm(force->GetTuple3(left + 1));
-    PALPATE_CHECK_NEAR(colored->GetTuple1(i), expected, 0.01); // N: linear in between
+    PALPATE_CHECK_NEAR(colored->GetTuple1(i), expected, 0.01); // N: linear between tips
   }
   for (vtkIdType i = 0; i < drawn->GetNumberOfCells(); ++i)
   {
@@ -184,7 +188,8 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
   int gaps = 0;
   for (std::size_t k = 5; k < covered.size(); ++k)
   {
-    const auto next = static_cast<vtkIdType>((k + 3) / 4); // the tip at the end of its piece
+    const auto next = static_cast<vtkIdType>((k + 3) / 4); // the tip at the end of the piece of the
+                                                           // trail
     if (deflection->GetTuple1(next) <= ValidDepth)
     {
       PALPATE_CHECK(covered[k]);
@@ -197,11 +202,11 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
     }
   }
   PALPATE_CHECK(solid > 15 && dashed > 100);
-  PALPATE_CHECK_NEAR(gaps, 0.5 * dashed, 0.1 * dashed); // dashes as long as gaps
+  PALPATE_CHECK_NEAR(gaps, 0.5 * dashed, 0.1 * dashed); // dashes and gaps have the same length
 }
 
-/// The arrow in the corner is as long in pixels as an arrow of its force at the contact, seen from
-/// the side.
+/// The arrow in the corner has the length, in pixels, of an arrow of its force at the contact, seen
+/// from the side.
 void checkScale(vtkContactScene* scene, const double contact[3], double newtons)
 {
   vtkRenderer* renderer = scene->GetRenderer();
@@ -222,7 +227,7 @@ void checkScale(vtkContactScene* scene, const double contact[3], double newtons)
   PALPATE_CHECK_NEAR(bounds[1] - bounds[0], pixels, 0.01);
 }
 
-/// Validity is that of the weakest corner of the triangle touched, and its limit is named.
+/// Validity is that of the weakest corner of the triangle in contact. The caption names its limit.
 void checkLimits(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vtkIdType tip)
 {
   const char* const names[] = { "(strain)", "(curvature of the body)", "(layer thickness)",
@@ -245,7 +250,7 @@ void checkLimits(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, v
   scene->SetBody(body);
 }
 
-/// Where the response keeps its error the force has it, that of the worst corner.
+/// If the response has an error array, the force has the error of the worst corner.
 void checkError(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vtkIdType tip)
 {
   vtkNew<vtkPolyData> other;
@@ -309,7 +314,7 @@ int TestContactSceneForces(int argc, char* argv[])
   scene->ShowTip(tips, last);
   checkSound(sound, picture.window);
 
-  // Dashed: the shaft covers 3.2 of each 5 mm. Solid where the law holds.
+  // Dashed: the shaft covers 3.2 of each 5 mm. Solid within validity.
   const ForceParts parts(scene->GetToolRepresentation());
   const double length = vtkMath::Norm(tips->GetPointData()->GetArray("Force")->GetTuple3(last));
   const double neck = length - 6.0;
@@ -321,7 +326,7 @@ int TestContactSceneForces(int argc, char* argv[])
   const double force = vtkMath::Norm(tips->GetPointData()->GetArray("Force")->GetTuple3(5));
   PALPATE_CHECK_NEAR(coveredBy(parts.total, 0.6 * force), 0.6 * force, 1e-3);
 
-  // Each part can be left out, and is missed.
+  // Each part can be switched off, and the picture then differs.
   const auto without = [&](const char* what, const auto& set)
   {
     set(false);

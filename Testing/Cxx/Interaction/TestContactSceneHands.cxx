@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grip: two fingers pinch a strip that is held at one end, each felt by the other as the strip
-// bends. Both tools, arrows, dents and circles are drawn, and the caption tells of both hands.
+// A grip: two fingers pinch a strip that is held at one end. As the strip bends, each finger
+// changes the force on the other. Both tools, arrows, dents and circles are drawn, and the caption
+// has a line for each hand.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -19,10 +20,10 @@ using namespace palpate::testing;
 
 constexpr double View[3] = { 0.3, -1.0, 0.25 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
-constexpr double Half = 3.0; // of the strip's thickness, mm
+constexpr double Half = 3.0; // half of the strip's thickness, mm
 constexpr double Depth = 0.5;
 
-/// 24 mm long, 12 wide, held at its left end; a finger alone bends it by millimetres.
+/// A strip 24 mm long, 12 mm wide, held at its left end. A single finger bends it by millimetres.
 Body strip(bool isCoupled)
 {
   vtkNew<vtkCubeSource> box;
@@ -72,7 +73,7 @@ Body pathTo(double x, double from, double to)
   return path;
 }
 
-/// One finger from above, one from below, until both have pressed.
+/// One finger from above and one from below, until both have pressed.
 vtkSmartPointer<vtkHapticSession> pinch(vtkPolyData* body, double below)
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -99,7 +100,7 @@ int TestContactSceneHands(int argc, char* argv[])
   const Body alone = strip(false);
   const auto grip = pinch(coupled, 0.0);
   const auto apart = pinch(alone, 0.0);
-  // By itself a finger bends the strip away; another behind it holds it there.
+  // A single finger bends the strip away; a second finger on the other side holds it in place.
   PALPATE_CHECK(forceOf(grip, 0) > 3.0 * forceOf(apart, 0));
   PALPATE_CHECK_NEAR(forceOf(grip, 1), -forceOf(grip, 0), 0.05 * forceOf(grip, 0));
 
@@ -136,7 +137,7 @@ int TestContactSceneHands(int argc, char* argv[])
   single->RemoveAddedDevices();
   PALPATE_CHECK(single->Start());
   single->Step(0.4);
-  scene->ShowSession(single); // the second tool is gone, with its dent
+  scene->ShowSession(single); // the second tool and its dent have disappeared
   PALPATE_CHECK(caption(renderer).find("Hand 2") == std::string::npos);
   checkFaultShows("one finger", sound, picture.window);
   scene->ShowSession(grip);

@@ -73,7 +73,7 @@ void checkTrail(vtkActor* trail, vtkPolyData* tips)
       contacts.AddPoint(data->GetArray("ContactPoint")->GetTuple3(i));
     }
   }
-  PALPATE_CHECK(contacts.GetMaxLength() > 20.0); // the approach and the lift are not in it
+  PALPATE_CHECK(contacts.GetMaxLength() > 20.0); // without the approach and the lift
   double low[2][3];
   double high[2][3];
   drawn.GetBounds(low[0][0], high[0][0], low[0][1], high[0][1], low[0][2], high[0][2]);

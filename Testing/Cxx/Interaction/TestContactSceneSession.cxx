@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A live session in a scene: applied beside ideal force with its reason, validity of the session's
-// response, the trail of the last contacts, and what the camera looks at.
+// A live session in a scene: the applied force next to the ideal force with its reason, the
+// validity of the session's response, the trail of the last contacts, and the camera.
 #include "PlacedDevice.h"
 #include "SceneParts.h"
 
@@ -14,8 +14,8 @@ using namespace palpate::testing;
 
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// A second in the air, a second down to 1.5 mm, four along x, a second up and off, and a second
-/// down again at another place.
+/// One second in the air, one second down to 1.5 mm, four seconds along x, one second up and
+/// outside, and one second down again at another place.
 Body handPath()
 {
   const double times[] = { 0.0, 1.0, 2.0, 6.0, 7.0, 8.0, 9.0 };
@@ -40,7 +40,7 @@ Body handPath()
   return path;
 }
 
-/// Steps on and shows, 25 times a second.
+/// Steps the session and shows it, 25 times a second.
 void play(vtkHapticSession* session, vtkContactScene* scene, double seconds)
 {
   for (int i = 0; i < std::lround(25.0 * seconds); ++i)
@@ -76,11 +76,11 @@ void checkContact(vtkHapticSession* session, vtkContactScene* scene)
   session->GetForce(applied);
   session->GetFrictionForce(friction);
   const double scale = scene->GetToolRepresentation()->GetForceScale();
-  PALPATE_CHECK_NEAR(vtkMath::Norm(applied), 5.0, 1e-9); // the limit that is set
+  PALPATE_CHECK_NEAR(vtkMath::Norm(applied), 5.0, 1e-9); // the limit set in the session
   PALPATE_CHECK_NEAR(shown(parts.total, contact, ideal), scale * vtkMath::Norm(ideal), 1e-4);
   PALPATE_CHECK_NEAR(
     shown(parts.friction, contact, friction), scale * vtkMath::Norm(friction), 1e-4);
-  // Nothing has been rendered: the applied force is not moved to the side yet.
+  // Nothing has been rendered, so the applied force has not been moved to the side yet.
   PALPATE_CHECK(parts.applied->GetVisibility());
   PALPATE_CHECK_NEAR(shown(parts.applied, contact, applied), scale * 5.0, 1e-4);
   PALPATE_CHECK_TEXT(caption(scene->GetRenderer()), "Deflection 1.50 mm",
@@ -114,7 +114,7 @@ int TestContactSceneSession(int, char*[])
   scene->SetLargestForce(25.0);
   scene->SetTrailLength(50); // two seconds
 
-  // In the air the tool stands as it is told to, and there is nothing else.
+  // In the air the tool has the given direction, and nothing else is shown.
   const double aslant[3] = { 0.6, 0.0, 0.8 };
   session->Step(0.5);
   scene->SetFreeDirection(aslant);
@@ -129,20 +129,20 @@ int TestContactSceneSession(int, char*[])
   PALPATE_CHECK(!scene->GetCircleActor()->GetVisibility());
   PALPATE_CHECK(caption(renderer) == "Tool: sphere, radius 6.35 mm");
 
-  play(session, scene, 4.5); // 3 s into the slide of 3 mm/s
+  play(session, scene, 4.5); // 3 s after the start of the slide at 3 mm/s
   checkContact(session, scene);
 
-  // The trail has the last 50 places: two seconds, 6 mm, but for one step.
+  // The trail has the last 50 points: two seconds, 6 mm, less one step.
   double bounds[6];
   drawnBy(scene->GetTrailActor())->GetBounds(bounds);
   double contact[3];
   session->GetContactPoint(contact);
-  PALPATE_CHECK_NEAR(bounds[1], contact[0], 1.6); // a gap between dashes may end it
+  PALPATE_CHECK_NEAR(bounds[1], contact[0], 1.6); // the trail may end with a gap between dashes
   PALPATE_CHECK_NEAR(bounds[0], contact[0] - 49 * 0.12, 1.6);
   PALPATE_CHECK(scene->GetTrailActor()->GetVisibility());
 
-  // Lifted off: the camera still finds the last contact, the trail stays, and is not drawn through
-  // the air to the next contact.
+  // After the tool has lifted off, the camera still finds the last contact. The trail remains; it
+  // is not drawn through the air to the next contact.
   play(session, scene, 2.5);
   PALPATE_CHECK(session->GetContactCell() < 0);
   scene->LookAtContact(100.0, Up, aslant);
@@ -155,19 +155,20 @@ int TestContactSceneSession(int, char*[])
   {
     double piece[6];
     trail->GetCellBounds(i, piece);
-    PALPATE_CHECK(piece[3] < 1.0 || piece[2] > 4.0); // touched were y = 0.2 and 5 mm
+    PALPATE_CHECK(piece[3] < 1.0 || piece[2] > 4.0); // contacts were at y = 0.2 mm and 5 mm
   }
   scene->ClearTrail();
   PALPATE_CHECK(!scene->GetTrailActor()->GetVisibility());
 
-  // Another response of the same body has another validity: a flat punch of 1.6 mm.
+  // Another response of the same body, of a flat punch of 1.6 mm, has another validity.
   session->SetResponseName("Flat");
   PALPATE_CHECK(session->ApplyChanges());
   session->Step(0.1);
   scene->ShowSession(session);
-  PALPATE_CHECK_NEAR(scene->GetValidity(), 0.64, 1e-6); // a/R has no meaning there: 0.4 R deep
+  PALPATE_CHECK_NEAR(scene->GetValidity(), 0.64, 1e-6); // a/R is not defined for a flat: valid to
+                                                        // 0.4 R deep
 
-  // A stopped session applies nothing, and nothing is said to differ.
+  // A stopped session applies no force, and the caption reports no difference.
   session->Stop();
   scene->ShowSession(session);
   PALPATE_CHECK(!parts.applied->GetVisibility());

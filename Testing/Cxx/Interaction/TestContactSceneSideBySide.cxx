@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three tools at one spot of a cylinder, a scene each, side by side at one scale of force.
+// Three tools at the same spot of a cylinder, one scene each, side by side at the same scale of
+// force.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -16,10 +17,11 @@ using namespace palpate::testing;
 constexpr double Depth = 1.0;
 const char* const Tools[3] = { "flat:1.6", "sphere:6.35", "cone:60" };
 
-/// Deflection and contact on the tube's facets of 1 mm: up to h²/(8R) = 0.0025 mm below the arc.
+/// Tolerance of deflection and contact on the tube's facets of 1 mm, which are up to
+/// h²/(8R) = 0.0025 mm below the arc.
 constexpr double Facet = 0.003;
 
-/// The scene of one tool and what it was made of.
+/// The scene of one tool, and its data.
 struct Column
 {
   vtkSmartPointer<vtkRenderer> renderer;
@@ -41,7 +43,7 @@ void checkColumn(const Column& column, const char* description)
   PALPATE_CHECK_NEAR(tool.low, -Depth, 1e-4);
   PALPATE_CHECK_NEAR(tool.high, 22.0 - Depth, 1e-4);
   PALPATE_CHECK_TEXT(caption(column.renderer), description, "Deflection 1.00 mm");
-  // As wide in pixels in a narrow viewport as in a wide one, and inside of it.
+  // The legend has the same width in pixels in a narrow viewport as in a wide one, and is inside.
   const double left = column.scene->GetLegend()->GetPositionCoordinate()->GetValue()[0];
   const double width = column.scene->GetLegend()->GetWidth();
   PALPATE_CHECK_NEAR((1.0 - left) * column.renderer->GetSize()[0], 175.0, 1.0);
@@ -73,8 +75,9 @@ int TestContactSceneSideBySide(int argc, char* argv[])
     column.scene->LookAtContact(140.0, view, up);
     columns.push_back(column);
   }
-  // E* = 3.45 MPa on a half-space: 2 E* a d, 4/3 E* sqrt(R) d^1.5 (a sphere is 2 % softer than that
-  // paraboloid), 2/pi E* tan(60) d^2; d is up to Facet smaller than Depth.
+  // E* = 3.45 MPa on a half-space: 2 E* a d for the flat, 4/3 E* sqrt(R) d^1.5 for the paraboloid
+  // (a sphere is 2 % softer), 2/pi E* tan(60) d^2 for the cone. d is up to Facet smaller than
+  // Depth.
   const double d = Depth - Facet / 2.0;
   PALPATE_CHECK_NEAR(columns[0].force, 2.0 * 3.45 * 1.6 * d, 0.02);
   PALPATE_CHECK_NEAR(columns[1].force, 0.98 * 4.0 / 3.0 * 3.45 * std::sqrt(6.35), 0.1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A flat end that leans on a block: the tool along its axis, the dent, the arc of its torque and
-// the caption; upright there is no arc.
+// A tilted flat end on a block: the tool along its axis, the dent, the arc of its torque and the
+// caption. An upright tool has no arc.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -15,7 +15,7 @@ using namespace palpate::testing;
 constexpr double View[3] = { 0.25, -1.0, 0.4 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// One tip in the middle, pressed `depth` deep and leaning to +x, felt.
+/// Probed contact of one tip in the middle, pressed `depth` mm deep and tilted towards +x.
 Body leaning(vtkPolyData* body, double depth, double degrees)
 {
   const double angle = vtkMath::RadiansFromDegrees(degrees);
@@ -67,7 +67,7 @@ int TestContactSceneTilt(int argc, char* argv[])
   double tip[3];
   tips->GetPoint(0, tip);
   const Extent tool = extentAlong(parts.tool, tip, along);
-  PALPATE_CHECK_NEAR(tool.low, 0.0, 1e-4); // coordinates of some 30 mm in floats
+  PALPATE_CHECK_NEAR(tool.low, 0.0, 1e-4); // coordinates of about 30 mm in floats
   PALPATE_CHECK_NEAR(tool.high, scene->GetToolRepresentation()->GetToolLength(), 1e-4);
   PALPATE_CHECK_NEAR(tool.aside, 4.0, 1e-4);
   const auto sound = draw(picture.window);

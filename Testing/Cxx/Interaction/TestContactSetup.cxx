@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Body, tools, material and model become responses, now or in the background, and reach a running
-// session. The forces are those of closed forms.
+// Responses are made from body, tools, material and model, immediately or in the background, and
+// passed to a running session. The forces are compared with closed forms.
 #include "PlacedDevice.h"
 
 #include "vtkContactSetup.h"
@@ -20,7 +20,7 @@ constexpr double Poisson = 0.4;
 constexpr double Reduced = Modulus / (1.0 - Poisson * Poisson);
 constexpr double Stored = 1e-6; // relative: responses are floats
 
-/// Force of a response at a point, as deep as it reaches, 2 mm.
+/// Force of a response at a point, at the end of its range, 2 mm.
 double deepest(vtkContactSetup* setup, int tool)
 {
   vtkDataArray* force =
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkContactSetup> makeSetup(vtkPolyData* body)
   return setup;
 }
 
-/// True if the request has succeeded; false, after an error, if not.
+/// Returns true if the request has succeeded, false after an error.
 bool collected(vtkContactSetup* setup)
 {
   bool taken = setup->Collect();
@@ -61,7 +61,7 @@ void checkNow()
   PALPATE_CHECK_NEAR(deepest(setup, 0) / sphere->GetForce(2.0, Reduced), 1.0, Stored);
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * Reduced * 2.0), 1.0, Stored);
   PALPATE_CHECK_NEAR(setup->GetLargestForce() / sphere->GetForce(2.0, Reduced), 1.0, Stored);
-  PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // is not written to
+  PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // the body is not modified
   PALPATE_CHECK(setup->GetOutput()->GetPoints() == body->GetPoints());
   PALPATE_CHECK(setup->GetToolInHand()->GetSize() == 5.0);
   setup->SetChosenTool(1);
@@ -74,7 +74,7 @@ void checkNow()
   PALPATE_CHECK(setup->GetToolInHand() == nullptr);
 }
 
-/// Of several requests the newest wins; each result is collected once.
+/// Of several requests only the newest has a result; each result is collected once.
 void checkInTheBackground()
 {
   const auto setup = makeSetup(planeBody(20.0, 150));
@@ -92,11 +92,11 @@ void checkInTheBackground()
   PALPATE_CHECK(setup->GetOutput() != before);
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 2.0 * Reduced * 2.0), 1.0, Stored);
   PALPATE_CHECK(!setup->Collect() && !setup->IsBusy());
-  // A tool changed in place counts; so does what is asked for while something is under way.
+  // A tool changed in place counts as a change. A request during another request works, too.
   setup->GetTool(1)->SetRadius(3.0);
   setup->Request();
   setup->SetYoungsModulus(Modulus);
-  PALPATE_CHECK(setup->Update()); // in want of the request
+  PALPATE_CHECK(setup->Update()); // instead of the request
   PALPATE_CHECK(!collected(setup));
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 3.0 * Reduced * 2.0), 1.0, Stored);
 }
@@ -138,7 +138,8 @@ void checkModels()
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Series));
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Stored));
   const double halfSpace = 2.0 * Reduced * 2.0; // flat, 1 mm
-  // A layer is stiffer, by the share a/h times a number of order 1 where it is thick.
+  // A layer is stiffer than a half-space: for a thick layer by the fraction a/h times a number of
+  // order 1.
   setup->SetLayerThickness(1e4);
   setup->SetModel(vtkContactSetup::Layer);
   PALPATE_CHECK(setup->Update());
@@ -146,7 +147,8 @@ void checkModels()
   setup->SetLayerThickness(2.0);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK(deepest(setup, 1) > 1.3 * halfSpace);
-  // A stack of equal layers is one layer of them all; on an equal half-space it is that.
+  // A stack of equal layers equals one layer of their total thickness. On an equal half-space it
+  // equals the half-space.
   const double layer = deepest(setup, 1);
   setup->SetLayerThickness(0.7);
   setup->AddLayer(1.3, Modulus, Poisson);
@@ -159,7 +161,7 @@ void checkModels()
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK_NEAR(deepest(setup, 1) / halfSpace, 1.0, 1e-5);
   setup->SetLayerBase(0);
-  // Thicknesses per point, one going where the other comes from.
+  // Thicknesses per point, with a constant sum.
   const Body uneven = planeBody(10.0, 10);
   pointArray(uneven, "LayerThickness0", [](vtkIdType i) { return 0.7 + 0.01 * ((i - 60) % 11); });
   pointArray(uneven, "LayerThickness1", [](vtkIdType i) { return 1.3 - 0.01 * ((i - 60) % 11); });
@@ -169,10 +171,10 @@ void checkModels()
   setup->AddLayer(0.0, Modulus, Poisson);
   PALPATE_CHECK(setup->HasModel(vtkContactSetup::Layer));
   PALPATE_CHECK(setup->Update());
-  PALPATE_CHECK_NEAR(deepest(setup, 1) / layer, 1.0, 1e-4); // interpolated over both
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / layer, 1.0, 1e-4); // interpolated over both thicknesses
   setup->ClearLayers();
   setup->SetBody(body);
-  // In series: 1/k = 1/(2 a E*) + C, the compliance being that of the modulus it was found at.
+  // In series: 1/k = 1/(2 a E*) + C. The compliance C is given for the modulus ComplianceModulus.
   constexpr double compliance = 0.8;
   pointArray(body, "GlobalCompliance", [](vtkIdType) { return compliance; });
   setup->SetBody(body);
@@ -187,24 +189,24 @@ void checkModels()
   setup->SetComplianceModulus(0.0);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK_NEAR(deepest(setup, 1) * (1.0 / (6.0 * Reduced) + compliance) / 2.0, 1.0, Stored);
-  // What the body brings is used as it is.
+  // Responses stored with the body are used unchanged.
   const auto stored = makeSetup(setup->GetOutput());
   stored->SetModel(vtkContactSetup::Stored);
   PALPATE_CHECK(!stored->HasModel(vtkContactSetup::HalfSpace) && stored->Update());
   PALPATE_CHECK(deepest(stored, 1) == deepest(setup, 1));
 }
 
-/// The force of a running session goes over to what has been collected, and not before.
+/// The force of a running session changes to the collected responses, and not before.
 void checkSession()
 {
   const auto setup = makeSetup(planeBody(10.0, 10));
   PALPATE_CHECK(setup->Update());
   vtkNew<vtkHapticSession> session;
-  PALPATE_CHECK(setup->ApplyTo(session)); // does not run yet
+  PALPATE_CHECK(setup->ApplyTo(session)); // the session does not run yet
   pressed(session, deviceOf(1e3, 1e6));
   const auto sphere = makeTool("sphere:5");
   const double force = sphere->GetForce(1.0, Reduced);
-  // Where three curves of eight samples are blended, 1 mm deep in 2: storage error 2e-4.
+  // Blend of three curves of eight samples, 1 mm deep with a range of 2 mm: storage error 2e-4.
   PALPATE_CHECK_NEAR(idealOf(session) / force, 1.0, 1e-3);
   setup->SetYoungsModulus(2.0 * Modulus);
   setup->Request();
@@ -222,8 +224,8 @@ void checkSession()
   PALPATE_CHECK_NEAR(idealOf(session) / (2.0 * 2.0 * Reduced), 1.0, 1e-5);
 }
 
-/// Without settings every session keeps its own; with them they feel alike, and no response is made
-/// anew for that.
+/// Without settings in the setup every session keeps its own. With them all sessions have the same
+/// settings; no response is made again for that.
 void checkSettings()
 {
   const auto setup = makeSetup(planeBody(10.0, 4));
@@ -245,7 +247,7 @@ void checkSettings()
   PALPATE_CHECK(settings->GetPoissonRatio() == setup->GetPoissonRatio());
 }
 
-/// The ideal force of the tool in the hand, 1 mm deep on the setup's output.
+/// The ideal force of the chosen tool, 1 mm deep in the setup's output.
 double feltForce(vtkContactSetup* setup)
 {
   vtkNew<vtkHapticSession> session;
@@ -254,8 +256,8 @@ double feltForce(vtkContactSetup* setup)
   return idealOf(session);
 }
 
-/// With a tolerance the simplest form that keeps it is felt, also of responses made later; the
-/// output has them whole.
+/// With a tolerance, the simplest form within the tolerance gives the force, also for responses
+/// made later. The output has the full responses.
 void checkChoice()
 {
   const auto plain = makeSetup(planeBody(10.0, 10));
@@ -269,7 +271,7 @@ void checkChoice()
   const auto sphere = makeTool("sphere:5");
   PALPATE_CHECK_NEAR(feltForce(plain) / sphere->GetForce(1.0, Reduced), 1.0, 1e-3);
 
-  // One law for layers of 6 to 10 mm: off by less than it may be, but off.
+  // One law for layers of 6 to 10 mm: its error is within the tolerance, but not zero.
   const Body uneven = planeBody(10.0, 10);
   pointArray(uneven, "LayerThickness", [](vtkIdType i) { return 6.0 + 0.5 * ((7 * i) % 9); });
   const auto layer = makeSetup(uneven);
@@ -284,7 +286,7 @@ void checkChoice()
   const double off = std::abs(feltForce(layer) / whole - 1.0);
   PALPATE_CHECK(off > 1e-3 && off < tolerance);
 
-  // Where the body gives way as a whole, a spring is enough.
+  // With a large global compliance, a point force suffices.
   const Body soft = planeBody(10.0, 10);
   pointArray(soft, "GlobalCompliance", [](vtkIdType) { return 100.0; });
   const auto series = makeSetup(soft);
@@ -303,10 +305,10 @@ void checkChoice()
   series->SetTolerance(std::nan(""));
   PALPATE_CHECK(!series->Update());
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Tolerance", "nan");
-  PALPATE_CHECK_TEXT(series->GetChoice(1), "point force"); // as the output is
+  PALPATE_CHECK_TEXT(series->GetChoice(1), "point force"); // the choice of the present output
 }
 
-/// It is in every tool's response, and changes no curve.
+/// Every tool's response has the relaxation, which changes no curve.
 void checkRelaxation()
 {
   const auto setup = makeSetup(planeBody(10.0, 10));
@@ -327,7 +329,7 @@ void checkRelaxation()
     PALPATE_CHECK(timeOf(tool)->GetTuple1(1) == setup->GetRelaxationTime(1));
   }
   PALPATE_CHECK(deepest(setup, 0) == slow);
-  // The form that is felt says how finely.
+  // The choice names the number of elements.
   setup->SetTolerance(0.005);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK_TEXT(setup->GetChoice(0), "The body relaxes, in 16 elements");
@@ -337,7 +339,7 @@ void checkRelaxation()
   Messages messages(setup.Get());
   PALPATE_CHECK(!setup->Update());
   PALPATE_CHECK_TEXT(messages.takeErrors(), "strength of relaxation 1", "-1");
-  PALPATE_CHECK(timeOf(0) != nullptr); // the output stays
+  PALPATE_CHECK(timeOf(0) != nullptr); // the output is unchanged
   setup->ClearRelaxations();
   PALPATE_CHECK(setup->Update() && timeOf(0) == nullptr);
 }

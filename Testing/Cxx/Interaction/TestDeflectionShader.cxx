@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dent that the vertex shader makes against that of vtkContactDeflection, pixel by pixel: where
-// the surface is, what colour and how it is lit, which cells are picked.
+// The dent of the vertex shader compared with that of vtkContactDeflection, pixel by pixel:
+// position of the surface, colour, light, and picked cells.
 #include "TwoPaths.h"
 
 #include "vtkDoubleArray.h"
@@ -22,14 +22,14 @@ using palpate::Vector3;
 constexpr double Depth = 1.2;
 constexpr double Exaggeration = 2.0;
 
-/// What the table of the shader may be off by (DeflectionTable.h), of the deflection, with twice
-/// that for what a shift along the surface makes of it on slopes up to 2.
+/// Tolerance of the position, as a fraction of the deflection: the error of the shader's table
+/// (DeflectionTable.h), and twice this for its shift along the surface on slopes up to 2.
 constexpr double Surface = 2e-3;
-/// Of 255: 1e-3 of the deflection is a quarter of a step of the legend's 256; the next step differs
-/// by up to 3.
+/// Tolerance of a colour, of 255. 1e-3 of the deflection is a quarter of a step of the legend's 256
+/// colours; the next colour differs by up to 3.
 constexpr double Color = 4.0;
-/// Of 255: the filter weighs the facets around a point by area, the shader takes the slope over two
-/// edges. They agree to second order in the edge; 0.05 rad is 13.
+/// Tolerance of the light, of 255. The filter weights the facets around a point by area, the shader
+/// takes the slope over two edges. They agree to second order in the edge length; 0.05 rad is 13.
 constexpr double Light = 13.0;
 
 struct Case
@@ -37,8 +37,9 @@ struct Case
   std::string tool;
   Body body;
   Vector3 contact;
-  double poisson = 0.0; // of all the largest radial displacement
-  double edge = 0.0;    ///< a tool with a sharp rim: the share of pixels whose light may differ
+  double poisson = 0.0; // ν = 0 has the largest radial displacement
+  double edge = 0.0;    ///< for a tool with a sharp rim: fraction of the pixels whose light may
+                        ///< differ
 };
 
 vtkSmartPointer<vtkContactScene> makeScene(const Case& tried, vtkPolyData* tip)
@@ -75,12 +76,12 @@ void checkCase(const Case& tried)
               << depth.largest << " mm (" << depth.share << "), colour " << color.largest << " ("
               << color.share << "), light " << light.largest << " (" << light.share << "), cells "
               << cells.share << std::endl;
-    // At silhouettes and on the edges of facets a pixel may show another facet.
+    // At silhouettes and at the edges of facets, a pixel may show another facet.
     PALPATE_CHECK(depth.share < 0.002);
     PALPATE_CHECK(color.share < 0.002);
     PALPATE_CHECK(light.share <= 0.005 + tried.edge);
     PALPATE_CHECK(cells.share < 0.01);
-    // A body that is not displaced, or not lit so, is far beyond that.
+    // A body that is not displaced, or whose normals are not turned, differs much more.
     auto flat = makeScene(tried, tip);
     flat->SetExaggeration(0.0);
     TwoPaths still(flat, tried.contact, tried.contact.normalized() + aside, 9.0);
@@ -107,7 +108,7 @@ Body lifted(const Body& body, double height)
   return body;
 }
 
-/// A plane, 0.4 mm from point to point, above the origin.
+/// A plane above the origin, with points 0.4 mm apart.
 Body plane(const std::string& tool)
 {
   return withResponse(lifted(planeBody(24.0, 120), 50.0), tool);
@@ -126,7 +127,7 @@ Body layered(const std::string& tool, double thickness)
   return response->GetOutput();
 }
 
-/// In series with as many modes as there may be: the plane tilts and sags under the tool.
+/// A response in series with the largest number of modes: the plane tilts and sags under the tool.
 Body bending(const std::string& tool)
 {
   const Body body = lifted(planeBody(24.0, 120), 50.0);
@@ -151,7 +152,7 @@ Body bending(const std::string& tool)
   response->SetInputData(body);
   response->SetTool(makeTool(tool));
   makePlain(response);
-  response->SetYoungsModulus(2.0); // some 8 N: the modes sag 0.3 mm and turn normals by 0.2
+  response->SetYoungsModulus(2.0); // about 8 N: the modes sag 0.3 mm and turn normals by 0.2
   response->SetInputArrayToProcess(
     2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
   response->Update();
@@ -159,12 +160,13 @@ Body bending(const std::string& tool)
   result->GetFieldData()->AddArray(signs);
   return result;
 }
-/// A body of true shape beside an edge: the near field tilts and bends the surface.
+/// A body of true shape near an edge: the near field tilts and bends the surface.
 Body shaped(const std::string& tool)
 {
   const Body body = plane(tool);
   palpate::describeModel(body, "Response", { "by hand", palpate::TrueShapePart });
-  // Some 15 N: the slope is 0.1, and E* of 5 instead of 3.45 MPa leaves a fifth of the depth to it.
+  // About 15 N: the slope is 0.1. E* of 5 instead of 3.45 MPa leaves a fifth of the depth to the
+  // near field.
   const float numbers[12] = { 0.006F, -0.004F, 0.0F, 0.015F, 0.0008F, -0.0006F, 0.0F, 6.0F, 0.0004F,
     0.0F, 0.0F, 5.0F };
   vtkNew<vtkFloatArray> near;
@@ -178,7 +180,7 @@ Body shaped(const std::string& tool)
   return body;
 }
 
-/// Two hands of a session on one body: their dents add up, one of them in the other's.
+/// Two hands of a session on one body: their dents add up; one hand is in the dent of the other.
 void checkTwoHands()
 {
   vtkNew<vtkToolContactResponse> response;
@@ -220,7 +222,7 @@ void checkTwoHands()
   session->RemoveAddedDevices();
   PALPATE_CHECK(session->Start());
   session->Step(0.1);
-  scene->ShowSession(session); // and back to one
+  scene->ShowSession(session); // one hand again
   const Deviation one(paths.depths(true), paths.depths(false), Surface * Exaggeration * Depth);
   PALPATE_CHECK(one.share < 0.002);
   PALPATE_CHECK(Deviation(both, paths.depths(true)).largest > 0.3 * Exaggeration * Depth);

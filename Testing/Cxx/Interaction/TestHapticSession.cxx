@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual time: steps add up, the same steps give the same bits, a stopped session exerts nothing,
-// the device's force is limited, a path that ends is rested on.
+// Virtual time: steps add up, the same steps give the same bits, a stopped session exerts no force,
+// the device's force is limited, and the hand rests at the end of a path.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -54,7 +54,7 @@ void checkSteps(vtkPolyData* body, vtkPolyData* path)
   whole->Step(1.0);
   PALPATE_CHECK(whole->GetRecorder()->GetTicks().size() == 1000);
   PALPATE_CHECK_NEAR(whole->GetTime(), 1.0, 1e-12);
-  // In whole ticks, in frames of a display, in less than a tick.
+  // Steps of whole ticks, of display frames, and of less than a tick.
   for (const int pieces : { 10, 1000, 60, 144, 2500, 7000 })
   {
     const auto session = startedSession(body, path);
@@ -100,14 +100,14 @@ void checkStop(vtkPolyData* body, vtkPolyData* path)
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
   session->Step(1.0);
-  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // kept for the recording
-  PALPATE_CHECK(session->Start());                                  // from the beginning
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // kept after Stop
+  PALPATE_CHECK(session->Start());                                  // starts again at time 0
   PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetTime() == 0.0);
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
 }
 
-/// A body so stiff that the device, good for 10 N, cannot show the force.
+/// The body is so stiff that the device, with its 10 N, cannot apply the force.
 void checkLimit(vtkPolyData* path)
 {
   const auto session = startedSession(withResponse(planeBody(20.0, 20), "flat:3"), path);
@@ -139,7 +139,7 @@ void checkRest(vtkPolyData* body, vtkPolyData* path)
       session->GetRecorder()->GetTicks()[session->GetRecorder()->GetTicks().size() - 1 - i];
     for (int k = 0; k < 3; ++k)
     {
-      PALPATE_CHECK_NEAR(tick.tip[k], last[k], 1e-12); // mm to m and back
+      PALPATE_CHECK_NEAR(tick.tip[k], last[k], 1e-12); // converted from mm to m and back
     }
     PALPATE_CHECK(tick.contact.triangle < 0 && tick.contact.force.norm() == 0.0);
   }

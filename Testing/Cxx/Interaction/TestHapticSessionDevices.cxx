@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Devices of a session: turned and scaled, lost in contact and back, played back, and on the servo
-// thread, where every tick is recorded.
+// Devices of a session: turned and scaled mapping, loss during contact and return, replay, and the
+// servo thread, where every tick is recorded.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Devices/TrajectoryFile.h"
@@ -16,7 +16,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Twice the scale: the hand moves half as far for the same depth.
+/// With twice the scale, the hand moves half as far for the same depth.
 void checkMapping(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -24,19 +24,19 @@ void checkMapping(vtkPolyData* body)
   session->SetResponseName("Flat");
   session->GetDevice()->SetScale(2.0);
   session->GetDevice()->SetOrigin(0.0, 0.0, 1.0);
-  // The device's z along the body's -x would need another normal; here a turn about z.
+  // A mapping of the device's z to the body's -x would need another normal. This is a turn about z.
   session->GetDevice()->SetRight(0.0, 3.0, 0.0);
   session->GetDevice()->SetUp(-1.0, 0.0, 0.0);
   PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
   double tip[3];
   session->GetTip(tip);
-  PALPATE_CHECK_NEAR(tip[0], -0.4, 1e-12); // the device's y, 0.2 mm, twice
+  PALPATE_CHECK_NEAR(tip[0], -0.4, 1e-12); // y of the device, 0.2 mm, times two
   PALPATE_CHECK_NEAR(tip[1], 0.6, 1e-12);
   PALPATE_CHECK_NEAR(tip[2], -1.0, 1e-12); // 1 mm less twice 1 mm
   PALPATE_CHECK_NEAR(device->Force, 11.04, 0.01);
 }
 
-/// Lost in contact and back: a state, no force, the device's own words.
+/// A device lost during contact and found again: the state, no force, the device's own text.
 void checkLost(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -55,12 +55,12 @@ void checkLost(vtkPolyData* body)
   device->Lost = false;
   session->Step(0.001);
   PALPATE_CHECK(session->GetState() == vtkHapticSession::Running);
-  PALPATE_CHECK(device->Force == 0.0); // it came back within the body: the gate
+  PALPATE_CHECK(device->Force == 0.0); // it returned inside the body, so the gate is closed
   session->Stop();
   PALPATE_CHECK(device->Force == 0.0);
 }
 
-/// Written and played again, in virtual time: the same bits.
+/// A recording that is written and replayed in virtual time gives the same bits.
 void checkReplay(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> first;
@@ -76,7 +76,7 @@ void checkReplay(vtkPolyData* body)
   again->SetBody(body);
   again->SetResponseName("Sphere");
   PALPATE_CHECK(again->GetDevice()->Open("replay:" + file));
-  std::remove(file.c_str()); // it has been read
+  std::remove(file.c_str()); // the file has been read already
   PALPATE_CHECK(again->Start() && messages.none());
   again->Step(first->GetDevice()->GetPathDuration());
   const std::vector<palpate::Tick>& ticks = again->GetRecorder()->GetTicks();
@@ -90,10 +90,10 @@ void checkReplay(vtkPolyData* body)
   Messages refusals(again->GetDevice());
   PALPATE_CHECK(!again->GetDevice()->Open("replay:" + file));
   PALPATE_CHECK_TEXT(refusals.takeErrors(), file.c_str());
-  PALPATE_CHECK(again->Start()); // the device is the one before
+  PALPATE_CHECK(again->Start()); // the previous device is still in use
 }
 
-/// On the servo thread every tick is recorded, and counted by another way.
+/// On the servo thread every tick is recorded. The count is checked in a second way.
 void checkRealTime(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -109,10 +109,10 @@ void checkRealTime(vtkPolyData* body)
   PALPATE_CHECK(!session->GetRecorder()->GetRealTimeGrant().empty());
   const auto waitFor = [&session](auto condition)
   {
-    for (int i = 0; i < 10000 && !condition(); ++i) // at most some 20 s, on a loaded machine
+    for (int i = 0; i < 10000 && !condition(); ++i) // at most about 20 s, on a loaded machine
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      session->GetState(); // as a display would: drains what has been recorded
+      session->GetState(); // collects the recorded ticks, as a display would
     }
     return condition();
   };
@@ -145,14 +145,14 @@ void checkRealTime(vtkPolyData* body)
   PALPATE_CHECK(value("InvalidSamples") > 0.0 && value("SceneChanges") == 1.0);
   PALPATE_CHECK(value("TicksInContact") > 0.0 && value("MedianTick (ns)") > 0.0);
   PALPATE_CHECK_NEAR(value("PeakForce (N)"), 11.04, 0.01);
-  // Ticks that were not missed lie on whole periods, in order; the two counts agree.
+  // Ticks that were not missed are at whole periods, in order. The two counts agree.
   vtkDataArray* time = recording->GetPointData()->GetArray("Time");
   double skipped = 0.0;
   for (vtkIdType i = 1; i < time->GetNumberOfTuples(); ++i)
   {
     const double periods = 1000.0 * (time->GetTuple1(i) - time->GetTuple1(i - 1));
     PALPATE_CHECK(periods > 0.5);
-    PALPATE_CHECK_NEAR(periods, std::round(periods), 1e-6); // of minutes in double precision
+    PALPATE_CHECK_NEAR(periods, std::round(periods), 1e-6); // minutes in double precision
     skipped += std::round(periods) - 1.0;
   }
   PALPATE_CHECK(skipped <= value("Missed"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What keeps a session from starting is named, and nothing is half-started.
+// Each reason that prevents a start is named, and the session is not left half started.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -58,7 +58,8 @@ void checkPaths(vtkHapticSession* session, Messages& messages, vtkPolyData* good
   checkRefused(session, messages, { "Point 3 of the path", "back in time" });
   time->SetTuple1(3, std::nan(""));
   checkRefused(session, messages, { "Point 3 of the path", "not finite" });
-  time->SetTuple1(3, time->GetTuple1(2)); // two at one time: a leap, and allowed
+  time->SetTuple1(3, time->GetTuple1(2)); // two points at the same time are a jump, which is
+                                          // allowed
   PALPATE_CHECK(session->Start());
   path->DeepCopy(good);
   path->GetPoints()->SetPoint(4, 0.0, std::numeric_limits<double>::infinity(), 0.0);
@@ -80,7 +81,7 @@ void checkBodies(vtkHapticSession* session, Messages& messages, vtkPolyData* goo
   checkRefused(session, messages, { "Wrong body", "Elsewhere" });
   session->SetResponseName("Response");
   PALPATE_CHECK(session->Start());
-  session->SetBody(planeBody(10.0, 4)); // a refused start also ends what ran before
+  session->SetBody(planeBody(10.0, 4)); // a refused start also ends the previous run
   checkRefused(session, messages, { "Wrong body" });
   session->SetBody(good);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session with two devices: what one feels of the other, what each is told and recorded, losing
-// one, another body under both, the servo thread; and what cannot be.
+// A session with two devices: the effect of one tool on the other, the sent and recorded forces of
+// each, the loss of one, another body under both, the servo thread, and refused combinations.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -22,7 +22,7 @@ using palpate::Pi;
 using Session = vtkSmartPointer<vtkHapticSession>;
 
 constexpr double Modulus = 0.5 / (1.0 - 0.45 * 0.45); // E*, MPa
-constexpr double Spring = 2.0 * 2.0 * Modulus;        // of the flat end, N/mm
+constexpr double Spring = 2.0 * 2.0 * Modulus;        // spring constant of the flat end, N/mm
 constexpr double Apart = 6.0;                         // mm
 constexpr double Mutual = 1.0 / (Pi * Modulus * Apart);
 
@@ -36,7 +36,7 @@ Body flatOn(bool isCoupled)
   return filter->GetOutput();
 }
 
-/// Times and heights at one place.
+/// A path at one place, given by times and heights.
 Body pathAt(double x, std::initializer_list<std::pair<double, double>> way)
 {
   Body path = Body::New();
@@ -54,7 +54,7 @@ Body pathAt(double x, std::initializer_list<std::pair<double, double>> way)
   return path;
 }
 
-/// The first presses 0.5 mm within 0.1 s, the second 0.8 mm between 0.2 and 0.3 s.
+/// The first hand presses 0.5 mm deep within 0.1 s, the second 0.8 mm deep between 0.2 and 0.3 s.
 Session twoOn(vtkPolyData* body)
 {
   auto session = Session::New();
@@ -74,7 +74,7 @@ double forceOf(vtkHapticSession* session, int device)
   return force[2];
 }
 
-/// Of two springs that let one another down; of the first.
+/// Force of the first of two springs, each of which lowers the surface for the other.
 double coupled(double own, double other)
 {
   return Spring * (own - Mutual * Spring * other) / (1.0 - std::pow(Mutual * Spring, 2));
@@ -137,11 +137,12 @@ void checkRecorded(vtkPolyData* body)
   PALPATE_CHECK_NEAR(second->GetPoint(399)[2], -0.8, 1e-12);
   vtkNew<vtkTable> peaks;
   session->GetRecorder()->GetStatistics(peaks, 1);
-  // The peak is while it moves: two rounds a tick leave less than 1e-3 of the force.
+  // The peak occurs during motion: with two iterations per tick, the error is below 1e-3 of the
+  // force.
   PALPATE_CHECK_NEAR(
     peaks->GetValueByName(0, "PeakAppliedForce (N)").ToDouble(), forceOf(session, 1), 1e-3);
 
-  // One device by itself has the bits of a session that never had another.
+  // A single device gives the same bits as a session that never had another one.
   session->RemoveAddedDevices();
   PALPATE_CHECK(session->Start());
   session->Step(0.4);
@@ -167,7 +168,7 @@ void checkChange(vtkPolyData* body)
   session->SetBody(flatOn(false));
   PALPATE_CHECK(session->ApplyChanges());
   session->Step(0.05);
-  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.0, 0.05 * Spring); // a tick of the ramp
+  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.0, 0.05 * Spring); // one tick of the ramp
   session->Step(0.06);
   PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * Spring, 1e-5); // floats
   PALPATE_CHECK_NEAR(forceOf(session, 1), 0.8 * Spring, 1e-5);
@@ -181,14 +182,14 @@ PlacedDevice* place(vtkHapticDevice* at)
   return device;
 }
 
-/// Until a force written is that, or for at most 20 s on a busy machine.
+/// Waits until the written force has this value, for at most 20 s on a loaded machine.
 bool comesTo(const PlacedDevice* device, double force)
 {
   for (int i = 0; i < 2000 && !(std::abs(device->Force - force) < 1e-4); ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return std::abs(device->Force - force) < 1e-4; // floats, and what two rounds have left
+  return std::abs(device->Force - force) < 1e-4; // floats, and the error after two iterations
 }
 
 void checkRealTime(vtkPolyData* body)
@@ -196,7 +197,7 @@ void checkRealTime(vtkPolyData* body)
   const auto session = Session::New();
   session->SetBody(body);
   session->SetRealTime(true);
-  session->GetSafety()->PassivityControlOff(); // their places are given: no loop is closed
+  session->GetSafety()->PassivityControlOff(); // the positions are prescribed: no loop is closed
   PALPATE_CHECK(session->AddDevice("simulated") == 1);
   PlacedDevice* first = place(session->GetDevice());
   PlacedDevice* second = place(session->GetDevice(1));
@@ -239,7 +240,7 @@ void checkErrors(vtkPolyData* body)
   const Body path = pathAt(0.0, { { 0.0, 1.0 }, { 0.1, -0.5 } });
   session->GetDevice()->SetPath(path);
   session->AddDevice("simulated");
-  PALPATE_CHECK(!session->Start()); // the second has no path
+  PALPATE_CHECK(!session->Start()); // the second device has no path
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Device 1: The simulated device needs a path");
   session->GetDevice(1)->SetPath(path);
   const auto modified = session->GetMTime();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ticks of the last seconds without a recording: which they are in virtual time, that on the
-// servo thread each is there or counted as lost, and how long they took.
+// The ticks of the last seconds without a recording: their range in virtual time; on the servo
+// thread each tick is present or counted as lost; and their duration.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -22,7 +22,7 @@ Body historyOf(vtkHapticSession* session)
   return history;
 }
 
-/// The end of a recording of the same run, bit by bit.
+/// The history equals the end of a recording of the same run, bit by bit.
 void checkIsEndOf(vtkPolyData* recording, vtkPolyData* history)
 {
   const vtkIdType count = history->GetNumberOfPoints();
@@ -75,7 +75,7 @@ void checkVirtualTime(vtkPolyData* body)
       checkIsEndOf(recording, history);
       PALPATE_CHECK(last->GetRecorder()->GetTicks().empty() &&
         last->GetRecorder()->GetNumberOfLostTicks() == 0);
-      PALPATE_CHECK(historyOf(all)->GetNumberOfPoints() == 0); // it keeps none
+      PALPATE_CHECK(historyOf(all)->GetNumberOfPoints() == 0); // the default is no history
     }
     PALPATE_CHECK(last->GetNumberOfStarts() == 1 && last->Start());
     PALPATE_CHECK(last->GetNumberOfStarts() == 2);
@@ -96,7 +96,7 @@ void checkVirtualTime(vtkPolyData* body)
 template <class Condition>
 void waitFor(const Condition& condition)
 {
-  for (int i = 0; i < 10000 && !condition(); ++i) // at most some 20 s, on a loaded machine
+  for (int i = 0; i < 10000 && !condition(); ++i) // at most about 20 s, on a loaded machine
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
@@ -113,7 +113,8 @@ double sumOf(vtkTable* table, const char* column)
   return sum;
 }
 
-/// As many as there were, in classes that follow one another; the quantiles lie in their classes.
+/// The counts add up to the number of ticks, the classes are contiguous, and each quantile is in
+/// its class.
 void checkHistogram(vtkHapticSession* session)
 {
   vtkNew<vtkTable> histogram;
@@ -161,13 +162,13 @@ void checkRealTime(vtkPolyData* body)
   session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6)));
   PALPATE_CHECK(session->Start());
 
-  // Nobody reads: 250 ticks wait, the rest is lost and counted.
+  // Without reading, 250 ticks wait; the others are lost and counted.
   waitFor([&] { return session->GetNumberOfTicks() > 600; });
   PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() >= 300);
   Body history = historyOf(session);
   PALPATE_CHECK(history->GetNumberOfPoints() <= 250 && history->GetNumberOfPoints() > 0);
 
-  // Read at the pace of a display: nothing more is lost, the window goes along.
+  // With reading at the rate of a display no further tick is lost, and the history moves on.
   const vtkIdType lost = session->GetRecorder()->GetNumberOfLostTicks();
   const vtkIdType then = session->GetNumberOfTicks();
   waitFor(
@@ -176,7 +177,7 @@ void checkRealTime(vtkPolyData* body)
       history = historyOf(session);
       return session->GetNumberOfTicks() > then + 700;
     });
-  // A machine that stands still for 0.25 s would lose some; it says so.
+  // A machine that stops for 0.25 s would lose some ticks; they are counted.
   PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() - lost <=
     session->GetNumberOfTicks() - then - 250);
   vtkDataArray* time = history->GetPointData()->GetArray("Time");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device that the force moves: free as a mass on spring and damper, in contact in equilibrium,
-// calm where the safety chain acts and not where it does not, by path and by hand.
+// A device that the force moves: in free space a mass on spring and damper; in contact in
+// equilibrium; stable with the safety chain and not without it; steered by path and by hand.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -19,7 +19,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Where the hand means to be over the middle of a triangle's edge: {time, height in mm}.
+/// The target of the hand over the middle of a triangle's edge: {time, height in mm}.
 Body heights(const std::vector<std::pair<double, double>>& places)
 {
   vtkNew<vtkPoints> points;
@@ -45,11 +45,12 @@ void prepare(vtkHapticSession* session, vtkPolyData* body, const char* response,
   session->GetDevice()->SetPath(path);
   PALPATE_CHECK(session->GetDevice()->Open(device));
   PALPATE_CHECK(session->GetDevice()->IsSimulated() && !session->GetDevice()->IsPhysical());
-  PALPATE_CHECK(!session->GetDevice()->GetOutputsForce()); // nobody's hand
+  PALPATE_CHECK(!session->GetDevice()->GetOutputsForce()); // no real hand holds it
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0);
 }
 
-/// The hand leaps 10 mm, in the air: the step response of m x'' + (b + b_h) x' + k x.
+/// The target of the hand jumps by 10 mm, in the air: the step response of m x'' + (b + b_h) x' + k
+/// x.
 void checkFree(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -70,11 +71,12 @@ void checkFree(vtkPolyData* body)
   }
 }
 
-/// A hand 1 mm below the surface: it comes to rest where what the body gives is k (x_hand - x).
+/// The target is 1 mm below the surface: the hand comes to rest where the contact force is k
+/// (x_hand - x).
 void checkEquilibrium(vtkPolyData* body)
 {
-  // With 20 N s/m the chain lets 40 N/mm pass, and the sphere's contact is below: nothing is
-  // capped.
+  // With 20 N s/m the stiffness cap is 40 N/mm. The contact of the sphere is less stiff, so it is
+  // not capped.
   vtkNew<vtkHapticSession> session;
   prepare(session, body, "Sphere", heights({ { 0.0, 5.0 }, { 1.0, -1.0 } }),
     "plant:damping=20,stiffness=1000");
@@ -85,7 +87,7 @@ void checkEquilibrium(vtkPolyData* body)
   PALPATE_CHECK_NEAR(last.contact.deflection, -last.tip.z(), 1e-12);
   PALPATE_CHECK_NEAR(last.appliedForce.z(), 1000.0 * 1e-3 * (last.tip.z() + 1.0), 1e-9); // N
   PALPATE_CHECK_NEAR((last.appliedForce - last.contact.force).norm(), 0.0, 1e-12);
-  // The same steps, the same bits.
+  // The same steps give the same bits.
   vtkNew<vtkHapticSession> again;
   prepare(again, body, "Sphere", heights({ { 0.0, 5.0 }, { 1.0, -1.0 } }),
     "plant:stiffness=1000,damping=20");
@@ -107,13 +109,13 @@ void checkEquilibrium(vtkPolyData* body)
 
 struct Rest
 {
-  double sway = 0.0;  ///< of the tip in the last half second, peak to peak, mm
-  double force = 0.0; ///< at last, N
+  double sway = 0.0;  ///< motion of the tip in the last half second, peak to peak, mm
+  double force = 0.0; ///< at the end, N
   double depth = 0.0; ///< mm
 };
 
-/// The flat punch gives 11 N/mm, 0.1 kg and 1 N s/m at 1 kHz bear 2 N/mm, and 3 in this hand;
-/// the plant states half of the former.
+/// The flat punch has 11 N/mm. The plant with 0.1 kg and 1 N s/m at 1 kHz is stable up to 2 N/mm,
+/// and up to 3 N/mm in this hand. The plant specifies half of the first value.
 Rest pressStiff(vtkPolyData* body, bool isCapped, bool isPassive)
 {
   vtkNew<vtkHapticSession> session;
@@ -145,10 +147,10 @@ void checkSafety(vtkPolyData* body)
   PALPATE_CHECK(passive.sway < 0.1 * loose.sway);
   const Rest both = pressStiff(body, true, true);
   PALPATE_CHECK(both.sway < 1e-3);
-  PALPATE_CHECK(both.force == capped.force); // a spring that the device bears is left alone
+  PALPATE_CHECK(both.force == capped.force); // a stable spring is not changed
 }
 
-/// On the servo thread the hand goes where it is steered, and the body holds it up.
+/// On the servo thread the hand moves to its target, and the body stops it.
 void checkSteered(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;

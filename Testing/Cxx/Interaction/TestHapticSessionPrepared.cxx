@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session that is given what somebody has made of its body beforehand: Start does not make it
-// again, but does where the body has changed since, or at the Start after; and what force a device
-// is good for.
+// A session with kernels that the caller made beforehand: Start does not make them again, except if
+// the body has changed since, or at the next Start. Also tests the largest force of a device.
 #include "Response/BodyConversion.h"
 #include "Interaction/Session/BodyKernels.h"
 #include "PlacedDevice.h"
@@ -14,13 +13,13 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Force of a session that was started with `session`'s body, 1 mm deep.
+/// Force of the session, 1 mm deep, after a start.
 double pressedForce(vtkHapticSession* session)
 {
   return pressed(session, deviceOf(100.0, 1e6))->Force;
 }
 
-/// The same response, twice as strong: told from the true one by what is felt.
+/// The same response, twice as strong, so that the force distinguishes it from the original.
 Body strongerBody(vtkPolyData* body)
 {
   Body stronger = Body::New();
@@ -52,7 +51,7 @@ void checkGivenKernels(vtkPolyData* body)
 
   session->SetBody(body, kernels);
   PALPATE_CHECK_NEAR(pressedForce(session), 2.0 * own, 1e-5 * own); // floats, doubled
-  PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);      // for one Start
+  PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);      // the kernels are for one Start
 
   session->SetBody(body, kernels);
   body->Modified();

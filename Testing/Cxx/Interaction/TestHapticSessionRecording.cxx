@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a session records is what vtkToolContactProbe says of the same tips, to the bit.
+// The recording of a session equals the output of vtkToolContactProbe for the same tips, bit by
+// bit.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -59,7 +60,7 @@ void checkProbeAgrees(vtkPolyData* body, vtkPolyData* recording)
   }
 }
 
-/// Newest values and statistics against the arrays.
+/// Newest values and statistics compared with the arrays.
 void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
 {
   vtkPointData* data = recording->GetPointData();
@@ -71,7 +72,7 @@ void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
     peakForce = std::max(peakForce, vtkMath::Norm(data->GetArray("Force")->GetTuple3(i)));
     peakDeflection = std::max(peakDeflection, data->GetArray("Deflection")->GetTuple1(i));
     inContact += data->GetArray("ContactCell")->GetTuple1(i) >= 0.0 ? 1.0 : 0.0;
-    // 6.35 mm into E* = 3.45 MPa at 1 mm: above the 10 N the device is good for.
+    // A sphere of 6.35 mm, 1 mm deep at E* = 3.45 MPa: more than the device's 10 N.
     const double applied = vtkMath::Norm(data->GetArray("AppliedForce")->GetTuple3(i));
     const double wanted = vtkMath::Norm(data->GetArray("Force")->GetTuple3(i));
     PALPATE_CHECK_NEAR(applied, std::min(wanted, 10.0), 1e-12);
@@ -108,7 +109,7 @@ int TestHapticSessionRecording(int, char*[])
   session->SetBody(body);
   session->GetDevice()->SetPath(slidePath(body, { -0.5, -0.8, 0.6 }, { 0.6, -0.8, 0.5 }, 1.0));
 
-  // Nothing is recorded before the start, and that is no error.
+  // Before the start the recording is empty, without an error.
   vtkNew<vtkPolyData> recording;
   vtkNew<vtkTable> statistics;
   Messages messages(session);
@@ -118,7 +119,7 @@ int TestHapticSessionRecording(int, char*[])
   PALPATE_CHECK(statistics->GetValueByName(0, "Ticks").ToDouble() == 0.0);
   PALPATE_CHECK(session->Start());
 
-  // While it touches, and when all is over.
+  // During the contact, and after the end of the path.
   for (const double seconds : { 1.7, session->GetDevice()->GetPathDuration() - 1.7 })
   {
     session->Step(seconds);

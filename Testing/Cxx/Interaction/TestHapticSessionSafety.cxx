@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies between the ideal force and the hand: devices weaker than the tool, limits, the gate,
-// and tools changed in contact.
+// The links between the ideal force and the hand: devices weaker than the tool, limits, the gate,
+// and changes of the tool during contact.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -8,9 +8,9 @@ namespace
 {
 using namespace palpate::testing;
 
-/// The paper's tools 1 mm deep. A device good for 2 N/mm levels them to about 2 N; one common
-/// factor keeps their ratios. The forces, uncapped and capped, are those of the project's
-/// reference: 11.4, 11.0, 5.45 N against 1.99, 2.00, 1.96 N.
+/// The paper's tools 1 mm deep. A device limited to 2 N/mm levels their forces at about 2 N; one
+/// common factor keeps their ratios. The forces, uncapped and capped, are those of the project's
+/// reference: 11.4, 11.0, 5.45 N and 1.99, 2.00, 1.96 N.
 void checkFit(vtkPolyData* body)
 {
   double capped[3];
@@ -41,15 +41,15 @@ void checkFit(vtkPolyData* body)
     PALPATE_CHECK_NEAR(fitted[i], session->GetForceFactor() * ideal[i], 1e-6);
     PALPATE_CHECK_TEXT(session->GetSafetyText(), "force \u00d70.1");
   }
-  // The stiffest is the larger sphere, 1 mm deep.
+  // The larger sphere, 1 mm deep, has the largest stiffness.
   const double factor = 2.0 / makeTool("sphere:6.35")->GetStiffness(1.0, 3.45);
   const double reference[3] = { 11.04, 11.4, 5.45 };
   const double referenceCapped[3] = { 2.00, 1.99, 1.96 };
   for (int i = 0; i < 3; ++i)
   {
-    PALPATE_CHECK_NEAR(ideal[i], reference[i], 0.05); // three figures
+    PALPATE_CHECK_NEAR(ideal[i], reference[i], 0.05); // reference values have three digits
     PALPATE_CHECK_NEAR(capped[i], referenceCapped[i], 0.005 + 1e-9);
-    PALPATE_CHECK_NEAR(fitted[i] / ideal[i], factor, 1e-3 * factor); // of the storage
+    PALPATE_CHECK_NEAR(fitted[i] / ideal[i], factor, 1e-3 * factor); // error of the stored curves
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -58,7 +58,7 @@ void checkFit(vtkPolyData* body)
   PALPATE_CHECK(fitted[2] / fitted[1] < 0.5);
 }
 
-/// The force limit beside the device's, and errors by name.
+/// The force limit in addition to the device's limit, and errors that name the property.
 void checkLimits(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -87,7 +87,7 @@ void checkLimits(vtkPolyData* body)
   device->SetScale(0.0);
   refused("Scale");
   device->SetScale(1.0);
-  device->SetUp(1.0, 1.0, 0.0); // not at right angles with x
+  device->SetUp(1.0, 1.0, 0.0); // not perpendicular to x
   refused("Rotation");
   device->SetUp(0.0, 1.0, 0.0);
   safety->FitForceOn();
@@ -103,7 +103,8 @@ void checkLimits(vtkPolyData* body)
   PALPATE_CHECK(session->Start() && messages.none());
 }
 
-/// What a device that outputs torque is sent, beside what it says of itself.
+/// The limits of torque for a device that outputs torque: the smaller of its own limits and the
+/// settings.
 void checkTorqueLimits()
 {
   palpate::DeviceSpecification device;
@@ -119,7 +120,7 @@ void checkTorqueLimits()
   PALPATE_CHECK(safety->GetSettings(device, false).maximumTorsionalStiffness == 0.1);
   safety->SetTorqueLimit(0.3);
   PALPATE_CHECK(safety->GetSettings(device, false).maximumTorque == 0.2);
-  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0); // one that outputs none
+  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0); // no torque output
 }
 
 void checkGate(vtkPolyData* body)
@@ -148,7 +149,7 @@ void checkGate(vtkPolyData* body)
   }
 }
 
-/// Another tool under the hand, in contact: neither a restart nor a step of force.
+/// A change of the tool during contact causes neither a restart nor a jump of the force.
 void checkChange(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -172,11 +173,12 @@ void checkChange(vtkPolyData* body)
   alone->SetBody(body);
   alone->SetResponseName("Small");
   PALPATE_CHECK_NEAR(last, pressed(alone, deviceOf(100.0, 1e6))->Force, 1e-12);
-  // Straight in time over 50 ms: 50 equal steps of 1 ms, with a hundredth of rounding of the ramp.
+  // Linear in time over 50 ms: 50 equal steps of 1 ms. The tolerance of 1 % is for the rounding of
+  // the ramp.
   PALPATE_CHECK_NEAR(largest, (before - last) / 50.0, 0.01 * (before - last) / 50.0);
   PALPATE_CHECK(session->GetRecorder()->GetTicks().back().scene == 1);
 
-  // What cannot be changed to is named, and what runs goes on.
+  // A wrong change is refused by name, and the session continues.
   Messages messages(session);
   session->SetResponseName("Elsewhere");
   PALPATE_CHECK(!session->ApplyChanges());
@@ -188,7 +190,7 @@ void checkChange(vtkPolyData* body)
   session->GetSettings()->SetFrictionCoefficient(0.0);
   session->Step(0.1);
   PALPATE_CHECK(device->Force == last && session->GetRecorder()->GetTicks().back().scene == 1);
-  // Another body, two millimetres lower: the tip is outside.
+  // Another body, 2 mm lower: the tip is outside.
   Body lower = Body::New();
   lower->DeepCopy(body);
   for (vtkIdType i = 0; i < lower->GetNumberOfPoints(); ++i)
@@ -202,7 +204,7 @@ void checkChange(vtkPolyData* body)
   session->Step(0.06);
   PALPATE_CHECK(device->Force == 0.0 && session->GetContactCell() == -1 && messages.none());
   session->Stop();
-  PALPATE_CHECK(session->ApplyChanges()); // nothing runs: nothing happens
+  PALPATE_CHECK(session->ApplyChanges()); // no effect on a stopped session
 }
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a session is told of forces, surface and friction: refused by name if wrong, felt in virtual
-// and in real time if right.
+// The settings of forces, surface and friction in a session: wrong values are refused by name,
+// valid values take effect in virtual time and in real time.
 #include "Contact/ContactSettings.h"
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
@@ -103,7 +103,7 @@ void checkFrictionIsTold(vtkPolyData* body)
   session->GetFrictionForce(friction);
   PALPATE_CHECK(vtkMath::Norm(friction) == 0.0);
   PALPATE_CHECK(session->Start());
-  session->GetSettings()->SetFrictionCoefficient(0.0); // read at Start, so it comes too late
+  session->GetSettings()->SetFrictionCoefficient(0.0); // too late: settings are read at Start
   session->Step(1.0);
   session->GetFrictionForce(friction);
   double total[3];
@@ -134,7 +134,7 @@ void checkFrictionIsTold(vtkPolyData* body)
     PALPATE_CHECK(std::equal(f, f + 3, contact.friction.data()));
     for (int k = 0; k < 3; ++k)
     {
-      PALPATE_CHECK_NEAR(force[k], pressing * n[k] + f[k], 1e-14); // of 4 N
+      PALPATE_CHECK_NEAR(force[k], pressing * n[k] + f[k], 1e-14); // rounding of 4 N
     }
     PALPATE_CHECK_NEAR(vtkMath::Dot(f, n), 0.0, 1e-14);
     peak = std::max(peak, vtkMath::Norm(f));
@@ -147,7 +147,7 @@ void checkFrictionIsTold(vtkPolyData* body)
   PALPATE_CHECK(statistics->GetValueByName(0, "PeakFriction (N)").ToDouble() == peak);
 }
 
-/// The servo thread slides with the same friction.
+/// On the servo thread the contact slides with the same friction.
 void checkRealTime(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -159,7 +159,8 @@ void checkRealTime(vtkPolyData* body)
   session->GetDevice()->SteerTo(start);
   PALPATE_CHECK(session->Start());
   double friction[3] = { 0.0, 0.0, 0.0 };
-  // Steered back and forth until the newest tick slides along x; a loaded machine may take a while.
+  // The hand is steered back and forth until the newest tick slides along x, which may take a while
+  // on a loaded machine.
   bool felt = false;
   for (int i = 0; i < 20000 && !felt; ++i)
   {
@@ -175,7 +176,7 @@ void checkRealTime(vtkPolyData* body)
   session->Stop();
 }
 
-/// One warning for one state of the body.
+/// One warning for each state of the body.
 void checkUnsoundBody(vtkPolyData* sound)
 {
   Body body = Body::New();

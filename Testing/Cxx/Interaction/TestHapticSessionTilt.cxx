@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A path that tilts the tool: what the session tells of it and records, that a path without axes
-// has none, and a hand that is turned while it is steered.
+// A path that tilts the tool: the values of the session and its recording. A path without axes has
+// none. A hand that is turned while it is steered.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -17,7 +17,7 @@ using namespace palpate::testing;
 
 constexpr double Tilt = 0.3; // rad
 
-/// The same way; the tool leans over towards x, from upright to Tilt in its second half.
+/// The same path; in its second half the tool is tilted towards x by Tilt instead of upright.
 Body tilting(vtkPolyData* path)
 {
   Body turned = Body::New();
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkHapticSession> sessionOn(vtkPolyData* body, vtkPolyData* path
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   session->SetBody(body);
   session->GetDevice()->SetPath(path);
-  // Its axes in the body: x along -y, y along x.
+  // The device's axes in the body: x along -y, y along x.
   session->GetDevice()->SetRight(0.0, -1.0, 0.0);
   session->GetDevice()->SetUp(1.0, 0.0, 0.0);
   return session;
@@ -66,7 +66,7 @@ void checkTold(vtkPolyData* body, vtkPolyData* path)
   session->GetIdealTorque(torque);
   PALPATE_CHECK(std::equal(torque, torque + 3, tick.idealTorque.data()));
   session->GetTorque(torque);
-  PALPATE_CHECK(vtkMath::Norm(torque) == 0.0); // a stiff hand is sent none
+  PALPATE_CHECK(vtkMath::Norm(torque) == 0.0); // a stiff hand receives no torque
   PALPATE_CHECK_NEAR(session->GetTilt(), vtkMath::DegreesFromRadians(tick.contact.tilt), 0.0);
 
   Body recording = Body::New();
@@ -108,7 +108,8 @@ void checkSteered(vtkPolyData* body)
   PALPATE_CHECK(session->Start());
   session->GetDevice()->TurnTo(leaning);
   double axis[3] = { 0.0, 0.0, 0.0 };
-  // In 0.3 s e^-10 of the angle is left, 1e-5; waited for at most 20 s on a busy machine.
+  // After 0.3 s, e^-10 of the angle is left, about 1e-5 rad. Waits for at most 20 s on a loaded
+  // machine.
   for (int i = 0; i < 2000 && std::abs(axis[0] - leaning[0]) > 1e-4; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -119,7 +120,7 @@ void checkSteered(vtkPolyData* body)
   session->Stop();
 }
 
-/// A flat end pressed a fifth of its radius deep, at its deepest point, upright and by 5 degrees.
+/// A flat end whose deepest point is a fifth of its radius deep, upright and tilted by 5 degrees.
 void checkFelt()
 {
   constexpr double radius = 3.0;
@@ -171,12 +172,12 @@ void checkFelt()
   upright->GetIdealForce(force);
   PALPATE_CHECK_NEAR(force[2], 2.0 * radius * 0.2 * radius, 1e-5);
   upright->GetIdealTorque(torque);
-  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]); // of the table, near upright
+  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]); // of the table near upright
   const double whole = force[2];
   const auto leaning = pressed(angle);
   leaning->GetIdealForce(force);
   leaning->GetIdealTorque(torque);
-  // tilt_bem.csv, D = 0.2 of the radius: T = 0.5757; its torque 0.1073 E* a^3, about -y.
+  // tilt_bem.csv, D = 0.2 of the radius: T = 0.5757; its torque is 0.1073 E* a^3, about -y.
   PALPATE_CHECK_NEAR(force[2] / whole, 0.5757, 0.003);
   PALPATE_CHECK_NEAR(torque[1], -0.1073 * radius * radius * radius, 0.02);
   PALPATE_CHECK_NEAR(leaning->GetTilt(), 5.0, 1e-9);

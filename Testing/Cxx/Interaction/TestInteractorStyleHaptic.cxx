@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mouse, wheel and keys, as events of an interactor: where the tool goes, how deep, what force it
-// feels, what the camera does, what is written.
+// Mouse, wheel and keys, as events of an interactor: position, depth and force of the tool, the
+// camera, and the written files.
 #include "Picture.h"
 #include "SceneBodies.h"
 
@@ -25,10 +25,10 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Reduced = 3.45; // MPa, of withResponse
-constexpr double Radius = 1.0;   // mm, of the flat tool: F = 2 a E* d
+constexpr double Reduced = 3.45; // MPa, as in withResponse
+constexpr double Radius = 1.0;   // mm, for the flat tool: F = 2 a E* d
 
-/// A square of 30 mm seen from above, in the left half of a window; the right half takes no events.
+/// A square of 30 mm seen from above, in the left half of a window. The right half takes no events.
 struct Window
 {
   Picture picture{ 800, 400 };
@@ -40,7 +40,7 @@ struct Window
   vtkNew<vtkFrameClock> clock;
   vtkNew<vtkSessionFiles> files;
   vtkNew<vtkInteractorStyleHaptic> style;
-  std::vector<std::pair<unsigned long, int>> heard; ///< events of the style, and their number
+  std::vector<std::pair<unsigned long, int>> heard; ///< events of the style, and their data
   vtkNew<vtkCallbackCommand> listener;
   double steered[3] = { 0.0, 0.0, 0.0 };
 
@@ -123,7 +123,8 @@ struct Window
     return found;
   }
 
-  /// Until the hand is where it was last steered to, bounded; whether that is at this height.
+  /// Waits for a limited time until the hand is at its last target. Returns whether this is at the
+  /// given height.
   bool reaches(double height)
   {
     double away = 1.0;
@@ -144,7 +145,7 @@ struct Window
   }
 };
 
-/// What does not press does not count as pressing: the wheel backward, or beside the body.
+/// A wheel event that does not press does not count as pressing: backward, or off the body.
 void checkIdleWheel(Window& w)
 {
   w.pointAt(3.0, 2.0);
@@ -158,7 +159,7 @@ void checkSurface(Window& w)
 {
   const double pixel = 2.0 * 80.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 400.0; // mm
   w.pointAt(3.0, 2.0);
-  PALPATE_CHECK(w.reaches(3.0)); // the height to hover at
+  PALPATE_CHECK(w.reaches(3.0)); // the hover height
   double tip[3];
   w.session->GetTip(tip);
   PALPATE_CHECK_NEAR(tip[0], 3.0, pixel);
@@ -174,14 +175,14 @@ void checkSurface(Window& w)
   PALPATE_CHECK(w.reaches(-1.5));
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 1.5, 1e-5);
   w.send(vtkCommand::MouseWheelForwardEvent, 10);
-  PALPATE_CHECK(w.reaches(-2.0)); // no deeper than MaximumDepth
+  PALPATE_CHECK(w.reaches(-2.0)); // limited to MaximumDepth
   w.pointAt(-4.0, 1.0);
   PALPATE_CHECK(w.reaches(-2.0));
   w.session->GetTip(tip);
   PALPATE_CHECK_NEAR(tip[0], -4.0, pixel);
   w.send(vtkCommand::LeftButtonReleaseEvent);
   PALPATE_CHECK(!w.style->IsPressing() && w.reaches(3.0));
-  // The wheel alone presses too.
+  // The wheel alone presses, too.
   w.send(vtkCommand::MouseWheelForwardEvent, 3);
   PALPATE_CHECK(w.reaches(-0.3));
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 0.3, 1e-5);
@@ -199,7 +200,7 @@ void checkCamera(Window& w)
   w.send(vtkCommand::MouseWheelForwardEvent);
   w.interactor->SetControlKey(0);
   PALPATE_CHECK(camera->GetDistance() < far && w.style->GetWheelDepth() == 0.0);
-  // In the other viewport nothing happens: no steering, no orbit, no zoom of any camera.
+  // Events in the other viewport have no effect: no steering, no orbit, no zoom of any camera.
   double before[3];
   double otherBefore[3];
   camera->GetPosition(before);
@@ -213,7 +214,7 @@ void checkCamera(Window& w)
   PALPATE_CHECK(w.heard.empty());
   PALPATE_CHECK(std::equal(before, before + 3, camera->GetPosition()));
   PALPATE_CHECK(std::equal(otherBefore, otherBefore + 3, other->GetPosition()));
-  // Beside the body: orbit, and the tool stays.
+  // Off the body the camera orbits, and the tool does not move.
   w.pointAtPixel(3, 396);
   w.send(vtkCommand::LeftButtonPressEvent);
   w.pointAtPixel(60, 340);
@@ -224,7 +225,8 @@ void checkCamera(Window& w)
   camera->SetViewUp(0.0, 1.0, 0.0);
 }
 
-/// In the plane of the view the tip keeps its distance from the viewer; the wheel changes that.
+/// In the plane of the view the tip keeps its distance from the viewer; the wheel changes this
+/// distance.
 void checkViewPlane(Window& w)
 {
   w.pointAt(0.0, 0.0);
@@ -299,13 +301,13 @@ void checkFiles(Window& w, const std::filesystem::path& folder)
   PALPATE_CHECK(palpate::readTrajectory((folder / "palpate-1.csv").string(), trajectory).empty());
   const auto count = static_cast<std::size_t>(w.files->GetNumberOfRecordedTicks());
   PALPATE_CHECK(count > 10 && trajectory.rows.size() == count);
-  PALPATE_CHECK_NEAR(trajectory.rows.back().tip.z(), -1.0, 1e-9); // there and back: m, mm
+  PALPATE_CHECK_NEAR(trajectory.rows.back().tip.z(), -1.0, 1e-9); // converted to m and back to mm
   double period = 1.0;
   for (std::size_t i = 1; i < count; ++i)
   {
     period = std::min(period, trajectory.rows[i].time - trajectory.rows[i - 1].time);
   }
-  PALPATE_CHECK_NEAR(period, 1e-3, 1e-9); // no tick is there twice
+  PALPATE_CHECK_NEAR(period, 1e-3, 1e-9); // no tick occurs twice
   w.type('p');
   w.type('p');
   for (const char* name : { "palpate-1.png", "palpate-2.png" })

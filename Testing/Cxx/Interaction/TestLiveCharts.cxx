@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Force over time and over deflection against the session's own recording and Sneddon's law; axes
-// that only grow; runs that begin anew; the histogram against the count of ticks.
+// Force over time and over deflection compared with the session's own recording and Sneddon's law;
+// axes that only grow; new runs; the histogram compared with the count of ticks.
 #include "LiveChartChecks.h"
 #include "PlacedDevice.h"
 
@@ -19,7 +19,7 @@ using namespace palpate::testing;
 constexpr double Slope = 2.0 * 3.45 * 1.6; // N/mm: Sneddon's 2 a E* of the flat punch
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/// Presses a flat punch 1 mm deep, above the 0.9 mm at which the device gives its 10 N, and slides.
+/// Presses a flat punch 1 mm deep and slides. The device reaches its 10 N at 0.9 mm.
 vtkSmartPointer<vtkHapticSession> pressing(vtkPolyData* body)
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -59,7 +59,7 @@ Recorded recordedBy(vtkHapticSession* session)
   return recorded;
 }
 
-/// The least and the largest of each stretch of a 500th of the seconds, by looking for them.
+/// Smallest and largest value in each interval of 1/500 of the seconds, by direct search.
 std::vector<Row> extremes(const std::vector<Row>& signal, double seconds)
 {
   const double now = signal.back().first;
@@ -88,7 +88,7 @@ std::vector<Row> extremes(const std::vector<Row>& signal, double seconds)
   return rows;
 }
 
-/// The points of a line but one that is just so old.
+/// The points of a line, without the first one if its age is exactly `seconds`.
 std::vector<Row> within(vtkPlot* plot, double seconds)
 {
   std::vector<Row> points = pointsOf(plot);
@@ -101,7 +101,7 @@ std::vector<Row> within(vtkPlot* plot, double seconds)
 
 void checkOverTime(vtkPolyData* body)
 {
-  for (const double duration : { 0.5, 3.2, 100.0 }) // a stretch of 1, 6.4 and 200 ticks
+  for (const double duration : { 0.5, 3.2, 100.0 }) // intervals of 1, 6.4 and 200 ticks
   {
     const auto session = pressing(body);
     vtkNew<vtkLiveCharts> charts;
@@ -126,11 +126,11 @@ void checkOverTime(vtkPolyData* body)
         within(plotOf(chart, "Friction"), duration) == extremes(recorded.friction, duration));
       PALPATE_CHECK(chart->GetAxis(vtkAxis::LEFT)->GetMaximum() >= shown);
     }
-    PALPATE_CHECK(rowsOf(plotOf(chart, "Ideal")).size() <= 1002); // however long, however fast
+    PALPATE_CHECK(rowsOf(plotOf(chart, "Ideal")).size() <= 1002); // for any duration and rate
     PALPATE_CHECK(chart->GetAxis(vtkAxis::BOTTOM)->GetMinimum() == -duration);
     PALPATE_CHECK(chart->GetAxis(vtkAxis::BOTTOM)->GetMaximum() == 0.0);
   }
-  // The peak, by the law: 1 mm deep, and what friction of 0.3 adds at right angles.
+  // The peak by Sneddon's law, 1 mm deep, plus friction of 0.3 at right angles.
   const auto session = pressing(body);
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
@@ -151,7 +151,7 @@ void checkOverTime(vtkPolyData* body)
   PALPATE_CHECK_NEAR(applied, 10.0, 1e-12);
   PALPATE_CHECK(plotOf(charts->GetTimeChart(), "Friction")->GetVisible());
 
-  // The next run begins with nothing.
+  // The next run begins with empty charts.
   PALPATE_CHECK(session->Start());
   charts->Update();
   PALPATE_CHECK(pointsOf(plotOf(charts->GetTimeChart(), "Ideal")).empty());
@@ -159,7 +159,7 @@ void checkOverTime(vtkPolyData* body)
   PALPATE_CHECK(charts->GetCurvesChart()->GetNumberOfPlots() == 0);
 }
 
-/// A pause of the recording is a gap, a slow one is not.
+/// A pause in a recording is a gap; a slow recording has no gaps.
 void checkGaps(vtkPolyData* body)
 {
   vtkNew<vtkPoints> points;
@@ -171,7 +171,7 @@ void checkGaps(vtkPolyData* body)
   for (int i = 0; i < 300; ++i)
   {
     points->InsertNextPoint(0.3, 0.2, -0.5 - 0.001 * i);
-    time->InsertNextValue(0.01 * i + (i < 200 ? 0.005 : 2.505)); // two to a stretch
+    time->InsertNextValue(0.01 * i + (i < 200 ? 0.005 : 2.505)); // two per interval
   }
   tips->GetPointData()->AddArray(time);
   vtkNew<vtkLiveCharts> charts;
@@ -184,13 +184,13 @@ void checkGaps(vtkPolyData* body)
   PALPATE_CHECK(std::isnan(rows[200].first) && std::isnan(rows[200].second));
   PALPATE_CHECK_NEAR(rows[199].first, 1.99 - 5.49, 1e-12);
   PALPATE_CHECK_NEAR(rows[199].second, 0.699 * Slope, 1e-5);
-  // What nobody applied is not drawn.
+  // Without an applied force, none is drawn.
   PALPATE_CHECK(!plotOf(charts->GetTimeChart(), "Applied")->GetVisible());
   PALPATE_CHECK(!plotOf(charts->GetDeflectionChart(), "Applied")->GetVisible());
 
   for (int i = 0; i < 300; ++i)
   {
-    time->SetValue(i, 1.0 * i); // seconds apart
+    time->SetValue(i, 1.0 * i); // 1 s apart
   }
   touched->GetPointData()->AddArray(time);
   touched->Modified();
@@ -199,7 +199,7 @@ void checkGaps(vtkPolyData* body)
   PALPATE_CHECK(slow.size() == 11 && pointsOf(plotOf(charts->GetTimeChart(), "Ideal")) == slow);
 }
 
-/// Every tick of the touch lies near the line, and every point of it is a tick's.
+/// Every tick of the contact is near the line, and every point of the line is a tick.
 void checkOverDeflection(vtkPolyData* body)
 {
   const auto session = pressing(body);
@@ -244,7 +244,8 @@ void checkOverDeflection(vtkPolyData* body)
   PALPATE_CHECK(hasTouched);
 }
 
-/// Chosen from the responses: 2 mm of a punch's 11.04 N/mm, for the chart over time half as deep.
+/// The ranges follow from the responses: 2 mm, and 11.04 N/mm for a punch; the chart over time uses
+/// half of the depth.
 void checkRanges(vtkPolyData* body)
 {
   const Body tip = probed(body, singleTip(0.3, 0.2, -0.1), "Flat");
@@ -262,7 +263,7 @@ void checkRanges(vtkPolyData* body)
     }
   };
   PALPATE_CHECK(charts->ShowTip(tip, 0));
-  ends(15.0, 2.0, 25.0); // 11.04 (of the sample at 1.125 mm: 12.4) N and 22.08 N, rounded up
+  ends(15.0, 2.0, 25.0); // 11.04 N (12.4 N at the sample of 1.125 mm) and 22.08 N, rounded up
   charts->SetLargestForce(60.0);
   charts->SetLargestDeflection(4.0);
   PALPATE_CHECK(charts->ShowTip(tip, 0));
@@ -271,9 +272,9 @@ void checkRanges(vtkPolyData* body)
   charts->SetLargestDeflection(0.0);
   PALPATE_CHECK(charts->ShowTip(tip, 0));
   ends(15.0, 2.0, 25.0);
-  // Deeper than that: they grow, and stay.
+  // For a larger deflection they grow, and do not shrink again.
   PALPATE_CHECK(charts->ShowTip(probed(body, singleTip(0.3, 0.2, -2.6), "Flat"), 0));
-  ends(15.0, 3.0, 30.0); // no Time: nothing over time
+  ends(15.0, 3.0, 30.0); // no array Time: nothing over time
   PALPATE_CHECK(charts->ShowTip(tip, 0));
   ends(15.0, 3.0, 30.0);
   charts->ResetRanges();
@@ -292,9 +293,9 @@ void checkHistogram(vtkPolyData* body)
   charts->SetSession(session);
   charts->SetHistogramVisibility(true);
   PALPATE_CHECK(session->Start());
-  for (int i = 0; i < 10000 && session->GetNumberOfTicks() < 500; ++i) // at most some 20 s
+  for (int i = 0; i < 10000 && session->GetNumberOfTicks() < 500; ++i) // at most about 20 s
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // nobody reads: some are lost
+    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // no reading: some ticks are lost
   }
   PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() > 0);
   session->Stop();
@@ -318,7 +319,7 @@ void checkHistogram(vtkPolyData* body)
   }
 }
 
-/// Each class in the tenth of a decade that its upper end belongs to.
+/// Each class is in the tenth of a decade that contains its upper end.
 void checkGivenHistogram()
 {
   vtkNew<vtkTable> histogram;
@@ -337,7 +338,7 @@ void checkGivenHistogram()
   vtkNew<vtkLiveCharts> charts;
   PALPATE_CHECK(charts->ShowTimingHistogram(histogram));
   const std::vector<Row> stairs = pointsOf(plotOf(charts->GetHistogramChart(), "Tick"));
-  PALPATE_CHECK(stairs.size() == 140); // ten a decade, 0.1 us to 1 s
+  PALPATE_CHECK(stairs.size() == 140); // ten per decade, 0.1 us to 1 s
   for (std::size_t i = 0; i < stairs.size(); i += 2)
   {
     const double height = i == 0 ? 0.0 : i == 20 ? 1.0 : i == 22 ? 2.0 : -0.6; // 10^0.1 = 1.2589
@@ -356,7 +357,7 @@ void checkErrors(vtkPolyData* body)
 {
   vtkNew<vtkLiveCharts> charts;
   Messages messages(charts);
-  charts->Update(); // no session: nothing happens
+  charts->Update(); // no effect without a session
   PALPATE_CHECK(messages.none());
   const Body tip = singleTip(0.3, 0.2, -0.1);
   const Body touched = probed(body, tip, "Flat");

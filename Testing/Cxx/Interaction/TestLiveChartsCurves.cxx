@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The curves at the contact: the blend against the probe at the same place, the corners against
-// vtkResponseCurves, on facets and on the smooth surface; compared tools; where they turn dotted.
+// The curves at the contact: the blend compared with the probe at the same place, the corners with
+// vtkResponseCurves, on facets and on the smooth surface; compared tools; the start of the dotted
+// part.
 #include "LiveChartChecks.h"
 
 #include "vtkAxis.h"
@@ -16,7 +17,7 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Range = 2.0; // mm, vtkToolContactResponse's own
+constexpr double Range = 2.0; // mm, the default of vtkToolContactResponse
 constexpr int Steps = 60;
 constexpr const char* Corners[3] = { "Corner 1", "Corner 2", "Corner 3" };
 
@@ -47,7 +48,7 @@ vtkSmartPointer<vtkTable> storedCurves(
   return curves->GetOutput();
 }
 
-/// Two evaluations of the same samples; those of a stored curve but for the order of sums.
+/// Both evaluate the same samples of a stored curve; they differ only in the order of sums.
 void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType column)
 {
   vtkIdType row = 0;
@@ -57,7 +58,7 @@ void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType col
     {
       ++row;
     }
-    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9) // not where it turns dotted
+    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9) // not the start of the dots
     {
       const double stored = expected->GetValue(row, column).ToDouble();
       PALPATE_CHECK_NEAR(force, stored, 1e-12 * stored);
@@ -66,8 +67,8 @@ void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType col
   PALPATE_CHECK(row == Steps && curve.size() > Steps);
 }
 
-/// On a plane a tip straight below the contact point has it too: the blend at any depth is what the
-/// probe says there.
+/// On a plane, a tip straight below the contact point has the same contact point: at any depth the
+/// blend equals the probe's force.
 void checkFacets()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -85,7 +86,8 @@ void checkFacets()
     const Body pressed = probed(body, singleTip(x, y, -0.7));
     PALPATE_CHECK(charts->ShowTip(pressed, 0));
     const std::vector<Row> blend = curveOf(chart, "Blend");
-    PALPATE_CHECK(blend.size() == Steps + 3); // and where it turns dotted, in both parts
+    PALPATE_CHECK(blend.size() == Steps + 3); // plus the point where it becomes dotted, in both
+                                              // parts
     for (const auto& [depth, force] : blend)
     {
       const double expected =
@@ -112,7 +114,7 @@ void checkFacets()
   }
 }
 
-/// When the tool leaves the curves stay, and the running point goes.
+/// When the tool leaves, the curves remain and the running point disappears.
 void checkLeaving()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -133,7 +135,7 @@ void checkLeaving()
   PALPATE_CHECK(charts->ShowTip(passed, 1));
   const std::vector<Row> blend = curveOf(chart, "Blend");
   PALPATE_CHECK(blend.size() > Steps && pointsOf(plotOf(chart, "Now")).size() == 1);
-  for (int i = 0; i < 2; ++i) // from tip to tip, and at once
+  for (int i = 0; i < 2; ++i) // one tip at a time, then two tips at once
   {
     PALPATE_CHECK(charts->ShowTip(passed, 2));
     PALPATE_CHECK(curveOf(chart, "Blend") == blend && pointsOf(plotOf(chart, "Now")).empty());
@@ -141,7 +143,7 @@ void checkLeaving()
   }
 }
 
-/// Cells before the triangles move their ids, not their curves.
+/// Cells before the triangles shift the cell ids, but do not change the curves.
 void checkOtherCells()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -162,8 +164,8 @@ void checkOtherCells()
   PALPATE_CHECK(blends[0] == blends[1]);
 }
 
-/// The point on the smooth surface has other area coordinates than its foot on the facet: the blend
-/// at the depth felt is the force felt.
+/// A point on the smooth surface has other area coordinates than its projection on the facet. The
+/// blend at the deflection of the contact must equal the force of the contact.
 void checkSmooth()
 {
   const Body body = unevenResponse(sphereBody(40.0, 3), "flat:1.6");
@@ -176,7 +178,7 @@ void checkSmooth()
   for (const auto& [x, y] : { Row{ 3.0, 8.0 }, Row{ -15.0, 6.0 }, Row{ 12.0, -21.0 } })
   {
     double tip[3] = { x, y, std::sqrt(39.5 * 39.5 - x * x - y * y) };
-    for (int i = 0; i < 2; ++i) // the second time exactly so deep
+    for (int i = 0; i < 2; ++i) // the second time at exactly this deflection
     {
       probe->SetTipData(singleTip(tip[0], tip[1], tip[2]));
       probe->Update();
@@ -194,14 +196,14 @@ void checkSmooth()
     const std::vector<Row> blend = curveOf(charts->GetCurvesChart(), "Blend");
     const auto at = std::find_if(blend.begin(), blend.end(),
       [](const Row& each) { return std::abs(each.first - 0.5) < 1e-9; });
-    // The kernel's coordinates are good to 2e-6 mm of 6 mm long edges, over which it varies
-    // threefold.
+    // The error of the kernel's coordinates is 2e-6 mm on edges of 6 mm, over which the modulus
+    // varies threefold.
     PALPATE_CHECK(at != blend.end());
     PALPATE_CHECK_NEAR(at->second, force, 2e-6 * force);
   }
 }
 
-/// At a vertex the blend of each tool is the vertex' own curve.
+/// At a vertex, the blend of each tool is the curve of that vertex.
 void checkCompared()
 {
   const Body body = planeBody(20.0, 20);
@@ -227,7 +229,7 @@ void checkCompared()
   const Body pressed = probed(last, singleTip(4.0, 4.0, -0.7), "B");
   PALPATE_CHECK(charts->ShowTip(pressed, 0));
   vtkChartXY* chart = charts->GetCurvesChart();
-  PALPATE_CHECK(chart->GetNumberOfPlots() == 7); // each with its dotted part, and the point
+  PALPATE_CHECK(chart->GetNumberOfPlots() == 7); // each tool with its dotted part, and the point
   const vtkIdType vertex = 12 * 21 + 12;
   const std::pair<std::string, const char*> labels[] = { { "A", nullptr }, { "B", "the ball" },
     { "C", nullptr } };
@@ -250,7 +252,8 @@ void checkCompared()
   PALPATE_CHECK_TEXT(messages.takeErrors(), "'DSamples'");
 }
 
-/// Live as from a probe; beyond the range the blend goes as far as the tool.
+/// A live session gives the same curves as a probe. Beyond the range the blend extends to the depth
+/// of the tool.
 void checkSession()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:6.35");
@@ -260,7 +263,7 @@ void checkSession()
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
   PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == charts->GetDuration());
-  charts->Update(); // not started: nothing to show, no error
+  charts->Update(); // the session is not started: nothing to show, no error
   PALPATE_CHECK(charts->GetCurvesChart()->GetNumberOfPlots() == 0);
   PALPATE_CHECK(session->Start());
   session->Step(1.7);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of force over deflection of a touch: its way in, a slide, ideal and applied force.
+// The picture of force over deflection for a contact: the way in and a slide, with ideal and
+// applied force.
 #include "LiveChartPicture.h"
 
 int TestLiveChartsDeflection(int argc, char* argv[])
@@ -22,7 +23,7 @@ int TestLiveChartsDeflection(int argc, char* argv[])
     plotOf(chart, part)->SetVisible(true);
   }
   checkSound(sound, picture.window);
-  session->Step(1.0); // up again
+  session->Step(1.0); // the tool lifts off
   picture.charts->Update();
   checkFaultShows("the tool has left", sound, picture.window);
   return palpate::testing::result();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the tick histogram, of made-up times: 1 kHz, woken some 20 us late, 1 us to tick.
+// The picture of the tick histogram for synthetic times: 1 kHz, wake-up about 20 us late, ticks of
+// 1 us.
 #include "LiveChartPicture.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 namespace
 {
-/// A hump of `ticks` in all around `middle` us, `width` decades wide, and a share of stragglers.
+/// A peak of `ticks` in total around `middle` us, `width` decades wide, with a tail of outliers.
 double count(double time, double middle, double width, double ticks)
 {
   const double away = std::log10(time / middle) / width;
@@ -48,7 +49,7 @@ int TestLiveChartsHistogram(int argc, char* argv[])
     plotOf(picture.charts->GetHistogramChart(), part)->SetVisible(true);
   }
   checkSound(sound, picture.window);
-  columns[3]->SetValue(360, 3.0); // 10 ms late, thrice
+  columns[3]->SetValue(360, 3.0); // three ticks 10 ms late
   PALPATE_CHECK(picture.charts->ShowTimingHistogram(histogram));
   checkFaultShows("three stragglers", sound, picture.window);
   return palpate::testing::result();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the loop that a press of liver makes while it happens; its numbers, by both
+// The picture of the loop of a press of liver, drawn during the press, and its numbers in both
 // charts.
 #include "LiveChartPicture.h"
 #include "LiverSlab.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All charts in one viewport: how they share it, high or wide, and the picture.
+// All charts in one viewport: their arrangement in a high and a wide viewport, and the picture.
 #include "LiveChartPicture.h"
 
 #include "vtkRect.h"
@@ -10,7 +10,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// In the viewport, none over another, none squeezed.
+/// The charts are inside the viewport, do not overlap, and have a good aspect ratio.
 void checkPlaces(vtkLiveCharts* charts, float width, float height)
 {
   const std::array<vtkChartXY*, 4> all = { charts->GetTimeChart(), charts->GetDeflectionChart(),
@@ -40,7 +40,7 @@ int TestLiveChartsWindow(int argc, char* argv[])
   charts->SetRenderer(side);
   charts->SetSession(session);
   PALPATE_CHECK(charts->GetRenderer() == side && charts->GetSession() == session);
-  PALPATE_CHECK(!side->GetInteractive()); // the mouse is the scene's
+  PALPATE_CHECK(!side->GetInteractive()); // mouse events belong to the scene
   PALPATE_CHECK(session->Start());
   session->Step(1.9);
   charts->Update();

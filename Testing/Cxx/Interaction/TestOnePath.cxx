@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One recorded trajectory gives the same bits through the probe filter, the servo step, a session
-// in virtual time and the C interface, for every force form, surface and friction model. It presses
-// and slides to and fro over many facets of a bumpy, open body of many materials, beyond the range
-// of the responses, over the border, out and in again; and with samples that are not finite.
+// One recorded trajectory gives the same bits in the probe filter, the servo step, a session in
+// virtual time and the C interface, for every force form, surface and friction model. The
+// trajectory presses and slides back and forth over many facets of a bumpy, open body of many
+// materials, beyond the range of the responses, over the border, out and in again; and it has
+// samples that are not finite.
 #include "Response/BodyConversion.h"
 #include "EventfulPath.h"
 #include "Response/FlatBodyConversion.h"
@@ -27,7 +28,7 @@ namespace
 using namespace palpate::testing;
 using palpate::Tick;
 
-/// The numbers of a tick that all four tell, as doubles, to be compared by their bits.
+/// The numbers of a tick that all four report, as doubles, for a comparison of their bits.
 using Numbers = std::vector<double>;
 
 void append(Numbers& numbers, const double* values, int count)
@@ -67,7 +68,7 @@ Numbers numbersOf(const std::vector<palpate_tick>& ticks)
   return numbers;
 }
 
-/// Of the probe's output, or of a recording.
+/// Numbers of the probe's output, or of a recording.
 Numbers numbersOf(vtkPolyData* felt)
 {
   Numbers numbers;
@@ -91,7 +92,7 @@ bool sameBits(const Numbers& one, const Numbers& other)
     std::memcmp(one.data(), other.data(), one.size() * sizeof(double)) == 0;
 }
 
-/// Body, trajectory and the kernel's copies of the body: one by way of VTK, one by way of the file.
+/// Body, trajectory and two kernels of the body: one made with VTK, one read from the file.
 struct Stage
 {
   Body body = openBall();
@@ -150,7 +151,7 @@ std::vector<palpate_tick> throughC(const Stage& stage,
   return ticks;
 }
 
-/// VTK's filter and session have the same properties.
+/// The filter and the session of VTK have the same properties.
 template <class Felt>
 void choose(Felt* felt, const palpate::ContactSettings& settings)
 {
@@ -162,7 +163,7 @@ void choose(Felt* felt, const palpate::ContactSettings& settings)
   felt->GetSettings()->SetPoissonRatio(settings.friction.poissonRatio);
 }
 
-/// The tips the servo saw, or NaN where it had none, as one polyline.
+/// The tips of the servo step as one polyline; NaN for ticks without a tip.
 Body throughProbe(
   const Stage& stage, const std::vector<Tick>& ticks, const palpate::ContactSettings& settings)
 {
@@ -202,7 +203,7 @@ vtkSmartPointer<vtkHapticSession> throughSession(
   return session;
 }
 
-/// Tips and forces sent, which only the two servos have.
+/// Compares the tips and the sent forces, which only the servo step and the C interface have.
 bool sameDeviceSide(const std::vector<Tick>& servo, const std::vector<palpate_tick>& c)
 {
   bool same = servo.size() == c.size();
@@ -214,7 +215,7 @@ bool sameDeviceSide(const std::vector<Tick>& servo, const std::vector<palpate_ti
   return same;
 }
 
-/// The trajectory does what the head of this file says.
+/// Checks that the trajectory has the events named at the top of this file.
 void checkTrajectory(const std::vector<Tick>& ticks, const palpate::ContactSettings& settings)
 {
   std::vector<int> states(6, 0);
@@ -243,7 +244,7 @@ void checkTrajectory(const std::vector<Tick>& ticks, const palpate::ContactSetti
   PALPATE_CHECK(hasFriction ? rubbed > 1000 && limited > 200 : rubbed == 0);
 }
 
-/// Samples that are not finite now and then, in contact and out of it.
+/// Replaces some samples by values that are not finite, in contact and outside.
 std::vector<palpate::DeviceSample> withHoles(std::vector<palpate::DeviceSample> samples)
 {
   for (std::size_t i = 50; i < samples.size(); i += 97)
@@ -255,7 +256,7 @@ std::vector<palpate::DeviceSample> withHoles(std::vector<palpate::DeviceSample> 
   return samples;
 }
 
-/// Returns what was felt, to compare settings with one another.
+/// Returns the numbers of all ticks, for a comparison of settings with one another.
 Numbers checkSettings(const Stage& stage, const palpate::ContactSettings& settings)
 {
   const std::vector<Tick> servo = throughServo(stage, stage.samples, settings);
@@ -300,7 +301,7 @@ int TestOnePath(int, char*[])
         settings.friction.tangentialStiffness = 1.0;
         settings.friction.poissonRatio = 0.3;
         all.push_back(checkSettings(stage, settings));
-        // Each setting is felt: no two of them alike.
+        // Each setting has an effect: no two results are equal.
         for (std::size_t i = 0; i + 1 < all.size(); ++i)
         {
           PALPATE_CHECK(!sameBits(all[i], all.back()));

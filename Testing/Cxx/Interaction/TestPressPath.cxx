@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the path goes and when: depth below the surface, times from the speeds, direction pressed
-// along, smoothing; and that the body is left alone.
+// Positions and times of the path: depth below the surface, times from the speeds, direction of
+// pressing, smoothing. The body is not modified.
 #include "Response/FilterChecks.h"
 #include "Response/TestBodies.h"
 
@@ -14,8 +14,9 @@ namespace
 using namespace palpate::testing;
 
 constexpr double Radius = 40.0;
-constexpr double Facets = 0.01; // mm and radians, of a sphere of 40 mm in facets of 0.8 mm
-/// At its ends the path has 4 mm on one side only to average normals over: 2 mm away, 0.05 radians.
+constexpr double Facets = 0.01; // mm and radians, for a sphere of 40 mm with facets of 0.8 mm
+/// At its ends the path averages the normals over 4 mm on one side only: the average is 2 mm away,
+/// 0.05 radians.
 constexpr double OneSided = 0.05 * 0.05 / 2.0 + Facets * Facets;
 
 struct Path
@@ -106,7 +107,7 @@ void checkSlide(vtkPolyData* body)
   const Path path(press);
   checkLine(path);
   const vtkIdType steps = 360 + 180;                         // of a quarter of a degree
-  PALPATE_CHECK(std::abs(path.size - (steps + 1 + 4)) <= 1); // one more where 90° rounds up
+  PALPATE_CHECK(std::abs(path.size - (steps + 1 + 4)) <= 1); // one more if 90° is rounded up
   for (vtkIdType i = 1; i < path.size - 1; ++i)
   {
     PALPATE_CHECK_NEAR(path.height(i), -1.0, Facets);
@@ -115,7 +116,7 @@ void checkSlide(vtkPolyData* body)
   const double sliding = path.time(path.size - 3) - path.time(2);
   PALPATE_CHECK_NEAR(sliding, length / 20.0, 0.01);
   PALPATE_CHECK_NEAR(path.time(path.size - 1), 2.9 + sliding, 1e-12);
-  // Through the directions between, in their plane: no detour.
+  // Through the directions between the given ones, in their plane: no detour.
   for (vtkIdType i = 2; i < 360; ++i)
   {
     PALPATE_CHECK_NEAR(path.point(i)[2], 0.0, 3.0 * Facets);
@@ -124,7 +125,7 @@ void checkSlide(vtkPolyData* body)
     path.point(path.size - 1)[1], path.point(path.size - 1)[2], 2.0 * Facets * Radius);
 }
 
-/// The largest turn of the direction pressed along between neighbours, radians.
+/// The largest turn of the direction of pressing between neighbouring points, radians.
 double largestTurn(const Path& path)
 {
   double largest = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A press of liver by a session: its loop in the recording, the file, the history; played again the
-// same bits; the caption's words.
+// A press of liver in a session: its loop in the recording, the file and the history; a replay
+// gives the same bits; the text of the caption.
 #include "LiverSlab.h"
 #include "SceneParts.h"
 
@@ -20,7 +20,7 @@ using namespace palpate::testing;
 
 constexpr const char* File = "TestRelaxingSession.csv";
 
-/// Rows of two columns while there is contact.
+/// Rows of two columns during contact.
 std::vector<Row> columnsOf(vtkTable* table, const char* force)
 {
   std::vector<Row> rows;
@@ -66,7 +66,7 @@ void checkPress(double radius, double peak, double loss)
   reader->WholePathOn();
   reader->Update();
   checkSame(reader->GetOutput(), recording, "MemoryForce");
-  const Body again = probed(slab, reader->GetOutput()); // in the times of the file
+  const Body again = probed(slab, reader->GetOutput()); // with the times of the file
   checkSame(again, recording, "NormalForce");
   checkSame(again, recording, "MemoryForce");
 
@@ -102,8 +102,8 @@ void checkWords()
     scene->SetTool(makeTool("paraboloid:6.35"));
     scene->ShowSession(session);
     window->Render();
-    // 1.21 N of Hertz with E* = 13.3 kPa times 2.42 for the layer (liver_slab_h10.csv), 1.514
-    // times.
+    // 1.21 N by Hertz with E* = 13.3 kPa, times 2.42 for the layer (liver_slab_h10.csv), times
+    // 1.514 for the memory.
     const std::string words = caption(renderer);
     PALPATE_CHECK((words.find("are memory (34 %)") != std::string::npos) == relaxes);
     PALPATE_CHECK((words.find("\nOf 1.8") != std::string::npos) == relaxes);

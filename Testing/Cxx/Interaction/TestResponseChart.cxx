@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Force over deflection of three tools, dotted beyond validity: what is plotted, and the picture.
+// Force over deflection of three tools, dotted beyond validity: the plotted data, and the picture.
 #include "Picture.h"
 #include "Response/TestBodies.h"
 
@@ -130,7 +130,7 @@ int TestResponseChart(int argc, char* argv[])
   fill(1.2);
   checkFaultShows("valid to 1.2 mm for 1.0 mm", sound, view->GetRenderWindow());
   fill(1.005);
-  checkSound(sound, view->GetRenderWindow()); // no trace of the curves removed
+  checkSound(sound, view->GetRenderWindow()); // the removed curves leave no trace
   responses->GetChart()->GetAxis(vtkAxis::LEFT)->SetTitle("Force on the tool (mN)");
   checkFaultShows("another unit at the axis", sound, view->GetRenderWindow());
   responses->GetChart()->GetAxis(vtkAxis::LEFT)->SetTitle("Force on the tool (N)");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The recorded hands in Data/Determinism, played over the saved body there, leave the same files,
-// byte for byte, whatever VTK this was built with: numbers in them read back to the same bits. But
-// for the C library's pow and the like, which round otherwise on a processor without FMA: where
-// they do, the numbers are compared to 1e-12.
-//   palpateInteractionTests TestSavedTrajectory DATA           compares
-//   palpateInteractionTests TestSavedTrajectory FOLDER --write makes the body and the files anew
+// Replays the recorded hands in Data/Determinism over the saved body there. The resulting files
+// must be the same, byte by byte, for any version of VTK: numbers in them are read back to the same
+// bits. The only exception are functions of the C library such as pow, which round differently on a
+// processor without FMA. If they do, the numbers are compared to 1e-12.
+// palpateInteractionTests TestSavedTrajectory DATA compares
+// palpateInteractionTests TestSavedTrajectory FOLDER --write writes new body and files
 #include "EventfulPath.h"
 #include "Response/FlatBodyConversion.h"
 #include "Response/FilterChecks.h"
@@ -66,7 +66,7 @@ std::string textOf(const std::string& path)
   return text.str();
 }
 
-/// What `session` feels in Duration, as the text of a file, which is left at `path`.
+/// The trajectory of `session` over Duration, as the text of a file, which remains at `path`.
 std::string fileOf(vtkHapticSession* session, const std::string& path)
 {
   PALPATE_CHECK(session->Start());
@@ -75,7 +75,7 @@ std::string fileOf(vtkHapticSession* session, const std::string& path)
   return textOf(path);
 }
 
-/// Where they part, to be read.
+/// Prints the first difference.
 void tellDifference(const std::string& name, const std::string& found, const std::string& stored)
 {
   std::istringstream one(found);
@@ -93,7 +93,7 @@ void tellDifference(const std::string& name, const std::string& found, const std
   std::cerr << name << ": another number of lines\n";
 }
 
-/// Of the last bits of the C library's functions that a tick calls (FNV-1a), as a line.
+/// A hash (FNV-1a) of the last bits of the C library's functions that a tick calls, as a line.
 std::string roundingOfLibrary()
 {
   std::uint64_t digest = 14695981039346656037ULL;
@@ -110,7 +110,8 @@ std::string roundingOfLibrary()
   return std::to_string(digest) + "\n";
 }
 
-/// The same but for roundings of other functions, half a unit of the last place each.
+/// True if the trajectories are equal except for the different rounding of these functions, half a
+/// unit of the last place each.
 bool agree(const std::string& found, const std::string& stored)
 {
   std::istringstream one(found);
@@ -133,7 +134,7 @@ bool agree(const std::string& found, const std::string& stored)
   return good;
 }
 
-/// Everything that can happen to a contact happens in the file.
+/// Checks that the file contains every event of a contact.
 void checkEvents(vtkHapticSession* session)
 {
   std::set<int> states;

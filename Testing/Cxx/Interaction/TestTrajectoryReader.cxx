@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session's trajectory, written and read again: the same bits as its recording, in steps of time.
+// A session's trajectory, written and read again, with time steps: the same bits as its recording.
 #include "EventfulPath.h"
 #include "Response/FilterChecks.h"
 
@@ -33,7 +33,7 @@ void checkSame(vtkPolyData* read, vtkPolyData* recording, const char* name)
   }
 }
 
-/// The tips up to a time, against the recording's times.
+/// The tips up to a time, compared with the times of the recording.
 void checkUpTo(vtkTrajectoryReader* reader, vtkPolyData* recording, double time)
 {
   reader->UpdateTimeStep(time);
@@ -113,7 +113,7 @@ void write(const char* text)
   std::ofstream(File) << text;
 }
 
-/// Tips alone; then the file has changed; then it is broken, gone, of another kind.
+/// A file with tips only; a changed file; a broken file; a missing file; another kind of file.
 void checkFiles()
 {
   vtkNew<vtkTrajectoryReader> reader;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of a scene alone, drawn by shader or by filter into one window, measured pixel by pixel:
-// how far away it is, its colours, its cells.
+// The body of a scene, drawn by shader or by filter into one window, and measured pixel by pixel:
+// distance, colours, cells.
 #ifndef palpate_testing_TwoPaths_h
 #define palpate_testing_TwoPaths_h
 
@@ -28,9 +28,10 @@ class TwoPaths
 {
 public:
   static constexpr int Size = 240;            // pixels
-  static constexpr float Background = 0.999F; // of the depth buffer
+  static constexpr float Background = 0.999F; // value of the depth buffer
 
-  /// Looks at `focus` from `direction`, in parallel projection, 2 `half` mm high.
+  /// Looks at `focus` from `direction`, in parallel projection. The height of the picture is 2
+  /// `half` mm.
   TwoPaths(vtkContactScene* scene, const Vector3& focus, const Vector3& direction, double half)
     : Shown(Size, Size)
     , Renderer(Shown.addRenderer())
@@ -47,7 +48,7 @@ public:
     this->Range = 10.0 * half;
     this->Renderer->AddActor(scene->GetBodyActor());
     this->Renderer->SetBackground(0.97, 0.97, 0.98);
-    vtkNew<vtkLight> light; // from aside, so that no normal is drawn as bright as its mirror image
+    vtkNew<vtkLight> light; // from the side, so that mirrored normals have different brightness
     light->SetLightTypeToCameraLight();
     light->SetPosition(0.5, 0.3, 1.0);
     this->Renderer->AutomaticLightCreationOff();
@@ -69,8 +70,8 @@ public:
     return found;
   }
 
-  /// Red, green, blue, 0 to 255: the colours of the legend without light, or the light without
-  /// them.
+  /// Red, green, blue, 0 to 255: either the colours of the legend without light, or the light
+  /// without colours.
   std::vector<int> colors(bool byShader, bool lit)
   {
     this->Scene->SetDeflectionByShader(byShader);
@@ -90,7 +91,7 @@ public:
     return found;
   }
 
-  /// The cell under each pixel of a grid, as vtkHardwareSelector finds it; -1: none.
+  /// The cell under each pixel of a grid, found by vtkHardwareSelector; -1: none.
   std::vector<vtkIdType> cells(bool byShader)
   {
     this->render(byShader);
@@ -115,7 +116,7 @@ public:
     return found;
   }
 
-  /// As a user sees it.
+  /// The picture as a user sees it.
   vtkSmartPointer<vtkImageData> picture(bool byShader)
   {
     this->Scene->SetDeflectionByShader(byShader);
@@ -138,7 +139,8 @@ private:
   double Range;
 };
 
-/// The largest difference of two measurements, and the share that differs by more than a tolerance.
+/// The largest difference of two measurements, and the fraction of values that differ by more than
+/// a tolerance.
 struct Deviation
 {
   double largest = 0.0;
