@@ -79,7 +79,7 @@ bench_program()
 }
 
 readonly studies=(paper calculix measured continuity geometry accuracy-speed stability reduction nodule scale
-  error)
+  error coverage)
 
 # run_study NAME [ARGS]: the arguments go to the study's own run.py.
 run_study()

@@ -83,7 +83,7 @@ def block(side):
     return (np.array(points) - [1.0, 0.5, 1.0]) * side, np.array(triangles)
 
 
-def ball(radius, inward=False):
+def ball(radius):
     """A sphere whose top is the origin: of an icosahedron cut five times, the pole turned to a point."""
     golden = (1 + 5 ** 0.5) / 2
     corners = [[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0], [0, -1, golden], [0, 1, golden],
@@ -112,8 +112,14 @@ def ball(radius, inward=False):
     side /= np.linalg.norm(side)
     turn = np.array([side, np.cross(pole, side), pole])
     points = radius * (np.array(points) @ turn.T) - [0, 0, radius]
-    faces = np.array(faces)
-    return (-points, faces[:, ::-1]) if inward else (points, faces)
+    return points, np.array(faces)
+
+
+def cavity(radius):
+    """A spherical hole in a ball forty times as large; the origin is the lowest point of the hole."""
+    hole, faces = ball(radius)
+    outside, more = ball(40 * radius)
+    return (np.vstack([-hole, outside + [0, 0, 41 * radius]]), np.vstack([faces, more + len(hole)]))
 
 
 # What a mesh suffers on its way, without a change of the shape.
@@ -153,9 +159,10 @@ class Case:
     """One contact: a body in its own frame, what is pressed into it, and the true force."""
 
     def __init__(self, body, tool, depth, true, *, site=(0.0, 0.0, 0.0), own=0.0, axis=None, second=None, way=None,
-                 closed=False, **response):
+                 deepest=0.0, **response):
         self.body, self.tool, self.depth, self.true = body, tool, depth, true
-        self.site, self.own, self.axis, self.second, self.way, self.closed = np.array(site), own, axis, second, way, closed
+        self.site, self.own, self.axis, self.second, self.way = np.array(site), own, axis, second, way
+        self.deepest = max(depth, deepest)   # of the tool, below the surface
         self.response = response
 
     def felt(self, random, defect):
@@ -168,12 +175,12 @@ class Case:
 
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", RuntimeWarning)
-            body = palpate.response((placed(points), triangles), self.tool, maximum_deflection=1.05 * self.depth,
+            body = palpate.response((placed(points), triangles), self.tool, maximum_deflection=1.05 * self.deepest,
                                     coupling=self.second is not None, **self.response)
             down = np.array([0, 0, -self.depth])
             axis = None if self.axis is None else np.asarray(self.axis) @ turn.T
             if self.second is not None:
-                probe = palpate.probe(body, placed([self.site + down, self.second]), coupled=True).forces
+                probe = palpate.probe(body, placed([self.site + down, self.second]), coupled=True)
                 return float(probe.normal_force[0]), float(probe.error[0])
             if self.way is not None:
                 probe = palpate.probe(body, placed(self.way), path=True)
@@ -193,9 +200,6 @@ def reduced(young, poisson):
 
 
 # Families. Each yields a Case for a random state.
-
-PUNCHES = {"sphere_par": "paraboloid", "flat": "flat", "sphere": "sphere", "cone": "cone"}
-
 
 def half_space(random):
     """Tools on a half-space in closed form: Hertz, Sneddon, Galin."""
@@ -218,14 +222,13 @@ def half_space(random):
         tool = f"cone:{angle!r}"
     else:
         depth = length * random.uniform(0.05, 0.15)
-        exponent, coefficient = random.uniform(2, 4), 0.2 / length
+        exponent = random.uniform(2, 4)
         coefficient = 0.3 * length / length ** exponent
         factor = coefficient * exponent * math.sqrt(math.pi) / 2 * math.gamma(exponent / 2) / math.gamma((exponent + 1) / 2)
         a = (depth / factor) ** (1 / exponent)
         true = 2 * star * depth * a * exponent / (exponent + 1)
         tool = f"power:{exponent!r},{coefficient!r}"
-    return Case(plate(60 * length), tool, depth, true, young=young, poisson=poisson, strain="neohooke"
-                if kind in ("paraboloid",) and random.random() < 0.0 else "small")
+    return Case(plate(60 * length), tool, depth, true, young=young, poisson=poisson)
 
 
 def layer(random):
@@ -242,7 +245,7 @@ def layer(random):
     else:
         poisson = random.uniform(0.1, 0.5)
         if kind == "flat":
-            _, columns, table = matrix("layer_slip_flat_kappa.csv") if False else (None, *slip_flat())
+            columns, table = slip_flat()
             j = random.integers(sum(c <= 1.0 for c in columns))
             x, factor = columns[j], table[j]
         else:
@@ -274,6 +277,33 @@ def slip_flat():
     return [float(x) for x in table[0][1:]], [float(x) for x in table[1][1:]]
 
 
+def stack(random):
+    """Two and three layers, on a rigid base or a half-space, bonded or slipping: integral equation of another code."""
+    length, young = scales(random)
+    found = [r for r in rows("deep/stack_force_ratio.csv") if r["tool"] != "cone 60"]
+    row = found[random.integers(len(found))]
+    definition = next(r for r in rows("deep/stack_definitions.csv") if r["stack"] == row["stack"])
+    layers = [words.split() for words in definition["layers (h E nu [slip interface above])"].split("|")]
+    first, *deeper = [(float(h) * length, float(e) * young, float(nu), *(True for _ in slip)) for h, e, nu, *slip in layers]
+    base = definition["base"]
+    if base != "rigid":
+        modulus, ratio = base.strip("()").split(",")
+        base = ("elastic", float(modulus) * young, float(ratio))
+    thickness, modulus, poisson = first[:3]
+    star, value = reduced(modulus, poisson), float(row["value"])
+    if row["tool"] == "flat":
+        radius = value * thickness
+        depth, tool = 0.01 * min(radius, thickness), f"flat:{radius!r}"
+        alone = 2 * star * radius * depth
+    else:
+        radius, depth = float(row["tool"].split("=")[1]) * thickness, value * thickness
+        tool = f"paraboloid:{radius!r}"
+        alone = 4 / 3 * star * math.sqrt(radius) * depth ** 1.5
+    return Case(plate(60 * max(radius, thickness)), tool, depth, float(row["F_over_F_halfspace_of_top_layer"]) * alone,
+                own=1e-4, young=modulus, poisson=poisson, layer=thickness, layers=deeper,
+                base="bonded" if base == "rigid" else base)
+
+
 def finite_strain(random):
     """Neo-Hookean half-spaces and bonded layers under a sphere: finite elements of another code, 0.5 %."""
     length, young = scales(random)
@@ -298,8 +328,8 @@ def curvature(random):
     row = found[random.integers(len(found))]
     over, poisson = float(row["Rb_over_R(negative: cavity)"]), float(row["nu"])
     depth = float(row["delta_over_R"]) * length
-    return Case(ball(abs(over) * length, over < 0), f"sphere:{length!r}", depth, float(row["F_fe_over_E"]) * young * length ** 2,
-                own=0.005, young=young, poisson=poisson, closed=True, curvature=bool(random.random() < 0.7))
+    return Case((ball if over > 0 else cavity)(abs(over) * length), f"sphere:{length!r}", depth, float(row["F_fe_over_E"]) * young * length ** 2,
+                own=0.005, young=young, poisson=poisson, curvature=bool(random.random() < 0.7))
 
 
 def tilt(random):
@@ -328,7 +358,7 @@ def tilt(random):
     return Case(plate(60 * length), names[name].format(length), depth, true,
                 own=next((v for k, v in own.items() if name.startswith(k)), 4e-4),
                 axis=(math.sin(angle), 0.0, math.cos(angle)), young=young, poisson=poisson, layer=thickness,
-                tilt=float(row["theta_deg"]) + 1.0)
+                tilt=float(row["theta_deg"]) + 1.0, deepest=deepest)
 
 
 def edge(random):
@@ -350,7 +380,7 @@ def edge(random):
     start = -8.0 * radius
     way = [[start, 0, 0.1 * depth]] + [[start, 0, -depth * k / 10] for k in range(1, 11)]
     way += [[start + (x - start) * k / 400, 0, -depth] for k in range(1, 401)]
-    return Case(block(200.0 * radius), tool, depth, float(row["Phi=F/F0"]) * whole, own=0.005, way=way, closed=True,
+    return Case(block(200.0 * radius), tool, depth, float(row["Phi=F/F0"]) * whole, own=0.005, way=way,
                 young=young, poisson=poisson, edges=True, curvature=bool(random.random() < 0.5))
 
 
@@ -372,14 +402,11 @@ def two_tools(random):
         tool, radius = f"paraboloid:{length!r}", math.sqrt(length * deep)
         depths = depths if row["quantity"] != "F2/F02" else depths[::-1]
         alone = 4 / 3 * star * math.sqrt(length) * depths[0] ** 1.5
-    case = Case(plate(60 * length), tool, depths[0], float(row["BEM"]) * alone, own=0.002,
-                second=(over * radius, 0.0, -depths[1]), young=young, poisson=poisson)
-    case.depth = depths[0]
-    case.response["samples"] = 8
-    return case
+    return Case(plate(60 * length), tool, depths[0], float(row["BEM"]) * alone, own=0.002,
+                second=(over * radius, 0.0, -depths[1]), deepest=max(depths), young=young, poisson=poisson)
 
 
-FAMILIES = {"half-space": half_space, "layer": layer, "finite strain": finite_strain, "curvature": curvature, "tilt": tilt,
+FAMILIES = {"half-space": half_space, "layer": layer, "stack": stack, "finite strain": finite_strain, "curvature": curvature, "tilt": tilt,
             "edge": edge, "two tools": two_tools}
 
 
