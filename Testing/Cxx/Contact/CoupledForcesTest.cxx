@@ -92,10 +92,11 @@ TEST(CoupledForces, TwoBallsAgreeWithBoundaryElements)
       felt[isFirst ? 0 : 1].normalForce / (10.0 * std::pow(isFirst ? deep : second, 1.5));
     // The point law against two full contacts: at most 0.4 % of the force (bound of the sheet).
     EXPECT_NEAR(ratio / table.number(row, "BEM"), 1.0, 4e-3) << kind << " " << apart;
-    // The stated error covers it, except for the rounding of floats, and is not ten times larger.
+    // The stated error covers it, except for the rounding of floats. It is largest for the weaker
+    // of two unlike contacts.
     const double stated = contacts.pointForceError(isFirst ? 0 : 1);
     EXPECT_LE(std::abs(ratio / table.number(row, "BEM") - 1.0), stated + 3e-4) << kind << apart;
-    EXPECT_LT(stated, 0.03);
+    EXPECT_LT(stated, kind == "sphere_d2=1" ? 0.01 : 0.05);
     // The same law by another code, to its six digits and those of floats.
     EXPECT_NEAR(ratio, table.number(row, "point"), 3e-4) << kind << " " << apart;
     ++compared;
