@@ -16,7 +16,7 @@ TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "Plugin/Manual/Doxygen"))
 import pages as tree  # noqa: E402
 
-README_WORDS = 900
+README_WORDS = 700
 # Written by hand for readers. Reports are excluded, since they quote the past.
 MANUAL = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "Plugin/Manual/")
 # A row of a table in a comment. A formula that begins with | has no space after it.
