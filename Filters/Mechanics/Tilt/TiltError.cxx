@@ -11,13 +11,16 @@ namespace
 /// The error of the table of tilts itself.
 double tableError(const TiltedLayer& contact) noexcept
 {
-  constexpr double wholeEnd = 1.0 / 3.0; // a flat end touches as a whole up to this value
+  constexpr double wholeEnd = 1.0;  // a flat end touches as a whole up to this rim
+  constexpr double smallPart = 3.0; // from here on it touches with a small part
+  constexpr double ofWholeEnd = 0.006;
+  constexpr double ofPointed = 0.005;
   constexpr double asIfUpright = 1e-9;
   if (contact.rim > wholeEnd)
   {
-    return contact.rim > 1.0 ? 0.03 : 0.02;
+    return contact.rim > smallPart ? 0.03 : 0.02;
   }
-  return contact.rim > 0.0 || contact.stretch > 1.0 + asIfUpright ? 0.005 : 0.0;
+  return contact.rim > 0.0 ? ofWholeEnd : contact.stretch > 1.0 + asIfUpright ? ofPointed : 0.0;
 }
 } // namespace
 

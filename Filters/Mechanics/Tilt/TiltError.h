@@ -27,9 +27,10 @@ struct TiltedLayer
  * This is an envelope of results of boundary elements on layers with ν = 0.45
  * (Data/Reference/tilt/tilt_layer_nu0.45.csv).
  *
- * The result is at least the error of the table on a half-space (TiltNodes.h): 3 % for flat ends
- * with s > 1, 2 % with s > 1/3, and 0.5 % for other flat ends and for pointed ends. It is 0 for
- * spherical ends and for upright tools.
+ * The result is at least the error of the table on a half-space, from boundary elements
+ * (Data/Reference/tilt/tilt_bem.csv): 3 % for flat ends with s > 3, 2 % with s > 1, 0.6 % with
+ * s <= 1, which touch as a whole, and 0.5 % for pointed ends. It is 0 for spherical ends and for
+ * upright tools.
  */
 PALPATE_EXPORT double tiltError(const TiltedLayer& contact) noexcept;
 } // namespace palpate

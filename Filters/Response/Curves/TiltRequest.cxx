@@ -94,8 +94,7 @@ std::string attachTilts(const TiltRequest& request, const BodyMaterial* material
     return "MaximumTilt: " + tilts.fault;
   }
   describeTilts(output, name, tilts.table, tilts.weights);
-  return material && tolerance > 0.0 && material->range().hasLayers()
-    ? limit(request, *material, tolerance, name, output)
-    : std::string();
+  return material && tolerance > 0.0 ? limit(request, *material, tolerance, name, output)
+                                     : std::string();
 }
 } // namespace palpate

@@ -100,8 +100,9 @@ TEST(TiltLayer, AFlatsForceIsOffByNoMoreThanIsSaid)
 
 TEST(TiltLayer, NoErrorIsExpectedWhereTheProfileIsExact)
 {
-  EXPECT_EQ(tiltError({ 0.0, 2.0, 3.0 }), 0.03); // on a half-space the error of the table
-  EXPECT_EQ(tiltError({ 0.0, 1.0, 0.5 }), 0.02);
+  EXPECT_EQ(tiltError({ 0.0, 2.0, 3.5 }), 0.03); // on a half-space the error of the table
+  EXPECT_EQ(tiltError({ 0.0, 1.0, 1.5 }), 0.02);
+  EXPECT_EQ(tiltError({ 0.0, 1.0, 0.5 }), 0.006);
   EXPECT_EQ(tiltError({ 0.0, 1.2, 0.0 }), 0.005);
   EXPECT_EQ(tiltError({ 1.0, 1.0, 0.0 }), 0.0);
   // The sheet of Data/Reference/tilt, a cone of 60° tilted by 10°: 0.1, 0.9, 2.4 %.
