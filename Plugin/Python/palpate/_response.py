@@ -73,8 +73,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     -------
     vtkPolyData : the body with its arrays and, per point, NAME + Force (samples columns, N), Stiffness (N/mm), Normal,
         Range (mm), Status, Validity (mm: the depth to which the law holds), Limit. See palpate.curves and palpate.probe.
-        It contains the given arrays without a copy, as YoungsModulus, PoissonRatio, LayerThickness, GlobalCompliance: do
-        not change them afterwards.
+        The body contains the given arrays without a copy, as YoungsModulus, PoissonRatio, LayerThickness,
+        GlobalCompliance: do not change them afterwards.
 
     Raises ValueError with the message of vtkToolContactResponse, TypeError for arguments of another type, OSError and
     RuntimeError for files. Points without response give a RuntimeWarning, and so does a body below 5 or above 5000 mm,
