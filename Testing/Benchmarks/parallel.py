@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Response and probe of one body on one process and on several, beside each other: time and memory of each process.
+"""Compares response and probe of one body on one process and on several: time and memory of each process.
 
     parallel.py MPIEXEC PVBATCH PLUGINS FOLDER [POINTS] [RANKS...]
 
-A ball of POINTS points (default 2 million) in equal pieces, made where they are, without normals, so that the
-triangles of all pieces count at their seams. Each process is bound to a core of its own and uses no other, so that
-one process stands for one machine. Runs of one process and of several take turns, Rounds times; the best of each is
-taken, and the ratio to one process printed. Writes FOLDER/parallel.csv.
+The body is a ball of POINTS points (default 2 million) in equal pieces. Each process makes its own piece, without
+normals, so that the triangles of all pieces count at the seams. Each process is bound to a core of its own and uses
+no other core, so that one process stands for one machine. Runs of one process and of several alternate, Rounds times.
+The best time of each is taken, and the ratio to one process is printed. Writes FOLDER/parallel.csv.
 """
 import csv
 import os

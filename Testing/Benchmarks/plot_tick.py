@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""tick.csv as a picture: time per call over the number of triangles, hot and cold.
+"""Draws tick.csv: time per call over the number of triangles, hot and cold.
 
     plot_tick.py TICK.CSV PICTURE.PNG
 
-A line is the median, the bar above it reaches to p99, if need be beyond the frame. Exit code 77 without matplotlib.
+A line is the median. The bar above it ends at p99, which may be outside the frame. Exit code 77 without matplotlib.
 """
 import csv
 import sys

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How many tips palpate.probe feels per second on one core, beside vtkImplicitPolyDataDistance in the same run.
+"""Tips per second of palpate.probe on one core, compared with vtkImplicitPolyDataDistance in the same run.
 
     probe.py [FOLDER] [TIPS]        (default: no file, 1000000 tips; the head of mricron-data is needed)
 
-The demo's head (153 thousand points). Tips are scattered evenly over it, from 0.1 mm above the skin to 1 mm under it,
-and given in random order or along a curve. All on one thread. The time is the processor's for this process, the best
-of Rounds, in turns; it holds everything from the numpy array that comes in to those that go out, but not building
-the search structure, which is told apart. The peer gives a signed distance and no force, for a tenth of the tips.
+The body is the demo's head (153 thousand points). The tips are scattered evenly over it, from 0.1 mm above the skin to
+1 mm under it, in random order or along a curve. Everything runs on one thread. The time is the processor time of this
+process, the best of Rounds alternating runs. It includes everything from the given numpy array to the returned arrays,
+except building the search structure, which is reported separately. vtkImplicitPolyDataDistance gives a signed distance
+and no force, for a tenth of the tips.
 Writes FOLDER/probe.csv.
 """
 import csv

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The servo thread's benchmark runs and has its rows, with and without rendering. No time is judged.
+"""The benchmark of the servo thread runs and prints its rows, with and without rendering. Times are not judged.
 
     test_servo_benchmark.py PROGRAM
 """

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tick's benchmark runs: all methods that were built agree and have their rows. No time is judged.
+"""The benchmark of the tick runs: all methods in the build agree and have their rows. Times are not judged.
 
-    test_tick_benchmark.py PROGRAM METHOD ...    METHODs: the peers that must be there
+    test_tick_benchmark.py PROGRAM METHOD ...    METHODs: the other methods that must be in the build
 """
 import csv
 import math

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a move of Touch's handle costs in ParaView: pvpython touch_move.py [FILE.csv]      needs an X server
+"""Measures the cost of moving Touch's handle in ParaView: pvpython touch_move.py [FILE.csv]      needs an X server
 
-A body of 163 842 vertices, 290 mm long as a head; the tip goes around it in steps of some 3 mm. Beside the
-move, in the same run and on the same body, what ParaView needs without Touch: a frame of the body at rest, and
-a frame after its own Transform has moved all points, which like a dent are sent anew; and the filter without
-ParaView around it. Medians, ms; ratios say more than times.
+The body has 163 842 vertices and is 290 mm long, like a head. The tip goes around it in steps of some 3 mm. For
+comparison, in the same run and on the same body, the cost in ParaView without Touch: a frame of the body at rest,
+and a frame after ParaView's own Transform has moved all points, which are sent again, as after a dent. Also the
+filter alone, without ParaView. The numbers are medians in ms; ratios are more meaningful than times.
 """
 import statistics
 import sys

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the Markdown pages name is there: files, pictures, headings, commands of ./run, options of the viewer, tools of
-the build. The README keeps to its length. Tables in the comments of headers are whole.
+"""Everything that the Markdown pages name exists: files, pictures, headings, commands of ./run, options of the viewer,
+tools of the build. The README is not too long. Tables in the comments of headers are complete.
 
     check_links.py [FOLDER]        check the tree (FOLDER is not used)
-    check_links.py --self-test     break a page in each way and see that it is noticed
+    check_links.py --self-test     break a page in each way and check that it is noticed
 
-Exit code: 0 all is there, 1 not.
+Exit code: 0 everything exists, 1 something does not.
 """
 import re
 import sys

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The HTML of ./run docs comes without a warning of Doxygen, every link in it leads somewhere, and every public header,
+"""Doxygen makes the HTML of ./run docs without a warning, every link in it has a target, and every public header,
 class, struct and enumeration has a comment.
 
-    check_warnings.py FOLDER       FOLDER: where to write
+    check_warnings.py FOLDER       FOLDER: the output folder
 
-Exit code: 0 all is well, 1 not, 77 Doxygen is not installed.
+Exit code: 0 no fault, 1 a fault, 77 Doxygen is not installed.
 """
 import re
 import shutil

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Palpate endures, at length.
+"""Runs the long tests of Palpate.
 
     ./run endurance [--only PART ...] [--soak-seconds S] [--runs N] [--unplugs N] [--points N] [--output DIR]
 
-Runs the parts (README.md) and leaves in DIR (default build/endurance) a PART.json and a PART.txt (all it said) of
-each, and report.md: the machine, and the newest figures of every part, with when and of what commit they are. The
-soak runs beside the parts that only compute, which are the load it has to bear; those that look at times run after
-it, alone.
+Runs the parts (README.md) and writes to DIR (default build/endurance) a PART.json and a PART.txt (its whole output) for
+each part, and report.md: the machine, and the newest figures of every part with their date and commit. The soak test
+runs at the same time as the parts that only compute; they are its load. The parts that measure times run after it,
+alone.
 
-Exit code: 0 if every part that was run passed, 1 if one did not, 2 for a wrong call.
+Exit code: 0 if every part that was run passed, 1 if one failed, 2 for a wrong call.
 """
 import argparse
 import datetime

@@ -1,19 +1,19 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fuzzers for long: each runs at least so many inputs and finds nothing.
+"""Runs the fuzzers for a long time: each runs at least the given number of inputs and finds nothing.
 
     fuzz.py --build build/asan --runs 1000000 --jobs 2 --output FILE.json [--only NAME ...]
 
-Which fuzzers there are, and with what options, ctest tells (label Fuzz). Each starts from its
-committed corpus and leaves what it finds new in a fresh folder, BUILD/endurance/NAME; an input that
-breaks something lies in BUILD/endurance/findings.
+ctest lists the fuzzers and their options (label Fuzz). Each starts from its committed corpus and
+writes new inputs to a new folder, BUILD/endurance/NAME. Inputs that cause a failure are written to
+BUILD/endurance/findings.
 
---only runs some again, after a finding was mended, and keeps what FILE.json tells of the others.
+--only runs some of them again, after a finding was fixed, and keeps the results of the others in FILE.json.
 
 FILE.json: {"part": "fuzzing", "passed": bool, "figures": {NAME: {...}}}, per fuzzer the commit, seed (as
-given to libFuzzer), executions, executions_per_s, new_units (inputs kept since they reached something new),
-edges and features (libFuzzer's cov and ft), peak_rss_mb, seconds, finding ("none", or libFuzzer's words
-and the path of the input). Exit code: 0 if none has a finding and each ran all its inputs,
+given to libFuzzer), executions, executions_per_s, new_units (inputs kept because they reached new code),
+edges and features (libFuzzer's cov and ft), peak_rss_mb, seconds, finding ("none", or libFuzzer's message
+and the path of the input). Exit code: 0 if there is no finding and each fuzzer ran all its inputs,
 1 otherwise.
 """
 import argparse

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The kernels' tests under valgrind's memcheck: no invalid access, nothing uninitialised, no leak.
+"""Runs the kernels' tests under valgrind's memcheck: no invalid access, no uninitialised value, no leak.
 
     memcheck.py --build build/release --jobs 2 --output FILE.json [--quick]
 
-The GoogleTest programs of the rooms without VTK, found by their label in ctest, compiled for
-release: what memcheck sees is what runs, and the sanitizers cannot see into CHOLMOD, BLAS and hidapi.
---quick: only the ticks (QUICK below). Tests that are left out stand in LEFT_OUT with their reason.
-Third parties are excused in memcheck.supp, if need be; our own code never.
+These are the GoogleTest programs of the folders without VTK, found by their label in ctest. They are
+compiled for release, so that memcheck checks the code that users run. The sanitizers cannot check
+CHOLMOD, BLAS and hidapi. --quick: only the ticks (QUICK below). LEFT_OUT lists the tests that are left
+out, with the reason. memcheck.supp may excuse third-party code, but never code of Palpate.
 
 FILE.json: {"part": "memcheck", "passed": bool, "figures": {"minutes", "left out": [pattern: reason],
 PROGRAM: {...}}}, per program: tests in it, run, left_out, failed (names), errors (kinds and where).

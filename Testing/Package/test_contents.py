@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each component holds what it should and nothing else: no test or benchmark, no private header, no path of the
-machine it was built on."""
+"""Each component contains its files and nothing else: no test or benchmark, no private header, no path of the
+machine on which it was built."""
 
 import os
 import re

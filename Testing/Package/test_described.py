@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every option of `palpate --help` stands in the man page and in the bash completion, and both are well-formed."""
+"""Every option of `palpate --help` is in the man page and in the bash completion, and both are well-formed."""
 
 import gzip
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the libraries export: what installed headers declare, nothing else; and of C what palpate.symbols lists."""
+"""The libraries export only the declarations of the installed headers; their C symbols are those of palpate.symbols."""
 
 import glob
 import os

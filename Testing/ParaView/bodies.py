@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever is taken for a body, its responses are those of the plain triangles: strips, polygons, blocks, partitions,
+"""A body in any form has the same responses as its plain triangles: strips, polygons, blocks, partitions,
 volumes. The plain triangles come from ParaView's own filters and vtkToolContactResponse itself."""
 import numpy as np
 import palpate

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies of every kind in pieces on several processes: their surface is that of the whole, without walls at the seams.
-Under mpiexec. What is compared is known beforehand: areas, numbers of triangles, the force of the one law times the area."""
+"""Bodies of every kind in pieces on several processes have the surface of the whole body, without walls at the seams.
+Runs under mpiexec. The expected values are known: areas, numbers of triangles, the force of one law times the area."""
 import numpy as np
 import palpate
 import raw_xml

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Charts that open by themselves: curves of selected points, of several responses, what was felt along a way,
-and measured readings; each over its first column, forces only, with titles on the axes: charts.py FOLDER
+"""Charts that open by themselves: curves of selected points, of several responses, forces along a path, and
+measured readings. Each chart is over its first column, shows forces only, and has titles on the axes: charts.py FOLDER
 
 Needs an X server for the pictures.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays ChartsInGui.xml in the ParaView program: points selected with the rubber band, their curves by one Apply.
+"""Plays ChartsInGui.xml in the ParaView program: the rubber band selects points, and one Apply shows their curves.
 
     pvpython charts_gui.py PARAVIEW CHARTS_IN_GUI.XML FOLDER      needs an X server
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView says while it updates a proxy: errors and warnings go to the standard error of the process."""
+"""Catches the messages of ParaView while it updates a proxy; they go to the standard error of the process."""
 import os
 import sys
 import tempfile

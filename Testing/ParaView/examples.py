@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every script of Plugin/Python/examples runs in the Python that it says and prints what it should.
+"""Every script of Plugin/Python/examples runs in the Python that it names and prints the expected lines.
 
     python3 examples.py EXAMPLES_FOLDER OUTPUT_FOLDER [NAME]      needs an X server for the picture
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays ResponseInGui.xml in the ParaView program, which must end well, and looks at what it leaves.
+"""Plays ResponseInGui.xml in the ParaView program, which must end without an error, and checks its output.
 
     pvpython gui.py PARAVIEW RESPONSE_IN_GUI.XML FOLDER      needs an X server
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The compiled help holds a page for every proxy, every page of the plugin, and whatever these show or link to:
+"""The compiled help contains a page for every proxy, every page of the plugin, and all that these pages show or link to:
 
     help.py PALPATE.QCH SOURCE_OF_THE_PLUGIN PICTURES
 """

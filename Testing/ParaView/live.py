@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays Live*.xml, the dock Live Touch, in the ParaView program, with a device of its own to feel what is left.
+"""Plays Live*.xml, the dock Live Touch, in the ParaView program, with a simulated device that receives the forces.
 
     pvpython live.py PARAVIEW FOLDER-OF-EVENTS FOLDER [NAME...]      needs an X server
 
 The device is this script: the 64-byte reports (Interactors/Transports/PROTOCOL.md) over a local socket. It moves into
-the body and keeps every force it is sent.
+the body and stores every force that it receives.
 """
 import binascii
 import os

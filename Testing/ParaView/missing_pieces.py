@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Without the module Pieces a filter with two processes ends with a sentence that names its library; with one it needs none.
+"""Without the module Pieces, a filter on two processes ends with an error that names the library of the module. On one
+process the filter does not need it.
 
-    missing_pieces.py FOLDER MPIEXEC PVBATCH MECHANICS    runs itself in pvbatch, with the library that loads modules alone in FOLDER
+    missing_pieces.py FOLDER MPIEXEC PVBATCH MECHANICS    runs itself in pvbatch; FOLDER gets only the loading library
 """
 import os
 import shutil

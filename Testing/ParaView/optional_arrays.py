@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""None in an array's place leaves the filter's index unset; a choice sets it; None again unsets it."""
+"""The choice None for an array leaves the filter's index unset; an array sets the index; None unsets it again."""
 import numpy as np
 import palpate  # noqa: F401 - gives the client-side objects their class
 from paraview import servermanager, simple

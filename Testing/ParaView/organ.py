@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body for the walk-through: smooth, closed, of an organ's size, in mm: organ.py FILE.vtp"""
+"""Makes a body for the walk-through: smooth, closed, of the size of an organ, in mm: organ.py FILE.vtp"""
 import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy

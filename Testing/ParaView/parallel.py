@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body in pieces on several processes gives what it gives on one: parallel.py FOLDER, under mpiexec.
+"""A body in pieces on several processes gives the same results as on one process: parallel.py FOLDER, under mpiexec.
 
-The serial result comes from the same filters without a controller, on process 0, the same for any number. Triangles
-and what follows from a point's own numbers are the same to the bit (ranks.py), and so is all where normals are given,
-or off the seams. Around a seam the normals of triangles are summed in another order: there arrays of the response are
-equal to a unit in the last place of a float (2e-7 of their largest value); forces and displacements follow from those.
+The serial result comes from the same filters without a controller, on process 0, for any number of processes. Triangles
+and results of a point's own numbers are the same to the bit (ranks.py). All other results are the same to the bit if
+normals are given, and away from seams. Around a seam the normals of triangles are summed in another order. There the
+arrays of the response are equal to a unit in the last place of a float (2e-7 of their largest value); forces and
+displacements follow from these arrays.
 """
 import os
 import sys

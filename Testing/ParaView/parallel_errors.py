@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is wrong on one process alone is an error on all, and nobody waits: under mpiexec pvbatch --symmetric.
+"""A fault on one process is an error on all processes, and no process hangs: under mpiexec pvbatch --symmetric.
 
-Each process has a slab of its own, so that the body has a seam at x = 0, 20...; the last one spoils it.
+Each process has a slab of its own, so that the body has a seam at x = 0, 20...; the last process makes the fault.
 """
 from palpate import (vtkContactDeflection, vtkContactRegime, vtkContactTool, vtkToolContactProbe,
                      vtkToolContactResponse)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One pipeline with every filter of the plugin that the tests of state and trace build, and its numbers.
+"""Builds one pipeline with every filter of the plugin, for the tests of state and trace, and reads its numbers.
 
 Not a test: state.py and trace.py use it.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The ParaView program, played by a script of events; and what its pictures hold."""
+"""Plays a script of events in the ParaView program, and examines its pictures."""
 import os
 import subprocess
 import sys

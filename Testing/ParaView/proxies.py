@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The proxies of the plugin: their classes, labels and defaults, and the numbers that come out of them."""
+"""The proxies of the plugin: their classes, labels and defaults, and their numerical results."""
 import glob
 import math
 import os

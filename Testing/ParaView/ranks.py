@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a body in pieces on several ranks has in common with the whole, to the bit: for parallel.py.
+"""Compares a body in pieces on several ranks with the whole body, to the bit, for parallel.py.
 
-Its triangles, as a multiset: each by the coordinates of its corners, the smallest first, and by what the arrays say
-there. Hence every sum over the surface: of the same terms, whatever rank has them, in another order.
+The triangles are compared as a multiset: each by the coordinates of its corners, the smallest first, and by the values
+of the arrays there. So a sum over the surface has the same terms on any number of ranks, in another order.
 """
 import math
 import numpy as np

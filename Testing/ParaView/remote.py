@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Client and server with the plugin on both sides: remote.py FOLDER PLUGIN "COMMAND OF THE SERVER"
 
-The server starts without the plugin and gets it from the client. What it gives is what ParaView gives by itself:
-the same bits from one process; from several to a part in a million, since normals at seams are summed in another
+The server starts without the plugin and gets it from the client. Its results are those of ParaView without a server:
+the same bits with one process; equal to a part in a million with several, since normals at seams are summed in another
 order.
 """
 import os

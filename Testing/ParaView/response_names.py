@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Of several responses on a body the readers offer a choice; any name may still be written, and is kept."""
+"""Filters that read a response offer the names of the responses on a body; any other name can be typed and is kept."""
 import sys
 from paraview import servermanager, simple
 

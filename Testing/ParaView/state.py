@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A pipeline of every filter, saved as a state, XML or Python, comes back with its numbers: state.py FOLDER
 
-The charts come back with it, where there is an X server.
+The charts also come back, if there is an X server.
 """
 import os
 import sys

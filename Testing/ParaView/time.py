@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A recorded trajectory plays, scrubs and is exported, with a probe, a dent and a chart behind it: time.py FOLDER
+"""A recorded trajectory is played, scrubbed and exported, with a probe, a dent and a chart after it: time.py FOLDER
 
 A session presses and drags a sphere on a plate; its recording is opened as a Palpate Trajectory. At every time the
-probe feels what the session felt there, and what the whole path at once gives. Needs an X server.
+probe has the force of the session at that time, and the force from the whole path at once. Needs an X server.
 """
 import csv
 import glob

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touch: the closed form of the tool, wherever the tip is put, animated, saved and loaded: touch.py FOLDER"""
+"""Touch: the closed form of the tool at any position of the tip; animated, saved and loaded: touch.py FOLDER"""
 import sys
 import numpy as np
 import palpate

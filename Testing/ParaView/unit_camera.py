@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""After another Length Unit the view shows the body, and nothing else moves the camera, played in the ParaView program:
+"""After a change of Length Unit the view shows the body; nothing else moves the camera. Played in the ParaView program:
 
     pvpython unit_camera.py PARAVIEW FOLDER-OF-EVENTS FOLDER      needs an X server
 """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body in cm or m gives the responses of the same body in mm; a size that looks like another unit is asked about; a
-material by name takes the place of the numbers."""
+"""A body in cm or m gives the responses of the same body in mm. A size that looks like another unit gives a question. A
+named material replaces the numbers."""
 import re
 import numpy as np
 import palpate  # noqa: F401 - gives the client-side objects their class

@@ -4,10 +4,10 @@
     pvpython walk.py PARAVIEW WALK_THROUGH.XML BASELINES FOLDER [PICTURES]      needs an X server
 
 Open, Apply, Tool Contact Response, Apply, Touch, Apply: then the view shows the dent, the tool, the
-force arrow and the numbers. The state it saves holds the numbers of the tool's closed form, and is drawn
-in a view of one size, which is compared with a baseline; likewise the program's own picture where its
-window leaves that size for the view. With PICTURES, the pictures of manual and help are left there, as
-paraview_*.png.
+force arrow and the numbers. The saved state has the numbers of the tool's closed form. It is drawn in a
+view of fixed size, which is compared with a baseline. The program's own picture is compared too, if its
+window has room for a view of that size. With PICTURES, the pictures of manual and help are written to
+that folder, as paraview_*.png.
 """
 import math
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the menus offer, and what is said of wrong input."""
+"""The filters that the menus offer, and the messages for wrong input."""
 import palpate  # noqa: F401 - gives the client-side objects their class
 from paraview import servermanager, simple
 

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every C++ file is laid out as .clang-format says (clang-format 14, as in Debian 12).
+"""Every C++ file is formatted by .clang-format (clang-format 14, as in Debian 12).
 
     check_format.py [SOURCE_DIR]    default: the tree this script is in
 
-Looks at the *.h and *.cxx that git tracks or would track; without git, at all but those under build/.
-Another version of clang-format may lay out some lines otherwise: what counts is 14.
+Checks the *.h and *.cxx that git tracks or would track; without git, all files except those under build/.
+Other versions of clang-format may format some lines in another way; only version 14 counts.
 
-To mend a file: clang-format -i FILE
+To fix a file: clang-format -i FILE
 
-Exit code: 0 all is well, 1 the listed files are not, 77 clang-format is missing (nothing was checked).
+Exit code: 0 no fault, 1 the listed files are not formatted, 77 clang-format is missing (nothing was checked).
 """
 import os
 import re

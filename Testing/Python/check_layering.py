@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who may include whom: the drawing of the house, kept true.
+"""Checks which folder (room) may include which other, by this drawing.
 
     Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
                       '--------------> Haptics (devices, servo) ------'
@@ -12,7 +12,7 @@
              Mechanics --> Trials --> Plugin/*
              Interaction --> Comparison (VTK) --> Plugin/*
 
-A room may include any room to its left along the arrows, never one to its right or beside it:
+A room may include any room to its left along the arrows, never a room to its right or parallel to it:
 
     Filters/Mechanics         nothing of ours
     Filters/Contact           Mechanics
@@ -35,13 +35,13 @@ Mechanics, Contact, Laws, Strain, Solids, Identification, Haptics, Transports an
 Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
-An include is traced to its room by the file name, so no two rooms may have a header of the same name. A class
+The file name of an include determines its room, so no two rooms may have a header of the same name. A class
 of Filters or Interactors that is no vtkObject is included by its room and folder: "Contact/PackedMesh.h".
 A folder with C++ code that is not a room is an error, and so is a name at the top level that does not
 belong there.
 
     check_layering.py [SOURCE_DIR]    check the tree (default: the one this script is in)
-    check_layering.py --self-test     break each rule in a made-up tree and see that it is noticed
+    check_layering.py --self-test     break each rule in a made-up tree and check that it is noticed
 
 Exit code: 0 the rules hold, 1 they do not, 2 wrong usage.
 """

@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A name means one thing: no type is defined twice, and no two rooms have functions of one name.
+"""Each name has one meaning: no type is defined twice, and no two rooms have functions of the same name.
 
-C++ forbids two definitions of one type in a program (the one-definition rule) but need not notice them: which one
-a call gets is chance. What stands in an anonymous namespace or inside a class is nobody else's. Functions are
-those that headers declare; overloads of one name belong in one room, unless they are in SAME_THING.
+C++ forbids two definitions of one type in a program (the one-definition rule), but a compiler need not notice them.
+Then it is chance which definition a call uses. Names in an anonymous namespace or inside a class are not visible
+elsewhere and do not count. Only functions that headers declare are checked. Overloads of one name belong in one room,
+unless they are in SAME_THING.
 
     check_names.py [SOURCE_DIR]    check the tree (default: the one this script is in)
-    check_names.py --self-test     put a name in twice and see that it is noticed
+    check_names.py --self-test     define a name twice and check that it is noticed
 
-Exit code: 0 all is well, 1 it is not, 2 wrong usage.
+Exit code: 0 no fault, 1 a fault, 2 wrong usage.
 """
 import re
 import sys

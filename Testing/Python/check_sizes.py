@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Nothing is too large to be read at once: a file of the product, and what can be set of a class.
+"""Limits the lines of a file of the product and the settable properties of a class, so that each can be read at once.
 
-A .h, .cxx or .c of Filters, Interactors and Plugin has at most LINES lines, and a class of VTK's kind at most SETTABLE
-properties: what a Set... of its header, written out or by a macro of VTK, sets; SetShapeToSphere() is one of Shape.
+A .h, .cxx or .c of Filters, Interactors and Plugin has at most LINES lines. A VTK class has at most SETTABLE
+properties, which are counted by the Set... functions of its header, written out or from a macro of VTK.
+SetShapeToSphere() belongs to the property Shape.
 
     check_sizes.py [SOURCE_DIR]    check the tree (default: the one this script is in)
-    check_sizes.py --self-test     write too much and see that it is noticed
+    check_sizes.py --self-test     exceed the limits and check that it is noticed
 
-Exit code: 0 all is well, 1 it is not, 2 wrong usage.
+Exit code: 0 no fault, 1 a fault, 2 wrong usage.
 """
 import re
 import sys

@@ -5,10 +5,10 @@
     check_tidy.py BUILD_DIR [NAME ...]    with NAMEs: only files whose path contains one of them
 
 Kernels: Filters/{Mechanics,Contact,Laws,Strain,Solids,Identification}, Interactors/{Haptics,Transports,Trials}. Their *.cxx are compiled with the flags
-of BUILD_DIR/compile_commands.json, several of them as one, since nearly all the time goes into Eigen's
-headers and the standard library's; their headers are checked where they are included.
+of BUILD_DIR/compile_commands.json. Several of them are compiled together, because nearly all the time is spent
+on the headers of Eigen and of the standard library. Their headers are checked where they are included.
 
-Exit code: 0 all is well, 1 something was found (or nothing to check), 77 clang-tidy is missing.
+Exit code: 0 no fault, 1 a fault was found (or there was nothing to check), 77 clang-tidy is missing.
 """
 import json
 import re

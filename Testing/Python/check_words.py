@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Comments are plain English: the phrases that CONTRIBUTING.md rules out stand in at most 1 of 100 comment lines of a folder.
+"""Comments are plain English: at most 1 of 100 comment lines of a folder has a phrase that CONTRIBUTING.md rules out.
 
 The phrases are hints: a hit may be fine, and a comment without one may still be hard to read. --sample draws comments
 for a reader to judge.
@@ -9,9 +9,9 @@ for a reader to judge.
     check_words.py --hits              print each comment line with such a phrase
     check_words.py --pages             the same share for the sentences of each page of Markdown, in percent
     check_words.py --sample N [SEED]   N comments of the product, drawn at random
-    check_words.py --self-test         put phrases in and see that they are noticed
+    check_words.py --self-test         insert phrases and check that they are noticed
 
-Exit code: 0 all is well, 1 it is not, 2 wrong usage.
+Exit code: 0 no fault, 1 a fault, 2 wrong usage.
 """
 import random
 import re

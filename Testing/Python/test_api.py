@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.response, probe, curves and regime on numpy arrays: forces beside closed forms, memory, errors, stubs.
+"""palpate.response, probe, curves and regime on numpy arrays: forces against closed forms, memory, errors, stubs.
 
-The body is a plate of one facet plane, z = 0, facing +z: a tip at (x, y, -d) is d deep whatever the mesh.
+The body is a plate whose facets are in the plane z = 0, facing +z: a tip at (x, y, -d) is d deep with any mesh.
 """
 import ast
 import csv

@@ -3,7 +3,7 @@
 """palpate.contract, the data contract in numpy, against the kernel: vtkResponseCurves for single
 points, vtkToolContactProbe for blends and beyond the range. Random bodies, both storage forms.
 
-Both sides read the same float32 arrays and calculate in double, in another order. TOLERANCE allows
+Both sides read the same float32 arrays and calculate in double, but in another order. TOLERANCE allows
 1e-12 of the largest sample of a curve: some 1e-16 per operation, times the differences of
 neighbouring samples, weighted by up to (n/i)^(2m) near the tip.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of bodies and scans: damaged ones are refused in words, whatever is in them; odd ones are read as they are meant."""
+"""Files of bodies and scans: any damaged file is refused with a message; unusual but valid files are read correctly."""
 import gzip
 import os
 import random

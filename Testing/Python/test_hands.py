@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two devices of one session on a half-space: pressing with the second lifts force off the first, as the equations of two
-flat ends that let one another down tell, and not at all where contacts do not feel one another."""
+"""Two devices of one session on a half-space: pressing with the second reduces the force on the first, by the equations of
+two flat ends that lower each other's surface. Without coupling the forces do not change."""
 import math
 import unittest
 

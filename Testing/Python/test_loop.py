@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A slab of liver pressed 5 mm at 1 mm/s makes the loop of Data/Reference/rate/loops_paper.csv: probed along a path with
-times, and felt by a session in virtual time."""
+"""A slab of liver pressed 5 mm at 1 mm/s gives the loop of Data/Reference/rate/loops_paper.csv: probed along a path with
+times, and in a session in virtual time."""
 import csv
 import unittest
 from pathlib import Path

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.measured: a plate measured with a paraboloid by Hertz's law, felt with a flat punch; what is refused."""
+"""palpate.measured: a plate measured with a paraboloid by Hertz's law and pressed with a flat punch; refused input."""
 import inspect
 import tempfile
 import unittest

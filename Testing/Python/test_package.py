@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package palpate: what it exports, and a script from end to end as a user would write it."""
+"""The package palpate: its exports, and a complete script as a user would write it."""
 import importlib
 import math
 import os

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body with its response, saved as .vtp, is the whole product: another Python, with numpy and
-VTK's reader alone, gets the same curves from it.
+"""A body with its response, saved as .vtp, is complete: another Python, with only numpy and VTK's reader,
+gets the same curves from it.
 
-Inline data; why not appended is said in Testing/Cxx/Response/TestRoundTrip.cxx.
+The data are inline; Testing/Cxx/Response/TestRoundTrip.cxx gives the reason against appended data.
 """
 import os
 import tempfile

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkContactSettings in Python, and ParaView's properties against its table."""
+"""vtkContactSettings in Python, and the properties in ParaView against its table."""
 import math
 import os
 import unittest

@@ -1,23 +1,24 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How many files one has to open to read one thing whole, and how long they are.
+"""Counts the files to open for a complete reading of one topic, and their lines.
 
-Three readings, each a program of this folder: `tick` (from ServoStep's step to the force that is written, with every
+There are three readings, each a program of this folder: `tick` (from ServoStep's step to the written force, with every
 surface, force form, friction model and link of the safety chain), `response` (from vtkToolContactResponse's
 RequestData to its arrays; half-space and one layer) and `picture` (from a vtkHapticSession that has ticked to the
-rendered picture). Each is compiled with --coverage in a build folder of its own, at -O0, and run once; a file of
-Filters or Interactors belongs to the reading if a line of it was executed, and so does NAME.h beside an executed
-NAME.cxx, since nobody reads one without the other. Headers that hold but declarations or tables are not found that
-way. Lines are counted as `wc -l` does, comments included: they are read too.
+rendered picture). Each is compiled with --coverage in a build folder of its own, at -O0, and run once. A file of
+Filters or Interactors belongs to the reading if a line of it was executed. NAME.h next to an executed NAME.cxx belongs
+to it too, since both are read together. Headers that hold only declarations or tables are not found in this way.
+Lines are counted as by `wc -l`, including comments, because they are read too.
 
-Last, the product's size: lines of .h, .cxx, .c and .py of Filters, Interactors and Plugin that are neither blank nor
-comment; and the types that hold a contact, a force, a point and a normal: one is `Contact`, others are copies of it.
+It also prints the product's size: lines of .h, .cxx, .c and .py of Filters, Interactors and Plugin that are neither
+blank nor comment; and the types that hold a contact: a force, a point and a normal. One is `Contact`, others are
+copies of it.
 
     reading.py [--build DIR] [--jobs N] [--most] [READING ...]
 
 --build   default build/reading; some 5 minutes the first time
 --most    list the files too, longest first
-Exit code: 0, or 1 if something could not be built or run.
+Exit code: 0, or 1 if a program could not be built or run.
 """
 import argparse
 import ast

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long each library took to compile, as a Markdown table: seconds from the start to the end of each object file, added up.
+"""Prints the compile time of each library as a Markdown table: seconds from start to end, summed over its object files.
 
-    compile_times.py [BUILD [TARGET]]    BUILD: a build folder of ninja, build/release without it; TARGET: what is counted is
-                                         what it is made of, `palpate` (what ./run demo builds) without it
+    compile_times.py [BUILD [TARGET]]    BUILD: a build folder of ninja, default build/release; TARGET: its libraries are
+                                         counted, default `palpate` (which ./run demo builds)
 
-A figure holds where nothing else was running and ccache had nothing: remove the build folder, set CCACHE_DISABLE=1, build TARGET.
+The times are valid only if nothing else was running and ccache was empty: remove the build folder, set CCACHE_DISABLE=1,
+build TARGET.
 """
 import collections
 import pathlib

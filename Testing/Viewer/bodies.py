@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small bodies and scans, and files of them in the formats that the viewer reads."""
+"""Makes small bodies and scans, and their files in the formats that the viewer reads."""
 import struct
 
 from vtkmodules.util.numpy_support import numpy_to_vtk

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A force device as a program of its own, for `palpate --device bridge:unix:PATH`: 64-byte reports as
-Interactors/Transports/PROTOCOL.md has them, byte by byte. SI units.
+"""A force device as a separate program, for `palpate --device bridge:unix:PATH`, with the 64-byte reports of
+Interactors/Transports/PROTOCOL.md, byte by byte. SI units.
 
     with BridgePeer(path) as peer:
-        peer.position = (0, 0, -0.011)     where the hand is sent, m; it goes there at 30 mm/s
-        peer.forces                        of the host: (time.monotonic(), enabled, x, y, z), s and N
+        peer.position = (0, 0, -0.011)     target of the hand, m; it goes there at 30 mm/s
+        peer.forces                        forces from the host: (time.monotonic(), enabled, x, y, z), s and N
 """
 import math
 import socket

@@ -8,10 +8,10 @@
 Picture FOLDER/overview.png is compared with BASELINES/PREFIXoverview.png; difference images go to
 FOLDER/difference/. How a baseline is accepted: Testing/Baseline/README.md.
 
---self-test puts a small fault into the corner of each picture and sees that it is noticed: a letter
-gone, three pixels lower (one must pass), a tenth darker.
+--self-test puts a small fault into the corner of each picture and checks that it is noticed: a missing
+letter, a shift by three pixels (a shift by one must pass), a tenth darker.
 
-Exit code: 0 all are alike, 1 they are not, 77 the scene was not run (see run_scene.py).
+Exit code: 0 all pictures match, 1 some do not, 77 the scene was not run (see run_scene.py).
 """
 import sys
 from pathlib import Path

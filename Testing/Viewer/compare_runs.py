@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two runs of a scene wrote the same files, byte by byte.
+"""Checks that two runs of a scene wrote the same files, byte by byte.
 
     compare_runs.py ONE OTHER    the folders of the runs
 

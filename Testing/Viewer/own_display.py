@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An X server of a test's own, that it may take away."""
+"""A separate X server for a test, which the test may stop."""
 import os
 import shutil
 import subprocess

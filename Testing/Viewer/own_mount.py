@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a program with a file system of its own in place of a folder, seen by nobody else: a full disk, or
-one that may only be read. Needs root, or a system that gives users name spaces.
+"""Runs a program with a separate file system in place of a folder, which no other program sees: a full disk,
+or a read-only disk. Needs root, or a system that gives users name spaces.
 
     run(..., before=own_mount.over(folder, "size=64k", kept=other))
 """

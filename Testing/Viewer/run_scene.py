@@ -4,10 +4,10 @@
 
     run_scene.py PALPATE FOLDER CACHE [OPTIONS OF PALPATE]
 
-The folder is emptied first. CACHE is where skins of scans are cached: "new" for a folder of its own,
-FOLDER.cache, emptied too, so that no skin of an older program is shown; or the FOLDER of an earlier
-run, to use what that has cached. Exit code: that of palpate; 77 if the head's scan is not installed (the
-tests that need the folder then end with 77 too: skipped, and said so).
+The folder is emptied first. CACHE is the cache for skins of scans: "new" for a separate folder,
+FOLDER.cache, which is emptied too, so that no skin of an older program is shown; or the FOLDER of an
+earlier run, to use its cache. Exit code: that of palpate; 77 if the scan of the head is not installed. The
+tests that need the folder then also end with 77: skipped, with a message.
 """
 import os
 import shutil

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the executable `palpate` as a user would; base of the tests of the viewer.
 
-PALPATE names the executable. Without an X server of the tests' own the programs use DISPLAY.
+PALPATE names the executable. Without a separate X server for the tests, the programs use DISPLAY.
 """
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--auto, the default: what is felt is the least that keeps the forces, and the program says what and why."""
+"""--auto, the default: the program uses the simplest response that keeps the forces, and reports choice and reason."""
 import re
 import unittest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command line says of itself, and what it says to what makes no sense."""
+"""The help of the command line, and its messages for invalid arguments."""
 import re
 import unittest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--compare and --map: what is found agrees with beam theory, half-space and layer."""
+"""--compare and --map: the results agree with beam theory, half-space and layer."""
 import math
 import re
 import unittest

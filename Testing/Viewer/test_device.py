@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate --device, --list-devices, --record: what is there, and the same hand again."""
+"""palpate --device, --list-devices, --record: the devices found, and a recorded hand that is played again."""
 import re
 import unittest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is missing or in the way around the program: display, scan, folders."""
+"""Missing or unsuitable surroundings of the program: display, scan, folders."""
 import re
 import unittest
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies, tools and materials at the ends of what there is: felt as the law says, or refused in clear words."""
+"""Bodies, tools and materials at the limits: the forces follow the law, or the program refuses with a clear message."""
 import math
 import unittest
 

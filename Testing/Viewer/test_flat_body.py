@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--export: a flat body file, which the viewer reads back as it was; damaged ones are refused."""
+"""--export: a flat body file, which the viewer reads back without change; damaged files are refused."""
 import unittest
 
 import bodies

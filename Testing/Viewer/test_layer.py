@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--layer: a layer on a rigid base, as thick as told or as the scan shows."""
+"""--layer: a layer on a rigid base, with a given thickness or the thickness from the scan."""
 import re
 import unittest
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The disk is full while the program writes: it says so, naming file and reason, the old file stands, and
-what of a recording had room is kept and can be read."""
+"""If the disk is full while the program writes, it reports the file and the reason. The old file is kept. The
+part of a recording that fits on the disk is kept and can be read."""
 import unittest
 
 import bodies

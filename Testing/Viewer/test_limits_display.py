@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A display that disappears while the hand is pressed against the body: the process ends with a message
-and exit code 1, the hand is let go of first, and what was recorded can be played again."""
+"""If the display disappears while the hand is pressed against the body, the force on the hand is released
+first, and the process ends with a message and exit code 1. The recording can be played again."""
 import contextlib
 import os
 import re

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Folders that are missing, that are files, or that may only be read, for every file the program writes: it
-says so before anybody has begun. Without its cache it goes on, and says so once."""
+"""Folders that are missing, that are files, or that are read-only, for every file that the program writes: it
+reports this before the session starts. Without its cache it continues, and reports this once."""
 import re
 import unittest
 from pathlib import Path

@@ -3,8 +3,8 @@
 
     test_live_window.py PALPATE_EXECUTABLE FOLDER [-k WORD]     (the tests with the word in their names)
 
-Needs a display of its own (the pointer is there once) and xdotool; exit code 77 without xdotool. The
-test waits for what the program prints, and gives its window a bounded time to follow the mouse.
+Needs a separate display (it has only one pointer) and xdotool; exit code 77 without xdotool. The test
+waits for the output of the program, and gives its window a limited time to follow the mouse.
 """
 import csv
 import math

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A minute under the hand while the window draws as fast as it can, and what the servo thread says of it.
+"""A session of one minute while the window draws as fast as it can, and the report of the servo thread.
 
     test_long_session.py PALPATE_EXECUTABLE FOLDER [SECONDS]
 
-Needs a display of its own and xdotool; exit code 77 without xdotool. The software renderer takes all
-processors. How well the thread kept time is printed, not asserted: it is the machine's.
+Needs a separate display and xdotool; exit code 77 without xdotool. The software renderer takes all
+processors. The timing of the thread is printed, not asserted, because it depends on the machine.
 """
 import math
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--measured and --register: a body felt with another tool than it was measured with."""
+"""--measured and --register: a body is pressed with another tool than the one of the measurement."""
 import os
 import re
 import unittest

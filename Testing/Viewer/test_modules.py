@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A module that is missing, broken or strange: an option that needs it is refused in words, all else works."""
+"""An option whose module is missing, broken or foreign is refused with a message; everything else works."""
 import os
 import shutil
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate --scene phantom: nodules that nobody sees are felt as another code says; a map; lump or none, blindly."""
+"""palpate --scene phantom: invisible nodules change the force as in another code; a map; blind trials, lump or none."""
 import csv
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkSkinSurface on synthetic scans: a ball with a cavity, a channel, cut by the field of view."""
+"""vtkSkinSurface on synthetic scans: a ball with a cavity, with a channel, and cut by the field of view."""
 import unittest
 
 import numpy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--solid: a surface is filled with tetrahedra, and each of its points feels the body's true shape."""
+"""--solid: a surface is filled with tetrahedra, and each of its points has the response of the body's true shape."""
 import pathlib
 import re
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""trajectory.csv and the summary: columns, one row per tick, numbers that fit together."""
+"""trajectory.csv and the summary: columns, one row per tick, consistent numbers."""
 import re
 import unittest
 

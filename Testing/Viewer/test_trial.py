@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate --trial without a display: blind questions out, answers in, a log on disk."""
+"""palpate --trial without a display: it asks blind questions, reads answers and writes a log to disk."""
 import os
 import re
 import subprocess

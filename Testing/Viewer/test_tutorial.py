@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tutorial prints what its commands print: each output block is compared with the program.
+"""The tutorial shows the output of its commands: each output block is compared with the program.
 
-An output block follows the block of its command. "(...)" stands for any text; lines that are not printed in the
-manual, such as times, are not compared.
+An output block follows the block of its command. "(...)" means any text. Lines that are not in the manual,
+such as times, are not compared.
 """
 import re
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files in metres and centimetres; sizes that look like a mistaken unit are asked about."""
+"""Files in metres and centimetres; a size that looks like a mistaken unit gives a question."""
 import unittest
 
 import bodies

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A surface becomes a solid: --voxel fills it, finite elements tell how it gives way as a whole."""
+"""--voxel fills a surface to make a solid, and finite elements compute its global compliance."""
 import re
 import unittest
 

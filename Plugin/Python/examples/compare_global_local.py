@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A strip that bends beside a block that dents, under the same three tools; prints how far their forces lie apart.
+"""Presses three tools on a strip that bends and on a block that dents; prints how much the forces of the tools differ.
 
     ./run python Plugin/Python/examples/compare_global_local.py
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hard ball under the skin of a block: by how much three tools feel it, above it and beside it.
+"""A hard ball under the skin of a block: prints how much it changes the force of three tools, above it and next to it.
 
     ./run python Plugin/Python/examples/feel_a_nodule.py
 """
@@ -16,7 +16,7 @@ TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
 
 
 def block():
-    """Voxels, the lowest points held."""
+    """Voxels whose lowest points are held."""
     n, m = int(SIZE / CELL), int(HEIGHT / CELL)
     image = vtkImageData()
     image.SetDimensions(n + 1, n + 1, m + 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first force: a sphere is let down on a ball of soft tissue; prints how deep it is and what it feels.
+"""The first force: a sphere is pressed on a ball of soft tissue; prints its depth and its force.
 
     ./run python Plugin/Python/examples/first_force.py
 """

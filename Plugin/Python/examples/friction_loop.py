@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sphere 1 mm deep in a plate is dragged to and fro; prints where it is and what it feels.
+"""A sphere 1 mm deep in a plate is dragged back and forth; prints its place, the friction and the state of the contact.
 
     ./run python Plugin/Python/examples/friction_loop.py
 """

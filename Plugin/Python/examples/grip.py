@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two fingers: what a pinch feels of a strip that bends, how much a neighbour lifts off a half-space; draws both.
+"""Two fingers: prints how much they change each other's force on a bending strip and on a half-space; draws both.
 
     ./run python Plugin/Python/examples/grip.py [OUTPUT.png]    (default: grip.png)
 """
@@ -36,14 +36,14 @@ solid.SetFixedFaces("x-")                                   # a strip held at on
 bending.SetInputConnection(solid.GetOutputPort())
 bending.SetYoungsModulus(YOUNG)
 bending.SetPoissonRatio(POISSON)
-bending.SetNumberOfCouplingModes(8)                         # one finger moves the surface at the other: bending
+bending.SetNumberOfCouplingModes(8)                         # by bending, one finger moves the surface at the other
 bending.Update()
 finger = "sphere:%g" % FINGER                               # alone, with the same force, it bends the strip by 5 mm
 strip = palpate.response(bending.GetOutput(), finger, YOUNG, POISSON, compliance="GlobalCompliance",
                          maximum_deflection=8, samples=32, coupling=True)
 plane = np.array([[-12, -6, 0], [12, -6, 0], [12, 6, 0], [-12, 6, 0.0]]), np.array([[0, 1, 2], [0, 2, 3]])
 half_space = palpate.response(plane, finger, YOUNG, POISSON, maximum_deflection=1, coupling=True)
-cases = [("a pinch", strip, np.array([[0, 0, 3 - DEPTH], [0, 0, DEPTH - 3]]))] # above and below, half way along
+cases = [("a pinch", strip, np.array([[0, 0, 3 - DEPTH], [0, 0, DEPTH - 3]]))] # above and below, half way along it
 for apart in (20, 12, 8, 6):                                # mm
     cases.append(("%d mm apart" % apart, half_space, np.array([[x, 0, -DEPTH] for x in (-apart / 2, apart / 2)])))
 window, ball, arrow = vtk.vtkRenderWindow(), vtk.vtkSphereSource(), vtk.vtkArrowSource()

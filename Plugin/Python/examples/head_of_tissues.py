@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A forehead of skin, skull and brain from a scan, as finite elements; what a sphere feels on it, beside simpler laws.
+"""A forehead of skin, skull and brain from a scan, as finite elements; prints the force of a sphere and simpler laws.
 
     ./run python Plugin/Python/examples/head_of_tissues.py      (the scan is Debian's mricron-data: Colin 27, 1 mm)
 """
@@ -16,7 +16,7 @@ X, Z, HALF, BEHIND = 95, 125, 22, 34                        # mm: centre of the 
 
 
 def voxels(name):
-    """Grey values by z, y and x, 1 mm apart; y to the nose."""
+    """Grey values indexed by z, y and x, 1 mm apart; y points to the nose."""
     reader = vtk.vtkNIFTIImageReader()
     reader.SetFileName(SCANS + name)
     reader.Update()
@@ -32,14 +32,14 @@ def image(values):
 
 
 grey, brain = voxels("ch2.nii.gz"), voxels("ch2bet.nii.gz") > 0
-inside = numpy.maximum.accumulate((grey >= BONE)[:, ::-1], axis=1)[:, ::-1] # behind a bright voxel
+inside = numpy.maximum.accumulate((grey >= BONE)[:, ::-1], axis=1)[:, ::-1] # behind the first bright voxel
 front = int(numpy.where(inside[Z, :, X])[0].max())
 piece = numpy.zeros_like(grey)
 cut = (slice(Z - HALF, Z + HALF), slice(front - BEHIND, None), slice(X - HALF, X + HALF))
 piece[cut] = inside[cut]
 blurred, surface = vtk.vtkImageGaussianSmooth(), vtk.vtkFlyingEdges3D()
 blurred.SetInputData(image(piece))
-blurred.SetStandardDeviations(1, 1, 1)                      # one voxel: the steps of the voxels are not a shape
+blurred.SetStandardDeviations(1, 1, 1)                      # one voxel: removes the steps of the voxels
 surface.SetInputConnection(blurred.GetOutputPort())
 surface.SetValue(0, 0.5)
 whole, smooth = vtk.vtkPolyDataConnectivityFilter(), vtk.vtkWindowedSincPolyDataFilter()
@@ -57,7 +57,7 @@ solid.SetInputConnection(smooth.GetOutputPort())
 solid.SetSurfaceSpacing(4)
 solid.AddFineBall(*here, 8, 1.5)                            # fine at the contact
 solid.SetFixedFaces("x-:2,x+:2,y-:2,z-:2,z+:2")
-tissues = palpate.vtkScannedMaterial()                      # each cell has the material of the image there
+tissues = palpate.vtkScannedMaterial()                      # each cell has the material of the image at its place
 tissues.SetInputConnection(solid.GetOutputPort())
 tissues.SetImageData(image(numpy.where(brain, 3.0, numpy.where(inside & (grey < BONE), 2.0, 1.0))))
 for tissue in TISSUES:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""In ParaView, through its proxies: a ball, its responses, a probe, the dent; prints the force.
+"""Uses Palpate in ParaView through its proxies: a ball, its responses, a probe, the dent; prints the force.
 
     ./run pvpython Plugin/Python/examples/in_paraview.py [STATE.pvsm]
 
-ParaView makes the names of the properties from their labels, units and all. With STATE.pvsm the pipeline
+ParaView makes the names of the properties from their labels, including the units. With STATE.pvsm the pipeline
 is saved for ./run paraview STATE.pvsm.
 """
 import sys

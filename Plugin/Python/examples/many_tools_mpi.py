@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several tools on one body that is spread over processes; prints the force of each, saves the body.
+"""Several tools on one body that is distributed over processes; prints the force of each tool and saves the body.
 
     mpiexec -np 4 pvbatch Plugin/Python/examples/many_tools_mpi.py [BODY] [OUTPUT.pvtp]
 
-PV_PLUGIN_PATH must name the folder of the plugin. Each process makes the responses of its own piece, and a contact
-is felt by all of them: the numbers do not depend on how many there are. Without mpiexec: ./run pvpython.
+PV_PLUGIN_PATH must name the folder of the plugin. Each process makes the responses of its own piece. All processes
+take part in a contact, so the numbers do not depend on the number of processes. Without mpiexec: ./run pvpython.
 """
 import sys
 from paraview import servermanager, simple

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measured with a sphere, felt with a flat punch: prints the body found at each site, and the punch's force.
+"""Measured with a sphere, pressed with a flat punch: prints the body found at each site, and the force of the punch.
 
     ./run python Plugin/Python/examples/measured_curves.py [CURVES.csv]
 """
@@ -27,7 +27,7 @@ response.SetTool(punch)
 response.Update()
 
 felt = response.GetOutput()
-sites = response.GetOutputDataObject(1)                     # a table: the body found at each site
+sites = response.GetOutputDataObject(1)                     # a table of the bodies found at the sites
 for row in range(sites.GetNumberOfRows()):
     name = sites.GetValueByName(row, "Site").ToString()
     modulus = sites.GetValueByName(row, "ReducedModulus (MPa)").ToDouble()

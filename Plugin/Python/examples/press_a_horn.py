@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body with two horns, by its true shape: what a sphere feels on its back, at a horn's root and tip; draws that.
+"""A body of true shape with two horns: prints the force of a sphere on its back, at a horn's root and tip; draws it.
 
     ./run python Plugin/Python/examples/press_a_horn.py [OUTPUT.png]    (default: horn.png)
 """
@@ -13,7 +13,7 @@ YOUNG, POISSON, DEPTH, TOOL = 0.1, 0.45, 1.5, "sphere:3"    # MPa and - as in vt
 
 
 def horned_surface():
-    """A ball of 25 mm on a flat bottom, out of which two horns grow."""
+    """A ball of 25 mm radius with a flat bottom and two horns."""
     axis = numpy.arange(-30, 50, 1.25)
     z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
     inside = [25 - numpy.sqrt(x**2 + y**2 + z**2)]

@@ -3,8 +3,8 @@
 
     ./run python Plugin/Python/examples/read_contract.py BODY.vtp [RESPONSE [POINT]]
 
-as attach_responses.py saves it: ./run python ... read_contract.py ball.vtp Finger 100. Where Palpate is installed,
-palpate.curves("ball.vtp", 100, name="Finger") does the same.
+For a body that attach_responses.py has saved: ./run python ... read_contract.py ball.vtp Finger 100. If Palpate is
+installed, palpate.curves("ball.vtp", 100, name="Finger") does the same.
 """
 import sys
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A flat end that leans: its force and torque at one depth of its deepest point, beside boundary elements; drawn.
+"""A tilted flat end: prints and draws force and torque at one depth of its deepest point, with boundary elements.
 
     ./run python Plugin/Python/examples/tilted_punch.py [OUTPUT.png]    (default: tilted_punch.png)
 """
@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkViewsContext2D import vtkContextView
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-POISSON, RADIUS, DEPTH = 0.45, 1.0, 0.2                     # -, mm, mm: depth of the rim, which is deepest
+POISSON, RADIUS, DEPTH = 0.45, 1.0, 0.2                     # -, mm, mm: depth of the deepest point, at the rim
 YOUNG = 1 - POISSON**2                                      # MPa: a reduced modulus of 1 MPa
 
 plane = np.array([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0.0]]), np.array([[0, 1, 2], [0, 2, 3]])
@@ -25,7 +25,7 @@ body = palpate.response(plane, "flat:%g" % RADIUS, YOUNG, POISSON, maximum_defle
 
 
 def feel(degrees):
-    """Force (N) and torque about the middle of the end (N mm), to where it sets the tool upright."""
+    """Force (N) and torque about the middle of the end (N mm), positive if it turns the tool upright."""
     sine, cosine = np.sin(np.radians(degrees)), np.cos(np.radians(degrees))
     zeros = np.zeros_like(degrees)
     axis, tips = np.stack((sine, zeros, cosine), 1), np.stack((zeros, zeros, RADIUS * sine - DEPTH), 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What four tools feel on a half-space: a table of force in N over deflection in mm.
+"""Forces of four tools on a half-space: prints a table of force in N over deflection in mm.
 
     ./run python Plugin/Python/examples/tool_curves.py
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball under the mouse, with a panel that changes tool and material under the hand; ? shows the keys.
+"""A ball is touched with the mouse; a panel changes tool and material during the contact. The key ? shows all keys.
 
-    ./run python Plugin/Python/examples/touch_window.py    (--demo: a script is the hand; prints what is felt)
+    ./run python Plugin/Python/examples/touch_window.py    (--demo: a script moves the tool and prints the force)
 """
 import sys
 import time

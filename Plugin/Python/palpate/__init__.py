@@ -4,9 +4,9 @@
     body = palpate.response("liver.stl", tool="sphere:6.35", young=0.05)     # a curve at each point
     forces, deflection, *rest = palpate.probe(body, tips)                    # N and mm, one row per tip
 
-Functions on numpy arrays, each with its own help: response, probe, curves, regime, measured. Also every wrapped class of the
-pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` reads the response arrays of a saved body
-with numpy alone, even without VTK.
+Functions on numpy arrays, each with its own help: response, probe, curves, regime, measured. The package also holds
+every wrapped class of the pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` evaluates the
+response arrays of a saved body with numpy alone. It can be imported without VTK.
 
 Units: mm, N, MPa, N/mm. Forces act on the tool and point out of the body.
 """
@@ -20,7 +20,7 @@ FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", 
 
 
 def _reexport():
-    """Imports each class of the wrapped modules beside this file into the package."""
+    """Imports each class of the wrapped modules in the folder of this file into the package."""
     here = os.path.dirname(__file__)
     for module in pkgutil.iter_modules([here]):
         if module.name.startswith("palpate"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What `import palpate` offers. The stubs of the wrapped modules are made when Palpate is built.
+# Names that `import palpate` offers. The build of Palpate makes the stubs of the wrapped modules.
 from . import contract as contract, tilts as tilts
 from ._curves import Curves as Curves, curves as curves
 from ._measured import Measured as Measured, measured as measured

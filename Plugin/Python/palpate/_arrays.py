@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""numpy arrays to VTK and back, in the same memory if possible.
+"""Converts numpy arrays to VTK and back, in the same memory if possible.
 
-A VTK array made from a numpy array keeps it alive (by an attribute, as VTK's own numpy_support does), and vice versa.
-Arrays that VTK cannot read are copied: other types of numbers, rows that are not contiguous, read-only memory.
+A VTK array made from a numpy array keeps the numpy array alive (by an attribute, as in VTK's own numpy_support), and
+vice versa. Arrays that VTK cannot read are copied: other types of numbers, rows that are not contiguous, read-only
+memory.
 """
 import numpy as np
 from vtkmodules.util import numpy_support
@@ -31,7 +32,7 @@ def to_cells(connectivity, size):
     ends = np.arange(0, connectivity.size + 1, size, dtype=connectivity.dtype)
     flat = connectivity.reshape(-1)
     cells.SetData(to_vtk(ends), to_vtk(flat))
-    # VTK has made its own arrays in the same memory. These must keep the memory alive.
+    # VTK has made its own arrays in the same memory. They must keep the memory alive.
     cells.GetOffsetsArray()._numpy_reference = ends
     cells.GetConnectivityArray()._numpy_reference = flat
     return cells
@@ -42,7 +43,7 @@ def to_numpy(array):
 
 
 def reals(values, argument, shape):
-    """`values` as floats of that shape, where None is any number; the same memory if possible."""
+    """`values` as floats of the given shape, in which None stands for any number; in the same memory if possible."""
     refuse_masked(values, argument)
     try:
         given = np.asarray(values)
@@ -55,7 +56,7 @@ def reals(values, argument, shape):
 
 
 def indices(values, argument, columns):
-    """`values` as whole numbers, rows of so many columns; the same memory if possible."""
+    """`values` as whole numbers, in rows of `columns` numbers; in the same memory if possible."""
     refuse_masked(values, argument)
     array = np.asarray(values)
     if array.dtype.kind not in "iu":
@@ -69,7 +70,7 @@ def indices(values, argument, columns):
 
 
 def refuse_masked(values, argument):
-    """Nothing of VTK's knows masks: the number under one would be taken."""
+    """Raises ValueError for masked values: VTK ignores masks and would use the number under the mask."""
     if np.ma.is_masked(values):
         mask = np.ma.getmaskarray(values)
         raise ValueError("%s: %d of %d values are masked, the first at %s; give a number for each, as by filled(), or "

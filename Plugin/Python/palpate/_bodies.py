@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The forms in which a body may be given: see as_body."""
+"""Converts the forms in which a body may be given: see as_body."""
 import os
 import warnings
 
@@ -11,15 +11,13 @@ from .palpateResponse import vtkBodyFileReader, vtkBodySurface
 
 
 def as_body(body):
-    """A vtkPolyData of triangles in mm, from any of
+    """Returns a vtkPolyData of triangles in mm, with at least one triangle. The body may be
 
     - a vtkPolyData, or a wrapper of one (vtkmodules.numpy_interface.dataset_adapter.PolyData);
-    - another data set (a volume, blocks), but no image: its outer surface, by vtkBodySurface;
-    - a vtkAlgorithm, or one of its output ports: its updated output;
+    - another data set (a volume, blocks) except an image: its outer surface is made by vtkBodySurface;
+    - a vtkAlgorithm, or one of its output ports: its updated output is used;
     - (points, triangles): (n, 3) coordinates and (m, 3) numbers of points, counter-clockwise seen from outside;
-    - the name of a file, in mm: .vtp, .stl, .ply, .obj, .vtk or .vtu, by vtkBodyFileReader.
-
-    It has at least one triangle.
+    - the name of a file, in mm: .vtp, .stl, .ply, .obj, .vtk or .vtu, read by vtkBodyFileReader.
     """
     made = _any_body(body)
     if made.GetNumberOfPoints() == 0:
@@ -46,7 +44,7 @@ def _any_body(body):
 
 
 def shallow_copy(body):
-    """Another vtkPolyData with the same arrays, to which more can be added."""
+    """Another vtkPolyData with the same arrays. More arrays can be added to it."""
     copy = vtkPolyData()
     copy.ShallowCopy(body)
     return copy
@@ -62,7 +60,7 @@ def _from_arrays(points, triangles):
 
 
 def warn_about_size(body):
-    """As the viewer asks: a body of 0.3 is probably one of 0.3 m, given in metres."""
+    """Warns about a doubtful size, as the viewer does: a body of 0.3 mm is probably one of 0.3 m, given in metres."""
     bounds = body.GetBounds()
     longest = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
     if vtkBodySurface.IsSizeDoubtful(longest):
@@ -76,7 +74,7 @@ def _surface_of(data):
                          "palpate.vtkSkinSurface (its ContourValue is the grey level of the skin), its box by "
                          "palpate.vtkBodySurface")
     surface = vtkBodySurface()
-    surface.AskAboutSizeOff()                       # asked by warn_about_size
+    surface.AskAboutSizeOff()                       # warn_about_size does this
     surface.SetInputDataObject(data)
     return _filters.run(surface).GetOutput()
 

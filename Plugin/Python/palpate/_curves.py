@@ -20,7 +20,7 @@ class Curves(NamedTuple):
 
 
 def _error(array, ranges, points, depths):
-    """Linear in the root of the depth between the samples, constant below the first; NaN if none is kept."""
+    """The error, linear in the root of the depth between samples, constant below the first one; NaN without an array."""
     points, depths = np.broadcast_arrays(points, depths)
     if array is None:
         return np.full(depths.shape, np.nan)
@@ -38,9 +38,9 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
 
     Parameters
     ----------
-    body : a body with a response, as palpate.response returns it, or a saved one, "body.vtp".
-    points : numbers of points, from 0: one, or an array of shape (p,); None for all of them.
-    deflection : depths, mm, shape (d,) or one number; None: `rows` of them, from 0 to the largest range of the points.
+    body : a body with a response, as palpate.response returns it, or a saved body, "body.vtp".
+    points : numbers of points, from 0: one number, or an array of shape (p,); None: all points.
+    deflection : depths, mm, shape (d,) or one number; None: `rows` depths from 0 to the largest range of the points.
     rows : number of depths if deflection is None, at least 2.
     name : prefix of the response arrays.
 
@@ -48,13 +48,13 @@ def curves(body, points=None, deflection=None, rows=101, name="Response") -> Cur
     -------
     Curves, a tuple of float64 arrays:
         deflection (d,) : mm;
-        force (p, d) : N, NaN beyond a point's range and where it has no response;
-        stiffness (p, d) : dF/d(deflection), N/mm, likewise;
-        error (p, d) : estimated relative error of the force, likewise, and NaN if the response keeps none.
-    One row only, shape (d,), if `points` is a single number.
+        force (p, d) : N; NaN beyond the range of a point and where a point has no response;
+        stiffness (p, d) : dF/d(deflection), N/mm; NaN as for the force;
+        error (p, d) : estimated relative error of the force; NaN as for the force, and if the response stores no error.
+    If `points` is a single number, the arrays have one row only, shape (d,).
 
     Raises ValueError for a body without the response, or for missing points; TypeError for arguments of another type.
-    Evaluated by palpate.contract in numpy, on one thread, some 0.5 microseconds per value.
+    Runs in numpy by palpate.contract, on one thread; some 0.5 microseconds per value.
     """
     body = as_body(body)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a VTK algorithm: its errors become exceptions, its warnings Python's; nothing is printed."""
+"""Runs a VTK algorithm. Its errors become exceptions, its warnings become Python warnings; nothing is printed."""
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkObject
@@ -7,11 +7,11 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
 class Listener:
-    """Collects the texts of errors and warnings of VTK objects, also where VTK shows none."""
+    """Collects the texts of errors and warnings of VTK objects, even if VTK is set to show none."""
 
     def __init__(self, *objects):
         self._shows = vtkObject.GetGlobalWarningDisplay()
-        vtkObject.GlobalWarningDisplayOn()      # without this there are no events
+        vtkObject.GlobalWarningDisplayOn()      # otherwise there are no events
         self.errors, self.warnings = [], []
         self._observed = []
         for one in objects:
@@ -38,7 +38,7 @@ def words(text):
 
 
 def run(algorithm, kind=ValueError, others=()):
-    """Updates an algorithm. An error, also of other objects in it, is raised as `kind`; a warning is Python's."""
+    """Updates an algorithm. Errors, also those of `others`, are raised as `kind`; warnings become Python warnings."""
     listener = Listener(algorithm, algorithm.GetExecutive(), *others)
     try:
         algorithm.Update()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.measured: the response of any tool from force-deflection curves measured with others."""
+"""palpate.measured: the response of any tool from force-deflection curves measured with other tools."""
 from __future__ import annotations
 
 import os
@@ -15,7 +15,7 @@ MODELS = ("half-space", "compliance", "layer")
 
 
 class Measured(NamedTuple):
-    """What curves tell of a body. See palpate.measured."""
+    """The body identified from measured curves. See palpate.measured."""
 
     body: vtkPolyData
     sites: list
@@ -23,31 +23,34 @@ class Measured(NamedTuple):
 
 def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_strain=0.4, reach=20.0,
              registration=None, maximum_deflection=2.0, samples=8, name="Response") -> Measured:
-    """Attaches to each point of a body around measured sites the curve of a tool, from curves that others measured there.
+    """Attaches the curve of a tool to each point of a body around measured sites.
+
+    It follows from curves that were measured at these sites with other tools.
 
     Parameters
     ----------
     body, tool, maximum_deflection (mm), samples, name : as in palpate.response.
-    files : the name of a file of curves, or a sequence of them, each of one tool: .csv with the columns site, x_mm, y_mm,
-        z_mm, deflection_mm and force_N, and the head '# tool: sphere:6.35'.
-    model : "half-space", "compliance" (in series with a half-space) or "layer", where it is known; None: the simplest that
-        explains the readings.
-    poisson : Poisson's ratio, 0 to 0.5; of a layer.
-    maximum_strain : contact radius over tip radius up to which readings are used; a site's Remark says how many are not.
-    reach : how far a site speaks for, mm.
-    registration : the name of a file that carries the frame of the curves to the body's, or None.
+    files : the name of a file of curves, or a sequence of names, each file of one tool: .csv with the columns site, x_mm,
+        y_mm, z_mm, deflection_mm and force_N, and the head '# tool: sphere:6.35'.
+    model : "half-space", "compliance" (in series with a half-space) or "layer", if the model is known; None: the simplest
+        model that explains the readings.
+    poisson : Poisson's ratio of a layer, 0 to 0.5.
+    maximum_strain : largest ratio of contact radius to tip radius up to which readings are used; the Remark of a site
+        gives the number of readings that are not used.
+    reach : distance from a site up to which it determines the response, mm.
+    registration : the name of a file that maps the frame of the curves to the frame of the body, or None.
 
     Returns
     -------
     Measured, a tuple:
         body : the body with the arrays of palpate.response;
-        sites : a dictionary for each site, of what vtkMeasuredContactResponse tells of it: Verdict, Model,
+        sites : a dictionary for each site, with the results of vtkMeasuredContactResponse: Verdict, Model,
             'ReducedModulus (MPa)' and others with their 95 % intervals (' from', ' to' before the unit), Remark.
 
-    Raises ValueError with the words of vtkMeasuredContactResponse, also where no site can be used; TypeError for arguments
-    of another type. Sites that are refused give a RuntimeWarning. Runs on all threads, some 0.1 s for a site.
+    Raises ValueError with the message of vtkMeasuredContactResponse, also if no site can be used; TypeError for arguments
+    of another type. Refused sites give a RuntimeWarning. Runs on all threads, some 0.1 s per site.
     """
-    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # a module that may be missing in a build
+    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # a build may lack this module
 
     made = vtkMeasuredContactResponse()
     made.SetInputData(as_body(body))

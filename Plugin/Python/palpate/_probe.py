@@ -38,7 +38,7 @@ class Probe(NamedTuple):
 
 
 class CoupledProbe(tuple):
-    """The contacts of tools that press at the same time: forces, stiffness. The fields of Probe are its attributes."""
+    """Contacts of tools that press at the same time: forces, stiffness. The fields of Probe are attributes of the pair."""
 
     forces: np.ndarray
     stiffness: np.ndarray
@@ -61,33 +61,34 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
           friction_model="elasto-plastic", friction_breakaway=0.8, friction_stick_radius=0.9, poisson=0.5,
           force_form="normalized-direction", surface="facets", indentation=0.0, name="Response",
           relaxation_elements=16, axis=None, coupled=False) -> Probe | CoupledProbe:
-    """The contact force at given tool tips, by the kernel of the servo tick.
+    """The contact force at given tool tips, computed by the kernel of the servo tick.
 
     Parameters
     ----------
-    body : a body with a response, as palpate.response returns it, or a saved one, "body.vtp".
-    tips : positions of the tool's tip, mm, in the frame of the body: shape (n, 3), or (3,) for one; float32 or float64
-        is not copied. Or a vtkPolyData, whose polylines are paths.
-    path : False: each tip is independent, searched in the whole body, without friction. True: the tips are one path,
-        along which the contact is followed from tip to tip, with friction.
-    time : of each tip of a path, s, shape (n,); must not decrease. A body that relaxes depends on it; without times, and
-        for independent tips, it gives its slow response. No other force depends on it.
-    friction : Coulomb's coefficient, >= 0; of paths only.
-    tangential_stiffness : of the stuck contact, N/mm, > 0.
+    body : a body with a response, as palpate.response returns it, or a saved body, "body.vtp".
+    tips : positions of the tool's tip, mm, in the frame of the body: shape (n, 3), or (3,) for one tip. float32 and
+        float64 are not copied. Or a vtkPolyData, whose polylines are paths.
+    path : False: the tips are independent; each is searched for in the whole body, without friction. True: the tips are
+        one path; the contact is followed from tip to tip, with friction.
+    time : time of each tip of a path, s, shape (n,); must not decrease. The force of a body that relaxes depends on it.
+        Without times, and for independent tips, the force is that of the slow response. Other forces do not depend on it.
+    friction : Coulomb's coefficient, >= 0; for paths only.
+    tangential_stiffness : stiffness of the contact while it sticks, N/mm, > 0.
     friction_model : "elasto-plastic", "dahl" or "shape-derived" (from the response itself).
-    friction_breakaway, friction_stick_radius : of "elasto-plastic": fraction of the limit up to which it sticks
-        elastically, 0 to 1, and at which half of a displacement is creep.
-    poisson : Poisson's ratio, 0 to 0.5, of "shape-derived" friction.
-    force_form : "paper", "normalized-direction" or "energy-consistent": how three curves become one force.
-    surface : "facets" (the triangles) or "smooth" (a patch through the vertices and normals of each).
-    indentation : mm by which each tip is first moved inward, so that points on the surface press.
+    friction_breakaway, friction_stick_radius : for "elasto-plastic" friction: the fraction of the limit up to which the
+        contact sticks elastically, 0 to 1, and the fraction at which half of a displacement is creep.
+    poisson : Poisson's ratio, 0 to 0.5, for "shape-derived" friction.
+    force_form : "paper", "normalized-direction" or "energy-consistent": how the three curves of a triangle become one
+        force.
+    surface : "facets" (the triangles) or "smooth" (a patch through the vertices and normals of each triangle).
+    indentation : distance by which each tip is first moved inward, mm, so that points on the surface press.
     name : prefix of the response arrays.
     relaxation_elements : number of parallel elements of a body that relaxes, 0 (quasi-linear) to 32.
-    axis : of the tool, from the tip up its shaft, any length, shape (3,) for all tips or as `tips`. A response with tilts
-        depends on it, and gives torques. None: along the normal of the body.
-    coupled : True: tips of the same time press together and feel one another, 64 at most, on a body made with
-        palpate.response(..., coupling=True). Without path all tips, or those of the same `time`; with path=True `tips`
-        has the shape (n, k, 3), k tools at n moments, and each field of the result n rows of k.
+    axis : axis of the tool, from the tip up its shaft, of any length; shape (3,) for all tips, or the shape of `tips`. A
+        response with tilts depends on it and gives torques. None: along the normal of the body.
+    coupled : True: tips of the same time press together and act on one another, 64 at most, on a body made with
+        palpate.response(..., coupling=True). Without path these are all tips, or the tips of the same `time`. With
+        path=True `tips` has the shape (n, k, 3), k tools at n moments, and each field of the result has n rows of k.
         Then forces, stiffness = palpate.probe(..., coupled=True).
 
     Returns
@@ -96,26 +97,27 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         forces (n, 3) : total force on the tool, N;
         deflection (n,) : depth of the tip below its contact point, mm; 0 outside;
         normal_force (n,) : the part along `normal`, N;
-        friction (n, 3) : the part that is friction, N;
+        friction (n, 3) : the part due to friction, N;
         normal (n, 3) : unit normal of the contact, outward; zeros without contact;
-        contact_point (n, 3) : on the undeformed body, mm;
+        contact_point (n, 3) : point on the undeformed body, mm;
         contact_cell (n,) : index of the triangle, -1 without contact;
         contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
             5 invalid (a tip that is not finite, or no response there);
-        memory (n,) : of a body that relaxes, by how much normal_force exceeds the slow response, N; otherwise 0;
-        error (n,) : estimated relative error of the force (0.04 for 4 %); 0 without contact, NaN beyond the range and if
-            the response keeps none;
-        torque (n, 3) : about the tip, N mm; zeros without an axis;
-        tilt (n,) : of the axis from `normal`, degrees; 0 without an axis.
+        memory (n,) : for a body that relaxes, the excess of normal_force over the slow response, N; otherwise 0;
+        error (n,) : estimated relative error of the force (0.04 for 4 %); 0 without contact; NaN beyond the range, and if
+            the response stores no error;
+        torque (n, 3) : torque about the tip, N mm; zeros without an axis;
+        tilt (n,) : angle of the axis from `normal`, degrees; 0 without an axis.
     With coupled=True a CoupledProbe, a pair with the same fields as attributes:
         forces : as above;
-        stiffness (n, k), of a path (n, k, k) : derivative of each tip's slow normal force by the depth of each of the k
-            tips that press together, N/mm: its own, and negative for others; 0 without force.
+        stiffness (n, k), for a path (n, k, k) : derivative of each tip's slow normal force by the depth of each of the k
+            tips that press together, N/mm: its own stiffness, and negative values for the other tips; 0 without force.
 
-    Raises ValueError with the words of vtkToolContactProbe, TypeError for arguments of another type, OSError and
-    RuntimeError for files; defects of the mesh give a RuntimeWarning. Independent tips run on all threads of
-    vtkSMPTools with the same bits for any number, 0.5 to 1 microsecond each; a path on one. The first call on a
-    body builds a search structure (0.3 s for 150 thousand points), which is kept for the next call on the same one.
+    Raises ValueError with the message of vtkToolContactProbe, TypeError for arguments of another type, OSError and
+    RuntimeError for files. Defects of the mesh give a RuntimeWarning. Independent tips run on all threads of
+    vtkSMPTools, with the same bits for any number of threads, 0.5 to 1 microsecond per tip. A path runs on one thread.
+    The first call on a body builds a search structure (0.3 s for 150 thousand points). It is kept for the next call on
+    the same body.
     """
     body = as_body(body)
     shape = np.shape(tips)[:-1] if coupled and path and np.ndim(tips) == 3 else None
@@ -177,7 +179,7 @@ def _as_tips(tips, path, time, axis, coupled):
             time = np.tile(_arrays.reals(time, "time (s)", (moments,)), lines)
         tips = np.ascontiguousarray(np.swapaxes(tips, 0, 1)).reshape(-1, 3)
     elif np.ndim(tips) == 1:
-        tips = np.asanyarray(tips)[None, :]             # a mask is kept, so that it can be refused
+        tips = np.asanyarray(tips)[None, :]             # keeps a mask, so that it can be refused
     tips = _arrays.reals(tips, "tips", (None, 3))
     made = vtkPolyData()
     made.SetPoints(_arrays.to_points(tips))
@@ -199,8 +201,10 @@ def _choose(argument, value):
 
 
 class _prepared:
-    """The filter for a body, with its search structure if the body is that of the last call, unchanged. It holds
-    the body's arrays, and is freed with the body or by the next one. In use it is not accessible to other threads."""
+    """The filter for a body. It keeps its search structure if the body is that of the last call and unchanged.
+
+    The filter holds the body's arrays. It is freed with the body or by the next body. No other thread can get it while
+    it is in use."""
 
     _kept = []
 

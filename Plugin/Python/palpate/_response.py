@@ -26,44 +26,45 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     ----------
     body : the surface to touch, in mm: a vtkPolyData of triangles or a wrapper of one, a vtkAlgorithm, a pair of arrays
         (points, triangles) of shapes (n, 3) and (m, 3), counter-clockwise seen from outside, or the name of a file
-        (.vtp .stl .ply .obj .vtk .vtu). It is not changed. An image is refused: palpate.vtkSkinSurface makes a
-        surface of a scan, and palpate.vtkBodyFileReader reads one.
+        (.vtp .stl .ply .obj .vtk .vtu). The body is not changed. An image is refused: palpate.vtkSkinSurface makes
+        a surface of a scan, and palpate.vtkBodyFileReader reads a scan.
     tool : "flat:R", "sphere:R", "paraboloid:R", "cone:DEGREES", "truncated:R,DEGREES", "blunted:R,DEGREES",
         "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT" or "profile:FILE.csv" (radii in mm, half angles in degrees from
         the axis); or a vtkContactTool.
     young : Young's modulus, MPa, > 0.
     poisson : Poisson's ratio, 0 to 0.5.
-    layer : thickness of an elastic layer on a rigid base, mm; None (or 0) for a half-space.
-    base : how the layers rest there, "bonded" or "slip" (without friction); or ("elastic", young, poisson), an elastic
-        half-space in place of the rigid base.
-    layers : more layers below that one, from above, up to three: (thickness in mm, Young's modulus in MPa, Poisson's
-        ratio) or the same and True for one that slips below the one above. The thickness of the first of them may vary
-        as `layer` may; moduli are then constant.
-    compliance : global compliance of the body, mm/N, in series with the local dent; None for none.
+    layer : thickness of an elastic layer on a rigid base, mm; None (or 0): a half-space.
+    base : how the layers rest on the rigid base, "bonded" or "slip" (without friction); or ("elastic", young, poisson):
+        an elastic half-space instead of the rigid base.
+    layers : up to three more layers below that layer, from top to bottom: (thickness in mm, Young's modulus in MPa,
+        Poisson's ratio), or the same with True if the layer slips below the layer above. The thickness of the first of
+        them may vary like `layer`; moduli are then constant.
+    compliance : global compliance of the body, mm/N, in series with the local dent; None: no global compliance.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
-    samples : samples per curve, 2 to 256.
-    name : prefix of the arrays; several tools on one body take several names.
-    compliance_excludes_layer : True if the compliance was found without the layer's base, so that both count.
-    curvature : whether the law includes the body's curvature, found from the mesh; False: it counts as flat.
-    strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): how the body resists large strain.
-    error_tolerance : relative to the force, 0.05 for 5 %: Validity is the depth at which the estimated error exceeds it,
-        and the error is kept at each sample, in NAME + Error; 0: the depth at which the first assumption of the law
-        breaks, without an error.
-    automatic : relative to the force, 0.01 (or True) for 1 %: layers, curvature and finite strain are left out of the
-        law where together they change the force by no more than that, and "neohooke" is added where its tables have
-        the tool and it changes the force by more. The field array NAME + Terms lists what was included and left out,
-        and why. None or False: all terms as given.
-    edges : whether sharp edges are felt by palpate.probe and in sessions: a contact beside one is softer, is pushed off
-        the body, and its force falls to zero as it leaves over the edge; False: the force drops at an edge.
-    relax : how the body relaxes, up to four pairs (strength, seconds): E(t) = E (1 + sum of strength exp(-t/seconds)),
-        with E the slow modulus, that of `young` and of the curves. A strength may vary from point to point, as `young`
-        may. It is felt in time, by palpate.probe along paths with times and in sessions.
+    samples : number of samples per curve, 2 to 256.
+    name : prefix of the arrays; several tools on one body need several names.
+    compliance_excludes_layer : True if the compliance was found without the base of the layers, so that both count.
+    curvature : whether the law includes the curvature of the body, which is found from the mesh; False: the body counts
+        as flat.
+    strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): law of the material at large strain.
+    error_tolerance : relative to the force, 0.05 for 5 %. Validity is the depth at which the estimated error exceeds it,
+        and the error at each sample is stored in NAME + Error. 0: Validity is the depth at which the first assumption of
+        the law fails, and no error is stored.
+    automatic : relative to the force, 0.01 (or True) for 1 %. Layers, curvature and finite strain are left out of the
+        law if together they change the force by no more than that. "neohooke" is added if its tables have the tool and
+        it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
+        the reasons. None or False: all terms as given.
+    edges : whether sharp edges have an effect in palpate.probe and in sessions: a contact near an edge is softer and is
+        pushed off the body, and its force falls to zero as it leaves over the edge. False: the force drops at an edge.
+    relax : relaxation of the body, up to four pairs (strength, seconds): E(t) = E (1 + sum of strength exp(-t/seconds)),
+        where E is the slow modulus, that of `young` and of the curves. A strength may vary from point to point like
+        `young`. Relaxation has an effect over time: in palpate.probe along paths with times, and in sessions.
     compliance_relaxes : whether the `compliance` relaxes like the material; False: it is elastic.
-    coupling : whether several tools of palpate.probe(..., coupled=True) feel one another: through the half-space or the
-        layers, and, if the body has a point array 'CouplingModes' (vtkElasticCompliance) and a `compliance`, by its
-        global deformation.
-    tilt : largest tilt of the tool against the body's normal, degrees; 0: it counts as upright. Above 0 its force and
-        torque depend on the axis given to palpate.probe or a session.
+    coupling : whether several tools of palpate.probe(..., coupled=True) act on one another: through the half-space or the
+        layers, and, if the body has a point array 'CouplingModes' (vtkElasticCompliance) and a `compliance`, through the
+        global deformation of the body.
+    tilt : largest tilt of the tool from the body's normal, degrees; 0: the tool counts as upright. Above 0, force and
+        torque depend on the axis given to palpate.probe or to a session.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -72,13 +73,13 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     -------
     vtkPolyData : the body with its arrays and, per point, NAME + Force (samples columns, N), Stiffness (N/mm), Normal,
         Range (mm), Status, Validity (mm: the depth to which the law holds), Limit. See palpate.curves and palpate.probe.
-        Given arrays are in it without a copy, as YoungsModulus, PoissonRatio, LayerThickness, GlobalCompliance: do not
-        change them afterwards.
+        The body contains the given arrays without a copy, as YoungsModulus, PoissonRatio, LayerThickness,
+        GlobalCompliance: do not change them afterwards.
 
-    Raises ValueError with the words of vtkToolContactResponse, TypeError for arguments of another type, OSError and
+    Raises ValueError with the message of vtkToolContactResponse, TypeError for arguments of another type, OSError and
     RuntimeError for files. Points without response give a RuntimeWarning, and so does a body below 5 or above 5000 mm,
-    whose coordinates may be in metres. Masked values are a ValueError. Runs on all threads of vtkSMPTools with
-    the same bits for any number; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
+    whose coordinates may be in metres. Masked values give a ValueError. Runs on all threads of vtkSMPTools, with the
+    same bits for any number of threads; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
     """
     made = vtkToolContactResponse()
     body = as_body(body)
@@ -161,12 +162,12 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
     Returns
     -------
     Regime, a tuple of arrays of one value per point, shape (n,):
-        index : float32, fraction of the deflection that is global: 0 local, 1 global, negative over a near base;
-        sensitivity : float32, dlnF/dln(size) of the tool at this depth;
-        verdict : uint8, 0 the shape matters, 1 mixed, 2 a point force suffices.
-    NaN and 0 where there is no stable contact.
+        index : float32, fraction of the deflection that is global: 0: local, 1: global, negative: over a near base;
+        sensitivity : float32, dlnF/dln(size of the tool) at this depth;
+        verdict : uint8, 0: the shape matters, 1: mixed, 2: a point force suffices.
+    Points without a stable contact have NaN and 0.
 
-    Raises ValueError with the words of vtkContactRegime, also where material and response disagree by more than 2 %;
+    Raises ValueError with the message of vtkContactRegime, also if material and response disagree by more than 2 %;
     TypeError for arguments of another type.
     """
     found = vtkContactRegime()
@@ -188,7 +189,7 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
 
 
 def _set_material(algorithm, body, young, poisson, layer, base, compliance, excludes, layers):
-    """Sets the material; returns the body with the given arrays."""
+    """Sets the material of the algorithm. Returns the body with the given arrays."""
     if isinstance(base, (tuple, list)) and len(base) == 3 and base[0] == "elastic":
         algorithm.SetLayerBase(vtkToolContactResponse.ElasticBase)
         algorithm.SetBaseYoungsModulus(_arrays.number(base[1], "base: young (MPa)"))
@@ -219,7 +220,7 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
         else:
             values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
-            body.GetPointData().RemoveArray(array + "Error")  # it would belong to another array
+            body.GetPointData().RemoveArray(array + "Error")  # it belongs to another array
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
 
@@ -237,7 +238,7 @@ def _name_of_array(body, name, argument):
 
 
 def _add_layers(algorithm, layers):
-    """Adds the layers; returns the thickness of the first if it varies, otherwise None."""
+    """Adds the layers. Returns the thickness of the first layer if it varies, otherwise None."""
     second = None
     for i, layer in enumerate(layers):
         what = "layers[%d]" % i

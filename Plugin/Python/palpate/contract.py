@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The data contract of Palpate's response arrays, evaluated in numpy.
 
-For any Python and any ParaView, without the plugin. Units mm, N, MPa. One response is a set of arrays with a common
-prefix. Samples i = 1..n lie at d_i = range (i/n)^2. Between them F(d) = d^m r(s), s = sqrt(d/range), r the cubic Hermite
-interpolant of the samples; below d_1 the power start F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond range the last tangent.
+It works in any Python and any ParaView, without the plugin. Units are mm, N, MPa. A response is a set of arrays with a
+common prefix. The samples i = 1..n are at the depths d_i = range (i/n)^2. Between them F(d) = d^m r(s) with
+s = sqrt(d/range), where r is the cubic Hermite interpolant of the samples. Below d_1 the force is a power,
+F_1 (d/d_1)^q with q = K_1 d_1/F_1. Beyond the range the force follows the last tangent.
 """
 import numpy as np
 
@@ -17,10 +18,10 @@ def _fetch(data, name, optional=False):
 
 
 def load(body, prefix="Response"):
-    """Response arrays of a vtkPolyData, of either form, as a dictionary of numpy arrays.
+    """The response arrays of a vtkPolyData, stored in either form, as a dictionary of numpy arrays.
 
     Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
-    status (points) and exponent m. KeyError names the missing array.
+    status (points) and exponent m. Raises KeyError with the name of a missing array.
     """
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name)
     n = int(fetch(field, "Samples")[0])
@@ -37,7 +38,7 @@ def load(body, prefix="Response"):
 
 
 def evaluate(response, point, deflection):
-    """Force (N) and stiffness dF/dd (N/mm) at points (integers) and deflections (mm); both broadcast."""
+    """Force (N) and stiffness dF/dd (N/mm) at points (integers) and deflections (mm), which are broadcast together."""
     point, d = np.broadcast_arrays(np.asarray(point), np.asarray(deflection, dtype=float))
     f, k = response["force"][point], response["stiffness"][point]
     reach, m, n = response["range"][point], response["exponent"], response["force"].shape[1]
@@ -70,8 +71,10 @@ def evaluate(response, point, deflection):
 
 
 def relaxation(body, prefix="Response"):
-    """"time" tau (s) and "strength" p (k, or points x k) of E(t) = E (1 + sum of p exp(-t/tau)), and the "elastic"
-    compliance in series (points, mm/N, or None); None where nothing relaxes."""
+    """The relaxation E(t) = E (1 + sum of p exp(-t/tau)) of a response, or None if it does not relax.
+
+    A dictionary with "time" tau (s), "strength" p (k, or points x k), and the "elastic" compliance in series (points,
+    mm/N, or None)."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     time, strength = fetch(field, "RelaxationTime"), fetch(field, "RelaxationStrength")
     local = fetch(points, "LocalRelaxation")
@@ -81,8 +84,10 @@ def relaxation(body, prefix="Response"):
 
 
 def coupling(body, prefix="Response"):
-    """The compliance of a point under a force at another, mm/N: a function of two point numbers; None if contacts do not
-    feel each other. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes; for points, so r is not limited by contact radii."""
+    """The compliance of one point under a force at another point, mm/N, as a function of two point numbers.
+
+    C = (n.n)+ g(r/h) / (pi r E*) + sum of modes. It holds for points, so r is not limited by contact radii. None if
+    contacts do not act on one another."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     law, modes = fetch(field, "Coupling"), fetch(points, "CouplingModes")
     modulus, thickness = fetch(points, "CouplingModulus"), fetch(points, "CouplingThickness")

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The effect of tilting a tool on its force, from the response's arrays, evaluated in numpy; see palpate.contract.
+"""The effect of a tool's tilt on its force, from the arrays of the response, evaluated in numpy; see palpate.contract.
 
-With W0(D) the work of pressing the upright tool D deep, W = W0(D) tau(D, theta), D = tip depth + h(theta). Then F = dW/dD,
-and M = dW/dtheta at one tip depth. tau = rho eta: eta is the bicubic Hermite interpolant of nodes in x = sqrt(D/range) and
-y = theta/largest; rho is 1 or, for a tool with a flat end (scale > 0), that of a flat end on a half-space, at scale h/D.
-Units mm, N, rad, N mm.
+W0(D) is the work of pressing the upright tool to the depth D. The work of the tilted tool is W = W0(D) tau(D, theta) with
+D = tip depth + h(theta). Then F = dW/dD, and M = dW/dtheta at constant tip depth. tau = rho eta: eta is the bicubic
+Hermite interpolant of nodes in x = sqrt(D/range) and y = theta/largest. rho is 1 or, for a tool with a flat end
+(scale > 0), the factor of a flat end on a half-space, at scale h/D. Units are mm, N, rad, N mm.
 """
 import numpy as np
 
@@ -12,8 +12,10 @@ from .contract import _fetch
 
 
 def load(body, prefix="Response"):
-    """The table as a dictionary: range, largest, scale, drops (k x 2: h and dh/dtheta), nodes (laws x depths x angles x 4)
-    and weights (points x laws, or None); None for a response without tilts."""
+    """The table of tilts as a dictionary, or None for a response without tilts.
+
+    Its keys: range, largest, scale, drops (k x 2: h and dh/dtheta), nodes (laws x depths x angles x 4) and weights
+    (points x laws, or None)."""
     points, field = body.GetPointData(), body.GetFieldData()
     fetch = lambda data, name: _fetch(data, prefix + name, True)
     terms = fetch(field, "Tilt")
@@ -27,7 +29,7 @@ def load(body, prefix="Response"):
 
 
 def deepest(table, angle):
-    """The depth of the tool's deepest point below the tip, h (mm), and its lateral distance, dh/dtheta (mm)."""
+    """The depth h (mm) of the tool's deepest point below the tip, and its lateral distance dh/dtheta (mm)."""
     drops, last = table["drops"], len(table["drops"]) - 1
     place = np.clip(angle / table["largest"], 0.0, 1.0) * last
     i = np.minimum(place.astype(int) if np.ndim(place) else int(place), last - 1)
@@ -39,7 +41,7 @@ def deepest(table, angle):
 
 
 def factor(table, depth, angle, point=0):
-    """tau at a depth of the deepest point (mm), a tilt (rad) and a point; scalars."""
+    """The factor tau at a depth of the deepest point (mm), a tilt (rad) and a point number; all are scalars."""
     weights = np.ones(1) if table["weights"] is None else table["weights"][point]
     nodes = np.tensordot(weights, table["nodes"], 1)
     i, along_x = _cell(np.sqrt(depth / table["range"]), nodes.shape[0])
@@ -49,13 +51,13 @@ def factor(table, depth, angle, point=0):
     return eta if table["scale"] == 0.0 else eta * flat_end(table["scale"] * deepest(table, angle)[0] / depth)
 
 
-# Coefficients of z, z^2, ...: a fit to boundary elements, see Data/Reference/tilt.
+# Coefficients of z, z^2, ..., fitted to boundary elements; see Data/Reference/tilt.
 RIM = (0.21967052817978971, 1.3781689290941161, -6.757712350273644, 25.83380523956624, -62.31965296945057,
        92.52030735421076, -81.92991590971977, 39.62429688339708, -8.050449186485492)
 
 
 def flat_end(s):
-    """W/W0 of a flat end on a half-space, s = three times the rim's drop over the depth; full contact up to s = 1."""
+    """W/W0 of a flat end on a half-space; s is three times the rim's drop over the depth. Full contact up to s = 1."""
     if s <= 1.0:
         return 1.0 - 2.0 / 3.0 * s + 5.0 / 27.0 * s**2
     z = 1.0 / np.sqrt(s)
@@ -63,7 +65,7 @@ def flat_end(s):
 
 
 def _cell(place, count):
-    """The lower node, and the Hermite basis: value and slope, at it and at the next."""
+    """The lower node, and the Hermite basis (value and slope) at this node and at the next."""
     place = min(max(place, 0.0), 1.0) * (count - 1)
     i = min(int(place), count - 2)
     t, width = place - i, 1.0 / (count - 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `palpateAccuracySpeed --relaxation` prints: ways to render a body that relaxes, against exact theory."""
+"""Reads the output of `palpateAccuracySpeed --relaxation`: ways to render a body that relaxes, against exact theory."""
 import pictures
 import rows as study
 

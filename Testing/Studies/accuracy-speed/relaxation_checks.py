@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What test_accuracy_speed.py asks of the rows of bodies that relax."""
+"""Checks of test_accuracy_speed.py for the rows of bodies that relax."""
 import relaxation
 import rows as study
 

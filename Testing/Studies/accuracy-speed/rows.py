@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What palpateAccuracySpeed prints: rows, rows of all tools together, Pareto fronts, orders of convergence."""
+"""Reads the output of palpateAccuracySpeed: rows, rows of all tools together, Pareto fronts, orders of convergence."""
 import csv
 import math
 

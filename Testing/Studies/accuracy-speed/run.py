@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ways to render a contact: how true, how fast, how large.
+"""Compares ways to render a contact: their error, time and size.
 
     ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...] [--only-strain]
                                [--only-shape] [--only-relaxation] [--only-tilt]
 
-Runs palpateAccuracySpeed on the scenes (README.md) and leaves in DIR (default build/studies/accuracy-speed)
+Runs palpateAccuracySpeed on the scenes (README.md) and writes to DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
 convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the same as tables), and with
 matplotlib accuracy-speed.png and convergence.png. Then the same for finite strain itself as the truth: finite-strain.csv,
 finite-strain.md, finite-strain.png (--only-strain: these alone). Then an edge, a horn and a nodule, through the VTK filters:
 shape.csv, shape.md, shape.png (--only-shape: these alone). Then bodies that relax, against exact theory: relaxation.csv,
-relaxation-curves.csv, relaxation.md, relaxation.png (--only-relaxation). Then tools that lean, against boundary elements:
-tilt.csv, tilt.md, tilt.png (--only-tilt). Times are of this machine; all else is the same everywhere.
+relaxation-curves.csv, relaxation.md, relaxation.png (--only-relaxation). Then tilted tools, against boundary elements:
+tilt.csv, tilt.md, tilt.png (--only-tilt). Times depend on the machine; all other results are the same everywhere.
 """
 import argparse
 import csv

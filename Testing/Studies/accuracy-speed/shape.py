@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies with an edge, a horn and a nodule: what the half-space misses there, and what true shape costs."""
+"""Bodies with an edge, a horn and a nodule: the error of a half-space there, and the cost of true shape."""
 import math
 import time
 

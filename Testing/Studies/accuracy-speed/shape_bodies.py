@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bodies of the study of shape, an edge, a horn and a nodule, with the forces that other codes found on them.
+"""The bodies of the study of shape, an edge, a horn and a nodule, with the forces that other codes give on them.
 
 Lengths in mm, forces in N, moduli in MPa. z points out of the body where it is pressed.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `palpateAccuracySpeed --strain` prints: responses against finite strain itself."""
+"""Reads the output of `palpateAccuracySpeed --strain`: responses against finite strain itself."""
 import pictures
 import rows as study
 

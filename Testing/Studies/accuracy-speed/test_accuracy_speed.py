@@ -4,10 +4,10 @@
 
     test_accuracy_speed.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateAccuracySpeed
 
-All but ShapeNow does without the package palpate.
+Only ShapeNow needs the package palpate.
 
-Expected numbers come from closed forms: what a best straight line misses of δ^1.5, what linear interpolation in
-squared knots misses, the order of facets and of area coordinates.
+Expected numbers come from closed forms: the error of the best straight line for δ^1.5, the error of linear
+interpolation in squared knots, the order of facets and of area coordinates.
 """
 import csv
 import math

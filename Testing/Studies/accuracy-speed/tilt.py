@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `palpateAccuracySpeed --tilt` prints: ways to feel a tool that leans, against boundary elements."""
+"""Reads the output of `palpateAccuracySpeed --tilt`: ways to render a tilted tool, against boundary elements."""
 import pictures
 import rows as study
 

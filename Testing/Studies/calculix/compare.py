@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The finite-element curves beside linear theory: tables on the output and, with --plot FILE, a picture.
+"""Compares the finite-element curves with linear theory: prints tables and, with --plot FILE, draws a picture.
 
   compare.py [--data DIR] [--plot FILE.png]
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A CalculiX input deck of one case, and the forces in CalculiX's answer."""
+"""Writes the CalculiX input deck of one case, and reads the forces from the results of CalculiX."""
 import re
 
 import numpy as np

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of second-order elements: a half section in (r, z) and a quarter body in (x, y, z).
 
-Bodies lie in z <= 0 with the surface at z = 0 and the contact at the origin; tools stand above it.
+Bodies are in z <= 0, with the surface at z = 0 and the contact at the origin; tools are above.
 `Mesh` holds nodes numbered from 0 in `points`, elements as rows of node numbers in CalculiX's order
 (corners, then mid-edge nodes), and the pairs (element, CalculiX face number) of the contact surface.
 """

@@ -4,9 +4,10 @@
 
   run.py [--case NAME ...] [--output DIR] [--jobs N] [--mesh-error] [--keep DIR]
 
-Without --case all cases (see --list). Each writes DIR/NAME.csv. With --mesh-error the cases are solved
-with elements twice as large instead, and DIR/mesh_error.csv gets the largest relative difference of the
-force to that in DIR/NAME.csv. Exit code 77 if there is no `ccx` on the PATH, 1 if a case fails.
+Without --case, all cases are solved (see --list). Each case writes DIR/NAME.csv. With --mesh-error the
+cases are solved with elements twice as large instead, and DIR/mesh_error.csv gets the largest relative
+difference of the force from that in DIR/NAME.csv. Exit code 77 without `ccx` on the PATH, 1 if a case
+fails.
 """
 import argparse
 import concurrent.futures

@@ -4,12 +4,12 @@
 
   slide.py [--case NAME ...] [--output DIR] [--keep DIR] [--list]
 
-Without --case all of them, one after the other, some minutes each. Each writes DIR/NAME.csv; a case
-that CalculiX gives up leaves what it reached, and says so. Exit code 77 if there is no `ccx` on the PATH, 1
-if a case was not finished.
+Without --case all cases are solved, one after the other, some minutes each. Each case writes
+DIR/NAME.csv. If CalculiX stops before the end of a case, the results so far are written, with a message.
+Exit code 77 without `ccx` on the PATH, 1 if a case was not finished.
 
-The sphere goes down to its depth, stays there, and is dragged along x: out to +u and, in one case,
-back to -u and forth to +u again; u = 1.4 times the distance after which theory has it slide (μ c δ).
+The sphere goes down to its depth, stays there, and is dragged along x: to +u and, in one case, back to
+-u and again to +u; u = 1.4 times the distance after which it slides in theory (μ c δ).
 Half models: everything is symmetric about the plane y = 0.
 """
 import argparse

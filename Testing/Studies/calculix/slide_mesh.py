@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Half models for a tool that slides along x: everything at y >= 0, mirrored at the plane y = 0.
+"""Half models for a tool that slides along x: the part at y >= 0, symmetric about the plane y = 0.
 
-Built from the quarter planes of mesh.py and like them of 20-node elements.
+They are built from the quarter planes of mesh.py and have 20-node elements, too.
 """
 import numpy as np
 

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The committed finite-element curves (Data/Studies/calculix) against contact and plate theory.
 
-Needs no CalculiX. How accurate the curves are is known twice: by mesh_error.csv (elements twice as
-large) and by the scatter from depth to depth, up to 0.3 %, from the contact search, which converges to
-0.1 % of the touching points. MESH allows both. Where the curves depart from theory by more, the
-departure is physics, and its size is stated with the test.
+It needs no CalculiX. Two sources give the accuracy of the curves: mesh_error.csv (elements twice as
+large), and the scatter from depth to depth, up to 0.3 %, from the contact search, which converges to
+0.1 % of the touching points. MESH allows both. Where the curves differ from theory by more, the
+difference is physical, and its size is stated with the test.
 """
 import pathlib
 import unittest

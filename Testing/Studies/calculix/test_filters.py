@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The project's filters against the committed finite-element curves: what vtkToolContactResponse stores
-for a half-space, a bonded layer and a plate in series is what CalculiX's bodies answer.
+"""The project's filters against the committed finite-element curves: the response that
+vtkToolContactResponse stores for a half-space, a bonded layer and a plate in series is that of the bodies
+in CalculiX.
 
-Tolerances are those of test_curves.py, where they are explained, and 0.3 % for the storage in eight
-samples from 5 % of the range on.
+Tolerances are those of test_curves.py, where they are explained, and in addition 0.3 % for the storage in
+eight samples from 5 % of the range on.
 """
 import unittest
 

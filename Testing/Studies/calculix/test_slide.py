@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The committed curves of a dragged sphere (Data/Studies/sliding) and the parts of slide.py that need no
-CalculiX. What the curves say of the prediction is tested with the study of the paper."""
+CalculiX. The study of the paper tests the prediction against these curves."""
 import csv
 import pathlib
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Linear contact theory in numpy: the laws that the finite elements are compared with.
+"""Linear contact theory in numpy: the laws with which the finite elements are compared.
 
 Rigid frictionless tool, force in N for depths in mm, reduced modulus E* = E / (1 - nu^2) in MPa.
 Half-space: Galin; Sneddon 1965; Popov and Hess, method of dimensionality reduction. Bonded layer: the

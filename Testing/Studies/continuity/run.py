@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Force forms and contact surfaces: what jumps, what gains energy, how true, how long.
+"""Compares force forms and contact surfaces: jumps, gained energy, error, time.
 
     ./run study continuity [--quick] [--output DIR] [--program FILE]
 
 Runs palpateContinuity (measure.cxx) and writes continuity.csv, the same as tables with orders in
-continuity.md, and with matplotlib continuity.png, to DIR (default build/studies/continuity). Times are of
-this machine; all else is the same everywhere.
+continuity.md, and with matplotlib continuity.png, to DIR (default build/studies/continuity). Times depend on
+the machine; all other results are the same everywhere.
 """
 import argparse
 import csv

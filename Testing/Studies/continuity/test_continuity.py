@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the study of continuity left in Data/Studies/continuity, and a quick run of it: what its README says.
+"""The results of the study of continuity in Data/Studies/continuity, and a quick run of it, agree with its README.
 
     test_continuity.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateContinuity
 

@@ -5,12 +5,12 @@
 Draws contacts at random: row of a reference table, size and stiffness of the body, its turn in space, place under the
 tool, kind of mesh defect. The true force is that of the table (Data/Reference: closed forms, integral equations,
 boundary elements, finite elements of other codes). Palpate gets the body as a mesh through its Python package, and
-states force and error. A case is covered if the true error is at most the stated one, the table's own error and 1e-6
-(rounding of floats) added.
+states force and error. A case is covered if the true error is at most the sum of the stated error, the table's own
+error and 1e-6 (rounding of floats).
 
     run.py [--count N] [--seed S] [--output DIR] [--family NAME]
 
-Writes cases.csv (one row a contact) and coverage.md (one row a family: cases, covered share, median stated and true
+Writes cases.csv (one row per contact) and coverage.md (one row per family: cases, covered share, median stated and true
 error, their ratio). Exit code 1 if a family is covered in less than 95 % of its cases.
 """
 import argparse

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study of coverage: the committed cases keep the goal, and a few new ones, drawn by another seed, do too.
+"""The study of coverage: the committed cases reach the goal, and so do a few new cases, drawn with another seed.
 
     test_coverage.py [UNITTEST ARGS]
 """

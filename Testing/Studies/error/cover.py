@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Share of a surface where the stated error of a tool's force at a depth is within a tolerance, and what it is where not."""
+"""Share of a surface where the stated error of a tool's force at a depth is within a tolerance, and the largest part of
+the error elsewhere."""
 import numpy as np
 import palpate
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contacts of true shape against direct contact on a finer mesh, at places chosen at random.
 
-Each place gets a mesh of its own, fine under the tool, on which palpateDirectContact presses it: no Green function, no law
-of contact. Both are told the same smooth surface, with four triangles for one of the body's (Dyn, Levin and Gregory 1990),
-as often as is asked for and for the direct contact, which takes facets as they are, once more: what lies between the points
-of a scan is not judged here. With --smooth 0 neither is refined, and facets count as errors. Small strain in both; what is
-stated is what is stated with Neo-Hooke's, where small strain is no part of it.
+Each place gets a mesh of its own, fine under the tool, on which palpateDirectContact presses the tool: without a Green
+function and without a law of contact. Both use the same smooth surface, in which four triangles replace one of the body
+(Dyn, Levin and Gregory 1990), as many times as requested. For the direct contact, which takes facets as they are, the
+surface is refined once more. So the shape between the points of a scan is not judged here. With --smooth 0 neither is
+refined, and facets count as errors. Both are at small strain. The stated error is that with Neo-Hooke, of which small
+strain is no part.
 """
 import csv
 import pathlib

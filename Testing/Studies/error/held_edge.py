@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far a base holds what an edge lets go: Data/Reference/edges/held_edge.csv.
+"""How far a base reduces the softening by an edge: Data/Reference/edges/held_edge.csv.
 
     ./run python Testing/Studies/error/held_edge.py FILE.csv
 
-A flat end whose radius is half its distance d from the edge of a block that is bonded to a base at a depth h, four times
-as wide as deep: by finite elements of true shape (vtkElasticContactResponse; 0.3 % beside edges), over the same tool on an
-endless layer of that depth.
+The radius of a flat end is half its distance d from the edge of a block. The block is bonded to a base at a depth h and
+is four times as wide as deep. Its force by finite elements of true shape (vtkElasticContactResponse; 0.3 % near edges) is
+divided by the force of the same tool on an endless layer of that depth.
 """
 import csv
 import pathlib

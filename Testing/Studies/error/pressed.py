@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much of a body is within 5 % where direct contact takes over: a tool pressed by vtkDirectContactResponse at points
-drawn at random by area from what contacts of true shape do not cover."""
+"""Share of a body that is within 5 % if direct contact takes over: vtkDirectContactResponse presses a tool at points drawn
+at random by area from the part that contacts of true shape do not cover."""
 import csv
 import sys
 import time

@@ -1,29 +1,30 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does the stated error hold, and how much of a body does it let one touch?
+"""Checks whether the stated error holds, and the share of a body where it is small enough.
 
     ./run study error [--contacts N] [--cases FILE ...] [--body FILE[:LENGTH] ...] [--output DIR]
 
 Cases: contacts drawn at random on half-spaces, layers, stacks, balls and in cavities, each pressed by the solver of
-finite strain (palpateErrorCases; N of each, 5 to 20 s of a processor for one), or the rows of FILEs made before.
-Leaves cases.csv, cases.md (how often the bound holds, and how wide it is) and scatter.png: stated error over true
-one, with the 1:1 line.
+finite strain (palpateErrorCases; N of each, 5 to 20 s of a processor per contact), or the rows of existing FILEs.
+Writes cases.csv, cases.md (how often the bound holds, and how wide it is) and scatter.png: stated error over true
+error, with the 1:1 line.
 
 Cover: the share of the surface where a tool's error at 1 mm is stated to be at most 5 %, with curvature correction
 and Neo-Hooke, nu = 0.45: on the head of Debian's mricron-data if it is installed, and on each FILE (.stl .ply .obj
-.vtp ...), scaled so that its longest side is LENGTH mm. Leaves cover.csv. What is missing is said.
+.vtp ...), scaled so that its longest side is LENGTH mm. Writes cover.csv. A missing scan or file is reported.
 
     ./run study error --solid SIDES --body FILE[:LENGTH] ... [--finer CELLS | --direct N | --press N] [--smooth TIMES]
 
-Cover by finite elements of true shape of each FILE, a closed surface held at SIDES (as y-:4), and, with --finer, how
-often the stated error holds against CELLS tetrahedra. Leaves solid.csv. Minutes for a body.
+The same by finite elements of true shape for each FILE, a closed surface held at SIDES (such as y-:4). With --finer
+also how often the stated error holds against CELLS tetrahedra. Writes solid.csv. Takes minutes per body.
 
-With --direct instead: how far it holds against direct contact on a finer mesh of its own at N random places for each
-tool and each range of the stated error (direct.py), the surface refined smoothly TIMES over. Leaves direct.csv. A dozen
-seconds for a place.
+With --direct instead: how far the stated error holds against direct contact on a separate finer mesh, at N random places
+for each tool and each range of the stated error (direct.py). The surface is smoothly refined TIMES times. Writes
+direct.csv. Takes a dozen seconds per place.
 
-With --press: how much more is within 5 % where direct contact takes over (vtkDirectContactResponse), at N random places
-for each tool of what is not (pressed.py), the surface refined smoothly TIMES + 1 over. Leaves pressed.csv.
+With --press: how much more of the body is within 5 % if direct contact (vtkDirectContactResponse) takes over, at N random
+places for each tool in the rest of the body (pressed.py). The surface is smoothly refined TIMES + 1 times. Writes
+pressed.csv.
 """
 import argparse
 import csv

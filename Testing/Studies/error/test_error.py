@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the study of errors left in Data/Studies/error: the stated error holds, and is of the true one's size.
+"""The results of the study of errors in Data/Studies/error: the stated error holds, and is of the size of the true error.
 
     test_error.py [UNITTEST ARGS]
 
-A handful of cases is solved anew in Testing/Cxx/Laws/RandomContactTest.cxx.
+Testing/Cxx/Laws/RandomContactTest.cxx solves a few cases again.
 """
 import pathlib
 import sys

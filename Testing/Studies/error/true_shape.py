@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cover and truth of the stated error of contacts of true shape, on a closed surface filled with tetrahedra."""
+"""Cover and correctness of the stated error of contacts of true shape, on a closed surface filled with tetrahedra."""
 import numpy as np
 import palpate
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much softer a point is for an edge beside it, by the angle that the surface turns by there.
+"""How much softer a point is near an edge, as a function of the angle by which the surface turns at the edge.
 
     wedge.py [--output wedge_point_law.csv]      (a quarter of an hour; needs python3-scipy)
 
-A wedge, loaded by a unit force at a point of one face at distance d = 1 from its edge. Linear elastic hexahedra
-(volume change averaged over each) in polar coordinates around the edge, graded about the load, one half for its
-symmetry, held at distance R. The mesh under the load is the same for each angle, so that the difference of the
-displacement there to that of a half-space is regular: C = psi/(2 pi E* d). From R = 30 and 60 to R without end, as
-the held boundary takes 1/R. For a right angle Hetényi's quarter space has psi = 1.517, 1.845, 2.449 at nu = 0.15, 0.3,
-0.45 (Data/Reference/edges).
+A unit force loads a wedge at a point of one face at distance d = 1 from its edge. The mesh has linear elastic hexahedra
+(with the volume change averaged over each) in polar coordinates around the edge, graded around the load. One half is
+modelled, because of symmetry, and it is held at distance R. The mesh under the load is the same for each angle, so that
+the difference between the displacement there and that of a half-space is regular: C = psi/(2 pi E* d). Results at R = 30
+and 60 are extrapolated to infinite R, since the effect of the held boundary is proportional to 1/R. For a right angle
+Hetényi's quarter space has psi = 1.517, 1.845, 2.449 at nu = 0.15, 0.3, 0.45 (Data/Reference/edges).
 """
 import argparse
 import csv

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What finite strain costs on a layered head: once, and from the cache.
+"""Cost of finite strain on a layered head: the first time, and from the cache.
 
-    ./run python Testing/Studies/finite_strain/head.py [RESOLUTION [TOOL]]     mm, 2 unless said; sphere:6.35
+    ./run python Testing/Studies/finite_strain/head.py [RESOLUTION [TOOL]]     mm, default 2; default sphere:6.35
 
-Colin 27's skin with its soft tissue over the bone (Debian's mricron-data): one layer of 0.035 MPa and nu 0.49, a half-space
-where there is no bone; and skin over fat, 1.5 mm of 0.035 MPa over what is left, of 0.002 MPa. For each material: seconds of a
-response at small strain, of one whose correction is solved for (in a cache of its own, empty at first), and of the same again;
-beside it seconds of processors, which a busy machine does not change much.
-Then how far c of the stack at thicknesses between its nodes is from c solved for there.
+Colin 27's skin with its soft tissue over the bone (Debian's mricron-data): one layer of 0.035 MPa and nu 0.49, or a
+half-space without bone; and skin over fat, 1.5 mm of 0.035 MPa over the rest of the thickness, of 0.002 MPa. For each
+material: seconds of a response at small strain, of a response whose correction is solved (with a separate cache, empty at
+first), and of the same response again; in addition processor seconds, which a busy machine does not change much.
+Then the difference between c of the stack at thicknesses between its nodes and c solved at these thicknesses.
 """
 import os
 import sys

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Curves of finite strain that the studies judge by, solved: Data/Studies/finite-strain/curves.csv.
+"""Solves the curves of finite strain with which the studies compare: Data/Studies/finite-strain/curves.csv.
 
     make_curves.py PROGRAM FILE [--only TEXT]    PROGRAM: bin/palpatePress of the build (a target of its own)
 
-Cases whose key begins with TEXT are solved again, the others kept as they are in FILE; without it all. Forces
-for E* = 1 MPa. Cost: half a minute a half-space, some seconds a layer; half an hour in all on two processors.
+Cases whose key begins with TEXT are solved again; the others are kept as in FILE. Without --only all cases are solved.
+Forces are for E* = 1 MPa. Cost: half a minute per half-space, some seconds per layer; half an hour in total on two
+processors.
 """
 import argparse
 import csv

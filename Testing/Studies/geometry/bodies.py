@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies whose geometry is unkind to a contact, their outlines in the plane of the tip, and its paths there."""
+"""Bodies with difficult geometry for a contact, their outlines in the plane of the tip, and paths of the tip there."""
 import collections
 
 import numpy as np

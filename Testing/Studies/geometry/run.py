@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where geometry is unkind: what a tip feels in a thin slab, a groove, at an edge, a cone's tip, a saddle, a border.
+"""Difficult geometry: the force on a tip in a thin slab, a groove, at an edge, a cone's tip, a saddle, a border.
 
     run.py --output DIR        (./run study geometry)
 
 A 5 mm sphere on E* = 0.1 MPa is moved by hand along a path in the plane of each picture, 0.02 mm per tick,
-through vtkToolContactProbe, with the default force form and surface. Leaves in DIR for each case CASE.csv
-(a row per tick) and CASE.png, all of them in geometry.png, and the numbers to judge by in summary.csv.
+through vtkToolContactProbe, with the default force form and surface. Writes to DIR for each case CASE.csv
+(a row per tick) and CASE.png, all pictures in geometry.png, and the numbers for the judgement in summary.csv.
 """
 import argparse
 import csv

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a tip feels where geometry is unkind: the numbers of ./run study geometry against what they should be,
-and the table in Data/Studies/geometry against them.
+"""Forces on a tip at difficult geometry: the numbers of ./run study geometry against the expected numbers, and
+the table in Data/Studies/geometry against these numbers.
 
     test_geometry.py
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes Data/Examples/cylinder_sphere_curves.csv: curves as an instrument might take them on the
+"""Makes Data/Examples/cylinder_sphere_curves.csv: curves as an instrument might measure them on the
 cylinder of `palpate --scene cylinder`.
 
     make_example.py > FILE

@@ -1,18 +1,20 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measured with one tool, felt with another: how far does it hold?
+"""Error of the force that is predicted for one tool from measurements with another tool.
 
     run.py CURVES_DIR OUTPUT.csv        (./run python Testing/Studies/measured/run.py ...)
 
 CURVES_DIR holds curves BODY-TOOL-MATERIAL.csv of a finite-element code (Data/Studies/calculix). For each
-body and material one tool, or two, identifies the body with vtkMeasuredContactResponse; the force of
-every other tool is predicted and compared with the curve that the finite elements give it. Twice: from
-the bare curves, counted from first contact, and as an instrument would see them: noise of 1 % of the largest force (fixed seed), first contact at 0.15 mm, to be found.
-120 readings are taken from each curve between its computed points, and with noise 20 before contact.
+body and material one or two tools identify the body with vtkMeasuredContactResponse. The force of every
+other tool is predicted and compared with its curve by finite elements. This is done twice: from the bare
+curves, counted from first contact, and as an instrument would measure them: with noise of 1 % of the
+largest force (fixed seed) and first contact at 0.15 mm, which must be found. 120 readings are taken from
+each curve between its computed points, and with noise 20 before contact.
 
-A row per prediction: the Validity of the predicted response (mm; 0 where the held-out tool is wider than
-what was measured), and the relative error of the force there and at the whole depth of the held-out
-curve: beyond Validity, an error is no surprise; beside it the error that the filter states there. A row per refusal, with its reason.
+A row per prediction: the Validity of the predicted response (mm; 0 if the held-out tool is wider than the
+measured contacts), the relative error of the force there and at the full depth of the held-out curve,
+where an error beyond Validity is expected, and the error that the filter states there. A row per refusal,
+with its reason.
 """
 import csv
 import itertools

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""By how much a nodule under the skin changes the force, and how deep it may lie to be felt.
+"""Change of the force by a nodule under the skin, and the largest depth at which the nodule is felt.
 
     ./run study nodule [--quick] [--output DIR]
 
-Balls of 1.5, 3 and 5 mm radius, ten times as hard as what is around them and a fifth as hard, whose tops lie 1 to
-5 mm under the skin of a block, through vtkNoduleMaterial and vtkNoduleDetectability: the largest change of the
-force of three tools pressed over the middle, beside another code's (axisymmetric finite elements that follow the
-ball, Data/Reference/shape). Leaves nodule.csv (a row per ball, tool), felt.csv (down to which depth it is felt),
-nodule.md and, with matplotlib, nodule.png in DIR (default build/studies/nodule).
+The nodules are balls of 1.5, 3 and 5 mm radius, ten times and a fifth as hard as the material around them, with tops 1
+to 5 mm under the skin of a block. vtkNoduleMaterial and vtkNoduleDetectability give the largest change of the force of
+three tools pressed over the middle. It is compared with another code (axisymmetric finite elements that follow the
+ball, Data/Reference/shape). Writes nodule.csv (a row per ball and tool), felt.csv (the depth down to which a ball is
+felt), nodule.md and, with matplotlib, nodule.png to DIR (default build/studies/nodule).
 """
 import argparse
 import csv

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""By how much nodules change a force: what ./run study nodule left in Data/Studies/nodule, against another code's
-table and against the filters of now.
+"""Change of a force by nodules: the results of ./run study nodule in Data/Studies/nodule against another code's
+table and against the present filters.
 
     test_nodule.py
 """

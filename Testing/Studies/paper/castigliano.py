@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Equation (1): δ = ∂U/∂F holds for linear responses; in general δ = ∂U*/∂F.
 
-U is the stored energy, the integral of F over δ, U* the complementary one, that of δ over F. Both by
-quadrature of the curve of a paraboloid on a half-space in series with a compliance, then
-differentiated numerically.
+U is the stored energy, the integral of F over δ. U* is the complementary energy, the integral of δ over F.
+Both come from quadrature of the curve of a paraboloid on a half-space in series with a compliance, and
+are then differentiated numerically.
 """
 import numpy as np
 

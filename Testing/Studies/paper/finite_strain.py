@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figures 6 to 8 again, with finite strain: what becomes of the fit below 12 N, of the slab, of the 14 N.
+"""Figures 6 to 8 again, with finite strain: its effect on the fit below 12 N, on the slab, and on the 14 N.
 
-The laws of small strain times c = F_finite/F_small, which a solver has found (solved.py): Neo-Hooke near ν = ½,
-and materials that stiffen (Ogden, Demiray). Beside them what Palpate stores with StrainModel.
+The laws of small strain are multiplied by c = F_finite/F_small, which a solver has found (solved.py): Neo-Hooke near
+ν = ½, and materials that stiffen (Ogden, Demiray). They are compared with the response that Palpate stores with
+StrainModel.
 """
 import numpy as np
 

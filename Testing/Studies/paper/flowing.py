@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figures 5 to 7 again, on a material that flows: how large its loops are between loading and unloading.
+"""Figures 5 to 7 again, on a material that relaxes: the size of its loops between loading and unloading.
 
-The paper says nothing of time but the speed, 1 mm/s. **The branches are assumed**: rubber p = 0.05, 0.05 with τ = 0.1, 3 s;
-liver p = 0.5, 0.5 with τ = 0.5, 10 s, an order of magnitude (Data/Reference/rate/presets.csv). Pressed and lifted without
-a rest, tick by tick at 1 kHz, with 32 elements. Loss: the loop's area over the work of loading.
+The paper gives no time except the speed, 1 mm/s. **The branches are assumed**: rubber p = 0.05, 0.05 with τ = 0.1, 3 s;
+liver p = 0.5, 0.5 with τ = 0.5, 10 s, an order of magnitude (Data/Reference/rate/presets.csv). The tool is pressed and
+lifted without a rest, tick by tick at 1 kHz, with 32 elements. Loss: the area of the loop over the work of loading.
 """
 import numpy as np
 

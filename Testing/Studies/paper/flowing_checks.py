@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What test_paper.py asks of the loops of a material that flows."""
+"""Checks of test_paper.py for the loops of a material that relaxes."""
 import math
 import pathlib
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hysteresis and section 4.4: what friction would have to be to explain them. Numbers only.
+"""Hysteresis and section 4.4: the friction that would be needed to explain them. Numbers only.
 
-None of the curves of this study has a loop: the bodies are elastic, the contacts frictionless. Friction
+None of the curves of this study has a loop, because the bodies are elastic and the contacts frictionless. Friction
 laws: Jäger 1998, Ciavarella 1998 for the sliding sphere; the loss in a normal press is bounded from above.
 """
 import math

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 7: two spheres on a slab of 10 mm, taken as an elastic layer bonded to a rigid base.
 
-The paper gives no modulus, so only force over E* (mm²) and ratios are shown, and for three Poisson's
-ratios.
+The paper gives no modulus, so only force over E* (mm²) and ratios are shown, for three Poisson's ratios.
 """
 import numpy as np
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 6: three tools on rubber that is held by a large surface, E* = 3.45 MPa, up to 12 N.
 
-The law that the paper compares its measurements with, by the exact sphere and by Table 1's
-paraboloid, and the same felt tick by tick at 1 mm/s from a response stored in eight samples. Nothing
-here is measured.
+It shows the law with which the paper compares its measurements, for the exact sphere and for the
+paraboloid of Table 1, and the force tick by tick at 1 mm/s from a response stored in eight samples.
+Nothing here is measured.
 """
 import numpy as np
 

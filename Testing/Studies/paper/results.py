@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables and pictures of the study. Without matplotlib there are no pictures."""
+"""Writes tables and pictures of the study. Without matplotlib there are no pictures."""
 import csv
 
 import numpy as np

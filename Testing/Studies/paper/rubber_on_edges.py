@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 5: three tools on rubber that gives way as a whole.
 
-The paper gives neither size nor support of its sample. Two are assumed: the plate on edges of the
+The paper gives neither size nor support of its sample. Two samples are assumed: the plate on edges of the
 CalculiX study and a longer, narrower strip, both 6 mm thick and supported along two end faces. The
 compliance C_g comes from vtkElasticCompliance; the tools' forces follow in series with the half-space.
 """

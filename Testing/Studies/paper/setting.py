@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Mahvash and Hayward (2002) print about their tests, section 4, and the three tools as objects."""
+"""The data of Mahvash and Hayward (2002) about their tests, section 4, and the three tools as objects."""
 import collections
 
 from palpate import vtkContactTool

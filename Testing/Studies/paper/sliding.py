@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 8: a sphere dragged over rubber with friction; does the normal force stay as it was?
+"""Figure 8: a sphere is dragged over rubber with friction. Does the normal force change?
 
-Palpate says that it does (section 3 of the paper), and derives friction from the stored response or from
-one stiffness. Beside it frictional contact by CalculiX (Data/Studies/sliding): the paper's case, 14 N on the
-3.2 mm sphere, which is deeper there than its tip's radius; one in between; and one within small strain.
+In Palpate it does not change (section 3 of the paper); friction comes from the stored response or from one
+stiffness. This is compared with frictional contact by CalculiX (Data/Studies/sliding): the case of the paper,
+14 N on the 3.2 mm sphere, which is then deeper than the radius of its tip; a case in between; and a case
+within small strain.
 """
 import math
 import pathlib

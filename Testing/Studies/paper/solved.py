@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finite strain as the solver found it (Data/Studies/finite-strain), between its depths."""
+"""Finite strain from the solver (Data/Studies/finite-strain), interpolated between its depths."""
 import csv
 import pathlib
 

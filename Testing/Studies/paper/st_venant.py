@@ -2,7 +2,7 @@
 """Figure 1: three tools of equal force, seen from a distance.
 
 St. Venant's principle on a half-space: the surface's displacement u_z(r) under each tool over that
-of a point force, F/(πE*r), tends to 1; and the tools' displacements at the same place to one another.
+of a point force, F/(πE*r), tends to 1, and the displacements of the tools at the same place become equal.
 """
 import numpy as np
 

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study of the paper, run quickly, and what it left in Data/Studies/paper: the same checks.
+"""The same checks for a quick run of the study of the paper and for its results in Data/Studies/paper.
 
-    test_paper.py FOLDER [UNITTEST ARGS]       FOLDER: where the quick run goes
+    test_paper.py FOLDER [UNITTEST ARGS]       FOLDER: output of the quick run
 
-The CSV have seven digits: 1e-6 where nothing else is said. Curves that a response stores come from float
-samples: 5e-4, twice the storage error in the manual. Finite elements: 2 %, what vtkElasticCompliance
-promises.
+The CSV files have seven digits, so the tolerance is 1e-6 unless another is given. Curves that a response
+stores come from float samples: 5e-4, twice the storage error in the manual. Finite elements: 2 %, the
+accuracy of vtkElasticCompliance.
 """
 import math
 import pathlib

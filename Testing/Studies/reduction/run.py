@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""No more numbers than a scene needs: responses within a tolerance, what they cost and what is lost.
+"""Responses with the fewest numbers within a tolerance: their cost and their error in several scenes.
 
     ./run study reduction [--quick] [--output DIR]
 
 For each scene (see scenes.py), tool and tolerance: the fewest numbers per vertex that vtkReducedContactResponse
-finds, bytes of the tick's record per vertex, the largest error over all vertices and depths as the filter tells
-it, the largest that a tip feels along a path, and the time per tip along that path over the time with the whole
-response (the fastest of passes that take turns). Leaves reduction.csv, reduction.md and, with matplotlib,
-reduction.png in DIR (default build/studies/reduction). Times are of this machine; all else is the same
-everywhere.
+finds, bytes of the tick's record per vertex, the largest error over all vertices and depths as reported by the
+filter, the largest error of the force on a tip along a path, and the time per tip along that path over the time
+with the full response (the fastest of alternating passes). Writes reduction.csv, reduction.md and, with
+matplotlib, reduction.png to DIR (default build/studies/reduction). Times depend on the machine; all other results
+are the same everywhere.
 """
 import argparse
 import csv

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies that need more or fewer numbers: what a body is made of, and the path of a tip over it."""
+"""Bodies that need more or fewer numbers: the material of each body, and the path of a tip over it."""
 import pathlib
 
 import numpy as np

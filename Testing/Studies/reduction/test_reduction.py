@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short version of ./run study reduction: how few numbers scenes need, and that tips feel the same.
+"""The short version of ./run study reduction: how few numbers scenes need, and that the forces on tips stay the same.
 
     test_reduction.py
 """

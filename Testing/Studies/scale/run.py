@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""From ten thousand to eight million vertices: what grows with a body, how fast, and what does not.
+"""From ten thousand to eight million vertices: growth of time, memory and errors with the size of a body.
 
     ./run study scale [--vertices N,N,...] [--quick] [--no-frames] [--output DIR]
 
 Runs palpateScale (measure.cxx) once per size, each in a process of its own, and writes scale.csv (a row per size:
 seconds, bytes per vertex, ns, relative errors), scale.md (a row per line: the slope of log(quantity) over log(vertices)
-from 10^5 vertices on, the largest factor by which a size lies off that line, the reason where a line is bent or not as
-steep as expected) and, with matplotlib, scale.png. Times are of this machine; bytes and forces are the same everywhere.
+from 10^5 vertices on, the largest factor between a size and that line, and the reason if a line is bent or not as
+steep as expected) and, with matplotlib, scale.png. Times depend on the machine; bytes and forces are the same everywhere.
 """
 import argparse
 import collections

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short version of ./run study scale: bytes per vertex and forces from 10^4 to 10^5 vertices. No time is judged.
+"""The short version of ./run study scale: bytes per vertex and forces from 10^4 to 10^5 vertices. Times are not judged.
 
     test_scale.py PALPATE_SCALE
 """

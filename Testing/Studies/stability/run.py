@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stability: how stiff, with which force, friction and geometry, and through which failures a loop stays calm.
+"""Stability of a loop: with which stiffness, force, friction, geometry and failures it stays stable.
 
     ./run study stability [--quick] [--output DIR] [--program FILE]
 
-Runs the parts of palpateStability, two at a time, and leaves in DIR (default build/studies/stability): a CSV per
-part with theory beside it, verdicts.csv and verdicts.md (method by failure), and with matplotlib stability.png,
-details.png and relaxing.png. All in virtual time, the same everywhere. Columns and units: README.md.
+Runs the parts of palpateStability, two at a time, and writes to DIR (default build/studies/stability): a CSV per
+part that also has the values of theory, verdicts.csv and verdicts.md (method by failure), and with matplotlib
+stability.png, details.png and relaxing.png. Everything runs in virtual time, the same everywhere. Columns and units:
+README.md.
 """
 import argparse
 import concurrent.futures

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short version of ./run study stability, and what the whole one left in Data/Studies/stability.
+"""The short version of ./run study stability, and the results of the whole study in Data/Studies/stability.
 
     test_stability.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateStability
 
-Limits against theory.py, which knows nothing of Palpate; energies against nothing at all; verdicts of failures.
+Limits are compared with theory.py, which does not use Palpate; energies with zero; verdicts of failures are checked.
 """
 import csv
 import pathlib

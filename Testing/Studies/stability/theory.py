@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What theory says of a sampled spring on a mass. SI units; numpy alone, nothing of Palpate.
+"""Theory of a sampled spring on a mass. SI units; only numpy, without Palpate.
 
 The mass m (kg) with damping b (N s/m), in a hand that is a spring and a damper, obeys
 m v' = F - (b + b_h) v - k_h x; the force F = -K x_k is held for a period T and acts `delay` periods late.
 
 exact_limit     largest stable K: the spectral radius of the matrix from tick to tick is one
-closed_limit    the same without hand and delay: b (1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m)
-relaxing_limit  the same of a spring that relaxes, F = -K (x + Σ h_i), h_i ← e_i h_i + c_i Δx, e_i = exp(-T/τ_i),
+closed_limit    the same limit without hand and delay: b (1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m)
+relaxing_limit  the same limit for a spring that relaxes, F = -K (x + Σ h_i), h_i ← e_i h_i + c_i Δx, e_i = exp(-T/τ_i),
                 c_i = p_i (1 - e_i) τ_i/T: exact where the tip moves evenly in a tick
 passive_relaxing 2b/T over 1 + Σ p_i tanh(x_i)/x_i, x_i = T/2τ_i: the instantaneous stiffness counts
-pair_limit      of two flat ends on a half-space, r apart: K (1 -+ K C) for the opposite and the common motion, K C = 2a/(π r)
-passive_limit   2b/T: no hand, however it moves, can get energy out (Colgate and Schenkel 1997)
-delay_bound     b/(T/2 + t_d): of a continuous loop with the delay of hold and transport; a rule of thumb
+pair_limit      for two flat ends on a half-space, r apart: K (1 -+ K C) for the opposite and the common motion, K C = 2a/(π r)
+passive_limit   2b/T: no motion of a hand can extract energy (Colgate and Schenkel 1997)
+delay_bound     b/(T/2 + t_d): limit of a continuous loop with the delay of hold and transport; a rule of thumb
 encoder_bound   min(2b/T, 2 f_c/Δ): rounding to Δ is held by friction f_c (Diolaiti et al. 2006)
-leaked          F_max v (T + 2 t_d): what a press and release at speed v gets out
+leaked          F_max v (T + 2 t_d): energy that a press and release at speed v extracts
 """
 import functools
 import math

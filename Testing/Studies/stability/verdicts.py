@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One table of the stability study: method by failure, a verdict and the number it rests on.
+"""A table of the stability study: for each method and failure a verdict and the number on which it is based.
 
-survives   as if nothing had happened, within the tolerance stated with each rule below
-bounded    worse, but it ends, or gives no energy
-fails      buzzes, asks for a force that is no number, gives energy, or jumps or drifts as much as it can
+survives   the failure has no effect, within the tolerance stated with each rule below
+bounded    the failure has an effect, but it ends, or gives no energy
+fails      oscillates, requests a force that is not a number, gives energy, or jumps or drifts by a large amount
 
 A cell is {group, method, failure, verdict, number, unit}. Thresholds are the study's own choice, each with its reason.
 """
