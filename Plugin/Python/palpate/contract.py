@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The data contract of Palpate's response arrays, evaluated in numpy.
 
-It works in any Python and any ParaView, without the plugin. Units are mm, N, MPa. A response is a set of arrays with a
-common prefix. The samples i = 1..n are at the depths d_i = range (i/n)^2. Between them F(d) = d^m r(s) with
-s = sqrt(d/range), where r is the cubic Hermite interpolant of the samples. Below d_1 the force is a power,
-F_1 (d/d_1)^q with q = K_1 d_1/F_1. Beyond the range the force follows the last tangent.
+It works in any Python and ParaView, without the plugin. Units: mm, N, MPa. The arrays of a response share a prefix. The
+samples i = 1..n are at d_i = range (i/n)^2. Between them F(d) = d^m r(s), s = sqrt(d/range), r the cubic Hermite spline;
+below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the last tangent.
 """
 import numpy as np
 
@@ -71,10 +70,8 @@ def evaluate(response, point, deflection):
 
 
 def relaxation(body, prefix="Response"):
-    """The relaxation E(t) = E (1 + sum of p exp(-t/tau)) of a response, or None if it does not relax.
-
-    A dictionary with "time" tau (s), "strength" p (k, or points x k), and the "elastic" compliance in series (points,
-    mm/N, or None)."""
+    """The relaxation E(t) = E (1 + sum of p exp(-t/tau)), or None: a dictionary with "time" tau (s), "strength" p (k, or
+    points x k), and the "elastic" compliance in series (points, mm/N, or None)."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     time, strength = fetch(field, "RelaxationTime"), fetch(field, "RelaxationStrength")
     local = fetch(points, "LocalRelaxation")
@@ -84,10 +81,8 @@ def relaxation(body, prefix="Response"):
 
 
 def coupling(body, prefix="Response"):
-    """The compliance of one point under a force at another point, mm/N, as a function of two point numbers.
-
-    C = (n.n)+ g(r/h) / (pi r E*) + sum of modes. It holds for points, so r is not limited by contact radii. None if
-    contacts do not act on one another."""
+    """The compliance of one point under a force at another point, mm/N, as a function of two point numbers; None without
+    coupling. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes, for points: r is not limited by contact radii."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     law, modes = fetch(field, "Coupling"), fetch(points, "CouplingModes")
     modulus, thickness = fetch(points, "CouplingModulus"), fetch(points, "CouplingThickness")
