@@ -180,6 +180,12 @@ class ClosedForms(unittest.TestCase):
         # A press on a place of the upper face stays on that face, as on a path, although the side is nearer.
         press = palpate.probe(body, np.array([[199.9, 77.7, 200.0], [199.3, 77.7, 200.0]]), indentation=1.0)
         np.testing.assert_allclose(press.forces, felt[[995, 965]] * (4 / 3 * REDUCED * math.sqrt(5)), rtol=1e-6, atol=1e-9)
+        # So does a press on the edge itself, on a corner, and one of several tools.
+        on_edge = palpate.probe(body, np.vstack([corners, [[200.0, 77.7, 200.0]]]), indentation=1.0)
+        self.assertTrue((on_edge.normal_force > 0.0).all())
+        pair = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False, edges=True, coupling=True)
+        alone = palpate.probe(pair, np.array([[199.9, 77.7, 200.0]]), indentation=1.0, coupled=True)
+        np.testing.assert_allclose(alone.forces[0], press.forces[0], rtol=1e-6, atol=1e-9)
         plain = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False)
         self.assertIsNone(plain.GetFieldData().GetArray("ResponseEdges"))
 

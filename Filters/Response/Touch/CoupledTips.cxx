@@ -237,9 +237,17 @@ void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSett
   {
     CoupledContacts contacts(body, frictionless, group.size());
     std::vector<ToolPose> at;
+    std::vector<ToolPose> onset;
     for (const vtkIdType tip : group)
     {
-      at.push_back(poses.at(tip));
+      Vector3 position;
+      tips->GetPoint(tip, position.data());
+      at.push_back(poses.at(tip, position));
+      onset.push_back(poses.onset(tip, position));
+    }
+    if (indentation > 0.0 && body.edges)
+    {
+      contacts.settle(onset.data());
     }
     const std::vector<Contact>& felt = contacts.settle(at.data());
     for (std::size_t i = 0; i < group.size(); ++i)

@@ -152,11 +152,17 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             const ToolPose pose = start.at(order.tips()[k].id, order.tips()[k].position);
             at.pressed = pose.tip;
             single.reset();
-            if (indentation > 0.0 && body.edges)
+            const bool isPress = indentation > 0.0 && body.edges;
+            if (isPress)
             {
               single.update(start.onset(order.tips()[k].id, order.tips()[k].position));
             }
             at.contact = single.update(pose);
+            if (isPress && !(at.contact.normalForce > 0.0))
+            {
+              single.reset(); // the face that is pressed has no force there: search all faces
+              at.contact = single.update(pose);
+            }
             if (pose.hasAxis())
             {
               at.contact = single.update(pose); // again, with the normal found by the first update

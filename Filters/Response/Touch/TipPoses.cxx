@@ -8,6 +8,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace palpate
 {
 bool haveAxes(vtkPolyData* tips)
@@ -63,20 +67,33 @@ ToolPose TipPoses::at(vtkIdType tip, const Vector3& position)
   Vector3 point;
   Vector3 normal;
   return this->poseAt(tip,
-    this->findSite(position, point, normal)
+    this->findSite(position, point, normal) >= 0
       ? Vector3(position - this->Indentation / normal.norm() * normal)
       : position);
 }
 
 ToolPose TipPoses::onset(vtkIdType tip, const Vector3& position)
 {
-  constexpr double part = 1e-3; // of the indentation
+  constexpr double under = 0.1; // of the distance from the edges of the triangle
   Vector3 point;
   Vector3 normal;
-  return this->poseAt(tip,
-    this->findSite(position, point, normal)
-      ? Vector3(point - part * this->Indentation / normal.norm() * normal)
-      : position);
+  const std::int32_t triangle = this->findSite(position, point, normal);
+  if (triangle < 0)
+  {
+    return this->poseAt(tip, position);
+  }
+  const PackedMesh& mesh = this->Body.surface;
+  const std::array<Vector3, 3> corner = { mesh.corner(triangle, 0), mesh.corner(triangle, 1),
+    mesh.corner(triangle, 2) };
+  const Vector3 centroid = (corner[0] + corner[1] + corner[2]) / 3.0 + mesh.centre();
+  const Vector3 inside = 0.5 * (point + centroid);
+  double away = this->Indentation / under;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vector3 side = corner[(k + 1) % 3] - corner[k];
+    away = std::min(away, side.cross(inside - mesh.centre() - corner[k]).norm() / side.norm());
+  }
+  return this->poseAt(tip, inside - under * away * mesh.faceNormal(triangle));
 }
 
 ToolPose TipPoses::poseAt(vtkIdType tip, const Vector3& position)
@@ -90,16 +107,16 @@ ToolPose TipPoses::poseAt(vtkIdType tip, const Vector3& position)
   return ToolPose(position, axis);
 }
 
-bool TipPoses::findSite(const Vector3& tip, Vector3& point, Vector3& normal)
+std::int32_t TipPoses::findSite(const Vector3& tip, Vector3& point, Vector3& normal)
 {
   if (this->Indentation == 0.0)
   {
-    return false;
+    return -1;
   }
   const SurfacePoint nearest = this->Search.closestLocal(this->Body.surface.toLocal(tip));
   if (nearest.triangle < 0)
   {
-    return false;
+    return -1;
   }
   point = nearest.projection.point + this->Body.surface.centre();
   normal.setZero();
@@ -109,6 +126,6 @@ bool TipPoses::findSite(const Vector3& tip, Vector3& point, Vector3& normal)
       this->Body.response.normal(
         this->Body.surface.corners(nearest.triangle)[static_cast<std::size_t>(k)]);
   }
-  return normal.norm() > 0.0;
+  return normal.norm() > 0.0 ? nearest.triangle : -1;
 }
 } // namespace palpate

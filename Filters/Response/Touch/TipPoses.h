@@ -8,6 +8,7 @@
 
 #include "vtkType.h"
 
+#include <cstdint>
 #include <string>
 
 class vtkDataArray;
@@ -38,15 +39,16 @@ public:
   /// The pose for a tip whose position is known.
   ToolPose at(vtkIdType tip, const Vector3& position);
 
-  /// Just under the closest point, on the way to at(). A contact that begins there is on the face
-  /// that is pressed; one that begins at at() may be on the face across a sharp edge, if that face
-  /// is nearer. The same as at() without an indentation.
+  /// A pose just under the triangle of the closest point, away from its edges. A contact that
+  /// begins there and is led to at() is on the face that is pressed; one that begins at at() may be
+  /// on the face across a sharp edge, if that face is nearer. The tip itself without an
+  /// indentation.
   ToolPose onset(vtkIdType tip, const Vector3& position);
 
 private:
-  /// The closest point and the blended normal there, of any length. Returns false without an
-  /// indentation, or if there is no normal.
-  bool findSite(const Vector3& tip, Vector3& point, Vector3& normal);
+  /// The closest point and the blended normal there, of any length. Returns the triangle, or -1
+  /// without an indentation, or if there is no normal.
+  std::int32_t findSite(const Vector3& tip, Vector3& point, Vector3& normal);
   ToolPose poseAt(vtkIdType tip, const Vector3& position);
 
   const ContactBody& Body;
