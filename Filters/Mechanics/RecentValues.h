@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <list>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace palpate
 {
@@ -33,7 +34,7 @@ public:
     {
       return nullptr;
     }
-    std::rotate(this->All.begin(), found, found + 1);
+    this->All.splice(this->All.begin(), this->All, found);
     return this->All.front().value;
   }
 
@@ -41,12 +42,30 @@ public:
   void keep(const Key& key, std::shared_ptr<const Value> value, std::size_t bytes)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->All.insert(this->All.begin(), { key, std::move(value), bytes });
+    this->All.push_front({ key, std::move(value), bytes });
     std::size_t sum = 0;
     const auto last = std::find_if(this->All.begin(), this->All.end(),
       [&](const Entry& one) { return (sum += one.bytes) > this->MostBytes; });
     this->All.erase(last, this->All.end());
-    this->All.resize(std::min(this->All.size(), this->MostValues));
+    if (this->All.size() > this->MostValues)
+    {
+      this->All.pop_back();
+    }
+  }
+
+  /// The value of a key; if there is none, make() returns it with its bytes, and it is kept. Two
+  /// threads that ask at once may both make it.
+  template <class Make>
+  std::shared_ptr<const Value> get(const Key& key, const Make& make)
+  {
+    std::shared_ptr<const Value> value = this->find(key);
+    if (!value)
+    {
+      std::size_t bytes = 0;
+      std::tie(value, bytes) = make();
+      this->keep(key, value, bytes);
+    }
+    return value;
   }
 
 private:
@@ -59,7 +78,7 @@ private:
   std::size_t MostValues;
   std::size_t MostBytes;
   std::mutex Mutex;
-  std::vector<Entry> All;
+  std::list<Entry> All; ///< the last used first
 };
 } // namespace palpate
 

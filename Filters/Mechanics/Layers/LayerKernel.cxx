@@ -157,14 +157,10 @@ std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonsRatio, Lay
 {
   constexpr std::size_t mostKernels = 64;
   static RecentValues<std::pair<double, LayerBase>, LayerKernel> recent(mostKernels, mostKernels);
-  const std::pair<double, LayerBase> key{ poissonsRatio, base };
-  std::shared_ptr<const LayerKernel> kernel = recent.find(key);
-  if (!kernel)
-  {
-    kernel = std::make_shared<const LayerKernel>(poissonsRatio, base);
-    recent.keep(key, kernel, 1);
-  }
-  return kernel;
+  return recent.get({ poissonsRatio, base },
+    [&] {
+      return std::pair(std::make_shared<const LayerKernel>(poissonsRatio, base), std::size_t{ 1 });
+    });
 }
 
 template <class SampledTransform>

@@ -167,28 +167,28 @@ LayerTable::Curve LayerTable::sample(double thickness, double poissonsRatio) con
 }
 
 std::shared_ptr<const LayerCurves> makeLayerCurves(
-  const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths)
+  const AxisymmetricTool& tool, const LayerTable::Layers& layers, const std::vector<double>& depths)
 {
   constexpr std::size_t mostTables = 64;
   constexpr std::size_t mostBytes = std::size_t{ 64 } << 20;
   static RecentValues<CurvesKey, LayerCurves> recent(mostTables, mostBytes);
-  const CurvesKey key{ tool.specification(), layers, depths };
-  std::shared_ptr<const LayerCurves> curves = recent.find(key);
-  if (curves)
-  {
-    return curves;
-  }
-  const std::size_t columns =
-    layers.stack ? layers.stack->nodes().size() : 40 * layers.poissonsRatios.size();
-  if (layers.stack)
-  {
-    curves = std::make_shared<const StackTable>(tool, layers.stack, std::move(depths));
-  }
-  else
-  {
-    curves = std::make_shared<const LayerTable>(tool, layers, std::move(depths));
-  }
-  recent.keep(key, curves, 3 * sizeof(double) * curves->depths().size() * columns);
-  return curves;
+  return recent.get({ tool.specification(), layers, depths },
+    [&]
+    {
+      std::shared_ptr<const LayerCurves> curves;
+      std::size_t columns = 0;
+      if (layers.stack)
+      {
+        curves = std::make_shared<const StackTable>(tool, layers.stack, depths);
+        columns = layers.stack->nodes().size();
+      }
+      else
+      {
+        curves = std::make_shared<const LayerTable>(tool, layers, depths);
+        columns = LayerTable::ThicknessPoints *
+          std::min<std::size_t>(layers.poissonsRatios.size(), LayerTable::DistinctRatios);
+      }
+      return std::pair(std::move(curves), 3 * sizeof(double) * depths.size() * columns);
+    });
 }
 } // namespace palpate

@@ -67,6 +67,7 @@ class PALPATE_EXPORT LayerTable final : public LayerCurves
 public:
   /// Up to this many values of Poisson's ratio are tabulated separately.
   static constexpr int DistinctRatios = 32;
+  static constexpr int ThicknessPoints = 40; ///< thicknesses that are solved for
 
   /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed) and
   /// the values of Poisson's ratio that occur, ascending. For a stack also its kernels.
@@ -95,7 +96,6 @@ public:
   Curve sample(double thickness, double poissonsRatio) const;
 
 private:
-  static constexpr int ThicknessPoints = 40;
   using ThicknessRule = ChebyshevRule<ThicknessPoints>;
   using RatioRule = ChebyshevRule<DistinctRatios>;
   using Curves = Eigen::Matrix<double, Eigen::Dynamic, ThicknessPoints>;
@@ -118,8 +118,8 @@ private:
 /// Curves of the tool on these layers at these depths (mm, ascending): a LayerTable, or for a stack
 /// a StackTable. The last 64 tables stay in the process and are found by their input, since a law
 /// is prepared several times for one body. Thread-safe.
-PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(
-  const AxisymmetricTool& tool, const LayerTable::Layers& layers, std::vector<double> depths);
+PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(const AxisymmetricTool& tool,
+  const LayerTable::Layers& layers, const std::vector<double>& depths);
 } // namespace palpate
 
 #endif

@@ -92,14 +92,13 @@ std::shared_ptr<const StackKernels> StackKernels::shared(
   constexpr std::size_t mostStacks = 16;
   constexpr std::size_t mostKernels = 1000; // of 100 kB
   static RecentValues<StackKey, StackKernels> recent(mostStacks, mostKernels);
-  const StackKey key{ stack, first, second };
-  std::shared_ptr<const StackKernels> kernels = recent.find(key);
-  if (!kernels)
-  {
-    kernels = std::make_shared<const StackKernels>(stack, first, second);
-    recent.keep(key, kernels, kernels->nodes().size());
-  }
-  return kernels;
+  return recent.get({ stack, first, second },
+    [&]
+    {
+      auto kernels = std::make_shared<const StackKernels>(stack, first, second);
+      const std::size_t count = kernels->nodes().size();
+      return std::pair(std::move(kernels), count);
+    });
 }
 
 Eigen::VectorXd StackKernels::factorsAt(double first, double second) const
