@@ -12,6 +12,7 @@
 #include "Response/Curves/BodyShape.h"
 #include "Response/Curves/CurvatureBound.h"
 #include "Response/Curves/PointNormals.h"
+#include "Response/Curves/PressedPoints.h"
 #include "Response/Curves/ResponseStorage.h"
 #include "Response/Curves/TiltRequest.h"
 #include "Response/FilterThreads.h"
@@ -149,6 +150,11 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
     fault =
       ranks.firstFault(hasPiece ? readMaterial(body, request.arrays, material) : std::string());
   }
+  if (fault.empty())
+  {
+    fault = ranks.firstFault(
+      hasPiece ? checkPressed(request.pressed, body->GetNumberOfPoints()) : std::string());
+  }
   const MaterialArray& compliance = request.arrays[ComplianceArray];
   if (fault.empty())
   {
@@ -187,6 +193,7 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
   {
     return "Wrong input: " + fault;
   }
+  const vtkIdType notPressed = leaveOutOthers(request.pressed, sound, storage.Status);
   const float* normals = storage.Normal->GetPointer(0);
   const CurvatureBound bound(body, seam, normals);
   LawTerms terms = request.terms;
@@ -236,7 +243,8 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
   }
   // A joined point has no triangle of its own. It gets the response of the first point at its
   // place.
-  const vtkIdType without = static_cast<vtkIdType>(made.without) - sound.joinedPoints();
+  const vtkIdType without =
+    static_cast<vtkIdType>(made.without) - sound.joinedPoints() - notPressed;
   if (without > 0)
   {
     warning =

@@ -40,6 +40,7 @@ struct LawRequest
   const MeasuredBodyError* measured = nullptr; ///< for a response whose material was measured
   RelaxationRequest relaxation = {};           ///< for a response
   bool couples = false;                        ///< for a response: contacts on it can interact
+  MaterialArray pressed = {}; ///< for a response: not 0 at the points that get it; none: all
 };
 
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.

@@ -3,6 +3,7 @@
 
 #include "Response/BodyLaws.h"
 #include "Response/Curves/AutomaticTerms.h"
+#include "Response/Curves/PressedPoints.h"
 #include "Response/FilterStage.h"
 #include "Response/Pieces/OwnPiece.h"
 #include "vtkContactTool.h"
@@ -86,7 +87,8 @@ int vtkToolContactResponse::RequestData(
         this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
       this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
       this->EdgeCorrection, this->MaximumTilt },
-    nullptr, relaxation, this->Coupling };
+    nullptr, relaxation, this->Coupling,
+    palpate::arrayToProcess(this, palpate::PressedArrayIndex, find) };
   std::string warning;
   fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);

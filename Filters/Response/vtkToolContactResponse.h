@@ -14,7 +14,7 @@
  *   Degenerate: the point has no triangle with an area, or a zero normal, 2 NotFinite: a coordinate
  *   is not finite, or a force or stiffness is outside the range of a float, 1.2e-38 to 3.4e38; 3
  *   Folded, 4 OutOfReach: the layer is thinner than a tenth of the contact radius at
- *   MaximumDeflection), `Validity` (float, mm) and `Limit` (uint8);
+ *   MaximumDeflection, or no response was requested), `Validity` (float, mm), `Limit` (uint8);
  * - field data `Exponent` (double m), `Samples` (int n), `Tool`, `Model`, `Units` (strings);
  * - with layers, point data `LayerThickness` (float, mm, 0 for a half-space) and field data
  *   `LayerBase` (uint8), which vtkContactDeflection uses.
@@ -30,18 +30,18 @@
  * of the law fails. Strain: a/R exceeds 0.4, contact radius over tip radius (for Flat and Cone,
  * which have no tip radius, δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any
  * depth). Curvature: the body's normal turns by more than 0.2 rad under the contact radius, by the
- * largest normal curvature along the edges at the point; beyond, the body is not flat for the tool.
- * Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is wider than the
- * whole body, measured by the middle one of the three lengths of its box (the distance to an edge
- * of a larger body does not count).
+ * largest normal curvature along the edges at the point. Thickness: δ exceeds 20 % of a layer's
+ * thickness. Edge: the contact circle is wider than the middle one of the three lengths of the
+ * body's box; the distance to an edge does not count.
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
  * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
  * array counts by its index, not by its name), 5 strengths of the relaxations, one component each
- * (AddRelaxation), which replace the constants. For a global compliance the array of its name
- * followed by `Error`, if present, is its error in mm/N. An index that was never set, or set to an
- * empty name, means the constant property, whatever arrays the body has. A named array that does
+ * (AddRelaxation), which replace the constants, 6 the points that get a response: not 0 (by
+ * convention `Pressed`); their curves are, bit by bit, those of a response for all points. For a
+ * global compliance the array of its name followed by `Error`, if present, is its error in mm/N. An
+ * index without a name, or with an empty one, means the constant property. A named array that does
  * not exist is an error. So is a value out of range; the error names array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of

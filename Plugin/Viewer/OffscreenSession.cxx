@@ -201,11 +201,8 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
 std::string drawPictures(const ViewerScene& scene, const ResponseSet& responses,
   const PicturedMoment& moment, const std::string& folder)
 {
-  std::string error = drawOverview(folder + "/overview.png", scene, responses, moment);
-  if (error.empty())
-  {
-    error = drawCloseUp(folder + "/deflection.png", scene, responses, moment);
-  }
+  std::string error =
+    drawContact(folder + "/deflection.png", folder + "/overview.png", scene, responses, moment);
   if (error.empty())
   {
     error = drawCurves(folder + "/curves.png", scene, responses, moment);
@@ -232,7 +229,7 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   }
   progress("attaching the responses");
   ResponseSet responses;
-  std::string error = prepareResponses(options, scene, responses);
+  std::string error = prepareFirstResponse(options, scene, responses);
   if (!error.empty())
   {
     return error;
@@ -295,7 +292,8 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   if (options.pictures)
   {
     progress("drawing");
-    error = drawPictures(scene, responses, moment, options.output);
+    error = addOtherResponses(options, scene, picturedPoints(responses.body, moment), responses);
+    error = error.empty() ? drawPictures(scene, responses, moment, options.output) : error;
   }
   if (error.empty())
   {

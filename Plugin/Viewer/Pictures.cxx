@@ -94,51 +94,42 @@ View besideTheTool(const PicturedMoment& moment, const Direction& viewFrom)
 }
 } // namespace
 
-vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
+std::vector<vtkIdType> picturedPoints(vtkPolyData* body, const PicturedMoment& moment)
 {
-  vtkPointData* data = moment.recording->GetPointData();
-  const auto cell = static_cast<vtkIdType>(data->GetArray("ContactCell")->GetTuple1(moment.tick));
+  const auto cell = static_cast<vtkIdType>(
+    moment.recording->GetPointData()->GetArray("ContactCell")->GetTuple1(moment.tick));
   if (cell < 0)
   {
-    return 0;
+    return { 0 };
   }
-  Direction contact{};
-  data->GetArray("ContactPoint")->GetTuple(moment.tick, contact.data());
   vtkNew<vtkIdList> corners;
   body->GetCellPoints(cell, corners);
-  vtkIdType best = corners->GetId(0);
+  return { corners->begin(), corners->end() };
+}
+
+vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
+{
+  Direction contact{};
+  moment.recording->GetPointData()->GetArray("ContactPoint")->GetTuple(moment.tick, contact.data());
   const auto distance = [&](vtkIdType id)
   {
     Direction point{};
     body->GetPoint(id, point.data());
     return vtkMath::Distance2BetweenPoints(point.data(), contact.data());
   };
-  for (vtkIdType i = 1; i < corners->GetNumberOfIds(); ++i)
-  {
-    best = distance(corners->GetId(i)) < distance(best) ? corners->GetId(i) : best;
-  }
-  return best;
+  const std::vector<vtkIdType> corners = picturedPoints(body, moment);
+  return *std::min_element(corners.begin(), corners.end(),
+    [&](vtkIdType a, vtkIdType b) { return distance(a) < distance(b); });
 }
+
 std::string writePicture(vtkRenderWindow* window, const std::string& file)
 {
   window->Render();
   return writeWindowPicture(window, file);
 }
 
-std::string drawOverview(const std::string& file, const ViewerScene& scene,
-  const ResponseSet& responses, const PicturedMoment& moment)
-{
-  Stage stage;
-  auto shown = stage.addScene(
-    scene, responses.body, responses.tools.front(), moment, moment.largestForce, 0.0, 1.0);
-  shown->ShowTip(moment.recording, moment.tick);
-  shown->ShowTrail(moment.recording);
-  shown->LookAtBody(scene.viewFrom.data(), scene.up.data());
-  return writePicture(stage.window, file);
-}
-
-std::string drawCloseUp(const std::string& file, const ViewerScene& scene,
-  const ResponseSet& responses, const PicturedMoment& moment)
+std::string drawContact(const std::string& closeUp, const std::string& overview,
+  const ViewerScene& scene, const ResponseSet& responses, const PicturedMoment& moment)
 {
   Stage stage;
   auto shown = stage.addScene(
@@ -146,7 +137,14 @@ std::string drawCloseUp(const std::string& file, const ViewerScene& scene,
   shown->ShowTip(moment.recording, moment.tick);
   const View view = besideTheTool(moment, scene.viewFrom);
   shown->LookAtContact(CloseUpDistance, view.from.data(), view.up.data());
-  return writePicture(stage.window, file);
+  const std::string error = writePicture(stage.window, closeUp);
+  if (!error.empty())
+  {
+    return error;
+  }
+  shown->ShowTrail(moment.recording);
+  shown->LookAtBody(scene.viewFrom.data(), scene.up.data());
+  return writePicture(stage.window, overview);
 }
 
 std::string drawSideBySide(const std::string& file, const ViewerScene& scene,

@@ -24,6 +24,10 @@ struct PicturedMoment
   double largestForce = 1.0;
 };
 
+/// The points whose responses the pictures show: the corners of the contact triangle; point 0
+/// without a contact.
+std::vector<vtkIdType> picturedPoints(vtkPolyData* body, const PicturedMoment& moment);
+
 /// The corner of the contact triangle nearest to the contact; 0 without a contact.
 vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 
@@ -33,13 +37,10 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 /// The content of a window.
 std::string writePicture(vtkRenderWindow* window, const std::string& file);
 
-/// The body, the tool, the force arrow and the dent.
-std::string drawOverview(const std::string& file, const ViewerScene& scene,
-  const ResponseSet& responses, const PicturedMoment& moment);
-
-/// The deflection field from close up.
-std::string drawCloseUp(const std::string& file, const ViewerScene& scene,
-  const ResponseSet& responses, const PicturedMoment& moment);
+/// Two pictures of body, tool, force arrow and deflection field: from close up, and of the whole
+/// body with the trail.
+std::string drawContact(const std::string& closeUp, const std::string& overview,
+  const ViewerScene& scene, const ResponseSet& responses, const PicturedMoment& moment);
 
 /// All tools at the tip of the tick, side by side on copies of the body.
 std::string drawSideBySide(const std::string& file, const ViewerScene& scene,

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResponseSet.h"
 
+#include "Contact/ResponseContract.h"
+#include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Files/CollectingWindow.h"
 #include "Response/FlatBodyConversion.h"
 #include "Mechanics/Files/WholeFile.h"
 
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <chrono>
@@ -16,15 +19,14 @@ namespace palpate
 {
 namespace
 {
-double responseBytes(vtkPolyData* body, const std::string& name)
+double responseBytes(vtkPolyData* body, const std::string& response)
 {
   double bytes = 0.0;
-  for (int i = 0; i < body->GetPointData()->GetNumberOfArrays(); ++i)
+  for (const ContractArray& array : ResponseContract)
   {
-    vtkAbstractArray* array = body->GetPointData()->GetAbstractArray(i);
-    if (array->GetName() && std::string(array->GetName()).rfind(name, 0) == 0)
+    if (vtkDataArray* found = body->GetPointData()->GetArray(array.named(response).c_str()))
     {
-      bytes += static_cast<double>(array->GetNumberOfValues()) * array->GetDataTypeSize();
+      bytes += static_cast<double>(found->GetNumberOfValues()) * found->GetDataTypeSize();
     }
   }
   return bytes;
@@ -86,57 +88,83 @@ std::string responseName(std::size_t tool)
   return tool == 0 ? "Response" : "Response" + std::to_string(tool + 1);
 }
 
-std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
-  const ContactLaw& law, double maximumDeflection, ResponseSet& responses)
+namespace
+{
+/// Adds a tool without a response. Returns "" or an error.
+std::string addTool(const std::string& tool, ResponseSet& responses)
 {
   auto shape = vtkSmartPointer<vtkContactTool>::New();
   if (!shape->SetSpecification(tool))
   {
     return "tool '" + tool + "' is not known";
   }
-  const std::string name = responseName(responses.names.size());
+  responses.names.push_back(responseName(responses.names.size()));
   responses.tools.push_back(shape);
-  responses.names.push_back(name);
+  return {};
+}
+
+/// Attaches the response of a tool, with an array `pressed` only at the points where it is not 0.
+std::string attachToolResponse(std::size_t tool, const ViewerScene& scene, const ContactLaw& law,
+  double maximumDeflection, const MaterialArray& pressed, ResponseSet& responses)
+{
   if (scene.stored)
   {
     return {};
   }
+  const auto begin = std::chrono::steady_clock::now();
+  LawRequest request;
+  request.tool = responses.tools[tool];
+  request.responseName = responses.names[tool];
+  request.deflection = maximumDeflection;
+  request.material = materialOf(law);
+  request.arrays = arraysOf(law, scene, responses.body);
+  request.terms = scene.terms;
+  request.relaxation.series = scene.relaxation;
+  request.pressed = pressed;
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
-  const std::string error = attachResponse(Ranks(), responses.body,
-    { shape, name, maximumDeflection, materialOf(law), arraysOf(law, scene, responses.body), 8,
-      scene.terms, nullptr, { scene.relaxation } },
-    {}, body, warning);
+  const std::string error = attachResponse(Ranks(), responses.body, request, {}, body, warning);
   warn(warning);
   if (error.empty())
   {
     responses.body = body;
   }
+  responses.seconds +=
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return error;
 }
 
-namespace
-{
+/// Adds the tools of the scene, and attaches the responses of the first `count` of them.
 std::string attachResponses(
-  const ViewerScene& scene, double maximumDeflection, ResponseSet& responses)
+  const ViewerScene& scene, double maximumDeflection, std::size_t count, ResponseSet& responses)
 {
-  const auto begin = std::chrono::steady_clock::now();
   responses.body = scene.body;
-  for (const std::string& tool : scene.tools)
+  std::string error;
+  for (std::size_t i = 0; i < scene.tools.size() && error.empty(); ++i)
   {
-    const std::string error =
-      addToolResponse(scene, tool, lawOf(scene), maximumDeflection, responses);
-    if (!error.empty())
-    {
-      return error;
-    }
+    error = addTool(scene.tools[i], responses);
+    const std::string fault = error.empty() && !scene.stored
+      ? responses.tools.back()->GetKernel()->checkDepth(maximumDeflection)
+      : std::string();
+    error = fault.empty() ? error : "MaximumDeflection: " + fault;
   }
-  responses.seconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  responses.bytesPerTool = responseBytes(responses.body, responses.names.back());
-  return {};
+  for (std::size_t i = 0; i < count && error.empty(); ++i)
+  {
+    error = attachToolResponse(i, scene, lawOf(scene), maximumDeflection, {}, responses);
+  }
+  responses.bytesPerTool = responseBytes(responses.body, responses.names.front());
+  return error;
 }
 } // namespace
+
+std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
+  const ContactLaw& law, double maximumDeflection, ResponseSet& responses)
+{
+  const std::string error = addTool(tool, responses);
+  return error.empty()
+    ? attachToolResponse(responses.tools.size() - 1, scene, law, maximumDeflection, {}, responses)
+    : error;
+}
 
 std::string saveBody(vtkPolyData* body, const std::string& path)
 {
@@ -160,11 +188,45 @@ std::string saveBody(vtkPolyData* body, const std::string& path)
   return error;
 }
 
+namespace
+{
+std::string attachAndWrite(
+  const ViewerOptions& options, const ViewerScene& scene, std::size_t count, ResponseSet& responses)
+{
+  const std::string error = attachResponses(scene, options.maximumDeflection, count, responses);
+  return error.empty() ? writeResponses(options, responses) : error;
+}
+} // namespace
+
 std::string prepareResponses(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses)
 {
-  const std::string error = attachResponses(scene, options.maximumDeflection, responses);
-  return error.empty() ? writeResponses(options, responses) : error;
+  return attachAndWrite(options, scene, scene.tools.size(), responses);
+}
+
+std::string prepareFirstResponse(
+  const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses)
+{
+  return attachAndWrite(options, scene, options.save.empty() ? 1 : scene.tools.size(), responses);
+}
+
+std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& scene,
+  const std::vector<vtkIdType>& points, ResponseSet& responses)
+{
+  vtkNew<vtkUnsignedCharArray> pressed;
+  pressed->SetNumberOfValues(responses.body->GetNumberOfPoints());
+  pressed->FillValue(0);
+  for (const vtkIdType point : points)
+  {
+    pressed->SetValue(point, 1);
+  }
+  std::string error;
+  for (std::size_t i = 1; i < responses.tools.size() && options.save.empty() && error.empty(); ++i)
+  {
+    error = attachToolResponse(
+      i, scene, lawOf(scene), options.maximumDeflection, { "Pressed", pressed }, responses);
+  }
+  return error;
 }
 
 std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses)

@@ -53,10 +53,19 @@ std::string responseName(std::size_t tool);
 std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
   const ContactLaw& law, double maximumDeflection, ResponseSet& responses);
 
-/// Attaches the responses for the options, and writes the files of --save and --export. Returns ""
-/// or an error.
+/// Attaches the responses of all tools for the options, and writes the files of --save and
+/// --export. Returns "" or an error.
 std::string prepareResponses(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
+
+/// The same for the first tool only, unless --save needs all. All tools are checked.
+std::string prepareFirstResponse(
+  const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
+
+/// Attaches the responses that prepareFirstResponse left out, at these points only. Returns "" or
+/// an error.
+std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& scene,
+  const std::vector<vtkIdType>& points, ResponseSet& responses);
 
 /// Writes a body with all its arrays as a .vtp file, completely or not at all. Returns "" or an
 /// error.

@@ -435,6 +435,21 @@ class PerPoint(unittest.TestCase):
         self.assertGreater(palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=5.0), 0,
                                           1.0).force[0], slip.force[0, 50])
 
+    def test_chosen_points_have_the_response_of_all(self):
+        whole = palpate.response(ball(), "sphere:6.35", layer=8.0).GetPointData()
+        chosen = [5, 17, 100]
+        booleans = np.zeros(whole.GetNumberOfTuples(), bool)
+        booleans[chosen] = True
+        for points in (chosen, np.array(chosen), booleans):
+            made = palpate.response(ball(), "sphere:6.35", layer=8.0, points=points).GetPointData()
+            status = vtk_to_numpy(made.GetArray("ResponseStatus"))
+            np.testing.assert_array_equal(np.flatnonzero(status == 0), chosen)
+            np.testing.assert_array_equal(np.unique(status), (0, 4))
+            np.testing.assert_array_equal(vtk_to_numpy(made.GetArray("ResponseForce"))[chosen],
+                                          vtk_to_numpy(whole.GetArray("ResponseForce"))[chosen])
+        none = palpate.response(ball(), points=[]).GetPointData().GetArray("ResponseStatus")
+        self.assertEqual(none.GetRange(), (4.0, 4.0))
+
     def test_by_the_name_of_an_array(self):
         points, triangles = plate(6)
         body = palpate.response((points, triangles), "flat:3")
@@ -714,6 +729,11 @@ class Errors(unittest.TestCase):
                 (ValueError, "ErrorTolerance must be finite", {"error_tolerance": -1}),
                 (ValueError, "TermTolerance must be finite", {"automatic": -1}),
                 (TypeError, "automatic", {"automatic": "yes"}),
+                (ValueError, "points: there is no point 25: the body has 25 points", {"points": [3, 25]}),
+                (ValueError, "points: there is no point -1", {"points": [3, -1]}),
+                (ValueError, "points must have 25 booleans.*but has 3", {"points": [True, False, True]}),
+                (TypeError, "points must be indices or booleans", {"points": [0.5]}),
+                (TypeError, "points must be indices or booleans", {"points": 3}),
                 (ValueError, "ResponseName must not be empty", {"name": ""})):
             with self.subTest(options=str(options)[:60]):
                 self.complains(kind, words, palpate.response, body, **options)

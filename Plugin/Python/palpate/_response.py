@@ -19,7 +19,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
 def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
              strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
-             relax=(), compliance_relaxes=True, coupling=False, tilt=0.0) -> vtkPolyData:
+             relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -65,6 +65,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         global deformation of the body.
     tilt : largest tilt of the tool from the body's normal, degrees; 0: the tool counts as upright. Above 0, force and
         torque depend on the axis given to palpate.probe or to a session.
+    points : the points of the body that get a response: their indices, or booleans of shape (n,). The other points have
+        status 4 and no curve. None: all points.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -98,6 +100,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made.SetCoupling(bool(coupling))
     _set_relaxation(made, given, relax)
     made.SetComplianceRelaxes(bool(compliance_relaxes))
+    _set_points(made, given, points)
     _set_strain(made, strain)
     tolerance = _arrays.number(error_tolerance, "error_tolerance")
     made.SetErrorTolerance(tolerance)
@@ -127,6 +130,27 @@ def _set_relaxation(made, body, relax):
         local = np.column_stack([np.broadcast_to(strength, (count,)) for strength in strengths]).astype(float)
         body.GetPointData().AddArray(_arrays.to_vtk(local, "RelaxationStrength"))
         made.SetInputArrayToProcess(5, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "RelaxationStrength")
+
+
+def _set_points(made, body, points):
+    if points is None:
+        return
+    count = body.GetNumberOfPoints()
+    _arrays.refuse_masked(points, "points")
+    given = np.asarray(points)
+    if given.size == 0:
+        given = given.astype(int)
+    if given.dtype.kind not in "biu" or given.ndim != 1:
+        raise TypeError("points must be indices or booleans, but is %r" % (points,))
+    if given.dtype.kind == "b" and len(given) != count:
+        raise ValueError("points must have %d booleans, one for each point of the body, but has %d" % (count, len(given)))
+    if given.dtype.kind != "b":
+        for point in given[(given < 0) | (given >= count)][:1]:
+            raise ValueError("points: there is no point %d: the body has %d points" % (point, count))
+    pressed = np.zeros(count, np.uint8)
+    pressed[given] = 1
+    body.GetPointData().AddArray(_arrays.to_vtk(pressed, "Pressed"))
+    made.SetInputArrayToProcess(6, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Pressed")
 
 
 def _set_strain(made, strain):

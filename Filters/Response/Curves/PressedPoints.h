@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PressedPoints_h
+#define PressedPoints_h
+
+#include "Response/Curves/MaterialArrays.h"
+
+#include <string>
+
+class vtkUnsignedCharArray;
+
+namespace palpate
+{
+class SoundBody;
+
+/// Index of the array to process that is not 0 at the points that get a response.
+constexpr int PressedArrayIndex = 6;
+
+/// Checks that array against the number of points. Returns "" or an error message.
+std::string checkPressed(const MaterialArray& pressed, vtkIdType points);
+
+/// Sets the status of the points that get no response to OutOfReach. A point that represents
+/// others at its place gets a response if one of them does. Returns the number of places that get
+/// no response. Without an array all points get one.
+vtkIdType leaveOutOthers(
+  const MaterialArray& pressed, const SoundBody& sound, vtkUnsignedCharArray* status);
+} // namespace palpate
+
+#endif
