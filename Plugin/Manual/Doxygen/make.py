@@ -117,7 +117,8 @@ def copy_files(output):
         shutil.copyfile(TOP / file, output / "files" / file)
 
 
-def main(words):
+def main(words, settings=""):
+    """`settings`: of Doxygen, after those of the Doxyfile."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--output", type=Path, default=TOP / "build/docs", help="default: build/docs")
     parser.add_argument("--no-examples", action="store_true", help="the gallery shows what the tree holds")
@@ -129,7 +130,7 @@ def main(words):
     output.mkdir(parents=True, exist_ok=True)
     results = [] if arguments.no_examples else run_examples(output / "examples")
     write_pages(output / "pages", {"examples": "\n".join(example_page(results))})
-    complaints = run_doxygen(output)
+    complaints = run_doxygen(output, settings)
     if complaints:
         print(complaints, "make.py: Doxygen had something to say", sep="\n", file=sys.stderr)
         return 1
