@@ -127,7 +127,7 @@ class Map(SessionCase):
 
     def test_a_response_without_material_has_no_map(self):
         saved = self.folder / "saved.vtp"
-        result = run("--scene", "cylinder", "--save", saved, "--output", self.folder / "first")
+        result = run("--scene", "cylinder", "--save", saved, "--no-pictures", "--output", self.folder / "first")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.refuse("--map", saved, words=("material",))
 
