@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -116,13 +114,18 @@ double windingNumber(const Surface& body, const Vector3& tip)
   return sum / (4.0 * 3.14159265358979323846);
 }
 
-double diagonal(const Surface& body)
+Eigen::AlignedBox3d boxOf(const Surface& body)
 {
   Eigen::AlignedBox3d box;
   for (const Vector3& p : body.points)
   {
     box.extend(p);
   }
-  return box.diagonal().norm();
+  return box;
+}
+
+double diagonal(const Surface& body)
+{
+  return boxOf(body).diagonal().norm();
 }
 } // namespace palpate::testing

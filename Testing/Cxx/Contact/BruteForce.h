@@ -4,7 +4,7 @@
 
 #include "SampleBodies.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <limits>
@@ -41,6 +41,8 @@ std::vector<std::int32_t> twoRings(const Surface& body, std::int32_t triangle);
 /// Winding number of the closed surface around the tip: 1 inside, 0 outside. Sum of the solid
 /// angles of its triangles (Van Oosterom and Strackee 1983).
 double windingNumber(const Surface& body, const Vector3& tip);
+
+Eigen::AlignedBox3d boxOf(const Surface& body);
 
 /// Diagonal of the bounding box.
 double diagonal(const Surface& body);

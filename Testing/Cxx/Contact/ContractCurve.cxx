@@ -6,7 +6,7 @@
 
 namespace palpate::testing
 {
-Response ContractCurve::evaluate(double depth) const
+ContractValue ContractCurve::evaluate(double depth) const
 {
   using Real = long double;
   const std::size_t n = this->force.size();
@@ -18,7 +18,7 @@ Response ContractCurve::evaluate(double depth) const
   const auto forceOf = [&](std::size_t i) { return static_cast<Real>(this->force[i - 1]); };
   const auto stiffnessOf = [&](std::size_t i) { return static_cast<Real>(this->stiffness[i - 1]); };
   const auto answer = [](Real f, Real k, bool beyond) {
-    return Response{ static_cast<double>(f), static_cast<double>(k), beyond };
+    return ContractValue{ static_cast<double>(f), static_cast<double>(k), beyond };
   };
 
   if (d <= 0)

@@ -6,7 +6,8 @@
 
 namespace palpate::testing
 {
-struct Response
+/// What a curve says at a depth.
+struct ContractValue
 {
   double force = 0.0;
   double stiffness = 0.0;
@@ -14,9 +15,10 @@ struct Response
 };
 
 /**
- * A literal implementation of the data contract, as an independent check of ResponseSampling: F(δ)
- * = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of r_i = F_i/δ_i^m with slopes from
- * the chain rule, in long double.
+ * A literal implementation of the data contract, as an independent check of ResponseSampling and of
+ * the filters: F(δ) = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of r_i = F_i/δ_i^m
+ * with slopes from the chain rule, in long double. Below δ_1 the power start, beyond δ_max the
+ * tangent.
  */
 struct ContractCurve
 {
@@ -25,7 +27,7 @@ struct ContractCurve
   std::vector<double> force;     ///< F_1 … F_n
   std::vector<double> stiffness; ///< K_1 … K_n
 
-  Response evaluate(double depth) const;
+  ContractValue evaluate(double depth) const;
 };
 } // namespace palpate::testing
 

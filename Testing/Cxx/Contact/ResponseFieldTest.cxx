@@ -16,7 +16,7 @@ using palpate::ResponseStatus;
 using palpate::ResponseValue;
 using palpate::Vector3;
 using palpate::testing::ContractCurve;
-using palpate::testing::Response;
+using palpate::testing::ContractValue;
 using palpate::testing::ResponseStore;
 
 namespace
@@ -80,7 +80,7 @@ TEST(ResponseField, EvaluatesEachPointsOwnCurve)
     for (const double depth : { -0.1, 0.0, 1e-4, 0.02, 0.3, 0.9, 1.4, 2.5, 7.0 })
     {
       const ResponseValue value = field.evaluate(point, depth);
-      const Response expected = contract.evaluate(depth);
+      const ContractValue expected = contract.evaluate(depth);
       EXPECT_NEAR(value.force, expected.force, 1e-12 * (1.0 + std::abs(expected.force)));
       EXPECT_NEAR(
         value.stiffness, expected.stiffness, 1e-10 * (1.0 + std::abs(expected.stiffness)));

@@ -14,7 +14,7 @@ using palpate::ResponseSampling;
 using palpate::ResponseValue;
 using palpate::testing::agrees;
 using palpate::testing::ContractCurve;
-using palpate::testing::Response;
+using palpate::testing::ContractValue;
 
 namespace
 {
@@ -178,7 +178,7 @@ TEST(ResponseSampling, TheContractWrittenOutAgain)
     {
       const double depth = share(random) * range;
       const ResponseValue value = sampling.evaluate(samples, range, depth);
-      const Response expected = contract.evaluate(depth);
+      const ContractValue expected = contract.evaluate(depth);
       // Interpolants oscillate between a few times the largest force (stiffness: times n²/δ_max);
       // 1e-12 of that is rounding.
       const double force = samples.forces.back();

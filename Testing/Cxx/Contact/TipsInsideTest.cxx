@@ -64,11 +64,7 @@ TEST(TipsInside, HaveAContactWithAndWithoutEdges)
   for (const SampleBody& sample : sampleBodies())
   {
     const Surface body = sample.surface.rounded();
-    Eigen::AlignedBox3d box;
-    for (const Vector3& point : body.points)
-    {
-      box.extend(point);
-    }
+    const Eigen::AlignedBox3d box = boxOf(body);
     for (const EdgeTerms& edges : { EdgeTerms{}, sphereOverEdges() })
     {
       const auto contactBody = uniformBody(body, edges);

@@ -53,7 +53,8 @@ Expected blend(
     }
     const auto at =
       static_cast<std::size_t>(body.triangles[static_cast<std::size_t>(nearest.triangle)][k]);
-    const Response response = store.curveOf(at).evaluate(static_cast<double>(nearest.distance));
+    const ContractValue response =
+      store.curveOf(at).evaluate(static_cast<double>(nearest.distance));
     magnitude += weight * response.force;
     expected.stiffness += weight * response.stiffness;
     sumOfForces += weight * response.force * store.normalOf(at);

@@ -25,11 +25,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
   const std::vector<std::int32_t> all = allTriangles(body);
   // Rounding of the coordinates.
   const double tolerance = 1e-12 * diagonal(body);
-  Eigen::AlignedBox3d box;
-  for (const Vector3& p : body.points)
-  {
-    box.extend(p);
-  }
+  const Eigen::AlignedBox3d box = boxOf(body);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(-0.5, 1.5);
   for (int i = 0; i < tips; ++i)

@@ -70,14 +70,6 @@ TEST(FailedFit, HoldsAreRefusedInWords)
   }
 }
 
-/// A hold at a depth of 0.9 of the tool's radius exceeds small strain.
-TEST(FailedFit, AHoldThatIsTooDeepIsNamed)
-{
-  const std::string refusal = identified(pressAndHold(1.5)).refusal;
-  EXPECT_NE(refusal.find("hold lies deeper than small strain allows"), std::string::npos)
-    << refusal;
-}
-
 /// With a load before the first reading, strong noise, few readings, a drift.
 TEST(FailedFit, WhateverComesIsIdentifiedOrRefused)
 {

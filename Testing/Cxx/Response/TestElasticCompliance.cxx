@@ -241,7 +241,6 @@ void checkErrors()
   fails(grid, [](auto* f) { f->SetYoungsModulus(std::nan("")); }, { "YoungsModulus", "nan" });
   fails(grid, [](auto* f) { f->SetPatchRadius(-1.0); }, { "PatchRadius", "-1" });
   fails(grid, [](auto* f) { f->SetLoadedPoint(5000); }, { "LoadedPoint", "5000" });
-  fails(grid, [](auto* f) { f->SetMemoryLimit(0.01); }, { "MemoryLimit", "MiB", "unknowns" });
   fails(grid,
     [](auto* f)
     { f->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Stiff"); },

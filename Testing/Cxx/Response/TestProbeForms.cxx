@@ -6,6 +6,7 @@
 
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace

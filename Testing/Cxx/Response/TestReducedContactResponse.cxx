@@ -12,6 +12,8 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <algorithm>
+
 namespace
 {
 using namespace palpate::testing;

@@ -16,6 +16,8 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+
 namespace
 {
 using namespace palpate::testing;

@@ -49,8 +49,8 @@ void expectError(
 
 void checkProperties()
 {
-  for (const auto& [value, text] :
-    { std::pair{ 0.0, "0" }, { -2.5, "-2.5" }, { NotANumber, "nan" }, { Infinity, "inf" } })
+  for (const auto& [value, text] : { std::pair{ 0.0, "0" }, { -2.5, "-2.5" }, { -1e-6, "-1e-06" },
+         { NotANumber, "nan" }, { Infinity, "inf" } })
   {
     const double wrong = value;
     expectError([=](Filter& f) { f->SetYoungsModulus(wrong); },
@@ -60,8 +60,8 @@ void checkProperties()
   }
   expectError([](Filter& f) { f->SetMaximumDeflection(1e-50); }, // too small for a float
     [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "MaximumDeflection", "1e-50" });
-  for (const auto& [value, text] :
-    { std::pair{ 0.6, "0.6" }, { -0.1, "-0.1" }, { NotANumber, "nan" } })
+  for (const auto& [value, text] : { std::pair{ 0.6, "0.6" }, { 0.501, "0.501" }, { -0.1, "-0.1" },
+         { -1e-3, "-0.001" }, { NotANumber, "nan" } })
   {
     const double wrong = value;
     expectError([=](Filter& f) { f->SetPoissonRatio(wrong); },

@@ -10,6 +10,7 @@
 #include "vtkDataObject.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace

@@ -8,6 +8,8 @@
 #include "vtkDataObject.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
+
 namespace
 {
 using namespace palpate::testing;
