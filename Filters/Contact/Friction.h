@@ -223,6 +223,10 @@ private:
     for (std::size_t j = 0; j < springs.count; ++j)
     {
       springs.stiffness[j] *= scale;
+      if (!std::isfinite(springs.stiffness[j]))
+      {
+        return {}; // the contact is so shallow that its stiffness overflows
+      }
     }
     return springs;
   }

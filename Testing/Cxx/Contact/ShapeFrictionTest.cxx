@@ -299,6 +299,22 @@ TEST(ShapeFriction, LikeThousandsOfSprings)
   }
 }
 
+TEST(ShapeFriction, AStiffnessThatOverflowsGivesNoForce)
+{
+  // A depth of 1.8e-310 mm under 3480 N: the force is finite, the stiffness times the load is not.
+  const PowerCurve steep{ 1.0, 1.0, 2e-310 };
+  ShapeFriction friction(settingsOf(0.5, 0.5));
+  for (int i = 0; i < 3; ++i)
+  {
+    const TangentialForce result = friction.update({ 0.1, 0.0 }, 3480.0, 1.8e-310, steep);
+    EXPECT_TRUE(result.force.isZero(0.0)) << result.force.transpose();
+  }
+  // The history goes on with the next contact.
+  friction.update(Vector2::Zero(), 10.0, 1.0, PowerCurve{});
+  EXPECT_TRUE(
+    agrees(-friction.update({ 10.0, 0.0 }, 10.0, 1.0, PowerCurve{}).force.x(), 0.5 * 10.0, 1e-14));
+}
+
 TEST(ShapeFriction, ResponsesThatAreNotConvex)
 {
   // Falling stiffness: no springs there, the others carry the load, and the limit holds.

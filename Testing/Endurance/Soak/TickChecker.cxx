@@ -26,6 +26,13 @@ constexpr double DirectionError = 2e-6;
 constexpr double ChordError = 0.01;
 constexpr double ChordDepth = 2.0; // mm
 
+/// Largest way of the contact over the surface, mm, while the tip moves by `step` at this depth:
+/// the body is round (R = 50 mm), and at an edge of 0.2 rad the nearest point jumps.
+double contactWay(double step, double depth)
+{
+  return 1.2 * step + 0.2 * depth;
+}
+
 template <class... Parts>
 TickVerdict fault(TickFault kind, const TickFacts& tick, const Parts&... parts)
 {
@@ -150,7 +157,7 @@ void TickChecker::lose()
 }
 
 TickChecker::Fit TickChecker::fit(
-  const FeltScene& scene, const Vector3& tip, const Vector3& force, double share) const
+  const FeltScene& scene, const Vector3& tip, double step, const Vector3& force, double share) const
 {
   const double most = this->Limits.stiffness / (MillimetresPerMetre * this->Frame.scale);
   Fit best;
@@ -170,10 +177,13 @@ TickChecker::Fit TickChecker::fit(
     fit.error = std::max(std::abs(along - normal), across - scene.friction * normal);
     if (scene.relaxation > 0.0)
     {
-      // Drag: the energy stored by new material over a path is at most Σ w u²/4 P/2a, and Σ w u² <=
-      // δ f.
+      // Drag: the energy that new material stores. If a share λ = 1 - e^(-s/2a) of an element is
+      // exchanged, its energy grows by at most P w u²/(4 - 2 λ) times λ, and Σ w u² <= δ f. λ <=
+      // s/2a. In a usual tick λ is small; after a gap the way s may be as long as the tool.
       const double radius = scene.tool.contactRadius(depth);
-      const double drag = radius > 0.0 ? scene.relaxation * depth * normal / (8.0 * radius) : 0.0;
+      const double kept = std::exp(-contactWay(step, depth) / (2.0 * radius)); // 1 - λ
+      const double drag =
+        radius > 0.0 ? scene.relaxation * depth * normal / (4.0 * radius * (1.0 + kept)) : 0.0;
       const double instant = (1.0 + scene.relaxation) * normal;
       const double error = ChordError * share * scene.tool.force(ChordDepth + depth, touch.modulus);
       fit.tolerance = (1.0 + scene.relaxation) * (fit.tolerance + error);
@@ -208,7 +218,11 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
     return fault(
       TickFault::Scene, tick, "a share of ", share, " instead of ", this->Scenes.share());
   }
-  const Fit newer = this->fit(this->Scenes.newer(), tip, tick.contactForce, 1.0);
+  const double step =
+    this->HasTip ? (tip - this->LastTip).norm() : std::numeric_limits<double>::infinity();
+  this->LastTip = tip;
+  this->HasTip = true;
+  const Fit newer = this->fit(this->Scenes.newer(), tip, step, tick.contactForce, 1.0);
   if (newer.excess > 0.0)
   {
     return fault(TickFault::Contact, tick, tick.contactForce.transpose(), " N at a depth of ",
@@ -222,7 +236,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   older.excess = rest.allFinite() ? rest.norm() - Rounding : rest.norm();
   if (share < 1.0 && this->Scenes.current() > 0)
   {
-    older = this->fit(this->Scenes.older(), tip, rest, 1.0 - share);
+    older = this->fit(this->Scenes.older(), tip, step, rest, 1.0 - share);
   }
   if (!(older.excess <= 0.0))
   {

@@ -121,7 +121,9 @@ private:
     double error = 0.0;
     double depth = 0.0;
   };
-  Fit fit(const FeltScene& scene, const Vector3& tip, const Vector3& force, double share) const;
+  /// `step`: how far the tip has moved since the tick before, mm.
+  Fit fit(const FeltScene& scene, const Vector3& tip, double step, const Vector3& force,
+    double share) const;
 
   TickVerdict checkPlace(const TickFacts& tick, double elapsed, Expected& expected);
   TickVerdict checkSent(const TickFacts& tick, const Expected& expected);
@@ -142,7 +144,9 @@ private:
 
   bool HasTime = false;
   double Time = 0.0;
-  Vector3 Sent = Vector3::Zero(); ///< by the tick before; zero after a loss
+  bool HasTip = false;
+  Vector3 LastTip = Vector3::Zero(); ///< of the last tick with a position, mm
+  Vector3 Sent = Vector3::Zero();    ///< by the tick before; zero after a loss
   bool HasSent = false;
   double SentTime = 0.0;
 };

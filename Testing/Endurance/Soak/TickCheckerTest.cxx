@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The soak's checker on series of ticks. It accepts those of the real servo step, in virtual time,
 // and finds the faults that are added afterwards.
+#include "ExpectFound.h"
 #include "TickSeries.h"
 
 #include "Haptics/Servo/ServoStep.h"
@@ -18,14 +19,6 @@ namespace palpate::endurance
 {
 namespace
 {
-/// Expects this kind of fault in this tick.
-void expectFound(const TickSeries& series, TickFault fault, std::size_t tick)
-{
-  const TickSeries::Finding found = series.firstFault();
-  EXPECT_STREQ(nameOf(found.fault), nameOf(fault)) << found.text;
-  EXPECT_EQ(found.tick, tick) << found.text;
-}
-
 /// Calls `spoil` for many ticks in which the force moves, with friction and without. It gets a copy
 /// of the series and the tick.
 template <class Spoil>
@@ -243,75 +236,6 @@ TEST(TickChecker, FindsFrictionOutOfTheCone)
     ++tried;
   }
   EXPECT_GT(tried, 5U);
-}
-
-TEST(TickChecker, AcceptsBodiesThatRelax)
-{
-  std::uint64_t relaxing = 0;
-  for (unsigned seed = 0; seed < 12; ++seed)
-  {
-    const TickSeries series(seed, true, -1.0, 0.0, seed < 6 ? Supplied::Relaxing : Supplied::All);
-    const TickSeries::Finding found = series.firstFault();
-    EXPECT_EQ(found.fault, TickFault::None)
-      << seed << ": tick " << found.tick << ", " << found.text;
-    relaxing += series.tally().relaxing;
-  }
-  EXPECT_GT(relaxing, TickSeries::Length);
-  for (unsigned seed = 0; seed < 6; ++seed)
-  {
-    const TickSeries series(seed, false, -1.0, 0.0, Supplied::Relaxing);
-    const TickSeries::Finding found = series.firstFault();
-    EXPECT_EQ(found.fault, TickFault::None) << seed << ": " << found.text;
-    EXPECT_EQ(series.tally().visits, 2U);
-    EXPECT_LT(series.tally().largestGain, 0.0); // flow dissipates energy
-  }
-}
-
-TEST(TickChecker, FindsMoreThanABodyThatRelaxesCanGive)
-{
-  for (unsigned seed = 0; seed < 4; ++seed)
-  {
-    const TickSeries series(seed, false, 0.0, 0.0, Supplied::Relaxing);
-    std::size_t tried = 0;
-    for (std::size_t i = 1; i < TickSeries::Absent; i += 311)
-    {
-      const TickFacts& tick = series.ticks[i];
-      if (tick.sent.norm() < 0.02 || tick.sceneShare < 1.0)
-      {
-        continue;
-      }
-      ++tried;
-      TickSeries more(series);
-      more.ticks[i].contactForce *= 2.2; // P = 1
-      more.ticks[i].idealForce *= 2.2;
-      EXPECT_EQ(more.firstFault().fault, TickFault::Contact) << seed << " " << i;
-      TickSeries pull(series);
-      pull.ticks[i].contactForce *= -1.0;
-      pull.ticks[i].idealForce *= -1.0;
-      expectFound(pull, TickFault::Contact, i);
-      TickSeries sent(series);
-      sent.send(i, 2.5 * tick.idealForce.norm() * tick.sent.normalized());
-      expectFound(sent, TickFault::Sent, i);
-    }
-    EXPECT_GT(tried, 4U);
-  }
-}
-
-TEST(TickChecker, FindsEnergyThatABodyThatRelaxesGives)
-{
-  // The force of the way in is used on the way out, and the other way round. Each tick is within
-  // all bounds.
-  TickSeries series(1, false, 0.0, 0.0, Supplied::Relaxing);
-  for (std::size_t i = 1; i < TickSeries::Length; ++i)
-  {
-    TickFacts& tick = series.ticks[i];
-    const Vector3 way = tick.tip - series.ticks[i - 1].tip;
-    const double share = tick.contactForce.dot(way) > 0.0 ? 1.0 : 0.4;
-    tick.contactForce *= share;
-    tick.idealForce *= share;
-    series.send(i, Vector3::Zero());
-  }
-  EXPECT_EQ(series.firstFault().fault, TickFault::Energy);
 }
 
 TEST(TickChecker, FindsAForceThatRisesTooFast)
