@@ -18,7 +18,7 @@ class FullDisk(SessionCase):
         self.body = bodies.write(bodies.sphere(), self.folder / "body.vtp")
         self.output.mkdir()
 
-    def fail(self, *arguments, words, **more):
+    def refuse(self, *arguments, words, **more):
         """Must end by its own will with exit code 1 and the words."""
         result = run(self.body, *MATERIAL, *arguments, "--output", self.output, **more)
         self.assertEqual(result.returncode, 1, result.stderr)
@@ -58,25 +58,25 @@ class FullDisk(SessionCase):
         self.assertEqual(whole.returncode, 0, whole.stderr)
         record = self.output / "trajectory.csv"
         record.write_text("mine")
-        result = self.fail("--device", hand, words=(f"'{record}'", TOO_LARGE), room=10000)
+        result = self.refuse("--device", hand, words=(f"'{record}'", TOO_LARGE), room=10000)
         self.assertEqual(record.read_text(), "mine")
         self.check_kept_rows(record, (self.folder / "whole" / "trajectory.csv").read_bytes(), result)
         self.assertEqual({path.name for path in self.output.iterdir()},
                          {"trajectory.csv", "trajectory.csv.part"})
 
     def test_a_record_on_a_device_that_is_full(self):
-        result = self.fail("--device", self.hand(200), "--record", "/dev/full",
+        result = self.refuse("--device", self.hand(200), "--record", "/dev/full",
                            words=("'/dev/full'", FULL))
         self.assertNotIn(".part", result.stderr)
         self.assertTrue((self.output / "trajectory.csv").read_text().endswith("\n"))
 
     def test_a_picture(self):
-        picture = self.output / "overview.png"
+        picture = self.output / "deflection.png"
         picture.write_text("mine")
-        self.fail("--device", self.hand(50), words=(f"'{picture}'", TOO_LARGE), room=15000)
+        self.refuse("--device", self.hand(50), words=(f"'{picture}'", TOO_LARGE), room=15000)
         self.assertEqual(picture.read_text(), "mine")
         self.assertEqual({path.name for path in self.output.iterdir()},
-                         {"trajectory.csv", "overview.png"})
+                         {"trajectory.csv", "deflection.png"})
 
     def test_saved_bodies(self):
         saved = {"--save": self.folder / "saved.vtp", "--export": self.folder / "saved.palpate"}
@@ -87,13 +87,13 @@ class FullDisk(SessionCase):
         for option, path in saved.items():
             with self.subTest(option=option):
                 before = path.read_bytes()
-                self.fail("--tool", "flat:2", option, path, words=(f"'{path}'", TOO_LARGE),
+                self.refuse("--tool", "flat:2", option, path, words=(f"'{path}'", TOO_LARGE),
                           room=len(before) // 2)
                 self.assertEqual(path.read_bytes(), before)
                 self.assertFalse(path.with_name(path.name + ".part").exists())
         with self.subTest("on a device that is full"):
             for option in saved:
-                self.fail(option, "/dev/full", words=("'/dev/full'", FULL))
+                self.refuse(option, "/dev/full", words=("'/dev/full'", FULL))
 
     def test_answers_of_a_trial(self):
         log = self.folder / "log.csv"
@@ -125,7 +125,7 @@ class FullDisk(SessionCase):
         kept = self.folder / "kept"
         kept.mkdir()
         record = self.output / "trajectory.csv"
-        result = self.fail("--device", self.hand(1500), words=(f"'{record}'", FULL),
+        result = self.refuse("--device", self.hand(1500), words=(f"'{record}'", FULL),
                            before=own_mount.over(self.output, "size=64k", kept))
         lines = (kept / "trajectory.csv.part").read_text().splitlines()
         self.assertGreater(len(lines), 100)
