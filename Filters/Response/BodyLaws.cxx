@@ -152,8 +152,9 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
   }
   if (fault.empty())
   {
-    fault = ranks.firstFault(
-      hasPiece ? checkPressed(request.pressed, body->GetNumberOfPoints()) : std::string());
+    fault = ranks.firstFault(hasPiece
+        ? checkPointArray(request.pressed, PressedArrayIndex, body->GetNumberOfPoints())
+        : std::string());
   }
   const MaterialArray& compliance = request.arrays[ComplianceArray];
   if (fault.empty())

@@ -213,6 +213,10 @@ std::string prepareFirstResponse(
 std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& scene,
   const std::vector<vtkIdType>& points, ResponseSet& responses)
 {
+  if (!options.save.empty())
+  {
+    return {}; // all are attached
+  }
   vtkNew<vtkUnsignedCharArray> pressed;
   pressed->SetNumberOfValues(responses.body->GetNumberOfPoints());
   pressed->FillValue(0);
@@ -221,7 +225,7 @@ std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& s
     pressed->SetValue(point, 1);
   }
   std::string error;
-  for (std::size_t i = 1; i < responses.tools.size() && options.save.empty() && error.empty(); ++i)
+  for (std::size_t i = 1; i < responses.tools.size() && error.empty(); ++i)
   {
     error = attachToolResponse(
       i, scene, lawOf(scene), options.maximumDeflection, { "Pressed", pressed }, responses);

@@ -20,8 +20,8 @@ struct ResponseSet
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<std::string> names;
-  double seconds = 0.0;      ///< wall time to attach all responses
-  double bytesPerTool = 0.0; ///< size of the response arrays
+  double seconds = 0.0;      ///< wall time to attach the responses
+  double bytesPerTool = 0.0; ///< size of the first tool's response arrays
 };
 
 /// The input of a response in addition to the tool.

@@ -79,24 +79,36 @@ MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 5
 
 namespace
 {
-/// Reads one value per point. Returns "" or an error message.
-std::string readValues(
-  const std::string& name, vtkDataArray* array, vtkIdType points, PointValues& given)
+/// Reads one value per point from an array that checkPointArray accepts.
+void readValues(const std::string& name, vtkDataArray* array, PointValues& given)
 {
+  given.name = array->GetName() ? array->GetName() : name;
+  given.values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < given.values.size(); ++i)
+  {
+    given.values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+}
+} // namespace
+
+std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkIdType points)
+{
+  const auto& [name, array] = given;
+  if (name.empty())
+  {
+    return {};
+  }
+  if (!array)
+  {
+    return joined("Array to process ", index, " ('", name, "') is not on the input's points");
+  }
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
   {
     return joined("Array '", array->GetName(), "' must have 1 component and ", points,
       " tuples, but has ", array->GetNumberOfComponents(), " and ", array->GetNumberOfTuples());
   }
-  given.name = array->GetName() ? array->GetName() : name;
-  given.values.resize(static_cast<std::size_t>(points));
-  for (std::size_t i = 0; i < given.values.size(); ++i)
-  {
-    given.values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
-  }
   return {};
 }
-} // namespace
 
 std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material)
 {
@@ -107,12 +119,10 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
   const vtkIdType points = body->GetNumberOfPoints();
   for (std::size_t index = 0; index < wanted.size() && wrong.empty(); ++index)
   {
-    const auto& [name, array] = arrays[index];
-    if (!name.empty())
+    wrong = checkPointArray(arrays[index], index, points);
+    if (wrong.empty() && arrays[index].array)
     {
-      wrong = array
-        ? readValues(name, array, points, *wanted[index])
-        : joined("Array to process ", index, " ('", name, "') is not on the input's points");
+      readValues(arrays[index].name, arrays[index].array, *wanted[index]);
     }
   }
   const std::string errorName = values.compliance.name + "Error";
@@ -120,7 +130,11 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
     values.compliance.values.empty() ? nullptr : body->GetPointData()->GetArray(errorName.c_str());
   if (wrong.empty() && error)
   {
-    wrong = readValues(errorName, error, points, values.complianceError);
+    wrong = checkPointArray({ errorName, error }, 0, points);
+    if (wrong.empty())
+    {
+      readValues(errorName, error, values.complianceError);
+    }
   }
   return wrong.empty() ? material.take(std::move(values), static_cast<std::size_t>(points)) : wrong;
 }

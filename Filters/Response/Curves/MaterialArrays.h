@@ -6,7 +6,10 @@
 
 #include "Laws/BodyMaterial.h"
 
+#include "vtkType.h"
+
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,6 +50,10 @@ MaterialArrays arraysToProcess(
 /// The arrays with these names; "" for an array that is not requested.
 PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
   vtkPolyData* body, const std::array<std::string, 5>& names);
+
+/// Checks that an array that is requested is there, with one value for each of so many points.
+/// `index`: that of the array to process. Returns "" or an error message.
+std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkIdType points);
 
 /// Gives `material` the values at the points of a body. Returns "" or an error that names property
 /// or array, point and value.

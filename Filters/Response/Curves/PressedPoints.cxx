@@ -2,7 +2,6 @@
 #include "Response/Curves/PressedPoints.h"
 
 #include "Contact/ResponseContract.h"
-#include "Mechanics/JoinedText.h"
 #include "Response/Bodies/SoundBody.h"
 
 #include "vtkDataArray.h"
@@ -12,26 +11,6 @@
 
 namespace palpate
 {
-std::string checkPressed(const MaterialArray& pressed, vtkIdType points)
-{
-  const auto& [name, array] = pressed;
-  if (name.empty())
-  {
-    return {};
-  }
-  if (!array)
-  {
-    return joined(
-      "Array to process ", PressedArrayIndex, " ('", name, "') is not on the input's points");
-  }
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
-  {
-    return joined("Array '", name, "' must have 1 component and ", points, " tuples, but has ",
-      array->GetNumberOfComponents(), " and ", array->GetNumberOfTuples());
-  }
-  return {};
-}
-
 vtkIdType leaveOutOthers(
   const MaterialArray& pressed, const SoundBody& sound, vtkUnsignedCharArray* status)
 {

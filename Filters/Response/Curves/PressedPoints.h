@@ -4,8 +4,6 @@
 
 #include "Response/Curves/MaterialArrays.h"
 
-#include <string>
-
 class vtkUnsignedCharArray;
 
 namespace palpate
@@ -14,9 +12,6 @@ class SoundBody;
 
 /// Index of the array to process that is not 0 at the points that get a response.
 constexpr int PressedArrayIndex = 6;
-
-/// Checks that array against the number of points. Returns "" or an error message.
-std::string checkPressed(const MaterialArray& pressed, vtkIdType points);
 
 /// Sets the status of the points that get no response to OutOfReach. A point that represents
 /// others at its place gets a response if one of them does. Returns the number of places that get

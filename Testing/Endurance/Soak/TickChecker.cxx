@@ -218,10 +218,8 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
     return fault(
       TickFault::Scene, tick, "a share of ", share, " instead of ", this->Scenes.share());
   }
-  const double step =
-    this->HasTip ? (tip - this->LastTip).norm() : std::numeric_limits<double>::infinity();
+  const double step = (tip - this->LastTip).norm();
   this->LastTip = tip;
-  this->HasTip = true;
   const Fit newer = this->fit(this->Scenes.newer(), tip, step, tick.contactForce, 1.0);
   if (newer.excess > 0.0)
   {

@@ -9,6 +9,7 @@
 #include "VisitLedger.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -144,9 +145,9 @@ private:
 
   bool HasTime = false;
   double Time = 0.0;
-  bool HasTip = false;
-  Vector3 LastTip = Vector3::Zero(); ///< of the last tick with a position, mm
-  Vector3 Sent = Vector3::Zero();    ///< by the tick before; zero after a loss
+  /// Of the last tick with a position, mm; before the first it is infinitely far away.
+  Vector3 LastTip = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 Sent = Vector3::Zero(); ///< by the tick before; zero after a loss
   bool HasSent = false;
   double SentTime = 0.0;
 };

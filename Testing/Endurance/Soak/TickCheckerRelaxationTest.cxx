@@ -77,10 +77,8 @@ TEST(TickChecker, AcceptsALongWayOverABodyThatRelaxes)
     const SuppliedScene scene = supply.make();
     for (const int hold : { 400, 4000 })
     {
-      ServoStep step(std::make_unique<ServoScene>(scene.kernel),
-        WorkspaceMapping(
-          TickSeries::frame().axes, TickSeries::frame().origin, TickSeries::frame().scale),
-        TickSeries::safety());
+      ServoStep step(
+        std::make_unique<ServoScene>(scene.kernel), TickSeries::mapping(), TickSeries::safety());
       FeltScene frictionless = scene.felt;
       frictionless.friction = 0.0;
       TickChecker checker(TickSeries::frame(), DeviceLimits{}, frictionless);

@@ -243,10 +243,8 @@ TEST(TickChecker, FindsAForceThatRisesTooFast)
   // The tip is 1 mm deeper from one tick to the next. The sent force rises at 40 N/s only.
   SceneSupply supply(1, Supplied::Elastic);
   const SuppliedScene scene = supply.make();
-  ServoStep step(std::make_unique<ServoScene>(scene.kernel),
-    WorkspaceMapping(
-      TickSeries::frame().axes, TickSeries::frame().origin, TickSeries::frame().scale),
-    TickSeries::safety());
+  ServoStep step(
+    std::make_unique<ServoScene>(scene.kernel), TickSeries::mapping(), TickSeries::safety());
   FeltScene frictionless = scene.felt;
   frictionless.friction = 0.0;
   TickChecker checker(TickSeries::frame(), DeviceLimits{}, frictionless);

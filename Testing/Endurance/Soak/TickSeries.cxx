@@ -81,6 +81,11 @@ DeviceFrame TickSeries::frame()
   return made;
 }
 
+WorkspaceMapping TickSeries::mapping()
+{
+  return { frame().axes, frame().origin, frame().scale };
+}
+
 SafetySettings TickSeries::safety()
 {
   return SafetySettings::of(specificationOf(DeviceLimits{}, Rate));
@@ -96,8 +101,7 @@ TickSeries::TickSeries(unsigned seed, bool swaps, double friction, double begin,
     this->First.felt.friction = friction;
     this->Second.felt.friction = friction;
   }
-  ServoStep step(servoScene(this->First),
-    WorkspaceMapping(frame().axes, frame().origin, frame().scale), safety());
+  ServoStep step(servoScene(this->First), mapping(), safety());
   for (std::size_t i = 0; i < Length; ++i)
   {
     if (swaps && i == Swap)

@@ -5,6 +5,7 @@
 #include "SceneSupply.h"
 #include "TickChecker.h"
 
+#include "Haptics/Devices/WorkspaceMapping.h"
 #include "Haptics/Safety/SafetySettings.h"
 
 #include <cstddef>
@@ -32,6 +33,7 @@ public:
 
   /// The frame of the device.
   static DeviceFrame frame();
+  static WorkspaceMapping mapping();
   static SafetySettings safety();
 
   /// Without `swaps` the first scene stays in contact. A `friction` that is not negative applies to
