@@ -85,20 +85,27 @@ ErrorRule::ErrorRule(const AxisymmetricTool& tool, const LawScope& scope)
 {
 }
 
-ErrorParts ErrorRule::at(
-  const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const
+StrainCorrection::Course ErrorRule::strain(const ContactSpot& spot) const
+{
+  return this->Scope.strain
+    ? this->Scope.strain->course(spot.poissonsRatio, spot.thickness, spot.second)
+    : StrainCorrection::Course();
+}
+
+ErrorParts ErrorRule::at(const ContactSpot& spot, const SpotSurface& surface,
+  const StrainCorrection::Course& strain, const LocalState& state) const
 {
   ErrorParts parts;
-  this->addStrain(spot, state, parts);
+  this->addStrain(spot, strain, state, parts);
   parts[ResponseLimit::Curvature] = this->curvaturePart(spot, surface, state);
   parts[ResponseLimit::Edge] = this->edgePart(spot, surface.edge, state);
   if (surface.measured)
   {
     ErrorParts then;
-    this->addStrain(spot, *surface.measured, then);
-    double& strain = parts[parts[ResponseLimit::Thickness] > 0.0 ? ResponseLimit::Thickness
+    this->addStrain(spot, strain, *surface.measured, then);
+    double& bound = parts[parts[ResponseLimit::Thickness] > 0.0 ? ResponseLimit::Thickness
                                                                  : ResponseLimit::Strain];
-    strain = std::max(strain, then.total());
+    bound = std::max(bound, then.total());
     double& edge = parts[ResponseLimit::Edge];
     edge =
       edge < 1.0 ? std::abs(edge - this->edgePart(spot, surface.edge, *surface.measured)) : edge;
@@ -114,12 +121,12 @@ ErrorParts ErrorRule::at(
   return parts;
 }
 
-void ErrorRule::addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const
+void ErrorRule::addStrain(const ContactSpot& spot, const StrainCorrection::Course& strain,
+  const LocalState& state, ErrorParts& parts) const
 {
   if (this->Scope.strain)
   {
-    parts[ResponseLimit::Strain] =
-      this->Scope.strain->at(state.depth, spot.poissonsRatio, spot.thickness, spot.second).error;
+    parts[ResponseLimit::Strain] = strain.at(state.depth).error;
     return;
   }
   const double pressure = state.force / (Pi * state.radius * state.radius);

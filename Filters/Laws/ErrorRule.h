@@ -6,6 +6,7 @@
 #include "Laws/ContactSpot.h"
 #include "Laws/CurvedContact.h"
 #include "Laws/EdgeDistance.h"
+#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -14,7 +15,6 @@
 namespace palpate
 {
 class AxisymmetricTool;
-class StrainCorrection;
 
 /// Relative errors of a force by neglected or unknown effects.
 struct ErrorParts
@@ -90,11 +90,19 @@ public:
   ErrorRule(const AxisymmetricTool& tool, const LawScope& scope);
 
   /// `state` is the local contact.
-  ErrorParts at(const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const;
+  ErrorParts at(const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const
+  {
+    return this->at(spot, surface, this->strain(spot), state);
+  }
+  /// The same for many depths of one spot: `strain` is strain(spot).
+  ErrorParts at(const ContactSpot& spot, const SpotSurface& surface,
+    const StrainCorrection::Course& strain, const LocalState& state) const;
+  StrainCorrection::Course strain(const ContactSpot& spot) const;
 
 private:
   double stackPart(const ContactSpot& spot, const LocalState& state) const;
-  void addStrain(const ContactSpot& spot, const LocalState& state, ErrorParts& parts) const;
+  void addStrain(const ContactSpot& spot, const StrainCorrection::Course& strain,
+    const LocalState& state, ErrorParts& parts) const;
   double curvaturePart(
     const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const;
   double edgePart(const ContactSpot& spot, const NearEdge& edge, const LocalState& state) const;

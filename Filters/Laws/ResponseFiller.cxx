@@ -148,10 +148,11 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& sta
   const auto n = static_cast<std::size_t>(this->Spans.samples);
   ResponseLimit limit = ResponseLimit::None;
   TrustedDepth trusted(static_cast<double>(this->Range), n, this->Tolerance);
+  const StrainCorrection::Course strain = this->Errors->strain(spot);
   for (std::size_t k = n + 1; k-- > 0;)
   {
     const LocalState state = stateAt(k);
-    ErrorParts parts = this->Errors->at(spot, surface, state);
+    ErrorParts parts = this->Errors->at(spot, surface, strain, state);
     if (!fits || !state.isCovered)
     {
       parts[ResponseLimit::Curvature] = 1.0;

@@ -91,9 +91,9 @@ run_suite()
   local built=$((SECONDS - start)) status log=$build_dir/$preset/ctest.log
   case $preset in release | plain-vtk) launcher=(on_virtual_display) ;; esac
   rm -f "$log" "$(failed_tests "$preset")"
-  # For two processors: one of three tests often waits for a clock or a window.
+  # For two processors: two of four tests often wait for a clock or a window.
   (cd "$source_dir" &&
-    "${launcher[@]}" ctest --preset "$preset" -j 3 --output-log "$log" "${choice[@]}" "$@")
+    "${launcher[@]}" ctest --preset "$preset" -j 4 --output-log "$log" "${choice[@]}" "$@")
   status=$?
   read_log "$log"
   if [ "$tests_run" -eq 0 ] && [ $# -eq 0 ]; then

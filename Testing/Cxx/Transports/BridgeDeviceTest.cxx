@@ -16,9 +16,9 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <future>
 #include <limits>
 #include <memory>
-#include <thread>
 #include <vector>
 
 using Eigen::Vector3d;
@@ -111,15 +111,14 @@ std::string addressOf(const std::string& kind, const std::string& path)
 /// Opening waits for an answer, so the program serves in the meantime.
 std::unique_ptr<BridgeDevice> opened(Program& program)
 {
-  std::unique_ptr<BridgeDevice> device;
   std::string error;
-  std::thread host([&] { device = BridgeDevice::open(program.Peer.address(), error, 20.0); });
-  while (program.greetings == 0)
+  auto opening = std::async(std::launch::async,
+    [&] { return BridgeDevice::open(program.Peer.address(), error, 20.0); });
+  while (opening.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready)
   {
     program.serve();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  host.join();
+  auto device = opening.get();
   program.serve();
   EXPECT_TRUE(device) << error;
   return device;
