@@ -22,6 +22,7 @@ namespace
 constexpr double LargestCaps = 0.25; ///< area of the caps of a solid, over its area
 constexpr double LargestGap = 0.01;  ///< the same for a part that counts as closed
 constexpr double LargestScrap = 0.1; ///< area of a part that may be left out, over the whole area
+constexpr double LargestDebris = 1e-6; ///< volume over that of the solid around it
 constexpr double LeastVolume = 1e-9; ///< over area^1.5: a sheet of 1 µm by 1 m has more
 
 struct Part
@@ -102,10 +103,7 @@ private:
         around.begin(), around.end(), [this](std::size_t o) { return this->All[o].isClosed(); });
       if (isHidden)
       {
-        const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(part.first);
-        result.hidden.insert(
-          result.hidden.end(), first, first + static_cast<std::ptrdiff_t>(part.count));
-        this->leaveOut(part);
+        this->hide(part, result);
       }
       return;
     }
@@ -114,7 +112,12 @@ private:
       return;
     }
     const bool isInside = around.size() % 2 == 1;
-    if (isInside && part.volume > 0.0)
+    if (isInside && part.volume > 0.0 &&
+      part.volume <= LargestDebris * std::abs(this->All[around.front()].volume))
+    {
+      this->hide(part, result);
+    }
+    else if (isInside && part.volume > 0.0)
     {
       result.fault = this->name(i) + " lies inside " + this->name(around.front()) +
         " and winds outward, as a second body in the same place: remove it, or reverse its "
@@ -124,6 +127,15 @@ private:
     {
       this->forTriangles(part, [](TriangleCorners& corners) { std::swap(corners[1], corners[2]); });
     }
+  }
+
+  /// Leaves out a part that no tool can touch.
+  void hide(const Part& part, OrientedParts& result)
+  {
+    const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(part.first);
+    result.hidden.insert(
+      result.hidden.end(), first, first + static_cast<std::ptrdiff_t>(part.count));
+    this->leaveOut(part);
   }
 
   /// Whether the part is neither empty nor a copy.

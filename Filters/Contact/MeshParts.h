@@ -14,7 +14,7 @@ namespace palpate
 /// Result of orientParts().
 struct OrientedParts
 {
-  /// Triangles of sheets inside a closed solid; first corner -1 now.
+  /// Triangles of sheets and of debris inside a closed solid; first corner -1 now.
   std::vector<std::int32_t> hidden;
   /// Whether walls between two solids are left out; these solids now share open borders.
   bool hasJoined = false;
@@ -31,6 +31,7 @@ struct OrientedParts
  *   area. The sign of its enclosed volume distinguishes inside and outside.
  * - A solid that is wound inward inside another one is a cavity, and stays as it is.
  * - A solid that is wound outward inside another one is a second body in the same place: a fault.
+ *   It is left out as debris if its volume is at most a millionth of that of the other solid.
  * - A solid without volume has its two sides at one place. It is left out if it has at most a tenth
  *   of the whole area; otherwise it is a fault.
  * - Two solids that overlap are a fault.

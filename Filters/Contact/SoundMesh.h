@@ -19,7 +19,7 @@ struct MeshDefects
   std::size_t badIndex = 0;          ///< triangles left out: a corner is not a point
   std::size_t degenerate = 0;        ///< triangles left out: no area
   std::size_t repeatedTriangles = 0; ///< left out: they occur twice, or enclose nothing
-  std::size_t hiddenTriangles = 0;   ///< left out: sheets inside a closed body
+  std::size_t hiddenTriangles = 0;   ///< left out: sheets and debris inside a closed body
   std::size_t turnedTriangles = 0;   ///< reversed
   std::size_t joinedPoints = 0;      ///< points at the place of another one
   std::size_t nonManifoldEdges = 0;  ///< of more than two triangles, or not orientable

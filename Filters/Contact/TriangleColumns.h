@@ -2,6 +2,8 @@
 #ifndef palpate_TriangleColumns_h
 #define palpate_TriangleColumns_h
 
+#include "Mechanics/PalpateExport.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -14,7 +16,7 @@ namespace palpate
 /// Triangles in columns along z, used to count the triangles above a place. If the triangles of a
 /// surface have about one size, a column holds a few of them. Slivers across many columns make the
 /// columns wider. At most Most entries per triangle.
-class TriangleColumns
+class PALPATE_EXPORT TriangleColumns
 {
 public:
   using Corners = std::array<Eigen::Vector3d, 3>;

@@ -162,7 +162,8 @@ LocalState CurvedHalfSpace::sagInSeries(
   {
     const LocalState state = this->sagAlone(depth, curvature);
     const double left = deflection - depth - softness * state.force;
-    depth += left / (1.0 + softness * state.stiffness);
+    // At full contact the stiffness falls, so that a tangent may lead to a negative depth.
+    depth = std::max(depth + left / (1.0 + softness * state.stiffness), 0.25 * depth);
     if (std::abs(left) <= Converged * deflection)
     {
       break;

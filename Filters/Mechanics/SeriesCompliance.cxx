@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/SeriesCompliance.h"
 
+#include "Mechanics/Numerics/Constants.h"
+
 #include <cmath>
 #include <limits>
 
 namespace palpate
 {
+namespace
+{
+// Relative to the deflection: a step in the wrong direction that is more than rounding, and the
+// last step of an iteration with such steps.
+constexpr double Overshoot = 1e-12;
+constexpr double Rounding = 4e-15;
+} // namespace
+
 SeriesPoint seriesResponse(
   const IndentationLaw& local, double reducedModulus, double compliance, double deflection)
 {
@@ -19,10 +29,14 @@ SeriesPoint seriesResponse(
     }
     return point;
   }
-  // Newton's method on x + C F(x) = δ, written so that nothing cancels (K x >= F). From x = δ on,
-  // the tangents never overshoot. A step that makes no progress has reached the rounding error and
-  // is the last.
+  // Newton's method on x + C F(x) = δ, written so that nothing cancels (K x >= F). If F is convex,
+  // the tangents from x = δ on never overshoot, and a step that makes no progress has reached the
+  // rounding error and is the last. If they overshoot, as on a flat end at finite strain, the root
+  // is kept between two bounds.
   double x = deflection;
+  double low = 0.0;
+  double high = Infinity;
+  bool overshoots = false;
   bool last = false;
   for (int iteration = 0; iteration < 100; ++iteration)
   {
@@ -39,8 +53,15 @@ SeriesPoint seriesResponse(
     {
       return point;
     }
-    const double next = (deflection + compliance * (at.stiffness * x - at.force)) / slope;
-    last = !((compliance < 0.0 ? next - x : x - next) > 1e-15 * x);
+    double next = (deflection + compliance * (at.stiffness * x - at.force)) / slope;
+    (next < x ? high : low) = x;
+    const double progress = compliance < 0.0 ? next - x : x - next;
+    overshoots = overshoots || progress < -Overshoot * x;
+    if (overshoots && !(next > low && next < high))
+    {
+      next = high < Infinity ? 0.5 * (low + high) : 2.0 * x;
+    }
+    last = overshoots ? std::abs(next - x) <= Rounding * x : !(progress > 1e-15 * x);
     x = next;
   }
   return { nan, nan, nan, false };

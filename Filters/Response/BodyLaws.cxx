@@ -19,6 +19,7 @@
 #include "Response/Pieces/LoadedPieces.h"
 #include "Response/ReplacedCurves.h"
 #include "Response/ResponseTool.h"
+#include "Response/WholeBody.h"
 #include "vtkContactTool.h"
 
 #include "vtkFloatArray.h"
@@ -38,7 +39,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ComplianceArray = 2; // index in MaterialArrays
+constexpr double WholeBodyShare = 0.9;     // of the work, if the body's compliance is included
 
 /// Makes the correction by finite strain; null for the linear model. Returns "" or an error
 /// message.
@@ -82,6 +83,12 @@ EdgeTerms edgesOf(
   edges.isInCurves = (material.modelParts() & GlobalCompliancePart) != 0;
   return edges;
 }
+
+std::string checkToolDepth(const LawRequest& request)
+{
+  const std::string fault = request.tool->GetKernel()->checkDepth(request.deflection);
+  return fault.empty() ? fault : "MaximumDeflection: " + fault;
+}
 } // namespace
 
 std::string checkRequest(const LawRequest& request)
@@ -123,9 +130,10 @@ std::string checkRequest(const LawRequest& request)
   return request.responseName.empty() ? "ResponseName must not be empty" : "";
 }
 
-std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequest& request,
-  const std::function<bool(double)>& goOn, vtkPolyData* output, std::string& warning)
+std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequest& asked,
+  const std::function<bool(double)>& observer, vtkPolyData* output, std::string& warning)
 {
+  LawRequest request = asked;
   const bool hasPiece = input->GetNumberOfPoints() > 0;
   if (!ranks.any(hasPiece))
   {
@@ -142,8 +150,9 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
   {
     return "Wrong input: " + fault;
   }
-  vtkPolyData* body = sound.body();
+  vtkSmartPointer<vtkPolyData> body = sound.body();
   fault = checkRequest(request);
+  fault = fault.empty() ? checkToolDepth(request) : fault;
   BodyMaterial material(request.material);
   if (fault.empty())
   {
@@ -156,7 +165,26 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
         ? checkPointArray(request.pressed, PressedArrayIndex, body->GetNumberOfPoints())
         : std::string());
   }
-  const MaterialArray& compliance = request.arrays[ComplianceArray];
+  const double from = request.wholeBody ? WholeBodyShare : 0.0;
+  const auto goOn = [&](double done) { return !observer || observer(from + (1.0 - from) * done); };
+  WholeBody whole;
+  if (fault.empty())
+  {
+    whole = includeWholeBody(
+      ranks, body, [&](double done) { return !observer || observer(from * done); }, request);
+    if (!whole.isComplete)
+    {
+      return {};
+    }
+    warning = whole.warning;
+    body = whole.body;
+    if (!whole.heldAt.empty())
+    {
+      material = BodyMaterial(request.material);
+      fault = readMaterial(body, request.arrays, material);
+    }
+  }
+  const MaterialArray& compliance = request.arrays[ComplianceArrayIndex];
   if (fault.empty())
   {
     fault = ranks.firstFault(
@@ -174,11 +202,6 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
     return fault;
   }
   const AxisymmetricTool& tool = *request.tool->GetKernel();
-  fault = tool.checkDepth(request.deflection);
-  if (!fault.empty())
-  {
-    return "MaximumDeflection: " + fault;
-  }
   const TiltRequest tilts{ tool, request.terms.tilt, request.deflection };
   fault = checkTilts(tilts);
   if (!fault.empty())
@@ -248,15 +271,16 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
     static_cast<vtkIdType>(made.without) - sound.joinedPoints() - notPressed;
   if (without > 0)
   {
-    warning =
-      joined(without, " of ", count, " points have no response: see array '", name, "Status'");
+    warning += joined(warning.empty() ? "" : ". ", without, " of ", count,
+      " points have no response: see array '", name, "Status'");
   }
   copyWithOwnFields(body, output);
   storage.attach(output);
   const ResponseModel beyond = termsOf(terms);
   describeResponse(output, name,
     { made.exponent, request.samples, tool.specification(),
-      material.describe() + beyond.text + relaxationInWords(request.relaxation, compliance),
+      material.describe() + (whole.heldAt.empty() ? "" : ", held at " + whole.heldAt) +
+        beyond.text + relaxationInWords(request.relaxation, compliance),
       material.modelParts() | beyond.parts });
   attachLayers(material, name, output);
   attachRelaxation(request.relaxation, compliance, name, output);

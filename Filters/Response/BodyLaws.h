@@ -41,6 +41,7 @@ struct LawRequest
   RelaxationRequest relaxation = {};           ///< for a response
   bool couples = false;                        ///< for a response: contacts on it can interact
   MaterialArray pressed = {}; ///< for a response: not 0 at the points that get it; none: all
+  bool wholeBody = false;     ///< for a response: includes the body's compliance (WholeBody.h)
 };
 
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.

@@ -88,7 +88,7 @@ int vtkToolContactResponse::RequestData(
       this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
       this->EdgeCorrection, this->MaximumTilt },
     nullptr, relaxation, this->Coupling,
-    palpate::arrayToProcess(this, palpate::PressedArrayIndex, find) };
+    palpate::arrayToProcess(this, palpate::PressedArrayIndex, find), this->WholeBody };
   std::string warning;
   fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
@@ -150,6 +150,7 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "LayerBase: " << this->LayerBase << "\n";
   os << indent << "ComplianceExcludesLayer: " << this->ComplianceExcludesLayer << "\n";
+  os << indent << "WholeBody: " << this->WholeBody << "\n";
   os << indent << "AddedLayers: " << this->AddedLayers.size() << "\n";
   os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";

@@ -154,6 +154,22 @@ public:
 
   ///@{
   /**
+   * Whether the deflection of the whole body is included: vtkBodyCompliance finds its compliance
+   * from its closed surface, for the contact radius of the tool at MaximumDeflection, and the law
+   * is in series with it. The output then has `GlobalCompliance`, `GlobalComplianceError` and
+   * `ComplianceStatus`, and `Model` names the side that holds the body. It is left out where it
+   * does not apply: the surface is open, or the body is known better, by layers, a given
+   * compliance, a material that varies, or ν above 0.499. If it cannot be found, there is a warning
+   * with the reason. Costs some seconds for the first response of a body, see vtkBodyCompliance.
+   * Default off; on in ParaView, in Python and in the viewer.
+   */
+  vtkSetMacro(WholeBody, bool);
+  vtkGetMacro(WholeBody, bool);
+  vtkBooleanMacro(WholeBody, bool);
+  ///@}
+
+  ///@{
+  /**
    * Layers below that of LayerThickness, from top to bottom, up to three: thickness (mm), Young's
    * modulus (MPa), Poisson's ratio, and whether the layer slips without friction below the layer
    * above it. The whole body is then a stack (palpate/LayerStack.h). Default none.
@@ -375,6 +391,7 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = Bonded;
   bool ComplianceExcludesLayer = false;
+  bool WholeBody = false;
   std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;

@@ -2,9 +2,9 @@
 #include "Strain/StrainSolution.h"
 
 #include "Mechanics/Files/NumberText.h"
+#include "Mechanics/Files/SolutionCache.h"
 #include "Strain/FiniteIndentation.h"
 #include "Strain/FiniteOverSmall.h"
-#include "Strain/StrainCache.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
@@ -206,8 +206,10 @@ std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable:
   const std::size_t columns = axes.roots.size();
   const std::size_t rows = axes.ratios.size() * std::max<std::size_t>(1, axes.thicknesses.size()) *
     std::max<std::size_t>(1, axes.seconds.size());
-  std::vector<double> factors = readStrainCache(key, rows * columns);
-  if (!factors.empty())
+  std::vector<double> factors = readSolution("strain", key, rows * columns);
+  const bool isPositive =
+    std::all_of(factors.begin(), factors.end(), [](double c) { return c >= 0.0; });
+  if (!factors.empty() && isPositive)
   {
     return factors;
   }
@@ -224,7 +226,7 @@ std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable:
   {
     return {};
   }
-  writeStrainCache(key, factors);
+  writeSolution("strain", key, factors);
   return factors;
 }
 } // namespace palpate

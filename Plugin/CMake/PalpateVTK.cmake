@@ -31,7 +31,7 @@ if(NOT palpate_vtk_found)
     COMPONENTS
       ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
       CommonTransforms FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersPoints
-      FiltersSources IOImage IOLegacy IOPLY IOXML IOXMLParser ImagingCore InteractionStyle
+      FiltersSources IOImage IOLegacy IOPLY IOXML IOXMLParser ImagingCore ImagingGeneral InteractionStyle
       RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
       RenderingOpenGL2 ViewsContext2D
     OPTIONAL_COMPONENTS

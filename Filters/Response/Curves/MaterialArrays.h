@@ -32,6 +32,7 @@ struct MaterialArray
   vtkDataArray* array = nullptr;
 };
 using MaterialArrays = std::array<MaterialArray, 5>;
+constexpr std::size_t ComplianceArrayIndex = 2;
 
 /// The material `first` with the layers that were added to a filter (each with thickness (mm),
 /// Young's modulus (MPa), Poisson's ratio and whether it slides), and with an elastic base instead

@@ -4,15 +4,11 @@
 #include "Mechanics/JoinedText.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
+#include "SolidResponse/Bodies/VolumeConversion.h"
 
 #include "vtkCleanPolyData.h"
-#include "vtkDataSetSurfaceFilter.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -151,33 +147,28 @@ vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const
       }
     }
   }
-  vtkNew<vtkDataSetSurfaceFilter> outside;
-  outside->SetInputData(body);
-  outside->PassThroughPointIdsOn();
-  outside->SetNonlinearSubdivisionLevel(1); // the midpoints of edges are points of the surface, too
-  outside->DelegationOff();
-  outside->Update();
-  vtkPolyData* surface = outside->GetOutput();
-  auto* ids = vtkIdTypeArray::SafeDownCast(
-    surface->GetPointData()->GetArray(outside->GetOriginalPointIdsName()));
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  VolumeMesh mesh;
+  MeshTopology topology;
+  if (!convertVolume(body, mesh).empty() || !topology.build(mesh).empty())
   {
-    surface->GetCellPoints(cell, corners);
-    Eigen::Vector3d normal;
-    vtkPolygon::ComputeNormal(surface->GetPoints(), static_cast<int>(corners->GetNumberOfIds()),
-      corners->GetPointer(0), normal.data());
+    return fixed; // what solves the body reports the fault
+  }
+  const BodySurface surface(mesh, topology);
+  for (std::int32_t t = 0; t < surface.triangleTotal(); ++t)
+  {
+    const std::array<std::int32_t, 3>& corners = surface.triangle(t);
     for (std::size_t side = 0; side < faces.size(); ++side)
     {
-      const bool isFace = std::all_of(corners->begin(), corners->end(),
-        [&](vtkIdType corner) { return sides.isWithin(placeOf(surface, corner), side); });
-      if (faces[side].isGiven || !isFace || !(sides.outwardPart(normal, side) > LeastCosine))
+      const bool isFace = std::all_of(corners.begin(), corners.end(),
+        [&](std::int32_t corner) { return sides.isWithin(surface.position(corner), side); });
+      if (faces[side].isGiven || !isFace ||
+        !(sides.outwardPart(surface.triangleNormal(t), side) > LeastCosine))
       {
         continue;
       }
-      for (const vtkIdType corner : *corners)
+      for (const std::int32_t corner : corners)
       {
-        fixed->SetValue(ids->GetValue(corner), 7);
+        fixed->SetValue(surface.node(corner), 7);
       }
     }
   }

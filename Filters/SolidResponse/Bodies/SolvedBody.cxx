@@ -66,6 +66,7 @@ struct SolvedBody::Kept
   std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not requested
   SurfaceMotion Motion;                       ///< without points: not requested
   double Spacing = 0.0;                       ///< of sources, mm
+  bool IsEven = false;
   double Radius = 0.0;                        ///< mm; 0: nothing solved yet
   double FactorMemory = 0.0;                  ///< MiB
   double GreenMemory = 0.0;                   ///< MiB
@@ -110,7 +111,8 @@ std::string SolvedBody::solve(
   vtkUnstructuredGrid* grid, const SolveRequest& request, const FilterStage& stage, SolveCost& cost)
 {
   const bool isSame = this->Now && this->Now->isOf(grid, request.factor);
-  if (isSame && this->Now->Radius >= request.radius && this->Now->Spacing == request.spacing)
+  if (isSame && this->Now->Radius >= request.radius && this->Now->Spacing == request.spacing &&
+    this->Now->IsEven == request.isEven)
   {
     return {};
   }
@@ -153,7 +155,7 @@ std::string SolvedBody::solve(
   kept.Landmarks.reset();
   kept.Motion = {};
   fault = kept.Green.solve(
-    points, request.radius, FilterStage{ stage.filter, middle, stage.to }, request.spacing);
+    points, request.radius, FilterStage{ stage.filter, middle, stage.to }, request.spacing, request.isEven);
   cost.ended = isAborted(stage.filter);
   if (cost.ended)
   {
@@ -163,6 +165,7 @@ std::string SolvedBody::solve(
   {
     kept.Radius = request.radius;
     kept.Spacing = request.spacing;
+    kept.IsEven = request.isEven;
     cost.solutions = static_cast<vtkIdType>(kept.Green.sources());
   }
   return fault.empty() ? fault : "Wrong input: " + fault;

@@ -31,6 +31,7 @@ struct SolveRequest
   FactorRequest factor;
   double radius = 0.0;  ///< of the widest contact, mm
   double spacing = 0.0; ///< of the solved points, mm; 0: all points
+  bool isEven = false;  ///< they are no closer near edges (RegularGreen::solve)
 };
 
 /// The cost of a solution.

@@ -19,12 +19,12 @@ constexpr std::size_t OfMedian = 8;
 constexpr double MostOfMedian = 3.0;
 } // namespace
 
-std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body, std::size_t block,
-  std::size_t blocks, const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
+std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body,
+  const Choice& choice, const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
   const BendingOf& bendingOf)
 {
   std::vector<Sample> samples;
-  if (block % std::max<std::size_t>(1, blocks / SampledBlocks) != 0)
+  if (choice.block % std::max<std::size_t>(1, choice.blocks / SampledBlocks) != 0)
   {
     return samples;
   }
@@ -38,8 +38,9 @@ std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body, 
     }
   }
   std::vector<Eigen::Matrix3Xd> moved;
-  const std::size_t step = std::max<std::size_t>(1, bent.size() / OfBlock);
-  for (std::size_t k = 0; k < bent.size() && moved.size() < OfBlock; k += step)
+  const std::size_t most = choice.isCoarse ? OfBlock / 4 : OfBlock;
+  const std::size_t step = std::max<std::size_t>(1, bent.size() / most);
+  for (std::size_t k = 0; k < bent.size() && moved.size() < most; k += step)
   {
     const auto& [s, bending] = bent[k];
     const SingularSource source(body, sources[s]);

@@ -38,12 +38,20 @@ public:
     double energy = 0.0;
   };
 
-  /// Samples of a block of solved sources. Only some blocks are sampled, so that there are about
-  /// two hundred samples in all. `sources`: surface points of the block. `smooth`: w at the
+  /// A block of solved sources.
+  struct Choice
+  {
+    std::size_t block = 0;
+    std::size_t blocks = 1;
+    bool isCoarse = false; ///< takes a quarter of the samples
+  };
+
+  /// Samples of a block. Only some blocks are sampled, so that there are about two hundred samples
+  /// in all. `sources`: surface points of the block. `smooth`: w at the
   /// unknowns, one column per source. `bendingOf`: bending part of H by index in `sources` (see
   /// Sample), NaN if unknown. Cost: 50 µs per element of the body.
   using BendingOf = std::function<double(std::size_t)>;
-  static std::vector<Sample> sample(const ElasticBody& body, std::size_t block, std::size_t blocks,
+  static std::vector<Sample> sample(const ElasticBody& body, const Choice& choice,
     const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
     const BendingOf& bendingOf);
 

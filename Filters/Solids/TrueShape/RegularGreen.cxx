@@ -184,8 +184,8 @@ void RegularGreen::chooseSources()
   this->Sources.erase(std::unique(this->Sources.begin(), this->Sources.end()), this->Sources.end());
   if (this->Spacing > 0.0)
   {
-    std::vector<double> spacings(this->Sources.size());
-    shareWork(spacings.size(),
+    std::vector<double> spacings(this->Sources.size(), this->Spacing);
+    shareWork(this->IsEven ? 0 : spacings.size(),
       [&](std::size_t i)
       {
         const SurfaceDisc around = surfaceDisc(this->Body, this->Sources[i], 2.0 * this->Spacing);
@@ -299,8 +299,8 @@ void RegularGreen::solveBlock(const SubtractedLoad& loads, std::size_t block)
   };
   if (smooth.size() > 0)
   {
-    this->Bending[block] =
-      BendingError::sample(this->Body, block, this->Bending.size(), sources, smooth, bendingOf);
+    const BendingError::Choice choice{ block, this->Bending.size(), this->IsEven };
+    this->Bending[block] = BendingError::sample(this->Body, choice, sources, smooth, bendingOf);
   }
 }
 
@@ -315,7 +315,7 @@ void RegularGreen::expectBending()
 }
 
 std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double radius,
-  const WorkObserver& observer, double spacing)
+  const WorkObserver& observer, double spacing, bool isEven)
 {
   if (!(spacing >= 0.0) || !std::isfinite(spacing))
   {
@@ -327,6 +327,7 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   }
   this->Radius = radius;
   this->Spacing = spacing;
+  this->IsEven = isEven;
   this->Points = points;
   std::sort(this->Points.begin(), this->Points.end());
   this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());

@@ -16,7 +16,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
+def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=True,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
              strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
              relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:
@@ -39,7 +39,10 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     layers : up to three more layers below that layer, from top to bottom: (thickness in mm, Young's modulus in MPa,
         Poisson's ratio), or the same with True if the layer slips below the layer above. The thickness of the first of
         them may vary like `layer`; moduli are then constant.
-    compliance : global compliance of the body, mm/N, in series with the local dent; None: no global compliance.
+    compliance : global compliance of the body, mm/N, in series with the local dent. True: found from the shape of a closed
+        body of one material without layers, as vtkBodyCompliance does, within seconds; the next call reads it from a
+        cache. It depends on the side that holds the body: the one on which it stands best, named in the model. None:
+        no global compliance.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : number of samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body need several names.
@@ -86,8 +89,9 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     made = vtkToolContactResponse()
     body = as_body(body)
     warn_about_size(body)
-    given = _set_material(made, body, young, poisson, layer, base, compliance, compliance_excludes_layer,
-                          layers)
+    made.SetWholeBody(compliance is True)
+    given = _set_material(made, body, young, poisson, layer, base, None if compliance is True else compliance,
+                          compliance_excludes_layer, layers)
     made.SetInputData(given)
     tool = _tool(tool)
     made.SetTool(tool)

@@ -136,6 +136,24 @@ TEST(CurvedHalfSpace, InSeries)
   EXPECT_NEAR(one[4].force / (4.0 / 3.0 / std::sqrt(0.35) * std::pow(local, 1.5)), 1.0, 1e-9);
 }
 
+/// On a soft body the local depth is a small part of the deflection, here less than that at which a
+/// flat end reaches full contact with a bump: δ = d + C E* F(d) (Hertz 1882).
+TEST(CurvedHalfSpace, AFlatEndOnABumpOfASoftBody)
+{
+  const SpotCurvature bump{ 0.05, 0.02, 0.0 };
+  for (const double softness : { 0.3, 10.0, 1e3, 1e5 })
+  {
+    const auto states = solved({ ToolShape::Flat, 1.6 }, bump, softness);
+    for (std::size_t i = 0; i < Depths.size(); ++i)
+    {
+      ASSERT_GT(states[i].depth, 0.0) << "softness " << softness << ", " << Depths[i] << " mm";
+      // Converged to 1e-5 of the deflection before the last step, which is squared.
+      EXPECT_NEAR(states[i].depth + softness * states[i].force, Depths[i], 1e-6 * Depths[i])
+        << "softness " << softness;
+    }
+  }
+}
+
 TEST(CurvedHalfSpace, ANarrowHollowIsSaid)
 {
   const auto tool = makeTool({ ToolShape::Paraboloid, 4.0 });

@@ -7,6 +7,8 @@
 #include "ReferenceTable.h"
 #include "TestTools.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -112,5 +114,35 @@ TEST(SeriesCompliance, Edges)
     EXPECT_FALSE(point.stable);
     EXPECT_TRUE(std::isnan(point.force));
     EXPECT_TRUE(std::isnan(point.stiffness));
+  }
+}
+
+namespace
+{
+/// F = k √x: softer with the depth, so that tangents overshoot.
+class SofteningLaw final : public palpate::IndentationLaw
+{
+public:
+  palpate::IndentationPoint evaluate(double deflection, double reducedModulus) const override
+  {
+    const double root = std::sqrt(std::max(0.0, deflection));
+    return { reducedModulus * root, root > 0.0 ? 0.5 * reducedModulus / root : 0.0, 1.0 };
+  }
+};
+} // namespace
+
+TEST(SeriesCompliance, ALawThatSoftensIsSolvedWhereTangentsOvershoot)
+{
+  // x + c √x = δ, in the root of x: without cancellation 2δ / (c + √(c² + 4δ)).
+  for (const double c : { 1e-3, 0.3, 2.0, 50.0, 1e4 })
+  {
+    for (const double depth : { 1e-6, 0.02, 1.0, 30.0 })
+    {
+      SCOPED_TRACE(testing::Message() << "c = " << c << ", depth " << depth);
+      const auto point = seriesResponse(SofteningLaw(), 1.0, c, depth);
+      ASSERT_TRUE(point.stable);
+      const double root = 2.0 * depth / (c + std::sqrt(c * c + 4.0 * depth));
+      EXPECT_TRUE(agrees(point.force, root, 1e-12)); // rounding, a hundred steps at most
+    }
   }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Strain/StrainCache.h"
+#include "Mechanics/Files/SolutionCache.h"
 
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/Files/WholeFile.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -16,19 +17,6 @@ namespace palpate
 {
 namespace
 {
-/// FNV-1a, which is the same in every build. The file contains the key itself.
-std::string digest(std::string_view text)
-{
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char letter : text)
-  {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
-  }
-  char buffer[17];
-  std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(hash));
-  return buffer;
-}
-
 /// "" if nothing is cached.
 std::filesystem::path folder()
 {
@@ -47,16 +35,30 @@ std::filesystem::path folder()
                        : std::filesystem::path();
 }
 
-std::filesystem::path fileOf(const std::string& key)
+std::filesystem::path fileOf(const std::string& kind, const std::string& key)
 {
   const std::filesystem::path place = folder();
-  return place.empty() ? place : place / ("strain-" + digest(key) + ".txt");
+  return place.empty() ? place : place / (kind + "-" + digest(key) + ".txt");
 }
 } // namespace
 
-std::vector<double> readStrainCache(const std::string& key, std::size_t count)
+/// FNV-1a. A file of the cache contains the key itself.
+std::string digest(std::string_view text)
 {
-  std::ifstream file(fileOf(key));
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char letter : text)
+  {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+  }
+  char buffer[17];
+  std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(hash));
+  return buffer;
+}
+
+std::vector<double> readSolution(
+  const std::string& kind, const std::string& key, std::size_t count)
+{
+  std::ifstream file(fileOf(kind, key));
   std::string line;
   if (!file || !std::getline(file, line) || line != key)
   {
@@ -66,7 +68,7 @@ std::vector<double> readStrainCache(const std::string& key, std::size_t count)
   while (std::getline(file, line))
   {
     double value = 0.0;
-    if (!readNumber(line, value) || !(value >= 0.0))
+    if (!readNumber(line, value) || !std::isfinite(value))
     {
       return {};
     }
@@ -75,9 +77,10 @@ std::vector<double> readStrainCache(const std::string& key, std::size_t count)
   return values.size() == count ? values : std::vector<double>();
 }
 
-void writeStrainCache(const std::string& key, const std::vector<double>& values)
+void writeSolution(
+  const std::string& kind, const std::string& key, const std::vector<double>& values)
 {
-  const std::filesystem::path path = fileOf(key);
+  const std::filesystem::path path = fileOf(kind, key);
   if (path.empty())
   {
     return;

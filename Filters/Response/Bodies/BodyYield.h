@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** @file
+ * The compliance of a body as a whole, found from its closed surface, for the law of a tool on a
+ * half-space in series with it. The module Solids computes it.
+ */
+#ifndef BodyYield_h
+#define BodyYield_h
+
+#include "palpateResponseModule.h" // For export macro
+
+#include "Mechanics/Files/ModuleFile.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// The body, in addition to its surface. See vtkBodyCompliance.
+struct YieldRequest
+{
+  double youngsModulus = 0.1; ///< MPa
+  double poissonsRatio = 0.45;
+  double radius = 2.0; ///< of the contact for which the compliance is exact, mm
+  std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
+  int cells = 8000;    ///< largest number of finite elements, about
+};
+
+/// Values at the points of the surface.
+struct BodyYield
+{
+  std::vector<double> compliance;    ///< mm/N; empty after an abort
+  std::vector<double> error;         ///< mm/N, >= 0
+  std::vector<unsigned char> status; ///< 0: the compliance is known
+  std::string heldAt;                ///< the sides that hold the body
+  std::vector<std::string> warnings; ///< repairs of the surface
+};
+
+/// Functions of the module Solids for responses of the core (ModuleFile.h).
+struct YieldModule : ModuleTable
+{
+  std::string (*find)(vtkPolyData* body, const YieldRequest& request,
+    const std::function<bool(double)>& goOn, BodyYield& made);
+};
+
+/// Finds the compliance of a body, which must be the body() of a SoundBody. Empty if `goOn(fraction
+/// of the work)` returned false. Returns "", or a message about the fault: the module is missing,
+/// or the body cannot be filled or held. Cost: vtkBodyCompliance.
+PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldRequest& request,
+  const std::function<bool(double)>& goOn, BodyYield& made);
+
+/// Attaches `GlobalCompliance`, `GlobalComplianceError` (double, mm/N) and `ComplianceStatus`
+/// (uint8) to a body with as many points.
+PALPATERESPONSE_EXPORT void attachYield(const BodyYield& found, vtkPolyData* body);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/WholeBody.h"
+
+#include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/BodyYield.h"
+#include "Response/BodyConversion.h"
+#include "vtkContactTool.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double LargestRatio = 0.499; // of finite elements
+
+bool isOfOneMaterial(const LawRequest& request)
+{
+  const bool varies = std::any_of(request.arrays.begin(), request.arrays.end(),
+    [](const MaterialArray& array) { return !array.name.empty(); });
+  return !varies && !request.measured && request.material.thickness == 0.0 &&
+    !request.material.isStack() && request.material.poissonsRatio <= LargestRatio;
+}
+} // namespace
+
+WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
+  const std::function<bool(double)>& goOn, LawRequest& request)
+{
+  WholeBody made;
+  made.body = body;
+  if (!request.wholeBody || !ranks.areAlone() || !isOfOneMaterial(request) ||
+    !makeBodyMesh(body).isClosed())
+  {
+    return made;
+  }
+  const double radius = request.tool->GetKernel()->contactRadius(request.deflection);
+  BodyYield found;
+  const std::string fault = findYield(body,
+    { request.material.youngsModulus, request.material.poissonsRatio, radius, {} }, goOn, found);
+  if (!fault.empty())
+  {
+    made.warning = "The deflection of the whole body is not included, since " + fault;
+    return made;
+  }
+  made.isComplete = !found.compliance.empty();
+  if (made.isComplete)
+  {
+    made.body = vtkSmartPointer<vtkPolyData>::New();
+    made.body->ShallowCopy(body);
+    attachYield(found, made.body);
+    made.heldAt = found.heldAt;
+    made.warning = found.warnings.empty() ? std::string() : found.warnings.front();
+    constexpr const char* name = "GlobalCompliance";
+    request.arrays[ComplianceArrayIndex] = { name, made.body->GetPointData()->GetArray(name) };
+  }
+  return made;
+}
+} // namespace palpate

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SurfaceYield_h
+#define SurfaceYield_h
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+class LandmarkKernels;
+class MeshDifference;
+
+/// Compliance of a body in addition to that of a half-space, at the points of its surface, mm/N.
+/// The values of one contact radius after those of the other.
+struct SurfaceYield
+{
+  std::vector<double> compliance;
+  std::vector<double> error;         ///< >= 0
+  std::vector<unsigned char> status; ///< a PatchStatus per point
+};
+
+/**
+ * The compliance in series with the law of a tool on a half-space: δ = δ_local(F) + C F. C is the
+ * mean of H (RegularGreen) over both ends, weighted by the pressure of a round tool with one of
+ * these contact radii.
+ *
+ * The error includes the elements, the interpolation between the sources of H, the order of the
+ * kernel, the difference between a round tool and a flat end, and the change of C from the first
+ * touch to this radius. At points whose status is not Valid, C is 0 and its error is that of a
+ * contact on a half-space.
+ *
+ * `surface` must have passed checkTriangles; `normals`: three per point. `solid`: the surface to
+ * which the landmarks' point numbers refer. `meshes`: null if there is no second mesh.
+ */
+SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
+  const LandmarkKernels& landmarks, const MeshDifference* meshes,
+  const std::vector<double>& radii);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SolidResponse/Bodies/YieldSolution.h"
+
+#include "Mechanics/Files/NumberText.h"
+#include "Mechanics/Files/SolutionCache.h"
+#include "Mechanics/JoinedText.h"
+#include "Response/Curves/PointNormals.h"
+#include "Response/FilterStage.h"
+#include "SolidResponse/Bodies/CoarseSurface.h"
+#include "SolidResponse/Bodies/CoarserBody.h"
+#include "SolidResponse/Bodies/SolvedBody.h"
+#include "SolidResponse/Bodies/StandingSide.h"
+#include "SolidResponse/Bodies/SurfaceYield.h"
+#include "SolidResponse/Mesher/GradedFilling.h"
+#include "SolidResponse/Mesher/PreparedSurface.h"
+
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr int LeastCells = 100; ///< of a request
+constexpr double CellsPerSquare = 8.7; // of the surface, over the squared spacing
+// The spacing is at least this fraction of the contact radius, and at most this fraction of the
+// cube root of the volume.
+constexpr double LeastOfContact = 0.25;
+constexpr double MostOfBody = 1.0 / 6.0;
+constexpr double LeastOfSpacing = 0.5; // distance of solved points: nodes, also mid-edge ones
+constexpr double PointsPerCell = 0.15; // solved points
+constexpr double CoarserRatio = 2.0;   // of the second mesh's cells
+/// A surface with more triangles, or one that cannot be filled, is replaced by a coarse one with
+/// voxels of this fraction of the cells' spacing.
+constexpr vtkIdType MostTriangles = 300000;
+constexpr double VoxelRatio = 0.25;
+/// A solution holds for contact radii from the largest down to an eighth of it, and is found for
+/// radii up to this many powers of two above the one that is needed.
+constexpr std::size_t RadiusCount = 4;
+// Fractions of the work.
+constexpr double Filled = 0.25;
+constexpr double Solved = 0.85;
+constexpr double Compared = 0.98;
+
+/// Must be increased when the same input gives other values.
+constexpr int Revision = 1;
+
+std::string bytesOf(vtkPolyData* body)
+{
+  std::vector<double> places;
+  std::vector<vtkIdType> corners;
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    const double* place = body->GetPoint(i);
+    places.insert(places.end(), place, place + 3);
+  }
+  vtkNew<vtkIdList> triangle;
+  for (vtkIdType t = 0; t < body->GetNumberOfCells(); ++t)
+  {
+    body->GetCellPoints(t, triangle);
+    corners.insert(corners.end(), triangle->begin(), triangle->end());
+  }
+  return std::string(reinterpret_cast<const char*>(places.data()), places.size() * sizeof(double)) +
+    std::string(reinterpret_cast<const char*>(corners.data()), corners.size() * sizeof(vtkIdType));
+}
+
+/// Contact radii of a solution, descending; the first is a power of two.
+std::vector<double> radiiFrom(double largest)
+{
+  std::vector<double> radii;
+  for (std::size_t k = 0; k < RadiusCount; ++k)
+  {
+    radii.push_back(std::ldexp(largest, -static_cast<int>(k)));
+  }
+  return radii;
+}
+
+double powerOfTwoFrom(double radius)
+{
+  return std::exp2(std::ceil(std::log2(radius)));
+}
+
+std::string keyOf(
+  const std::string& body, const YieldRequest& request, const std::string& fixed, double largest)
+{
+  return joined(Revision, ' ', body, ' ', shortestDecimals(request.poissonsRatio), ' ', fixed, ' ',
+    request.cells, ' ', shortestDecimals(largest));
+}
+
+/// Compliances of E = 1 MPa, errors, status.
+std::vector<double> packed(const SurfaceYield& yield)
+{
+  std::vector<double> values(yield.compliance);
+  values.insert(values.end(), yield.error.begin(), yield.error.end());
+  values.insert(values.end(), yield.status.begin(), yield.status.end());
+  return values;
+}
+
+/// A body in tetrahedra, and in longer ones for the error of the first.
+struct FilledBody
+{
+  double area = 0.0;    ///< of the surface, mm²
+  double spacing = 0.0; ///< of the cells at the surface, mm
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkUnstructuredGrid> coarser; ///< without cells: the body is too thin for longer cells
+};
+
+double spacingOf(const ClosedSurface& closed, int cells, double radius)
+{
+  const double wanted =
+    std::max(std::sqrt(CellsPerSquare * closed.area / cells), LeastOfContact * radius);
+  return std::min(wanted, MostOfBody * std::cbrt(closed.volume));
+}
+
+/// Fills the body or, if it has too much detail or cannot be filled, a coarse surface of it.
+std::string fill(vtkPolyData* body, int cells, double radius, const FilterStage& stage,
+  BodyYield& made, FilledBody& filled)
+{
+  PreparedSurface prepared;
+  const std::string open = takeSurface(body, prepared);
+  if (!open.empty())
+  {
+    return open;
+  }
+  filled.area = prepared.closed.area;
+  filled.spacing = spacingOf(prepared.closed, cells, radius);
+  GradedCells graded;
+  graded.spacing = filled.spacing;
+  graded.fixedFaces = made.heldAt;
+  GradedReport report;
+  vtkSmartPointer<vtkPolyData> surface = body;
+  std::string fault = "it has too many triangles";
+  if (body->GetNumberOfCells() <= MostTriangles)
+  {
+    fault = fillGraded(body, graded, stage, filled.grid, report);
+    made.warnings = report.warnings;
+  }
+  if (!fault.empty() && !isAborted(stage.filter))
+  {
+    surface = coarseSurface(body, VoxelRatio * filled.spacing);
+    fault = fillGraded(surface, graded, stage, filled.grid, report);
+    made.warnings.clear();
+  }
+  if (fault.empty() && !isAborted(stage.filter))
+  {
+    graded.spacing *= CoarserRatio;
+    GradedReport ignored;
+    const std::string lost = fillGraded(surface, graded, {}, filled.coarser, ignored);
+    if (!lost.empty() || !checkCoarser(filled.grid, filled.coarser).empty())
+    {
+      filled.coarser->Initialize();
+    }
+  }
+  return fault;
+}
+
+/// Solves for a body of E = 1 MPa and contacts of up to this radius. Returns "", or a message about
+/// the fault; `values` stays empty after an abort.
+std::string solve(vtkPolyData* body, const YieldRequest& request, double largest,
+  vtkAlgorithm* filter, BodyYield& made, std::vector<double>& values)
+{
+  FilledBody filled;
+  std::string fault =
+    fill(body, request.cells, largest, FilterStage{ filter, 0.0, Filled }, made, filled);
+  if (!fault.empty() || isAborted(filter))
+  {
+    return fault;
+  }
+  SolveRequest solution;
+  solution.factor.material = { 1.0, request.poissonsRatio };
+  solution.radius = largest;
+  solution.spacing = std::max(
+    LeastOfSpacing * filled.spacing, std::sqrt(filled.area / (PointsPerCell * request.cells)));
+  solution.isEven = true;
+  SolveCost cost;
+  SolvedBody solved;
+  fault = solved.solve(filled.grid, solution, FilterStage{ filter, Filled, Solved }, cost);
+  CoarserBody coarser;
+  if (fault.empty() && !cost.ended && filled.coarser->GetNumberOfCells() > 0)
+  {
+    fault = coarser.compare(
+      filled.coarser, solution, solved, FilterStage{ filter, Solved, Compared }, cost);
+  }
+  if (!fault.empty() || cost.ended)
+  {
+    return fault;
+  }
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkUnsignedCharArray> status;
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(body->GetNumberOfPoints());
+  status->SetNumberOfValues(body->GetNumberOfPoints());
+  fault = fillPointNormals(body, normals, status);
+  const LandmarkKernels* landmarks =
+    fault.empty() ? solved.landmarks(FilterStage{ filter, Compared, 1.0 }) : nullptr;
+  if (landmarks)
+  {
+    values = packed(yieldOf(body, normals->GetPointer(0), solved.surface(filled.grid), *landmarks,
+      coarser.difference(), radiiFrom(largest)));
+  }
+  return fault;
+}
+
+/// Values of a solution for one contact radius, linear in its square between those of the solution.
+void takeRadius(const std::vector<double>& values, std::size_t count, const YieldRequest& request,
+  double largest, BodyYield& made)
+{
+  const std::vector<double> radii = radiiFrom(largest);
+  std::size_t k = 0; // the radius lies between the radii k and k + 1
+  while (k + 2 < radii.size() && request.radius < radii[k + 1])
+  {
+    ++k;
+  }
+  const double low = radii[k + 1] * radii[k + 1];
+  const double high = radii[k] * radii[k];
+  const double part = std::clamp((request.radius * request.radius - low) / (high - low), 0.0, 1.0);
+  const double* compliance = values.data();
+  const double* error = compliance + count * radii.size();
+  const double* status = error + count * radii.size();
+  const auto between = [&](const double* of, std::size_t i)
+  {
+    return (part * of[k * count + i] + (1.0 - part) * of[(k + 1) * count + i]) /
+      request.youngsModulus;
+  };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    made.compliance.push_back(between(compliance, i));
+    made.error.push_back(between(error, i));
+    made.status.push_back(static_cast<unsigned char>(status[i]));
+  }
+}
+} // namespace
+
+std::string checkYieldRequest(const YieldRequest& request)
+{
+  FactorRequest factor;
+  factor.material = { request.youngsModulus, request.poissonsRatio };
+  const std::string fault = checkFactorRequest(factor);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  if (!(request.radius > 0.0 && std::isfinite(request.radius)))
+  {
+    return joined("ContactRadius must be positive and finite (mm), but is ", request.radius);
+  }
+  return request.cells >= LeastCells
+    ? std::string()
+    : joined("NumberOfCells must be at least ", LeastCells, ", but is ", request.cells);
+}
+
+std::string solveYield(
+  vtkPolyData* body, const YieldRequest& request, vtkAlgorithm* filter, BodyYield& made)
+{
+  made = {};
+  made.heldAt = request.fixed.empty() ? standingSide(body) : request.fixed;
+  const std::string content = joined(body->GetNumberOfPoints(), ' ', digest(bytesOf(body)));
+  const auto count = static_cast<std::size_t>(body->GetNumberOfPoints());
+  const double least = powerOfTwoFrom(request.radius);
+  // A solution for wider contacts may hold, too.
+  double largest = least;
+  std::vector<double> values;
+  for (std::size_t k = 0; values.empty() && k < RadiusCount; ++k)
+  {
+    largest = std::ldexp(least, static_cast<int>(k));
+    values = readSolution("compliance", keyOf(content, request, made.heldAt, largest),
+      (2 * RadiusCount + 1) * count);
+  }
+  if (values.empty())
+  {
+    largest = least;
+    const std::string fault = solve(body, request, largest, filter, made, values);
+    if (!fault.empty() || values.empty())
+    {
+      return fault;
+    }
+    writeSolution("compliance", keyOf(content, request, made.heldAt, largest), values);
+  }
+  takeRadius(values, count, request, largest, made);
+  return {};
+}
+} // namespace palpate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef GradedFilling_h
+#define GradedFilling_h
+
+#include "Mechanics/SharedWork.h"
+#include "SolidResponse/Mesher/SurfaceMesher.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+/// The cells that fill a closed surface, as the properties of vtkGradedBody describe them.
+struct GradedCells
+{
+  double spacing = 2.0;         ///< at the surface, mm
+  double interiorSpacing = 0.0; ///< mm; 0: four times `spacing`
+  double growth = 0.5;
+  double deviation = 0.0; ///< mm; 0: a twentieth of `spacing`
+  std::vector<FineBall> balls;
+  std::string fixedFaces = "z-";
+};
+
+/// Number of cells that were expected, also if they are too many, and repairs of the surface.
+struct GradedReport
+{
+  double cells = 0.0;
+  std::vector<std::string> warnings;
+};
+
+/// Fills the surface with quadratic tetrahedra and the point array `Fixed`. Returns "", or a
+/// message about the fault. `grid` stays empty if the observer stopped the work.
+std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkObserver& observer,
+  vtkUnstructuredGrid* grid, GradedReport& report);
+} // namespace palpate
+
+#endif

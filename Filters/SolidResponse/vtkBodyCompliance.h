@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkBodyCompliance
+ * @brief how far a closed body gives way as a whole at each point of its surface, within seconds
+ *
+ * Input: a closed vtkPolyData of triangles, mm, as in vtkGradedBody: the surface of a solid body of
+ * one material. Empty input gives empty output.
+ *
+ * Output: the same surface with its arrays and
+ * - `GlobalCompliance` (double, mm/N): C in series with the law of a tool on a half-space, δ =
+ *   δ_local(F) + C F; array to process 2 of vtkToolContactResponse. Negative where a near support
+ *   stiffens the contact, positive near edges and on thin parts;
+ * - `GlobalComplianceError` (double, mm/N, >= 0): error of C. vtkToolContactResponse finds it by
+ *   its name and includes it in the error of the force;
+ * - `ComplianceStatus` (uint8): 0 Valid; 4 OutOfReach: the point is held; 5 Edge and 1 Degenerate:
+ *   not known. If it is not 0, C is 0 and its error is that of a contact of ContactRadius on a
+ *   half-space.
+ *
+ * **Method.** The surface is filled with quadratic tetrahedra (vtkGradedBody), NumberOfCells or
+ * fewer, and held at FixedFaces. The elements solve for the regular part H of the Green function at
+ * some of their surface points (vtkElasticContactResponse). C at a point is H there, from the
+ * nearest solved points that face the same way, averaged over the pressure of a round tool with
+ * ContactRadius. A second filling with cells twice as long gives the error due to the elements. The
+ * error also includes the interpolation, and that C is the same for each tool and depth: the
+ * difference between a round and a flat tool, and between ContactRadius and a small contact.
+ *
+ * The compliance is that of a body that is held, but the surface does not show where. By default
+ * the body stands on the side of its bounding box with the largest area (GetHeldAt). C does not
+ * include the tool's own shape or large strain: these are in the local law.
+ *
+ * **Cost.** 3 to 8 s for 10⁵ triangles on two cores, mostly for the solutions; the next run
+ * on the same surface reads them from the cache (SolutionCache.h). Uses as many threads as
+ * vtkSMPTools; the bits do not depend on their number. Abort is checked between steps and
+ * solutions. The filter needs the modules Solids and Mesher.
+ *
+ * Errors name the property or the input: a surface that is open, inside out or too thin for its
+ * cells, a side that is not known, a Poisson's ratio beyond 0.499.
+ *
+ * @sa vtkToolContactResponse vtkElasticCompliance vtkElasticContactResponse
+ */
+#ifndef vtkBodyCompliance_h
+#define vtkBodyCompliance_h
+
+#include "palpateSolidResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // For std::string
+
+class PALPATESOLIDRESPONSE_EXPORT vtkBodyCompliance : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBodyCompliance* New();
+  vtkTypeMacro(vtkBodyCompliance, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Young's modulus E of the body, MPa, > 0. C is proportional to 1/E. Default 0.1. */
+  vtkSetMacro(YoungsModulus, double);
+  vtkGetMacro(YoungsModulus, double);
+  ///@}
+
+  ///@{
+  /** Poisson's ratio of the body, 0 to 0.499. Default 0.45. */
+  vtkSetMacro(PoissonRatio, double);
+  vtkGetMacro(PoissonRatio, double);
+  ///@}
+
+  ///@{
+  /** Radius of the contact for which C is exact, mm, > 0: that of the tool at its largest depth
+   * (vtkContactTool::GetContactRadius). Default 2. */
+  vtkSetMacro(ContactRadius, double);
+  vtkGetMacro(ContactRadius, double);
+  ///@}
+
+  ///@{
+  /** Sides of the bounding box that hold the body, as in vtkGradedBody. "" (default): the side on
+   * which it stands best, see GetHeldAt. */
+  vtkSetMacro(FixedFaces, std::string);
+  vtkGetMacro(FixedFaces, std::string);
+  ///@}
+
+  ///@{
+  /** Largest number of cells, about, >= 100. More cells give a smaller error: the cost grows
+   * with the power of 1.5. Default 8000. */
+  vtkSetMacro(NumberOfCells, int);
+  vtkGetMacro(NumberOfCells, int);
+  ///@}
+
+  /// Sides that held the body in the last run, as in FixedFaces; "" before it.
+  vtkGetMacro(HeldAt, std::string);
+
+protected:
+  vtkBodyCompliance() = default;
+  ~vtkBodyCompliance() override = default;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkBodyCompliance(const vtkBodyCompliance&) = delete;
+  void operator=(const vtkBodyCompliance&) = delete;
+
+  std::string Attach(vtkPolyData* body, vtkPolyData* output);
+
+  double YoungsModulus = 0.1;
+  double PoissonRatio = 0.45;
+  double ContactRadius = 2.0;
+  std::string FixedFaces;
+  int NumberOfCells = 8000;
+  std::string HeldAt;
+};
+
+#endif
