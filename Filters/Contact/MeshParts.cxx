@@ -19,11 +19,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestCaps = 0.25; ///< area of the caps of a solid, over its area
-constexpr double LargestGap = 0.01;  ///< the same for a part that counts as closed
-constexpr double LargestScrap = 0.1; ///< area of a part that may be left out, over the whole area
+constexpr double LargestCaps = 0.25;   ///< area of the caps of a solid, over its area
+constexpr double LargestGap = 0.01;    ///< the same for a part that counts as closed
+constexpr double LargestScrap = 0.1;   ///< area of a part that may be left out, over the whole area
 constexpr double LargestDebris = 1e-6; ///< volume over that of the solid around it
-constexpr double LeastVolume = 1e-9; ///< over area^1.5: a sheet of 1 µm by 1 m has more
+constexpr double LeastVolume = 1e-9;   ///< over area^1.5: a sheet of 1 µm by 1 m has more
 
 struct Part
 {
@@ -97,45 +97,33 @@ private:
   void orientPart(std::size_t i, const std::vector<std::size_t>& around, OrientedParts& result)
   {
     const Part& part = this->All[i];
-    if (!part.isSolid())
-    {
-      const bool isHidden = std::any_of(
-        around.begin(), around.end(), [this](std::size_t o) { return this->All[o].isClosed(); });
-      if (isHidden)
-      {
-        this->hide(part, result);
-      }
-      return;
-    }
-    if (!this->isKept(part))
-    {
-      return;
-    }
     const bool isInside = around.size() % 2 == 1;
-    if (isInside && part.volume > 0.0 &&
-      part.volume <= LargestDebris * std::abs(this->All[around.front()].volume))
+    if (part.isSolid() ? isInside && this->isDebris(part, this->All[around.front()])
+                       : std::any_of(around.begin(), around.end(),
+                           [this](std::size_t o) { return this->All[o].isClosed(); }))
     {
-      this->hide(part, result);
+      const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(part.first);
+      const auto last = first + static_cast<std::ptrdiff_t>(part.count);
+      result.hidden.insert(result.hidden.end(), first, last);
+      this->leaveOut(part);
     }
-    else if (isInside && part.volume > 0.0)
+    else if (part.isSolid() && this->isKept(part) && isInside && part.volume > 0.0)
     {
       result.fault = this->name(i) + " lies inside " + this->name(around.front()) +
         " and winds outward, as a second body in the same place: remove it, or reverse its "
         "triangles if it is a cavity";
     }
-    else if (!isInside && part.volume < 0.0)
+    else if (part.isSolid() && this->isKept(part) && !isInside && part.volume < 0.0)
     {
       this->forTriangles(part, [](TriangleCorners& corners) { std::swap(corners[1], corners[2]); });
     }
   }
 
-  /// Leaves out a part that no tool can touch.
-  void hide(const Part& part, OrientedParts& result)
+  /// Whether a kept solid wound outward is too small for a body in the solid around it.
+  bool isDebris(const Part& part, const Part& around) const
   {
-    const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(part.first);
-    result.hidden.insert(
-      result.hidden.end(), first, first + static_cast<std::ptrdiff_t>(part.count));
-    this->leaveOut(part);
+    return this->isKept(part) && part.volume > 0.0 &&
+      part.volume <= LargestDebris * std::abs(around.volume);
   }
 
   /// Whether the part is neither empty nor a copy.

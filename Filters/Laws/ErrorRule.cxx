@@ -106,7 +106,7 @@ ErrorParts ErrorRule::at(const ContactSpot& spot, const SpotSurface& surface,
     ErrorParts then;
     this->addStrain(spot, strain, *surface.measured, then);
     double& bound = parts[parts[ResponseLimit::Thickness] > 0.0 ? ResponseLimit::Thickness
-                                                                 : ResponseLimit::Strain];
+                                                                : ResponseLimit::Strain];
     bound = std::max(bound, then.total());
     double& edge = parts[ResponseLimit::Edge];
     edge =

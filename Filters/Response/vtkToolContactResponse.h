@@ -20,19 +20,17 @@
  *   `LayerBase` (uint8), which vtkContactDeflection uses.
  * palpate/contract.py describes how to evaluate them.
  *
- * **Error** (point data, float n) is the estimated relative error of the force at each sample: the
- * sum of the errors by strain, curvature, thickness, edge, storage and the elements of a compliance
+ * **Error** (point data, float n) is the estimated relative error of the force at each sample, by
+ * strain, curvature, thickness, edge, storage and the elements of a compliance
  * (palpate/ErrorRule.h). **Validity** is the largest depth, at most Range, at which the error is
  * within ErrorTolerance. **Limit** names the largest part just beyond it: 0 none within Range, 1
  * strain, 2 curvature, 3 thickness, 5 edge, 7 elements, 8 tilt.
  *
  * With an ErrorTolerance of 0 `Error` is not stored, and validity ends where the first assumption
- * of the law fails. Strain: a/R exceeds 0.4, contact radius over tip radius (for Flat and Cone,
- * which have no tip radius, δ/a, which equals a/R for a paraboloid; a 60° cone exceeds it at any
- * depth). Curvature: the body's normal turns by more than 0.2 rad under the contact radius, by the
- * largest normal curvature along the edges at the point. Thickness: δ exceeds 20 % of a layer's
- * thickness. Edge: the contact circle is wider than the middle one of the three lengths of the
- * body's box; the distance to an edge does not count.
+ * of the law fails. Strain: the contact radius exceeds 0.4 tip radii (for Flat and Cone, which have
+ * no tip radius, δ/a exceeds 0.4). Curvature: the body's normal turns by more than 0.2 rad under
+ * the contact radius. Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is
+ * wider than the middle one of the three lengths of the body's box.
  *
  * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
@@ -50,28 +48,20 @@
  * better. Normals are computed, angle-weighted; normals stored in the input are not used.
  *
  * **Unsound meshes** are repaired first (palpate/SoundMesh.h). A second body inside another one and
- * a sheet with two sides are errors. The output has the points, triangles and arrays of the input.
+ * a sheet with two sides are errors.
  *
- * Cost: the law is evaluated once and scaled. Without compliance the filter is limited by writing
- * memory, 4 (2n + 5) + 2 bytes per point. With compliance and n = 8 about 1 µs per point and core,
- * 5 µs for the exact Sphere; on layers about 1 µs for any tool. CurvatureCorrection and
- * ErrorTolerance add 0.7 µs on a half-space, a StrainModel 3 µs, and its solver once
- * (palpate/StrainCorrection.h); on layers some 10 µs together. StoreError writes 4 n bytes more.
- * Threaded by vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
+ * Cost per point and core: without compliance the writing of 4 (2n + 5) + 2 bytes; with compliance
+ * or layers and n = 8 about 1 µs, 5 µs for the exact Sphere. CurvatureCorrection and ErrorTolerance
+ * add 0.7 µs, a StrainModel 3 µs and its solver once; on layers some 10 µs together. Threaded by
+ * vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
- * **Precision**: curves are stored in floats, to 6e-8. Far from the origin the input's coordinates
- * set the limit. A kilometre away (1e6 mm) points stored as float are on a grid of 0.0625 mm; the
- * error of depths is up to 0.054 mm, and of forces up to 8 % at 1 mm. Points stored as double keep
- * 1e-10 mm there and give the forces of the same body at the origin, since contact is searched
- * relative to the body's centre (palpate::PackedMesh). Pictures are drawn in floats about the
- * origin.
+ * **Precision**: curves are stored in floats, to 6e-8. Coordinates stored as double keep 1e-10 mm a
+ * kilometre (1e6 mm) from the origin. Those stored as float are on a grid of 0.06 mm there, and
+ * forces at 1 mm deviate by up to 8 %. Pictures are drawn in floats about the origin.
  *
  * **Several processes**: each may have a piece of the body, or none (Controller). The response is
- * that of the whole body. At a seam, where border points of several pieces coincide, normal and
- * curvature are those of all pieces around (in a body without normals the last bit of a normal may
- * differ, since triangles are summed in another order). Tables of layers and the exponent are those
- * of all pieces. An error on one process is an error on all. Ghost cells are left out. All
- * processes must update the filter.
+ * that of the whole body, also at a seam, where border points of several pieces coincide. An error
+ * on one process is an error on all. Ghost cells are left out. All must update the filter.
  *
  * @sa vtkContactTool vtkToolContactProbe
  */
@@ -113,10 +103,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Thickness h of an elastic layer on a rigid base, mm, of points without an array. 0, the
-   * default, means a half-space.
-   */
+  /** Thickness h of an elastic layer on a rigid base, mm, of points without an array. 0, the
+   * default, means a half-space. */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
@@ -153,16 +141,11 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Whether the deflection of the whole body is included: vtkBodyCompliance finds its compliance
-   * from its closed surface, for the contact radius of the tool at MaximumDeflection, and the law
-   * is in series with it. The output then has `GlobalCompliance`, `GlobalComplianceError` and
-   * `ComplianceStatus`, and `Model` names the side that holds the body. It is left out where it
-   * does not apply: the surface is open, or the body is known better, by layers, a given
-   * compliance, a material that varies, or ν above 0.499. If it cannot be found, there is a warning
-   * with the reason. Costs some seconds for the first response of a body, see vtkBodyCompliance.
-   * Default off; on in ParaView, in Python and in the viewer.
-   */
+  /** Whether the law is in series with the compliance of the whole body, which vtkBodyCompliance
+   * finds from its closed surface, in some seconds for the first response. The output then has its
+   * arrays, and `Model` names the side that holds the body. Left out where it does not apply: with
+   * layers, a given compliance, a material that varies, ν above 0.499 or an open surface; and with
+   * a warning if it cannot be found. Default off. */
   vtkSetMacro(WholeBody, bool);
   vtkGetMacro(WholeBody, bool);
   vtkBooleanMacro(WholeBody, bool);

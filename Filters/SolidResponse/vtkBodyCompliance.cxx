@@ -32,8 +32,8 @@ int vtkBodyCompliance::RequestData(
 std::string vtkBodyCompliance::Attach(vtkPolyData* body, vtkPolyData* output)
 {
   const palpate::FilterThreads threads;
-  const palpate::YieldRequest request{ this->YoungsModulus, this->PoissonRatio,
-    this->ContactRadius, this->FixedFaces, this->NumberOfCells };
+  const palpate::YieldRequest request{ this->YoungsModulus, this->PoissonRatio, this->ContactRadius,
+    this->FixedFaces, this->NumberOfCells };
   const palpate::SoundBody sound(body);
   if (!sound.fault().empty())
   {

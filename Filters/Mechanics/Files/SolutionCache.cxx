@@ -55,8 +55,7 @@ std::string digest(std::string_view text)
   return buffer;
 }
 
-std::vector<double> readSolution(
-  const std::string& kind, const std::string& key, std::size_t count)
+std::vector<double> readSolution(const std::string& kind, const std::string& key, std::size_t count)
 {
   std::ifstream file(fileOf(kind, key));
   std::string line;

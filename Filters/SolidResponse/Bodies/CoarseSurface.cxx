@@ -48,8 +48,7 @@ vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData* body, double voxel)
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)
   {
     const TriangleCorners& corners = mesh.corners(t);
-    triangles.push_back(
-      { mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]) });
+    triangles.push_back({ mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]) });
   }
   const TriangleColumns columns(std::move(triangles));
   shareWork(static_cast<std::size_t>(inside->GetNumberOfPoints()),

@@ -67,9 +67,9 @@ struct SolvedBody::Kept
   SurfaceMotion Motion;                       ///< without points: not requested
   double Spacing = 0.0;                       ///< of sources, mm
   bool IsEven = false;
-  double Radius = 0.0;                        ///< mm; 0: nothing solved yet
-  double FactorMemory = 0.0;                  ///< MiB
-  double GreenMemory = 0.0;                   ///< MiB
+  double Radius = 0.0;       ///< mm; 0: nothing solved yet
+  double FactorMemory = 0.0; ///< MiB
+  double GreenMemory = 0.0;  ///< MiB
   vtkSmartPointer<vtkUnstructuredGrid>
     Grid; ///< holds its arrays, so that no new one can have the address of a freed one
   vtkMTimeType GridTime = 0;
@@ -154,8 +154,8 @@ std::string SolvedBody::solve(
   kept.Radius = 0.0;
   kept.Landmarks.reset();
   kept.Motion = {};
-  fault = kept.Green.solve(
-    points, request.radius, FilterStage{ stage.filter, middle, stage.to }, request.spacing, request.isEven);
+  fault = kept.Green.solve(points, request.radius, FilterStage{ stage.filter, middle, stage.to },
+    request.spacing, request.isEven);
   cost.ended = isAborted(stage.filter);
   if (cost.ended)
   {

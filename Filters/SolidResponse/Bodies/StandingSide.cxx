@@ -68,7 +68,7 @@ std::string standingSide(vtkPolyData* surface)
     measure(mesh, bounds.data(), side);
     best = side.held > (1.0 + Equal) * best->held ? &side : best;
   }
-  const std::string name = joined("xyz"[best->axis], best->isUpper ? "+" : "-");
+  const std::string name = joined("xyz"[best->axis], best -> isUpper ? "+" : "-");
   const double extent = bounds[static_cast<std::size_t>(2 * best->axis + 1)] -
     bounds[static_cast<std::size_t>(2 * best->axis)];
   return best->flat >= FlatShare * best->held ? name

@@ -23,8 +23,8 @@ namespace
 const Eigen::Vector4d UnderSphere(1.0, 2.0 / 5.0, 8.0 / 35.0, 16.0 / 105.0);
 const Eigen::Vector4d UnderFlat(1.0, 2.0 / 3.0, 8.0 / 15.0, 16.0 / 35.0);
 
-/// The least compliance over that of a contact on a half-space. A smaller one means that the contact
-/// meets the held part, where no series holds.
+/// The least compliance over that of a contact on a half-space. A smaller one means that the
+/// contact meets the held part, where no series holds.
 constexpr double LeastCompliance = -0.4;
 
 /// C(r) = C₀ + β r² instead of C(a): the largest error of the force at r < a, compared with the
@@ -78,7 +78,8 @@ SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* so
   const LandmarkKernels& landmarks, const MeshDifference* meshes, const std::vector<double>& radii)
 {
   const std::vector<std::int32_t>& all = landmarks.points();
-  const FacingPoints onSolid(solid, [&all](vtkIdType id)
+  const FacingPoints onSolid(solid,
+    [&all](vtkIdType id)
     { return std::binary_search(all.begin(), all.end(), static_cast<std::int32_t>(id)); });
   const HeldPlaces held(solid,
     [&landmarks](vtkIdType id)

@@ -34,8 +34,7 @@ struct SurfaceYield
  * which the landmarks' point numbers refer. `meshes`: null if there is no second mesh.
  */
 SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
-  const LandmarkKernels& landmarks, const MeshDifference* meshes,
-  const std::vector<double>& radii);
+  const LandmarkKernels& landmarks, const MeshDifference* meshes, const std::vector<double>& radii);
 } // namespace palpate
 
 #endif

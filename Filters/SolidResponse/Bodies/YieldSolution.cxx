@@ -28,7 +28,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeastCells = 100; ///< of a request
+constexpr int LeastCells = 100;        ///< of a request
 constexpr double CellsPerSquare = 8.7; // of the surface, over the squared spacing
 // The spacing is at least this fraction of the contact radius, and at most this fraction of the
 // cube root of the volume.
@@ -270,8 +270,8 @@ std::string solveYield(
   for (std::size_t k = 0; values.empty() && k < RadiusCount; ++k)
   {
     largest = std::ldexp(least, static_cast<int>(k));
-    values = readSolution("compliance", keyOf(content, request, made.heldAt, largest),
-      (2 * RadiusCount + 1) * count);
+    values = readSolution(
+      "compliance", keyOf(content, request, made.heldAt, largest), (2 * RadiusCount + 1) * count);
   }
   if (values.empty())
   {

@@ -13,8 +13,7 @@ namespace palpate
 /// estimate, it is combined with these three. Two more parts are the interpolation between the
 /// places with known H, and a contact near held points, where two meshes may share the same error.
 /// The moduli of mixed cells are not included.
-PALPATE_EXPORT double meshError(
-  const ContactKernel& kernel, const KernelSite& site, double radius);
+PALPATE_EXPORT double meshError(const ContactKernel& kernel, const KernelSite& site, double radius);
 
 /// Error of a kernel of one term, mm/N, used if an edge or a base leaves too few sources for more
 /// terms. H varies with the distance from that limit, between source and point and under the

@@ -16,7 +16,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=True,
+def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
              strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
              relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:

@@ -112,8 +112,8 @@ std::string addressOf(const std::string& kind, const std::string& path)
 std::unique_ptr<BridgeDevice> opened(Program& program)
 {
   std::string error;
-  auto opening = std::async(std::launch::async,
-    [&] { return BridgeDevice::open(program.Peer.address(), error, 20.0); });
+  auto opening = std::async(
+    std::launch::async, [&] { return BridgeDevice::open(program.Peer.address(), error, 20.0); });
   while (opening.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready)
   {
     program.serve();
