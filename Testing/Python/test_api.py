@@ -5,6 +5,7 @@
 The body is a plate whose facets are in the plane z = 0, facing +z: a tip at (x, y, -d) is d deep with any mesh.
 """
 import ast
+import contextlib
 import csv
 import gc
 import inspect
@@ -34,6 +35,21 @@ REDUCED = YOUNG / (1 - POISSON**2)
 # Curves are stored as floats: the error of forces is half a unit in the last place of sample and
 # slope.
 STORED = 2e-7
+
+
+@contextlib.contextmanager
+def _environment(**values):
+    """Sets environment variables for a while."""
+    before = {name: os.environ.get(name) for name in values}
+    os.environ.update(values)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
 def plate(cells=20, dtype=np.float64, index=np.int64):
@@ -411,6 +427,38 @@ class PerPoint(unittest.TestCase):
         chosen = np.array([21 * 10 + 10, 21 * 5 + 7])      # for chosen points the curves are theirs
         felt = palpate.probe(body, points[chosen] - [0, 0, 0.8])
         np.testing.assert_allclose(felt.forces[:, 2], 2 * young[chosen] / (1 - 0.09) * 3 * 0.8, rtol=STORED)
+
+    @unittest.skipUnless(palpate.vtkGradedBody.IsAvailable(), "built without CGAL")
+    def test_compliance_of_the_whole_body(self):
+        # A rod of 60 mm that stands on its end: pressed at the other one it shortens by L/(E A), and the contact is local.
+        side, length = 24.0, 60.0
+        points = np.array([(x, y, z) for z in (0.0, length) for y in (-side / 2, side / 2) for x in (-side / 2, side / 2)]
+                          + [(0.0, 0.0, length)])
+        triangles = [(0, 2, 3), (0, 3, 1), (0, 1, 5), (0, 5, 4), (1, 3, 7), (1, 7, 5), (3, 2, 6), (3, 6, 7), (2, 0, 4), (2, 4, 6),
+                     (4, 5, 8), (5, 7, 8), (7, 6, 8), (6, 4, 8)]
+        body = (points, np.array(triangles))
+        with tempfile.TemporaryDirectory() as folder, _environment(PALPATE_CACHE=folder):
+            found = palpate.vtkBodyCompliance()
+            found.SetInputData(palpate.response(body))
+            found.SetYoungsModulus(YOUNG)
+            found.SetPoissonRatio(POISSON)
+            found.SetFixedFaces("z-")
+            found.SetNumberOfCells(1500)
+            found.Update()
+            arrays = found.GetOutput().GetPointData()
+            self.assertEqual(found.GetHeldAt(), "z-")
+            rod = length / (YOUNG * side**2)  # and what the end itself gives way near the contact, less than 1/(E side)
+            compliance, error = (arrays.GetArray(name).GetValue(8) for name in ("GlobalCompliance", "GlobalComplianceError"))
+            self.assertGreater(compliance + error, rod)
+            self.assertLess(compliance - error, rod + 1.0 / (YOUNG * side))
+            self.assertLess(error, rod)  # of few cells
+            made = palpate.response(body, "sphere:6.35", young=YOUNG, poisson=POISSON, maximum_deflection=1.0, compliance=True)
+            model = made.GetFieldData().GetAbstractArray("ResponseModel").GetValue(0)
+            self.assertIn("global compliance, held at", model)
+            alone = palpate.response(body, "sphere:6.35", young=YOUNG, poisson=POISSON, maximum_deflection=1.0)
+            self.assertFalse(alone.GetPointData().HasArray("GlobalCompliance"))
+            self.assertLess(made.GetPointData().GetArray("ResponseForce").GetComponent(8, 7),
+                            alone.GetPointData().GetArray("ResponseForce").GetComponent(8, 7))
 
     def test_poisson_and_compliance_per_point(self):
         points, triangles = plate()

@@ -19,6 +19,7 @@
 #include <future>
 #include <limits>
 #include <memory>
+#include <thread>
 #include <vector>
 
 using Eigen::Vector3d;
