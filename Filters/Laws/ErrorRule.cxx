@@ -65,9 +65,7 @@ CurvatureEffect effectOf(
 
 double ErrorParts::total() const
 {
-  const double elements = this->of[static_cast<std::size_t>(ResponseLimit::Elements)];
-  const double sum = std::accumulate(this->of.begin(), this->of.end(), 0.0);
-  return std::hypot(sum - elements - this->ofMesh, elements, this->ofMesh);
+  return std::accumulate(this->of.begin(), this->of.end(), 0.0);
 }
 
 double ErrorParts::norm() const
@@ -99,7 +97,7 @@ ErrorParts ErrorRule::at(const ContactSpot& spot, const SpotSurface& surface,
 {
   ErrorParts parts;
   this->addStrain(spot, strain, state, parts);
-  this->addCurvature(spot, surface, state, parts);
+  parts[ResponseLimit::Curvature] = this->curvaturePart(spot, surface, state);
   parts[ResponseLimit::Edge] = this->edgePart(spot, surface.edge, state);
   if (surface.measured)
   {
@@ -117,7 +115,6 @@ ErrorParts ErrorRule::at(const ContactSpot& spot, const SpotSurface& surface,
   {
     part *= std::abs(local);
   }
-  parts.ofMesh *= std::abs(local);
   parts[ResponseLimit::Elements] =
     std::abs(local) * spot.complianceError * spot.reducedModulus * state.stiffness;
   parts[ResponseLimit::None] = this->Scope.storage;
@@ -208,8 +205,8 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   return StackBound * sum;
 }
 
-void ErrorRule::addCurvature(const ContactSpot& spot, const SpotSurface& surface,
-  const LocalState& state, ErrorParts& parts) const
+double ErrorRule::curvaturePart(
+  const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const
 {
   const double a = state.radius;
   const SpotCurvature& curvature = surface.curvature;
@@ -233,9 +230,8 @@ void ErrorRule::addCurvature(const ContactSpot& spot, const SpotSurface& surface
                                               : 0.0;
   const double leftOut = this->Scope.curvature ? 0.0 : effect.sag;
   const double both = leftOut * effect.structural; // product of both effects
-  const double known = leftOut + ellipse + effect.structural + both;
-  parts.ofMesh = std::max(0.0, std::min(1.0 - known, effect.perCurvature * curvature.error));
-  parts[ResponseLimit::Curvature] = std::min(1.0, known + parts.ofMesh);
+  return std::min(
+    1.0, leftOut + ellipse + effect.structural + both + effect.perCurvature * curvature.error);
 }
 
 double ErrorRule::edgePart(

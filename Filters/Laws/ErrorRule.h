@@ -21,12 +21,8 @@ struct ErrorParts
 {
   /// By ResponseLimit; the entry None is the storage error.
   std::array<double, ResponseLimitCount> of{};
-  /// The part of the entry Curvature by the unknown curvature of the mesh.
-  double ofMesh = 0.0;
 
   double& operator[](ResponseLimit limit) { return of[static_cast<std::size_t>(limit)]; }
-  /// The sum, since the parts may have the same sign. The error of a compliance and that of the
-  /// mesh's curvature are independent of it and of each other: their squares are added.
   PALPATE_EXPORT double total() const;
   PALPATE_EXPORT double norm() const; ///< root of the sum of squares, for independent sources
   PALPATE_EXPORT ResponseLimit largest() const;
@@ -107,8 +103,8 @@ private:
   double stackPart(const ContactSpot& spot, const LocalState& state) const;
   void addStrain(const ContactSpot& spot, const StrainCorrection::Course& strain,
     const LocalState& state, ErrorParts& parts) const;
-  void addCurvature(const ContactSpot& spot, const SpotSurface& surface, const LocalState& state,
-    ErrorParts& parts) const;
+  double curvaturePart(
+    const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const;
   double edgePart(const ContactSpot& spot, const NearEdge& edge, const LocalState& state) const;
 
   const AxisymmetricTool& Tool;

@@ -156,7 +156,6 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& sta
     if (!fits || !state.isCovered)
     {
       parts[ResponseLimit::Curvature] = 1.0;
-      parts.ofMesh = 0.0;
     }
     if (this->Measured)
     {
