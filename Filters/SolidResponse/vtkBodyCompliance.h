@@ -28,10 +28,15 @@
  * the body stands on the side of its bounding box with the largest area (GetHeldAt). C does not
  * include the tool's own shape or large strain: these are in the local law.
  *
- * **Cost.** 3 to 8 s for 10⁵ triangles on two cores, mostly for the solutions; the next run
- * on the same surface reads them from the cache (SolutionCache.h). Uses as many threads as
- * vtkSMPTools; the bits do not depend on their number. Abort is checked between steps and
- * solutions. The filter needs the modules Solids and Mesher.
+ * **Cost.** About ten seconds on two cores, mostly for the solutions, more beyond 10⁵ triangles.
+ * The next run on the same surface reads them from the cache (SolutionCache.h); so does one with a
+ * contact down to an eighth as wide. Uses as many threads as vtkSMPTools; the bits do not depend on
+ * their number. Abort is checked between steps and solutions. The filter needs the modules Solids
+ * and Mesher.
+ *
+ * **Limits.** The error holds for one series: a contact wider than its distance from an edge, a
+ * crease or the held part has none. It has not been compared with direct contact at random places
+ * yet. Parts that nothing holds are an error.
  *
  * Errors name the property or the input: a surface that is open, inside out or too thin for its
  * cells, a side that is not known, a Poisson's ratio beyond 0.499.
