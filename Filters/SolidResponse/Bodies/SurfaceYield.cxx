@@ -12,8 +12,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace palpate
 {
