@@ -4,6 +4,7 @@
 #include "Solids/Curves/GapOfSurface.h"
 #include "Mechanics/SharedWork.h"
 #include "Response/BodyConversion.h"
+#include "SolidResponse/Bodies/NearLandmarks.h"
 
 #include "vtkPolyData.h"
 
@@ -18,24 +19,14 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
   , Normals(normals)
   , Mesh(makeBodyMesh(surface))
   , Reach(SurfaceGap::reachFor(a))
-  , OnSolid(solid,
-      [&landmarks](vtkIdType id)
-      {
-        const std::vector<std::int32_t>& all = landmarks.points();
-        return std::binary_search(all.begin(), all.end(), static_cast<std::int32_t>(id));
-      })
-  , Held(solid,
-      [&landmarks](vtkIdType id)
-      {
-        const SurfaceDisc* disc = landmarks.green().disc(static_cast<std::int32_t>(id));
-        return disc != nullptr && disc->status == PatchStatus::OutOfReach;
-      })
   , OnSurface(surface, [](vtkIdType) { return true; })
   , Around(this->Mesh.pointCount())
   , Turns(this->Around.size(), 0.0F)
 {
-  shareWork(
-    this->Around.size(), [this](std::size_t i) { this->Around[i] = this->landmarksAround(i); });
+  const NearLandmarks near(solid, landmarks);
+  shareWork(this->Around.size(),
+    [this, &near](std::size_t i)
+    { this->Around[i] = near.around(this->Mesh.coordinates() + 3 * i, this->normal(i)); });
   this->findTurns();
 }
 
@@ -69,25 +60,6 @@ void FinerSurface::findTurns()
     const double half = std::acos(std::clamp(least[i], 0.0, 1.0));
     this->Turns[i] = sag[i] < 0.0 ? static_cast<float>(2.0 * half) : 0.0F;
   }
-}
-
-/// No landmarks if the point is in the held part of the solid.
-std::vector<std::size_t> FinerSurface::landmarksAround(std::size_t i) const
-{
-  std::vector<std::size_t> found;
-  const double* place = this->Mesh.coordinates() + 3 * i;
-  if (this->Held.contain(place))
-  {
-    return found;
-  }
-  const std::vector<std::int32_t>& all = this->Landmarks.points();
-  // In the order of distance.
-  for (const auto& part : this->OnSolid.nearBy(place, this->normal(i)))
-  {
-    const auto at = std::lower_bound(all.begin(), all.end(), static_cast<std::int32_t>(part.first));
-    found.push_back(static_cast<std::size_t>(at - all.begin()));
-  }
-  return found;
 }
 
 LandmarkSpot FinerSurface::spot(std::size_t i) const

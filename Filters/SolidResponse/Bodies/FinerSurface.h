@@ -4,7 +4,6 @@
 
 #include "Solids/Curves/ShapedResponse.h"
 #include "SolidResponse/Bodies/FacingPoints.h"
-#include "SolidResponse/Bodies/HeldPlaces.h"
 #include "Contact/BodyMesh.h"
 
 #include <vector>
@@ -30,7 +29,6 @@ public:
 private:
   Vector3 normal(std::size_t i) const;
   LandmarkSpot spot(std::size_t i) const;
-  std::vector<std::size_t> landmarksAround(std::size_t i) const;
   EdgeSurroundings surroundings(
     std::int32_t i, const std::function<bool(std::int32_t)>& isValid) const;
   void findTurns();
@@ -39,8 +37,6 @@ private:
   const float* Normals;
   BodyMesh Mesh;
   double Reach;                                 ///< radius to which a contact needs the surface, mm
-  FacingPoints OnSolid;                         ///< landmarks only
-  HeldPlaces Held;                              ///< held part of the solid
   FacingPoints OnSurface;                       ///< all points
   std::vector<std::vector<std::size_t>> Around; ///< landmarks around each point
   std::vector<float> Turns;                     ///< turn of the surface at each point, rad

@@ -3,8 +3,7 @@
 
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/SharedWork.h"
-#include "SolidResponse/Bodies/FacingPoints.h"
-#include "SolidResponse/Bodies/HeldPlaces.h"
+#include "SolidResponse/Bodies/NearLandmarks.h"
 #include "Solids/TrueShape/KernelError.h"
 #include "Solids/TrueShape/LandmarkKernels.h"
 #include "Solids/TrueShape/MeshDifference.h"
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace palpate
 {
@@ -77,16 +75,7 @@ private:
 SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
   const LandmarkKernels& landmarks, const MeshDifference* meshes, const std::vector<double>& radii)
 {
-  const std::vector<std::int32_t>& all = landmarks.points();
-  const FacingPoints onSolid(solid,
-    [&all](vtkIdType id)
-    { return std::binary_search(all.begin(), all.end(), static_cast<std::int32_t>(id)); });
-  const HeldPlaces held(solid,
-    [&landmarks](vtkIdType id)
-    {
-      const SurfaceDisc* disc = landmarks.green().disc(static_cast<std::int32_t>(id));
-      return disc != nullptr && disc->status == PatchStatus::OutOfReach;
-    });
+  const NearLandmarks near(solid, landmarks);
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   const ElasticMaterial& material = landmarks.material(0);
   const double modulus = reducedModulus(material.youngsModulus, material.poissonRatio);
@@ -104,17 +93,7 @@ SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* so
       SurfaceSpot spot;
       surface->GetPoint(static_cast<vtkIdType>(i), spot.place.data());
       spot.normal = Eigen::Map<const Eigen::Vector3f>(normals + 3 * i).cast<double>();
-      std::vector<std::size_t> around;
-      if (!held.contain(spot.place.data()))
-      {
-        for (const auto& [point, weight] : onSolid.nearBy(spot.place.data(), spot.normal))
-        {
-          const auto at =
-            std::lower_bound(all.begin(), all.end(), static_cast<std::int32_t>(point));
-          around.push_back(static_cast<std::size_t>(at - all.begin()));
-        }
-      }
-      BlendedKernels kernels(landmarks, spot, around);
+      BlendedKernels kernels(landmarks, spot, near.around(spot.place.data(), spot.normal));
       if (meshes)
       {
         kernels.setMissed(meshes->at(spot.place, spot.normal));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBodyCompliance and WholeBody of vtkToolContactResponse: a block on its base against the exact
 // layer, the side that holds a body, the cache, surfaces that cross themselves, errors.
+#include "BoxOnGround.h"
 #include "FilterChecks.h"
 
 #include "vtkBodyCompliance.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkContactTool.h"
-#include "vtkCubeSource.h"
 #include "vtkFieldData.h"
 #include "vtkGradedBody.h"
 #include "vtkIdList.h"
@@ -41,23 +41,16 @@ constexpr double Ratio = 0.45;
 /// A block on z = 0 with a finely divided top, longest along `x`.
 vtkSmartPointer<vtkPolyData> block(double x, double y, double z)
 {
-  vtkNew<vtkCubeSource> source;
-  source->SetXLength(x);
-  source->SetYLength(y);
-  source->SetZLength(z);
-  source->SetCenter(0.0, 0.0, 0.5 * z);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(source->GetOutputPort());
-  triangles->Update();
+  const auto box = boxOnGround(x, y, z);
   // A point in the middle of the top takes the place of the diagonal.
   vtkNew<vtkPolyData> made;
-  made->DeepCopy(triangles->GetOutput());
+  made->DeepCopy(box);
   const vtkIdType middle = made->GetPoints()->InsertNextPoint(0.0, 0.0, z);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkIdList> corners;
-  for (vtkIdType t = 0; t < triangles->GetOutput()->GetNumberOfCells(); ++t)
+  for (vtkIdType t = 0; t < box->GetNumberOfCells(); ++t)
   {
-    triangles->GetOutput()->GetCellPoints(t, corners);
+    box->GetCellPoints(t, corners);
     int above = 0;
     for (const vtkIdType corner : *corners)
     {

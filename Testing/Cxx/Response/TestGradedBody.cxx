@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkGradedBody: volumes, edges, Jacobians, held points, identical bits, abort, errors; and
 // contacts on its output against the series for a ball and the exact layer.
+#include "BoxOnGround.h"
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -9,7 +10,6 @@
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
-#include "vtkCubeSource.h"
 #include "vtkElasticContactResponse.h"
 #include "vtkGradedBody.h"
 #include "vtkMassProperties.h"
@@ -18,7 +18,6 @@
 #include "vtkSphereSource.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -35,19 +34,6 @@ using namespace palpate::testing;
 using Place = std::array<double, 3>;
 
 constexpr double CircleNumber = 3.14159265358979323846;
-
-vtkSmartPointer<vtkPolyData> box(double x, double y, double z)
-{
-  vtkNew<vtkCubeSource> source;
-  source->SetXLength(x);
-  source->SetYLength(y);
-  source->SetZLength(z);
-  source->SetCenter(0.0, 0.0, 0.5 * z);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(source->GetOutputPort());
-  triangles->Update();
-  return triangles->GetOutput();
-}
 
 /// A surface of revolution about z with these radii and heights, from axis to axis.
 vtkSmartPointer<vtkPolyData> turned(const std::vector<std::array<double, 2>>& outline, int sides)
@@ -242,7 +228,7 @@ void checkShapes()
   PALPATE_CHECK_NEAR(grid->GetNumberOfCells() / filter->GetCellEstimate(), 1.0, 0.5);
 
   // Edges and corners are exact to the last digit, so the volume is too.
-  const auto block = makeFilter(box(12.0, 8.0, 6.0), 2.0);
+  const auto block = makeFilter(boxOnGround(12.0, 8.0, 6.0), 2.0);
   block->Update();
   const Filled straight = measure(block->GetOutput());
   PALPATE_CHECK_NEAR(straight.volume / (12.0 * 8.0 * 6.0), 1.0, 1e-9);
@@ -285,7 +271,7 @@ void checkShapes()
 void checkFineBalls()
 {
   const Place middle{ 0.0, 0.0, 20.0 };
-  const auto filter = makeFilter(box(24.0, 24.0, 20.0), 4.0);
+  const auto filter = makeFilter(boxOnGround(24.0, 24.0, 20.0), 4.0);
   filter->Update();
   const vtkIdType before = filter->GetOutput()->GetNumberOfCells();
   filter->AddFineBall(middle[0], middle[1], middle[2], 4.0, 1.0);
@@ -341,7 +327,7 @@ void checkFineBalls()
 
 void checkHeldSides()
 {
-  const auto filter = makeFilter(box(12.0, 8.0, 6.0), 2.0);
+  const auto filter = makeFilter(boxOnGround(12.0, 8.0, 6.0), 2.0);
   filter->SetFixedFaces("z-,x+");
   filter->Update();
   vtkUnstructuredGrid* grid = filter->GetOutput();
@@ -462,7 +448,7 @@ void checkBallContact(const std::string& folder, double spacing, double toleranc
 void checkLayerContact()
 {
   const double height = 4.0;
-  const auto filter = makeFilter(box(24.0, 24.0, height), 1.33);
+  const auto filter = makeFilter(boxOnGround(24.0, 24.0, height), 1.33);
   filter->Update();
   PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume / (24.0 * 24.0 * height), 1.0, 1e-9);
   vtkNew<vtkUnstructuredGrid> grid;
@@ -508,7 +494,7 @@ void checkErrors()
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
   };
   const auto nothing = [](vtkGradedBody*) {};
-  const auto solid = box(12.0, 8.0, 6.0);
+  const auto solid = boxOnGround(12.0, 8.0, 6.0);
   fails(solid, [](auto* f) { f->SetSurfaceSpacing(0.0); }, { "SurfaceSpacing", "0" });
   fails(solid, [](auto* f) { f->SetSurfaceSpacing(std::nan("")); }, { "SurfaceSpacing", "nan" });
   fails(solid, [](auto* f) { f->SetInteriorSpacing(1.0); }, { "InteriorSpacing", "1" });
@@ -657,7 +643,7 @@ int TestGradedBody(int, char* argv[])
 {
   if (!vtkGradedBody::IsAvailable())
   {
-    const auto filter = makeFilter(box(12.0, 8.0, 6.0), 2.0);
+    const auto filter = makeFilter(boxOnGround(12.0, 8.0, 6.0), 2.0);
     Messages messages(filter.Get());
     filter->Update();
     PALPATE_CHECK_TEXT(messages.errors(), "CGAL", "PALPATE_USE_CGAL");

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkVoxelBody: volume, conformity, held points, errors; and the compliance of its output.
+#include "BoxOnGround.h"
 #include "FilterChecks.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
-#include "vtkCubeSource.h"
 #include "vtkElasticCompliance.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVoxelBody.h"
 
@@ -30,19 +29,6 @@ vtkSmartPointer<vtkPolyData> ball(double radius)
   source->SetPhiResolution(60);
   source->Update();
   return source->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> box(double x, double y, double z)
-{
-  vtkNew<vtkCubeSource> source;
-  source->SetXLength(x);
-  source->SetYLength(y);
-  source->SetZLength(z);
-  source->SetCenter(0.0, 0.0, 0.5 * z);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(source->GetOutputPort());
-  triangles->Update();
-  return triangles->GetOutput();
 }
 
 vtkSmartPointer<vtkVoxelBody> makeFilter(vtkPolyData* body, double spacing)
@@ -114,7 +100,7 @@ void checkBall()
 
 void checkHeld()
 {
-  const auto filter = makeFilter(box(12.0, 8.0, 6.0), 2.0);
+  const auto filter = makeFilter(boxOnGround(12.0, 8.0, 6.0), 2.0);
   const auto held = [&](const char* faces)
   {
     filter->SetFixedFaces(faces);
@@ -156,7 +142,7 @@ void checkErrors()
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
   };
   const auto nothing = [](vtkVoxelBody*) {};
-  const auto solid = box(12.0, 8.0, 6.0);
+  const auto solid = boxOnGround(12.0, 8.0, 6.0);
   fails(solid, [](auto* f) { f->SetSpacing(0.0); }, { "Spacing", "0" });
   fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "FixedFaces", "w+" });
   vtkNew<vtkSphereSource> open;
