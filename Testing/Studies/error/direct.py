@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contacts of true shape against direct contact on a finer mesh, at places chosen at random.
+"""Stored responses against direct contact on a fine mesh, at places chosen at random: those of true shape, or those of a
+law in series with the compliance of the whole body.
 
 Each place gets a mesh of its own, fine under the tool, on which palpateDirectContact presses the tool: without a Green
 function and without a law of contact. Both use the same smooth surface, in which four triangles replace one of the body
@@ -104,10 +105,11 @@ def drawn(made, tool, area, count, random):
             yield from random.choice(found, min(count, len(found)), replace=False, p=weights)
 
 
-def judge(name, body, fixed, count, times, own, seed=5):
-    """Rows of COLUMNS; `own`: own_error() of each tool."""
+def judge(name, body, press, count, times, own, seed=5):
+    """Rows of COLUMNS; `press`: makes the responses of a surface, and names the faces that hold it; `own`: own_error() of each
+    tool."""
     surface = smooth(body, times)
-    made = true_shape.press(surface, fixed, small=True)
+    made, fixed = press(surface)
     facets = smooth(body, times + 1 if times else 0)  # on the bunny, facets of 1.5 mm reduce a force by 2 %
     places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     spacing = np.sqrt(8.7 * areas(surface).sum() / CELLS)
@@ -141,7 +143,7 @@ def summary(rows, holds):
                 yield body, tool, low, high, len(found), sum(map(holds, found)), errors[len(errors) // 2]
 
 
-def write(bodies, fixed, count, times, output):
+def write(bodies, press, count, times, output):
     """Leaves direct.csv; returns its rows."""
     rows = []
     own = {tool: own_error(tool) for tool in true_shape.TOOLS}
@@ -150,7 +152,7 @@ def write(bodies, fixed, count, times, output):
         table.writerow(COLUMNS)
         for name, body in bodies:
             try:
-                for row in judge(name, body, fixed, count, times, own):
+                for row in judge(name, body, press, count, times, own):
                     table.writerow(row)
                     file.flush()
                     rows.append(dict(zip(COLUMNS, row)))

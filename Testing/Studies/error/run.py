@@ -20,7 +20,8 @@ also how often the stated error holds against CELLS tetrahedra. Writes solid.csv
 
 With --direct instead: how far the stated error holds against direct contact on a separate finer mesh, at N random places
 for each tool and each range of the stated error (direct.py). The surface is smoothly refined TIMES times. Writes
-direct.csv. Takes a dozen seconds per place.
+direct.csv. Takes a dozen seconds per place. Without --solid, the responses are those of the law in series with the
+compliance of the whole body (whole_body.py).
 
 With --press: how much more of the body is within 5 % if direct contact (vtkDirectContactResponse) takes over, at N random
 places for each tool in the rest of the body (pressed.py). The surface is smoothly refined TIMES + 1 times. Writes
@@ -158,7 +159,10 @@ def holds(row):
 
 def write_direct(files, fixed, count, times, output):
     import direct
-    rows = direct.write((found for found in bodies(files) if found[0] != "head"), fixed, count, times, output)
+    import true_shape
+    import whole_body
+    press = (lambda surface: (true_shape.press(surface, fixed, small=True), fixed)) if fixed else whole_body.press
+    rows = direct.write((found for found in bodies(files) if found[0] != "head"), press, count, times, output)
     for found in direct.summary(rows, holds):
         print("{}, {}, stated {:.0%} to {:.0%}: of {} hold {}, median error {:.2%}".format(*found))
 
@@ -182,7 +186,7 @@ def main():
     parser.add_argument("--smooth", type=int, metavar="TIMES", default=2)
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    if options.solid and options.direct:
+    if options.direct:
         write_direct(options.body, options.solid, options.direct, options.smooth, options.output)
         return
     if options.solid and options.press:
