@@ -99,10 +99,10 @@ void FaceSurface::findNormals(const LinkedSurface& surface)
 }
 
 SurfaceCurvature SurfaceCurvature::ofFaces(
-  const TriangleSpans& surface, const float* normals, int steps)
+  const TriangleSpans& surface, const float* normals, double contactRadius)
 {
   const FaceSurface faces(surface, normals);
-  SurfaceCurvature found(faces.spans(), faces.normals().data(), steps);
+  SurfaceCurvature found(faces.spans(), faces.normals().data(), contactRadius);
   std::vector<std::array<float, 3>> sums(surface.pointCount, { 0.0F, 0.0F, 0.0F });
   std::vector<float> count(surface.pointCount, 0.0F);
   for (std::size_t i = 0; i < found.Found.size(); ++i)

@@ -119,4 +119,26 @@ std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contact
   dropHoles(surface, Pi * SmallestBorder * contactRadius, border);
   return border;
 }
+double pointSpacing(const TriangleSpans& surface)
+{
+  const auto place = [&](std::int32_t point) {
+    return Eigen::Map<const Eigen::Vector3d>(surface.points + 3 * static_cast<std::size_t>(point));
+  };
+  double twice = 0.0;
+  std::vector<bool> isUsed(surface.pointCount, false);
+  for (std::size_t t = 0; t < surface.triangleCount; ++t)
+  {
+    const std::int32_t* corner = surface.triangles + 3 * t;
+    const double area =
+      (place(corner[1]) - place(corner[0])).cross(place(corner[2]) - place(corner[0])).norm();
+    twice += std::isfinite(area) ? area : 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      isUsed[static_cast<std::size_t>(corner[k])] = true;
+    }
+  }
+  return std::sqrt(
+    0.5 * twice / static_cast<double>(std::count(isUsed.begin(), isUsed.end(), true)));
+}
+
 } // namespace palpate

@@ -21,6 +21,9 @@ struct TriangleSpans
   std::size_t triangleCount = 0;
 };
 
+/// The distance of the points, mm: the square root of the area per used point. NaN without one.
+double pointSpacing(const TriangleSpans& surface);
+
 /// A side of a facet, from point to point.
 struct SurfaceSide
 {

@@ -2,6 +2,7 @@
 #include "Laws/SurfaceCurvature.h"
 
 #include "Contact/ParallelRanges.h"
+#include "Laws/PointForm.h"
 
 #include <Eigen/Dense>
 
@@ -14,18 +15,33 @@ namespace
 {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Row = std::array<double, 12>;
 
 // Factors that bound 95 of 100 errors that are estimated from a few neighbours; see
 // SurfaceCurvatureTest.cxx.
-constexpr double RoughOfOne = 2.5; // for the form of one point
+constexpr double OfOne = 0.7; // for the form of one point: of roughness, residual and difference
+constexpr double RoughOfOne = 2.5; // with noise
 // For an average, times 1/(1 + steps): errors of neighbours are opposite.
 constexpr double RoughOfAverage = 1.3;
 // For the spread: the centre of an average is not exactly the point.
 constexpr double OfSpread = 0.1;
 constexpr double OfCurvature = 0.02; // for facets and for the turning of forms
-// Variance of the area over which a contact averages, along each axis, in contact radii².
+
+// Variances of averages along each axis. FeltVariance is that of the area over which a contact
+// averages, in contact radii²; the others are in squared distances of points. For a wave of the
+// wavenumber k on a triangular lattice with edges e, the curvature by sags is too small by
+// (k e)²/12, and that by turns by (k e)²/4.
 constexpr double FeltVariance = 0.1;
+constexpr double OfSags = 0.192;
+constexpr double OfTurns = 0.577;
+constexpr double OfStep = 0.5;
+constexpr double EdgeSquare = 1.155; // of the lattice, in squared distances of points
+/// The largest weight of the sags, for contacts smaller than the facets.
+constexpr double MostOfSags = 1.5;
+// The correlation of the difference between sags and turns with that of the neighbours: between
+// these values a surface counts as smooth and as noisy. That of white noise is -0.29.
+constexpr double OfSmooth = -0.12;
+constexpr double OfNoise = -0.25;
+constexpr double MostOfDifferences = 3.0; // times the median: larger ones are those of edges
 
 /// Triangles around each point, in ascending order.
 class TrianglesOfPoints
@@ -63,75 +79,6 @@ private:
   std::vector<std::size_t> Begin;
   std::vector<std::size_t> Corner; ///< index in the list of corners
 };
-
-struct TangentFrame
-{
-  Vector3d first;
-  Vector3d second;
-
-  explicit TangentFrame(const Vector3d& normal)
-    : first(normal.unitOrthogonal())
-    , second(normal.cross(this->first))
-  {
-  }
-};
-
-/// Adds an edge to the sums of the least squares of one point: the products of (t², 2tu, u²) of the
-/// direction with themselves (6) and with the curvature (3), the squared curvature, and 1. Each is
-/// multiplied by the edge's length².
-void addEdge(const TangentFrame& frame, const Vector3d& edge, const Vector3d& turn, Row& sums)
-{
-  const double t = edge.dot(frame.first);
-  const double u = edge.dot(frame.second);
-  const double flat = t * t + u * u;
-  const double curvature = edge.dot(turn) / edge.squaredNorm();
-  if (!(flat > 0.0) || !std::isfinite(curvature))
-  {
-    return;
-  }
-  const double weight = edge.squaredNorm(); // the error of a normal matters more on a short edge
-  const std::array<double, 3> row = { t * t / flat, 2.0 * t * u / flat, u * u / flat };
-  std::size_t place = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    for (std::size_t j = i; j < 3; ++j)
-    {
-      sums[place++] += weight * row[i] * row[j];
-    }
-    sums[6 + i] += weight * row[i] * curvature;
-  }
-  sums[9] += weight * curvature * curvature;
-  sums[10] += weight;
-}
-
-/// The second fundamental form in a tangent frame, (t², tu, u²), and the error of one fit.
-struct Fit
-{
-  Vector3d form = Vector3d::Zero();
-  double error = 0.0;
-};
-
-Fit solve(const Row& sums)
-{
-  if (sums[10] == 0.0)
-  {
-    return {};
-  }
-  Matrix3d products;
-  products << sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5];
-  const Vector3d right(sums[6], sums[7], sums[8]);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> spread(products, Eigen::EigenvaluesOnly);
-  constexpr double LeastSpread = 1e-3; // relative to the sum of weights: three distinct directions
-  if (!(spread.eigenvalues()[0] > LeastSpread * sums[10]))
-  {
-    // t² + u² = 1, so the sum of the first and last product is the sum of the curvatures.
-    const double mean = (sums[6] + sums[8]) / sums[10];
-    return { { mean, 0.0, mean }, 2.0 * std::sqrt(sums[9] / sums[10]) };
-  }
-  const Vector3d form = products.ldlt().solve(right);
-  const double left = std::max(0.0, sums[9] - form.dot(right)) / sums[10];
-  return { form, std::sqrt(left) };
-}
 
 std::array<float, 3> principal(const Vector3d& form, double error)
 {
@@ -188,11 +135,11 @@ public:
   }
 
   /// The fits of all points, and their forms in space.
-  std::vector<Fit> fits(std::vector<Form>& forms) const
+  std::vector<PointForm> fits(std::vector<Form>& forms) const
   {
-    std::vector<Fit> found(this->Surface.pointCount);
+    std::vector<PointForm> found(this->Surface.pointCount);
     this->forPoints([&](std::size_t point) { return this->sumsOf(point); },
-      [&](std::size_t point, const Row& sums) { found[point] = solve(sums); });
+      [&](std::size_t point, const PointFormSums& sums) { found[point] = sums.fit(); });
     forms.resize(found.size());
     for (std::size_t i = 0; i < found.size(); ++i)
     {
@@ -202,7 +149,7 @@ public:
         continue;
       }
       const TangentFrame frame(normal);
-      const Vector3d& form = found[i].form;
+      const Vector3d& form = found[i].byTurns;
       setMatrix(form[0] * frame.first * frame.first.transpose() +
           form[2] * frame.second * frame.second.transpose() +
           form[1] *
@@ -220,7 +167,7 @@ public:
   {
     std::vector<Form> next(forms.size());
     this->forPoints([&](std::size_t point) { return this->neighboursOf(point, forms); },
-      [&](std::size_t point, const Row& sums)
+      [&](std::size_t point, const Form& sums)
       {
         next[point] = forms[point];
         for (std::size_t k = 0; k < Count; ++k)
@@ -229,6 +176,45 @@ public:
         }
       });
     forms.swap(next);
+  }
+
+  /// The fraction of noise in the points: noise moves neighbours against each other.
+  double noise(const std::vector<PointForm>& fits) const
+  {
+    std::vector<double> differences;
+    for (const PointForm& fit : fits)
+    {
+      differences.push_back(std::abs(fit.difference()));
+    }
+    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+    std::nth_element(differences.begin(), middle, differences.end());
+    const double most = middle == differences.end() ? 0.0 : MostOfDifferences * *middle;
+    const auto clipped = [&](std::size_t i)
+    { return std::clamp(fits[i].difference(), -most, most); };
+    double products = 0.0;
+    double squares = 0.0;
+    this->forPoints(
+      [&](std::size_t point)
+      {
+        std::array<double, 2> sums{};
+        this->forNeighbours(point,
+          [&](std::size_t other)
+          {
+            sums[0] += clipped(other);
+            sums[1] += 1.0;
+          });
+        return sums;
+      },
+      [&](std::size_t point, const std::array<double, 2>& sums)
+      { differences[point] = sums[1] > 0.0 ? sums[0] / sums[1] : 0.0; });
+    for (std::size_t i = 0; i < fits.size(); ++i)
+    {
+      products += clipped(i) * differences[i];
+      squares += clipped(i) * clipped(i);
+    }
+    return squares > 0.0
+      ? std::clamp((OfSmooth - products / squares) / (OfSmooth - OfNoise), 0.0, 1.0)
+      : 0.0;
   }
 
   Vector3d normalOf(std::size_t point) const
@@ -243,7 +229,7 @@ private:
   {
     std::vector<double> rough(forms.size(), 0.0);
     this->forPoints([&](std::size_t point) { return this->neighboursOf(point, forms); },
-      [&](std::size_t point, const Row& sums)
+      [&](std::size_t point, const Form& sums)
       {
         if (sums[Count] > 0.0)
         {
@@ -289,25 +275,23 @@ private:
       });
   }
 
-  Row sumsOf(std::size_t point) const
+  PointFormSums sumsOf(std::size_t point) const
   {
-    Row sums{};
     const Vector3d normal = this->normalOf(point);
-    if (!(normal.squaredNorm() > 0.0))
+    PointFormSums sums(normal);
+    if (normal.squaredNorm() > 0.0)
     {
-      return sums;
+      const Vector3d here = this->placeOf(point);
+      this->forNeighbours(point,
+        [&](std::size_t other)
+        { sums.add(this->placeOf(other) - here, this->normalOf(other) - normal); });
     }
-    const TangentFrame frame(normal);
-    const Vector3d here = this->placeOf(point);
-    this->forNeighbours(point,
-      [&](std::size_t other)
-      { addEdge(frame, this->placeOf(other) - here, this->normalOf(other) - normal, sums); });
     return sums;
   }
 
-  Row neighboursOf(std::size_t point, const std::vector<Form>& forms) const
+  Form neighboursOf(std::size_t point, const std::vector<Form>& forms) const
   {
-    Row sums{};
+    Form sums{};
     const Vector3d normal = this->normalOf(point);
     this->forNeighbours(point,
       [&](std::size_t other)
@@ -332,48 +316,70 @@ private:
   const float* Normals;
   TrianglesOfPoints Around;
 };
+
+/// The curvature of a contact that is not wider than the turns average, on a surface with such a
+/// fraction of noise.
+std::array<float, 3> ofOne(
+  const PointForm& fit, double roughness, double contactRadius, double noise)
+{
+  const double wanted = fit.edgeSquare > 0.0
+    ? FeltVariance * contactRadius * contactRadius * EdgeSquare / fit.edgeSquare
+    : 0.0;
+  const double finer =
+    (1.0 - noise) * std::clamp((OfTurns - wanted) / (OfTurns - OfSags), 0.0, MostOfSags);
+  const double smooth =
+    OfOne * Eigen::Vector3d(roughness, fit.residual, (1.0 - noise) * fit.difference()).norm();
+  const double noisy = std::max(fit.residual, RoughOfOne * roughness);
+  return principal(
+    fit.byTurns + finer * (fit.bySags - fit.byTurns), noise * noisy + (1.0 - noise) * smooth);
+}
 } // namespace
 
-int SurfaceCurvature::stepsFor(double contactRadius, double spacing)
-{
-  // A step adds a variance of 0.5 spacings² along each axis.
-  const double ratio = contactRadius / spacing;
-  return std::isfinite(ratio)
-    ? static_cast<int>(std::lround(std::min(FeltVariance / 0.5 * ratio * ratio, 1.0 * MostSteps)))
-    : 0;
-}
-
-SurfaceCurvature::SurfaceCurvature(const TriangleSpans& surface, const float* normals, int steps)
+SurfaceCurvature::SurfaceCurvature(
+  const TriangleSpans& surface, const float* normals, double contactRadius)
   : Found(surface.pointCount)
 {
   const FormAverage average(surface, normals);
   std::vector<Form> forms;
-  const std::vector<Fit> fits = average.fits(forms);
+  const std::vector<PointForm> fits = average.fits(forms);
   const auto roughness = [&forms](std::size_t i) { return std::sqrt(forms[i][Rough]); };
-  std::vector<float> halfway(forms.size());
-  if (steps == 0)
+  const double ratio = contactRadius / pointSpacing(surface);
+  const double steps = std::isfinite(ratio)
+    ? std::min((FeltVariance * ratio * ratio - OfTurns) / OfStep, 1.0 * MostSteps)
+    : 0.0;
+  if (!(steps > 0.0))
   {
+    const double noise = average.noise(fits);
     average.step(forms); // needed for the roughness only
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
-      this->Found[i] = principal(fits[i].form, std::max(fits[i].error, RoughOfOne * roughness(i)));
+      this->Found[i] = ofOne(fits[i], roughness(i), contactRadius, noise);
     }
     return;
   }
-  for (int step = 0; step < steps; ++step)
+  const int whole = static_cast<int>(std::ceil(steps));
+  std::vector<Form> before;
+  std::vector<float> halfway(forms.size());
+  for (int step = 0; step < whole; ++step)
   {
-    for (std::size_t i = 0; step == steps / 2 && i < forms.size(); ++i)
+    for (std::size_t i = 0; step == whole / 2 && i < forms.size(); ++i)
     {
       halfway[i] = static_cast<float>(meanOf(forms[i]));
     }
+    before = forms;
     average.step(forms);
   }
+  const double last = steps - (whole - 1);
   for (std::size_t i = 0; i < forms.size(); ++i)
   {
     const Vector3d normal = average.normalOf(i);
     if (!(normal.squaredNorm() > 0.0))
     {
       continue;
+    }
+    for (std::size_t k = 0; k < Count; ++k)
+    {
+      forms[i][k] = (1.0 - last) * before[i][k] + last * forms[i][k];
     }
     const Matrix3d matrix = matrixOf(forms[i]);
     const TangentFrame frame(normal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyRegime.h"
 
+#include "Response/Bodies/BodyYield.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Laws/RegimeLaw.h"
 #include "Mechanics/JoinedText.h"
@@ -47,6 +48,20 @@ struct RegimeStorage
     allocate(this->verdict, "RegimeVerdict");
   }
 };
+
+/// The arrays of a request, and the compliance of the body's response if no other is given.
+MaterialArrays arraysOf(vtkPolyData* body, const LawRequest& request)
+{
+  MaterialArrays arrays = request.arrays;
+  MaterialArray& compliance = arrays[ComplianceArrayIndex];
+  vtkDataArray* found = body->GetPointData()->GetArray(FoundCompliance);
+  const int parts = responseModel(body, request.responseName).parts;
+  if (compliance.name.empty() && found && (parts & GlobalCompliancePart) != 0)
+  {
+    compliance = { FoundCompliance, found };
+  }
+  return arrays;
+}
 
 /// Finds the depths from the deflection or from the Range of the body. Returns "" or an error
 /// message.
@@ -114,7 +129,7 @@ std::string attachRegime(
     tool = findTool(request.tool, body, name, fault);
     fault = fault.empty() && !tool->GetKernel() ? "The Tool is invalid" : fault;
     fault = fault.empty() ? findDepths(body, request, depths) : fault;
-    fault = fault.empty() ? readMaterial(body, request.arrays, material) : fault;
+    fault = fault.empty() ? readMaterial(body, arraysOf(body, request), material) : fault;
   }
   double deepest = depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
   deepest = ranks.largest(deepest);

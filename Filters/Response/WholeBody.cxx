@@ -53,8 +53,8 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
     attachYield(found, made.body);
     made.heldAt = found.heldAt;
     made.warning = found.warnings.empty() ? std::string() : found.warnings.front();
-    constexpr const char* name = "GlobalCompliance";
-    request.arrays[ComplianceArrayIndex] = { name, made.body->GetPointData()->GetArray(name) };
+    request.arrays[ComplianceArrayIndex] = { FoundCompliance,
+      made.body->GetPointData()->GetArray(FoundCompliance) };
   }
   return made;
 }

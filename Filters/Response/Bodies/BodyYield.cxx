@@ -37,7 +37,7 @@ std::string findYield(vtkPolyData* body, const YieldRequest& request,
 
 void attachYield(const BodyYield& found, vtkPolyData* body)
 {
-  attach<vtkDoubleArray>("GlobalCompliance", found.compliance, body);
+  attach<vtkDoubleArray>(FoundCompliance, found.compliance, body);
   attach<vtkDoubleArray>("GlobalComplianceError", found.error, body);
   attach<vtkUnsignedCharArray>("ComplianceStatus", found.status, body);
 }

@@ -28,6 +28,9 @@ struct YieldRequest
   int cells = 8000;    ///< largest number of finite elements, about
 };
 
+/// Name of the array that attachYield() attaches.
+constexpr const char* FoundCompliance = "GlobalCompliance";
+
 /// Values at the points of the surface.
 struct BodyYield
 {

@@ -28,28 +28,6 @@ namespace palpate
 {
 namespace
 {
-/// Square root of the area per point, mm.
-double spacingOf(const TriangleSpans& surface)
-{
-  const auto place = [&](std::int32_t point)
-  { return Eigen::Map<const Vector3>(surface.points + 3 * static_cast<std::size_t>(point)); };
-  double twice = 0.0;
-  std::vector<bool> isUsed(surface.pointCount, false);
-  for (std::size_t t = 0; t < surface.triangleCount; ++t)
-  {
-    const std::int32_t* corner = surface.triangles + 3 * t;
-    const double area =
-      (place(corner[1]) - place(corner[0])).cross(place(corner[2]) - place(corner[0])).norm();
-    twice += std::isfinite(area) ? area : 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      isUsed[static_cast<std::size_t>(corner[k])] = true;
-    }
-  }
-  return std::sqrt(
-    0.5 * twice / static_cast<double>(std::count(isUsed.begin(), isUsed.end(), true)));
-}
-
 /// All pieces as one surface, joined at their seams, and the indices of the points of this rank's
 /// piece.
 struct WholeSurface
@@ -158,14 +136,13 @@ std::shared_ptr<const BodyShape> findShape(
   const WholeSurface whole = ranks.areAlone() ? std::move(piece) : gatherSurface(seam, piece);
   made->inWhole = whole.own;
   const TriangleSpans surface = whole.spans();
-  const int steps = SurfaceCurvature::stepsFor(a, spacingOf(surface));
   const float* all = whole.normals.data();
   auto curvature = std::async(std::launch::async,
     [&]
     {
       return std::make_unique<SurfaceCurvature>(terms.edges
-          ? SurfaceCurvature::ofFaces(surface, all, steps)
-          : SurfaceCurvature(surface, all, steps));
+          ? SurfaceCurvature::ofFaces(surface, all, a)
+          : SurfaceCurvature(surface, all, a));
     });
   if (wantsEdges)
   {

@@ -16,7 +16,7 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
+def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=True,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
              strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
              relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:
@@ -41,8 +41,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         them may vary like `layer`; moduli are then constant.
     compliance : global compliance of the body, mm/N, in series with the local dent. True: found from the shape of a closed
         body of one material without layers, as vtkBodyCompliance does, within seconds; the next call reads it from a
-        cache. It depends on the side that holds the body: the one on which it stands best, named in the model. None:
-        no global compliance.
+        cache. It depends on the side that holds the body: the one on which it stands best, named in the model. An open
+        body, layers and a material that varies have none. None or False: no global compliance.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : number of samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body need several names.
@@ -90,7 +90,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     body = as_body(body)
     warn_about_size(body)
     made.SetWholeBody(compliance is True)
-    given = _set_material(made, body, young, poisson, layer, base, None if compliance is True else compliance,
+    given = _set_material(made, body, young, poisson, layer, base, None if isinstance(compliance, bool) else compliance,
                           compliance_excludes_layer, layers)
     made.SetInputData(given)
     tool = _tool(tool)

@@ -185,7 +185,6 @@ Outcome judge(const Surface& surface, int n, int m, double noise, double contact
   std::vector<Vector3d> sums(exact.size(), Vector3d::Zero());
   const auto at = [&](std::int32_t i)
   { return Eigen::Map<const Vector3d>(points.data() + 3 * static_cast<std::size_t>(i)); };
-  double area = 0.0;
   for (std::size_t t = 0; t < triangles.size(); t += 3)
   {
     for (std::size_t c = 0; c < 3; ++c)
@@ -194,7 +193,6 @@ Outcome judge(const Surface& surface, int n, int m, double noise, double contact
       const Vector3d one = at(triangles[t + (c + 1) % 3]) - here;
       const Vector3d other = at(triangles[t + (c + 2) % 3]) - here;
       const Vector3d across = one.cross(other);
-      area += across.norm() / 6.0;
       sums[static_cast<std::size_t>(triangles[t + c])] +=
         std::atan2(across.norm(), one.dot(other)) * across.normalized();
     }
@@ -205,10 +203,9 @@ Outcome judge(const Surface& surface, int n, int m, double noise, double contact
     const Eigen::Vector3f normal = sum.normalized().cast<float>();
     normals.insert(normals.end(), normal.begin(), normal.end());
   }
-  const double spacing = std::sqrt(area / static_cast<double>(exact.size()));
   const SurfaceCurvature found(
     { points.data(), exact.size(), triangles.data(), triangles.size() / 3 }, normals.data(),
-    SurfaceCurvature::stepsFor(contactRadius, spacing));
+    contactRadius);
 
   std::vector<double> stated;
   std::vector<double> off;
@@ -350,16 +347,17 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
       normals.push_back(static_cast<float>(x));
     }
   }
-  for (const int steps : { 0, 4 })
+  for (const double contactRadius : { 0.5, 5.0 })
   {
-    const SurfaceCurvature found = SurfaceCurvature::ofFaces(surface, normals.data(), steps);
+    const SurfaceCurvature found =
+      SurfaceCurvature::ofFaces(surface, normals.data(), contactRadius);
     for (std::size_t i = around; i + around < surface.pointCount; ++i)
     {
       const auto ring = static_cast<int>(i) / around + 1;
       const double mean = ring < rings ? 0.0 : ring == rings ? 0.25 / radius : 0.5 / radius;
       const SpotCurvature at = found.at(i);
       // Facets of 1 mm on a radius of 20: 0.1 % of a curvature. Normals are float32.
-      EXPECT_NEAR(at.mean(), mean, 0.002 / radius) << ring << ", " << steps;
+      EXPECT_NEAR(at.mean(), mean, 0.002 / radius) << ring << ", " << contactRadius;
     }
   }
 }

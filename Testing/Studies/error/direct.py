@@ -65,8 +65,8 @@ def filled(body, fixed, spacing, tool, place, inward):
 
 
 def direct_forces(grid, tool, place, inward, young=0.05, poisson=0.45, depth=1.0):
-    """The forces of the direct contact, N: pushed along the mean normal, along each its own, and at finite strain; NaN where
-    it fails."""
+    """The forces of the direct contact at small strain, N: pushed along the mean normal, and along each its own; NaN where it
+    fails."""
     with tempfile.NamedTemporaryFile(suffix=".vtu") as file:
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetFileName(file.name)
@@ -76,7 +76,7 @@ def direct_forces(grid, tool, place, inward, young=0.05, poisson=0.45, depth=1.0
         writer.Write()
         words = [file.name, young, poisson, tool, depth, *place, *inward]
         done = subprocess.run([str(PROGRAM), *(str(word) for word in words)], stdout=subprocess.PIPE, text=True, check=False)
-        return np.array([float(line) for line in done.stdout.splitlines()] if done.returncode == 0 else [np.nan] * 3)
+        return np.array([float(line) for line in done.stdout.splitlines()] if done.returncode == 0 else [np.nan] * 2)
 
 
 def block(half=25.0, height=10.0):
@@ -121,7 +121,7 @@ def judge(name, body, press, count, times, own, seed=5):
         inward = -true_shape.array(made, tool, "Normal")[point].astype(float)
         inward /= np.linalg.norm(inward)
         forces = direct_forces(filled(facets, fixed, spacing, tool, places[point], inward), tool, places[point], inward)
-        return forces[:2] / own[tool]
+        return forces / own[tool]
 
     with ThreadPoolExecutor(2) as threads:
         for (tool, point), both in zip(cases, threads.map(one, cases)):

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /*
  * Computes the force of a tool that is pressed straight into a body of quadratic tetrahedra
- * (DirectContact, pressAtFiniteStrain).
+ * (DirectContact).
  *
  *   palpateDirectContact BODY.vtu YOUNG POISSON TOOL DEPTH X Y Z NX NY NZ
  *
  * BODY is an output of vtkGradedBody. The tool is pressed at X Y Z by DEPTH mm along the unit
- * vector N. Prints three forces in N. The first two are at small strain: with all pressures along
- * the mean normal, and with each pressure along its own normal. The third is at finite strain: nan
- * if no equilibrium is found or if the tool has a flat end.
+ * vector N. Prints two forces in N, at small strain: with all pressures along the mean normal, and
+ * with each pressure along its own normal.
  */
 #include "Mechanics/Tools/ToolSpecification.h"
 #include "Solids/TrueShape/DirectContact.h"
-#include "Solids/TrueShape/FiniteContact.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -104,7 +102,5 @@ int main(int count, char** arguments)
   {
     std::printf("%.9g\n", contact.at(value[5], pushed).force);
   }
-  const ContactCurve finite = pressAtFiniteStrain(body, *tool, at, value[5]);
-  std::printf("%.9g\n", finite.evaluate(value[5]).force);
   return 0;
 }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_PointForm_h
+#define palpate_PointForm_h
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+/// Two orthogonal tangents of a normal.
+struct TangentFrame
+{
+  Eigen::Vector3d first;
+  Eigen::Vector3d second;
+
+  explicit TangentFrame(const Eigen::Vector3d& normal);
+};
+
+/// The second fundamental form of a surface at a point, in its tangent frame (t², tu, u²), found in
+/// two ways; 1/mm, positive where convex.
+struct PointForm
+{
+  Eigen::Vector3d byTurns = Eigen::Vector3d::Zero();
+  Eigen::Vector3d bySags = Eigen::Vector3d::Zero();
+  double residual = 0.0;   ///< of the turns, root of the mean square
+  double edgeSquare = 0.0; ///< mean, mm²
+
+  /// Of the mean curvatures.
+  double difference() const
+  {
+    return 0.5 * (this->bySags[0] + this->bySags[2] - this->byTurns[0] - this->byTurns[2]);
+  }
+};
+
+/// The sums of the least squares that fit a PointForm to the edges at a point.
+class PointFormSums
+{
+public:
+  explicit PointFormSums(const Eigen::Vector3d& normal);
+
+  /// Adds an edge to a neighbour, mm; `turn` is the difference of the unit normals.
+  void add(const Eigen::Vector3d& edge, const Eigen::Vector3d& turn);
+  PointForm fit() const;
+
+private:
+  Eigen::Vector3d sagForm() const;
+
+  Eigen::Vector3d Normal;
+  TangentFrame Frame;
+  // Sums over the edges, each multiplied by the edge's length².
+  Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< of (t², 2tu, u²) of the direction
+  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();    ///< the same times the curvature by the turn
+  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();     ///< the same times the curvature by the sag
+  double Square = 0.0;                                ///< of the curvature by the turn
+  double Weight = 0.0;
+  double Count = 0.0; ///< of the edges
+  // The same for a tilt of the tangent plane.
+  Eigen::Matrix<double, 3, 2> Mixed = Eigen::Matrix<double, 3, 2>::Zero();
+  Eigen::Matrix2d Tilts = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d TiltSags = Eigen::Vector2d::Zero();
+};
+} // namespace palpate
+
+#endif
