@@ -5,7 +5,7 @@
 - A page has at most MOST_WORDS words, a cell of a table at most MOST_CELL.
 - The first sentence below the title states what the reader can do with the page: "you can".
 - At most 1 of 100 sentences of a page has a phrase that CONTRIBUTING.md rules out.
-- A page of HowTo has numbered steps and a picture.
+- A page of HowTo has numbered steps and a picture. A table is not in a step: Doxygen would end the list there.
 - Plugin/Manual/README.md leads to every page.
 - The reference is complete: every option of the program, every array of a response, every public filter.
 
@@ -78,6 +78,10 @@ def check_text(text, has_steps):
     odd = [sentence for sentence in sentences if ODD.search(sentence)]
     if len(odd) > ODD_SHARE * len(sentences):
         yield 1, "%d of %d sentences are odd: '%s'" % (len(odd), len(sentences), " ".join(odd[0].split())[:80])
+    for number, line, code in tree.lines_of(text):
+        if not code and re.match(r" +\|", line):
+            yield number, "a table in a list: place it below the list"
+            break
     if has_steps and not re.search(r"^1\. ", text, re.MULTILINE):
         yield 1, "a page of HowTo has numbered steps"
     if has_steps and not any(picture for _, picture, _ in tree.links(text)):
@@ -158,7 +162,8 @@ With this page you can press a tool.
 BROKEN = (SOUND + "word " * MOST_WORDS, SOUND + "| " + "word " * (MOST_CELL + 1) + "| b |\n",
           SOUND.replace("With this page you can press a tool.", "A tool is pressed."),
           SOUND.replace("press a tool.", "press " + "a tool " * 20 + "."),
-          SOUND + "What of it is told is odd.\n", SOUND.replace("1. Press.", "Press."), SOUND.replace("![", "["))
+          SOUND + "What of it is told is odd.\n", SOUND.replace("1. Press.", "Press."), SOUND.replace("![", "["),
+          SOUND + "\n1. Press.\n\n   | a |\n   |---|\n")
 
 
 def self_test():

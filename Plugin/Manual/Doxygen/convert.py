@@ -71,6 +71,7 @@ class Page:
             return '<img src="files/%s" alt="%s"/>' % (file, text.replace('"', "&quot;"))
         if (TOP / file).is_dir():
             file = file / "README.md"
+        text = CODE_SPAN.sub(r"\2", text) # the text of a link of Doxygen is not code
         if file.suffix == ".md":
             if self.name in CONTENTS and not heading:
                 return '\\subpage %s "%s"' % (page_name(file), text)
@@ -81,7 +82,7 @@ class Page:
         """`vtkContactTool` leads to its page. Not in what is a link already."""
         def name(span):
             full = self.classes.get(span.group(2))
-            return "[%s](@ref %s)" % (span.group(), full) if full else span.group()
+            return "[%s](@ref %s)" % (span.group(2), full) if full else span.group()
         pieces = re.split(r"(\[[^\]]*\]\([^)]*\)|<a .*?</a>)", line)
         return "".join(piece if i % 2 else CODE_SPAN.sub(name, piece) for i, piece in enumerate(pieces))
 
