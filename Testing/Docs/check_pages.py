@@ -6,6 +6,7 @@
 - The first sentence below the title states what the reader can do with the page: "you can".
 - At most 1 of 100 sentences of a page has a phrase that CONTRIBUTING.md rules out.
 - A page of HowTo has numbered steps and a picture. A table is not in a step: Doxygen would end the list there.
+- A formula in a line is whole, and has no backslash before punctuation: code-hosting sites remove it.
 - Plugin/Manual/README.md leads to every page.
 - The reference is complete: every option of the program, every array of a response, every public filter.
 
@@ -63,6 +64,15 @@ def first_sentence(text):
     return " ".join(SENTENCE.split(after_title.split("\n\n")[0])[0].split())
 
 
+def formula_faults(text):
+    for number, line, code in tree.lines_of(text):
+        outside = "" if code else tree.CODE_SPAN.sub("", line)
+        if "$" in tree.FORMULA.sub("", outside):
+            yield number, "a formula is not whole: $x$, without spaces next to the dollar signs"
+        elif any(re.search(r"\\[^a-zA-Z]", formula) for formula in tree.FORMULA.findall(outside)):
+            yield number, "a formula in a line has a backslash before punctuation"
+
+
 def check_text(text, has_steps):
     """(line number, complaint) about a page. `has_steps`: it is a page of HowTo."""
     count = len(text.split())
@@ -78,6 +88,7 @@ def check_text(text, has_steps):
     odd = [sentence for sentence in sentences if ODD.search(sentence)]
     if len(odd) > ODD_SHARE * len(sentences):
         yield 1, "%d of %d sentences are odd: '%s'" % (len(odd), len(sentences), " ".join(odd[0].split())[:80])
+    yield from formula_faults(text)
     for number, line, code in tree.lines_of(text):
         if not code and re.match(r" +\|", line):
             yield number, "a table in a list: place it below the list"
@@ -163,6 +174,7 @@ BROKEN = (SOUND + "word " * MOST_WORDS, SOUND + "| " + "word " * (MOST_CELL + 1)
           SOUND.replace("With this page you can press a tool.", "A tool is pressed."),
           SOUND.replace("press a tool.", "press " + "a tool " * 20 + "."),
           SOUND + "What of it is told is odd.\n", SOUND.replace("1. Press.", "Press."), SOUND.replace("![", "["),
+          SOUND + "A $broken formula.\n", SOUND + "A formula $a\\,b$ with a space.\n",
           SOUND + "\n1. Press.\n\n   | a |\n   |---|\n")
 
 
