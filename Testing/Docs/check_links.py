@@ -26,7 +26,7 @@ FOREIGN = {"--preset", "--prefix", "--install", "--build", "--dr"}
 
 
 def run_commands():
-    """What `./run help` tells: its head comment."""
+    """The commands in the output of `./run help`, the head comment of run."""
     script = (TOP / "run").read_text(encoding="utf-8")
     return set(re.findall(r"^# +\./run ([a-z]+)", script, re.MULTILINE)) | {"help"}
 
@@ -107,10 +107,11 @@ def check_version():
 
 
 def check_examples():
-    manual = (TOP / "Plugin/Manual/python.md").read_text(encoding="utf-8")
+    page = TOP / "Plugin/Manual/Reference/python.md"
+    manual = page.read_text(encoding="utf-8")
     for example in sorted((TOP / "Plugin/Python/examples").glob("*.py")):
         if example.name not in manual:
-            yield "Plugin/Manual/python.md: says nothing of the example %s" % example.name
+            yield "%s: the example %s is missing" % (page.relative_to(TOP), example.name)
 
 
 def torn_rows(text):

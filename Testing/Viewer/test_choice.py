@@ -59,7 +59,7 @@ class Choice(SessionCase):
                 array = numpy_to_vtk((values * factors(values.shape)).astype(numpy.float32), deep=True)
                 array.SetName(name)
                 body.GetPointData().AddArray(array)
-            path = bodies.write(body, self.folder / "uneven.vtp", DataMode=1)  # binary: see the manual, bodies
+            path = bodies.write(body, self.folder / "uneven.vtp", DataMode=1)  # binary: see the manual, Reference/arrays.md
             said = choice(self.succeed(path))
             for word in words:
                 self.assertIn(word, said)

@@ -13,7 +13,7 @@ from pathlib import Path
 from run_scene import SCAN
 from session import SessionCase, run
 
-TUTORIAL = Path(__file__).resolve().parents[2] / "Plugin" / "Manual" / "tutorial.md"
+TUTORIAL = Path(__file__).resolve().parents[2] / "Plugin" / "Manual" / "Start" / "tutorial.md"
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 

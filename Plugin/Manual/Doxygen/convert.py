@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A Markdown page as a page of Doxygen: links between pages, to headings, files and pictures become its own, class names
-become links. Pictures and files are expected beside the HTML in the folder files/, where make.py puts them.
+become links, $formulas$ and blocks of ```math become formulas of Doxygen. Pictures and files are expected in the folder
+files/ next to the HTML, where make.py puts them.
 """
 import re
 from pathlib import Path
 
-from pages import CODE_SPAN, EXTERNAL, HEADING, LINK, TOP, anchor, lines_of, page_name, split_target
+from pages import (CODE_SPAN, EXTERNAL, FORMULA, HEADING, LINK, MATH_FENCE, TOP, anchor, lines_of, page_name,
+                   split_target)
 
 # Pages whose links make the table of contents. The linked pages are placed below them.
-CONTENTS = {"manual", "house"}
+CONTENTS = {"manual", "reference_house"}
 ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids",
                                  "Filters/Strain", "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
                                  "Filters/MeasuredResponse",
@@ -69,6 +71,7 @@ class Page:
             return '<img src="files/%s" alt="%s"/>' % (file, text.replace('"', "&quot;"))
         if (TOP / file).is_dir():
             file = file / "README.md"
+        text = CODE_SPAN.sub(r"\2", text) # the text of a link of Doxygen is not code
         if file.suffix == ".md":
             if self.name in CONTENTS and not heading:
                 return '\\subpage %s "%s"' % (page_name(file), text)
@@ -79,23 +82,35 @@ class Page:
         """`vtkContactTool` leads to its page. Not in what is a link already."""
         def name(span):
             full = self.classes.get(span.group(2))
-            return "[%s](@ref %s)" % (span.group(), full) if full else span.group()
+            return "[%s](@ref %s)" % (span.group(2), full) if full else span.group()
         pieces = re.split(r"(\[[^\]]*\]\([^)]*\)|<a .*?</a>)", line)
         return "".join(piece if i % 2 else CODE_SPAN.sub(name, piece) for i, piece in enumerate(pieces))
 
+    @staticmethod
+    def name_formulas(line):
+        """$x$ is \\f$x\\f$ in Doxygen. Not in code."""
+        pieces = re.split(r"(`+.+?`+)", line)
+        return "".join(piece if i % 2 else FORMULA.sub(lambda formula: r"\f$%s\f$" % formula.group(1), piece)
+                       for i, piece in enumerate(pieces))
+
     def lines(self, text):
+        in_formula = False
         if not any(line.startswith("# ") for _, line, code in lines_of(text) if not code):
             yield self.title(self.path.stem.replace("-", " ").capitalize()) # a table without a heading
         for _, line, code in lines_of(text):
             comment = re.fullmatch(r"<!-- (\w+) -->", line)
-            if code:
+            if code and (in_formula or MATH_FENCE.match(line)):
+                ends = in_formula and line.strip() == "```"
+                yield r"\f]" if ends else line if in_formula else r"\f["
+                in_formula = not ends
+            elif code:
                 yield line
             elif HEADING.match(line):
                 yield self.heading(line)
             elif comment:
                 yield from self.inserted.get(comment.group(1), "").split("\n")
             else:
-                yield self.name_classes(LINK.sub(self.link, line))
+                yield self.name_formulas(self.name_classes(LINK.sub(self.link, line)))
 
     def converted(self):
         return "\n".join(self.lines(self.path.read_text(encoding="utf-8"))) + "\n"

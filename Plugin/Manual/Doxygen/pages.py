@@ -10,8 +10,11 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[3]
 
 FENCE = re.compile(r"^ *```")
+MATH_FENCE = re.compile(r"^ *```math$")
 HEADING = re.compile(r"^(#{1,6}) +(.*?) *$")
 CODE_SPAN = re.compile(r"(`+)(.+?)\1")
+# A formula in a line, by the rule of code-hosting sites: no space inside next to a dollar sign, no letter or digit outside.
+FORMULA = re.compile(r"(?<![\w$\\])\$(?=\S)([^$]+?)(?<=\S)\$(?![\w$])")
 # "!", text, target. The text may contain code and one pair of brackets.
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 EXTERNAL = re.compile(r"[a-z]+:")
@@ -62,7 +65,7 @@ def split_target(page, target):
 
 
 def pages():
-    """All Markdown pages, but for what is built."""
+    """All Markdown pages except those that are built."""
     for entry in sorted(TOP.iterdir()):
         if entry.suffix == ".md":
             yield entry
@@ -71,10 +74,12 @@ def pages():
 
 
 def page_name(path):
-    """The name of a page, given relative to the top, in the HTML: Plugin/Manual/devices.md is devices.html."""
+    """The name of a page, given relative to the top, in the HTML: Plugin/Manual/HowTo/mesh.md is howto_mesh.html."""
     if path == Path("README.md"):
         return "index"
-    if path.parent == Path("Plugin/Manual"):
-        return "manual" if path.stem == "README" else path.stem
+    if path == Path("Plugin/Manual/README.md"):
+        return "manual"
+    if path.parent.parent == Path("Plugin/Manual"):
+        return re.sub(r"\W", "_", "%s_%s" % (path.parent.name, path.stem)).lower()
     parts = [*path.parent.parts, *([] if path.stem == "README" and path.parent.parts else [path.stem])]
     return re.sub(r"\W", "_", "_".join(parts)).lower()

@@ -108,8 +108,8 @@ void checkSide(vtkBodyComparison* comparison, int side, double compliance, doubl
   {
     const double force = seriesForce(tool, depth, compliance);
     const double index = compliance * force / depth;
-    // The response is stored in eight samples: up to 0.5 % error in series, see the manual's
-    // numbers.
+    // The response is stored in eight samples: up to 0.5 % error in series, see the manual,
+    // Reference/times.md.
     PALPATE_CHECK_NEAR(comparison->GetForce(side, tool), force, 0.005 * force);
     // Not computed from the stored curves. The tolerance is for float arrays and a central
     // difference with an error of 2e-5.
