@@ -27,8 +27,7 @@ void addContactOptions(CLI::App& app, ContactSettings& contact)
       continue;
     }
     const std::string option = std::string("--") + setting.text.option;
-    const std::string unit = *setting.text.unit ? std::string(", ") + setting.text.unit : "";
-    const std::string help = setting.text.help + unit;
+    const std::string help = setting.text.help;
     if (setting.isEnumeration())
     {
       const ContactNames names = namesOf(setting);
