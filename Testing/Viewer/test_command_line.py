@@ -84,7 +84,7 @@ class CommandLine(SessionCase):
                 (("--strain", "neo-hooke:2"), "has no exponent"),
                 (("--error-tolerance", "-0.1"), "-0.1"),
                 (("--relax", ""), "no relaxation"),
-                (("--relax", "0.5"), "'0.5' is no relaxation"),
+                (("--relax", "0.5"), "'0.5' is not a relaxation"),
                 (("--relax", "0.5:0.1,-0.3:2"), "the strength of relaxation 2"),
                 (("--relax", "0.5:0"), "the time of relaxation 1"),
                 (("--relax", "1:1,1:2,1:3,1:4,1:5"), "more than 4"),
