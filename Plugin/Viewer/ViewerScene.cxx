@@ -15,7 +15,7 @@ std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored)
   {
-    return options.body + ": brings its response, which " +
+    return options.body + ": contains its response, which " +
       (options.solid ? "--solid" : "--voxel") + " cannot change; give --tool for a new one";
   }
   std::string fault;
@@ -156,7 +156,7 @@ std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)
     }
     scene.stored = true;
     scene.tools = { tool };
-    scene.materialSource = "not used: the file brings its response";
+    scene.materialSource = "not used: the file contains its response";
     scene.modelReason =
       "as stored in the file: " + responseText(scene.body, "Response", ResponseArray::Model);
     if (options.relaxation.count > 0)

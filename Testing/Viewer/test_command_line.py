@@ -99,17 +99,17 @@ class CommandLine(SessionCase):
                 (("--layer", "scan"), "no scan"),
                 (("--layer", "5", "--voxel", "2"), "--voxel"),
                 (("--layers", ""), "MM:MPA:NU"),
-                (("--layers", "1.5:0.2"), "layer 1: '1.5:0.2' is none"),
+                (("--layers", "1.5:0.2"), "layer 1: '1.5:0.2' is not MM:MPA:NU"),
                 (("--layers", "1:1:0.4,x:1:0.4"), "layer 2: 'x' is not a number"),
                 (("--layers", "1:0:0.4"), "layer 1: 0 is not positive; a modulus"),
                 (("--layers", "-1:1:0.4"), "layer 1: -1"),
                 (("--layers", "1:1:0.4,2:1:0.6"), "layer 2: 0.6 does not lie between 0 and 0.5"),
                 (("--layers", "1:1:nan"), "layer 1: nan is not finite"),
                 (("--layers", "0:1:0.4,1:1:0.4"), "layer 1: only the last can be 0 mm thick"),
-                (("--layers", "0:1:0.4"), "a half-space alone is no stack"),
-                (("--layers", "1:1:0.4:slip"), "layer 1: nothing lies above"),
-                (("--layers", "1:1:0.4:glued"), "'1:1:0.4:glued' is none"),
-                (("--layers", "1:1:0.4,0:1:0.4,slip"), "slip at the end is of a rigid base"),
+                (("--layers", "0:1:0.4"), "a half-space alone is not a stack"),
+                (("--layers", "1:1:0.4:slip"), "layer 1: there is no layer above"),
+                (("--layers", "1:1:0.4:glued"), "'1:1:0.4:glued' is not MM:MPA:NU"),
+                (("--layers", "1:1:0.4,0:1:0.4,slip"), "slip at the end belongs to a rigid base"),
                 (("--layers", "1:1:.4,1:1:.4,1:1:.4,1:1:.4,1:1:.4"), "5 layers are too many"),
                 (("--layers", "scan:1:0.4,0:1:0.4"), "scan stands for the thickness of one of two"),
                 (("--layers", "1:1:0.4", "--voxel", "2"), "--voxel"),
@@ -158,7 +158,7 @@ class CommandLine(SessionCase):
                                ("layer=-1", "-1 is not positive; a thickness in mm"),
                                ("friction=soft", "'soft' is not a number"),
                                ("friction-model=glue", "'glue' is none of dahl"),
-                               ("colour=red", "no such setting: there are contact-surface")):
+                               ("colour=red", "there is no such setting, but there are contact-surface")):
             with self.subTest(setting=setting):
                 self.refuse("--scene", "cylinder", "--trial", "friction=0," + setting,
                             words=(f"--trial: {setting}: {words}",))
