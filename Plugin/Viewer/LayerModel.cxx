@@ -117,7 +117,7 @@ std::string describeStack(const ViewerScene& scene)
     const StackLayer& layer = stack.layers[i];
     const bool isScanned = scene.layer.scanned && i == scene.layer.scannedLayer;
     text += joined(i > 0 ? layer.slips ? "; slipping, " : "; " : "",
-      isScanned ? std::string("what is left of the soft tissue") : joined(layer.thickness, " mm"),
+      isScanned ? std::string("the rest of the soft tissue") : joined(layer.thickness, " mm"),
       " of ", layer.youngsModulus, " MPa, nu ", layer.poissonsRatio);
   }
   if (stack.hasHalfSpace)

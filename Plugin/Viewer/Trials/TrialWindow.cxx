@@ -57,7 +57,8 @@ std::string runTrialWindow(const ViewerOptions& options, const ViewerScene& scen
   error = chooseDevice(options, responses, live.session());
   if (error.empty() && !live.session()->GetDevice()->GetOutputsForce())
   {
-    std::fprintf(stderr, "palpate: warning: '%s' lets nobody feel a force; give --device\n",
+    std::fprintf(stderr,
+      "palpate: warning: the device '%s' gives no force to the hand; give --device\n",
       options.device.c_str());
   }
   if (error.empty())
