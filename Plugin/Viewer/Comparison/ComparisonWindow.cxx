@@ -32,10 +32,16 @@ constexpr float BeforeTheStyle = 1.0F;
 
 const char* const Hint = "? or h: keys and mouse";
 const char* const KeySheet =
-  "left button on a body\tpress, and slide with the pointer: on both bodies\nwheel\tdeeper, less "
-  "deep\nleft button next to it\torbit; middle: pan; right: zoom\n\n1 to 9\tthe tool\nm\tcolour: "
-  "displacement, regime index, sensitivity, verdict\n+, -\texaggerate the dent of the body under "
-  "the pointer\np\tpicture of the window\n? or h\tthis help\nq\tquit";
+  "left button on a body\tpress, and slide with the pointer: on both bodies\n"
+  "wheel\tdeeper, less deep\n"
+  "left button next to it\torbit; middle: pan; right: zoom\n"
+  "\n"
+  "1 to 9\tthe tool\n"
+  "m\tcolour: displacement, regime index, sensitivity, verdict\n"
+  "+, -\texaggerate the dent of the body under the pointer\n"
+  "p\tpicture of the window\n"
+  "? or h\tthis help\n"
+  "q\tquit";
 
 /// Two bodies in a window, with a session on each. Both are steered to the same place.
 class ComparisonWindow

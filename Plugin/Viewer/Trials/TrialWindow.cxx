@@ -12,11 +12,16 @@ namespace palpate
 namespace
 {
 const char* const TrialHelp = "space: the other of the two   1: X   2: Y   ?: more";
-const char* const TrialKeys =
-  "? or h\tthis help, on and off\nspace\tthe other of the two under the hand\n1  2\tthe answer: X, "
-  "Y\nq\tend\n\nmouse on the body\tthe hand hovers under the pointer\nleft button\tpress and "
-  "slide\nwheel\tpress deeper, or less deep\nleft next to the body\torbit\nmiddle, right\tpan, "
-  "zoom";
+const char* const TrialKeys = "? or h\tthis help, on and off\n"
+                              "space\tthe other of the two under the hand\n"
+                              "1  2\tthe answer: X, Y\n"
+                              "q\tend\n"
+                              "\n"
+                              "mouse on the body\tthe hand hovers under the pointer\n"
+                              "left button\tpress and slide\n"
+                              "wheel\tpress deeper, or less deep\n"
+                              "left next to the body\torbit\n"
+                              "middle, right\tpan, zoom";
 
 /// Asks the question of the current trial, or ends.
 void ask(HapticWindow& live, BlindTrial& trial)
