@@ -163,7 +163,7 @@ std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)
     {
       removeArrays(scene.body, "Response", ContractArray::Use::Relaxation);
       describeRelaxation(scene.body, "Response", options.relaxation);
-      scene.modelReason += "; how it relaxes is given on the command line";
+      scene.modelReason += "; its relaxation is given on the command line";
     }
   }
   scene.body->GetCenter(scene.center.data());
