@@ -184,7 +184,7 @@ std::string checkTilts(const FlatBody& body)
 {
   const TiltViews& tilt = body.response.tilt;
   const std::string fault = tilt.areFelt() ? faultOfTiltViews(tilt, body.points) : "";
-  return fault.empty() ? fault : "has tilts that cannot be felt: " + fault;
+  return fault.empty() ? fault : "has tilts that cannot be used: " + fault;
 }
 
 void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
@@ -231,7 +231,7 @@ std::string FlatBodyFile::open(const std::string& path)
     return error;
   }
   const std::size_t size = this->File.size();
-  std::string fault = "is not a Palpate body file: it is too short or no file";
+  std::string fault = "is not a Palpate body file: it is too short, or not a file";
   if (size >= Header::SmallestSize)
   {
     const Header header = Header::read(this->File.bytes(), size);

@@ -31,7 +31,7 @@ constexpr std::array<ContactWords, 7> Contacts = { { { "no contact", "" },
   { "contact, sticking", "" }, { "contact, sliding", "" },
   { "contact, beyond range", "Pressed deeper than the response reaches" },
   { "lost at the border", "Beyond the open border of the body: the force fades" },
-  { "no response there", "No response at this point: ResponseStatus says why" },
+  { "no response there", "No response at this point: ResponseStatus gives the reason" },
   { "contact, tilted too far",
     "Tilted further than the response reaches: the force is that of its largest tilt" } } };
 

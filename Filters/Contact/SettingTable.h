@@ -27,7 +27,9 @@ struct SettingText
   const char* name;   ///< of the property, "FrictionCoefficient"
   const char* option; ///< on a command line, without dashes; null: not offered there
   const char* unit;   ///< "" for ratios and enumerations
-  const char* help;   ///< begins with a small letter and ends without a full stop
+  /// What the setting is, with unit and range and without the default. Begins with a small letter
+  /// and ends without a full stop.
+  const char* help;
 };
 
 /// The range of a setting; all its values are finite.
@@ -118,46 +120,51 @@ constexpr SettingRow choice(const SettingText& text, const SettingWords& words)
 inline constexpr std::array<SettingRow, 9> SettingTable = { {
   setting::choice<&ContactSettings::form>(
     { "ForceForm", "force-form", "",
-      "how the three curves of a triangle become one force. Paper: as printed, a little weaker "
-      "inside facets. Normalized direction: full magnitude along the blended normal. "
-      "Energy-consistent: the gradient of the blended energy, so that closed loops within one "
-      "contact neither gain nor lose energy" },
+      "rule that combines the curves of a triangle's three corners into one force. Paper: the "
+      "printed sum of the three forces, slightly too small inside a facet. Normalized direction: "
+      "the blended magnitude along the blended normal. Energy-consistent: the gradient of the "
+      "blended energy; a closed path within one contact neither gains nor loses energy" },
     { { { "Paper", "paper" }, { "NormalizedDirection", "normalized" },
       { "EnergyConsistent", "energy" } } }),
   setting::choice<&ContactSettings::surface>(
     { "ContactSurface", "contact-surface", "",
-      "what the tip touches: the triangles, or smooth patches through their corners and the "
-      "response's normals" },
+      "surface that the tip touches. Facets: the triangles. Smooth: a curved patch on each "
+      "triangle, through its corners and perpendicular to the normals of the response there" },
     { { { "Facets", "facets" }, { "Smooth", "smooth" } } }),
   setting::choice<&FrictionSettings::model>(
     { "FrictionModel", "friction-model", "",
-      "what a contact does before it slides. Elasto-plastic: sticks, stays where it is under light "
-      "loads. Dahl: creeps from the first displacement on, and drifts. Shape-derived: follows from "
-      "the response itself" },
+      "behaviour of a contact before it slides. Elasto-plastic: it sticks, and does not drift "
+      "under light loads. Dahl: it creeps from the first displacement on, and drifts. "
+      "Shape-derived: its resistance follows from the curves of the response" },
     { { { "ElastoPlastic", "elasto-plastic" }, { "Dahl", "dahl" }, { "ShapeDerived", "shape" } } }),
   setting::number<&FrictionSettings::coefficient>(
-    { "FrictionCoefficient", "friction", "", "Coulomb's coefficient of friction; 0: none" },
+    { "FrictionCoefficient", "friction", "",
+      "Coulomb's coefficient of friction, at least 0. 0: no friction" },
     SettingRange::notNegative("a coefficient of friction, e.g. 0.3")),
   setting::number<&FrictionSettings::tangentialStiffness>(
     { "TangentialStiffness", "tangential-stiffness", "N/mm",
-      "of the stuck contact, above 0; not used by the shape-derived model" },
+      "tangential stiffness of a sticking contact, N/mm, above 0. The shape-derived model does "
+      "not use it" },
     SettingRange::positive("a stiffness in N/mm, e.g. 1")),
   setting::number<&FrictionSettings::breakaway>(
     { "FrictionBreakaway", nullptr, "",
-      "elasto-plastic model: share of the sliding limit below which nothing creeps" },
-    SettingRange::between(0.0, 1.0, "a share, e.g. 0.8")),
+      "fraction of the sliding limit below which a contact does not creep, 0 to 1. Only the "
+      "elasto-plastic model uses it" },
+    SettingRange::between(0.0, 1.0, "a fraction, e.g. 0.8")),
   setting::number<&FrictionSettings::stickRadius>(
     { "FrictionStickRadius", nullptr, "",
-      "elasto-plastic model: share of the sliding limit at which half of a further displacement is "
-      "creep; no less than the breakaway" },
-    SettingRange::positive("a share, e.g. 0.9")),
+      "fraction of the sliding limit at which half of a further displacement is creep, above 0 "
+      "and no less than the breakaway. Only the elasto-plastic model uses it" },
+    SettingRange::positive("a fraction, e.g. 0.9")),
   setting::number<&FrictionSettings::poissonRatio>(
-    { "PoissonRatio", nullptr, "", "of the body; only used by the shape-derived friction" },
+    { "PoissonRatio", nullptr, "",
+      "Poisson's ratio of the body, 0 to 0.5. Only the shape-derived friction model uses it" },
     SettingRange::between(0.0, 0.5, "Poisson's ratio, e.g. 0.45")),
   setting::number<&ContactSettings::relaxationElements>(
     { "RelaxationElements", "relaxation-elements", "",
-      "elements side by side that a body which relaxes is felt with, of which each touches and "
-      "lets go by itself; 0: one for all, the quasi-linear law" },
+      "number of parallel elements in a contact with a body that relaxes, 0 to 32. Each element "
+      "touches and separates by itself; more elements are more accurate when the tool moves out. "
+      "0: one element, the quasi-linear law" },
     SettingRange::between(
       0.0, ContactSettings::MostRelaxationElements, "a number of elements, e.g. 16")),
 } };

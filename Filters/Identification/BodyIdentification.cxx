@@ -109,8 +109,8 @@ std::string BodyIdentification::checkDetermined(
   if (fit.separation < Inseparable)
   {
     return isFlatOnly(curves) ? FlatAlone
-                              : std::string("the curves do not tell the parameters of a ") +
-        nameOf(fit.body.model) + " apart";
+                              : std::string("the curves do not determine the parameters of a ") +
+        nameOf(fit.body.model) + " separately";
   }
   const double width = studentQuantile(fit.degreesOfFreedom) * noise;
   std::string fault = checkCompliance(fit, width);
@@ -121,8 +121,8 @@ std::string BodyIdentification::checkDetermined(
   const double error = width * fit.errorPerNoise[0];
   if (!(error <= this->Options.largestUncertainty))
   {
-    return "E* is known to " + shortly(100.0 * error) + " % only, where " +
-      shortly(100.0 * this->Options.largestUncertainty) + " % are asked for";
+    return "E* is known to " + shortly(100.0 * error) + " % only, but " +
+      shortly(100.0 * this->Options.largestUncertainty) + " % is required";
   }
   return {};
 }
@@ -171,12 +171,12 @@ std::string BodyIdentification::choose(
       modulusErrorBesideCompliance(curves, *chosen, options.findContact);
     return error <= options.largestUncertainty ? std::string()
       : isFlatOnly(curves)                     ? std::string(FlatAlone)
-                           : "the curves do not tell E* from a global compliance";
+                           : "the curves do not distinguish E* from a global compliance";
   }
   if (richer.size() > 1 && leavesNoise(richer[0], noise) && leavesNoise(richer[1], noise) &&
     richer[1].sumOfSquares - richer[0].sumOfSquares < significant)
   {
-    return "the curves do not tell a global compliance from a layer";
+    return "the curves do not distinguish a global compliance from a layer";
   }
   choose(richer.front());
   return {};
@@ -209,8 +209,8 @@ std::string BodyIdentification::judge(
   if (!judgement.withinNoise && !(misfit <= allowed))
   {
     return "no model fits: the nearest, a " + std::string(nameOf(judgement.fit->body.model)) +
-      ", leaves " + shortly(misfit) + " N, more than the noise of " + shortly(noise.deviation) +
-      " N and the " + shortly(allowed) + " N allowed";
+      ", leaves a residual of " + shortly(misfit) + " N, more than the noise of " +
+      shortly(noise.deviation) + " N and the " + shortly(allowed) + " N allowed";
   }
   const double left = std::max({ noise.deviation, misfit, LeastError * force });
   const std::string unclear = this->checkDetermined(curves, *judgement.fit, left);

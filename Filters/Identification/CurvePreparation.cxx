@@ -298,7 +298,7 @@ std::string prepareCurve(
   }
   if (loadings.empty())
   {
-    return "there is no loading: the deflection nowhere rises";
+    return "there is no loading: the deflection never increases";
   }
   prepared.rateEffect = rateEffectOf(curve, loadings, prepared.loads);
   if (std::abs(prepared.hysteresis) > limits.hysteresis)

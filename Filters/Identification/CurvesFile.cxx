@@ -191,9 +191,9 @@ void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, s
   MeasuredCurve& curve = curves[known.first->second];
   if (curve.position != position)
   {
-    csv.fail(isNamed ? "site " + quoted(site) + " lies elsewhere than in its first row"
-                     : "lies elsewhere than the first row, and without the column 'site' a file "
-                       "has one curve");
+    csv.fail(isNamed ? "site " + quoted(site) + " has another position than in its first row"
+                     : "has another position than the first row, but a file without the column "
+                       "'site' has one curve");
   }
   if (csv.hasColumn(Time))
   {

@@ -22,7 +22,7 @@ double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody
 
 std::string noBody(const std::string& model)
 {
-  return "no " + model + " comes near the readings";
+  return "no " + model + " fits the readings";
 }
 
 std::string tooFew(std::size_t readings, std::size_t of, double largestStrain)
@@ -46,9 +46,9 @@ std::string untoldBaseline(const BodyFit& fit, bool findContact)
   const BaselineTerms least = findContact ? *std::min_element(fit.terms.begin(), fit.terms.end())
                                           : BaselineTerms::OffsetAndDrift;
   return least == BaselineTerms::None
-    ? "too few readings before contact tell the offset of the force, which is taken for 0"
+    ? "too few readings precede contact: the offset of the force is taken as 0"
     : least == BaselineTerms::Offset
-    ? "too few readings before contact tell a drift of the force, which is taken for 0"
+    ? "too few readings precede contact: the drift of the force is taken as 0"
     : "";
 }
 

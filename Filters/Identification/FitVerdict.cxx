@@ -17,8 +17,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 const char* const FlatAlone =
-  "a flat punch feels a straight line whatever the body: E* cannot be told from the global "
-  "compliance or the thickness; measure with a sphere as well";
+  "the curve of a flat punch is a straight line on any body: E* cannot be distinguished from the "
+  "global compliance or the thickness; measure with a sphere as well";
 
 JacobianVerdict judgeJacobian(const MatrixXd& jacobian)
 {
@@ -60,8 +60,8 @@ std::string checkCompliance(const BodyFit& fit, double width)
     return {};
   }
   const double most = compliance + width * fit.errorPerNoise[1];
-  return "the global compliance comes out as " + shortly(compliance) +
-    " mm/N, and no body has less than 0: " +
+  return "the fitted global compliance is " + shortly(compliance) +
+    " mm/N, but that of a body is not negative: " +
     (most > 0.0 ? "a half-space explains the readings as well"
                 : "the readings stiffen more than a half-space does");
 }
@@ -70,7 +70,7 @@ std::string checkLoading(const IndentationCurve& curve)
 {
   const double depth = curve.deflection.back() - curve.start.depth;
   return curve.start.modulus > 0.0 ? doubtUnits(*curve.tool, depth)
-                                   : "no force rises with the depth: it goes from " +
+                                   : "the force does not increase with the depth: it goes from " +
       shortly(curve.force.front()) + " N to " + shortly(curve.force.back()) + " N";
 }
 
@@ -96,7 +96,7 @@ std::string checkBaseline(const std::vector<IndentationCurve>& curves, const Bod
     {
       return "before contact the force changes by " + shortly(baseline.drift) + " N per mm, " +
         inPercent(std::abs(baseline.drift) * depth / curve.largestForce()) +
-        " of the largest force over the depth of contact: that is no baseline";
+        " of the largest force over the depth of contact: this is not a baseline";
     }
     double squares = 0.0;
     int freedom = -terms;

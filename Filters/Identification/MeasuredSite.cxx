@@ -35,7 +35,8 @@ std::string collectSites(const std::vector<MeasuredCurves>& files, std::vector<M
       MeasuredSite& site = collected[known.first->second];
       if (site.position != curve.position)
       {
-        return file.file + ": site '" + curve.site + "' lies elsewhere than in the files before";
+        return file.file + ": site '" + curve.site +
+          "' has another position than in the files before";
       }
       site.curves.push_back({ file.toolText, tool, curve, {} });
     }
@@ -137,8 +138,8 @@ void identifySite(
   if (isJudged && !flow.empty())
   {
     site.refusal += (site.refusal.empty() ? "" : "; ") + flow +
-      " that the body relaxes, which only curves with time_s tell: record the time of every "
-      "reading, with a hold at depth until the force has come to rest";
+      " that the body relaxes, which can be identified only from curves with time_s: record the "
+      "time of every reading, with a hold at depth until the force has come to rest";
   }
   if (site.refusal.empty())
   {
@@ -152,7 +153,7 @@ void identifySite(
     }
     if (given.count > 0)
     {
-      site.body.remark = "relaxation given; the curves have no times, and are taken for slow ones" +
+      site.body.remark = "relaxation given; the curves have no times, and count as slow ones" +
         std::string(site.body.remark.empty() ? "" : "; ") + site.body.remark;
     }
   }

@@ -75,8 +75,8 @@ public:
     if (this->isHoldTooDeep())
     {
       result.refusal += (result.refusal.empty() ? "" : "; ") +
-        std::string("its longest hold lies deeper than small strain allows, and without it E* is a "
-                    "guess: hold less deep, or allow more strain");
+        std::string("its longest hold lies deeper than small strain allows, and E* cannot be "
+                    "determined without this hold: hold less deep, or allow more strain");
     }
     if (result.refusal.empty())
     {
@@ -133,7 +133,7 @@ private:
     if (!this->WithinNoise && !(misfit <= allowed))
     {
       return "no model fits: the nearest, a relaxing " +
-        std::string(nameOf(this->Fit->body.model)) + ", leaves " + shortly(misfit) +
+        std::string(nameOf(this->Fit->body.model)) + ", leaves a residual of " + shortly(misfit) +
         " N, more than the noise of " + shortly(this->Noise.deviation) + " N and the " +
         shortly(allowed) + " N allowed";
     }
@@ -188,13 +188,13 @@ private:
           this->Used, *this->Fit, this->Options.findContact, this->isGiven());
       return error <= this->Options.largestUncertainty ? std::string()
         : this->isFlatOnly()                           ? std::string(FlatAlone)
-                             : "the curves do not tell E* from a global compliance";
+                             : "the curves do not distinguish E* from a global compliance";
     }
     if (richer.size() > 1 && leavesNoise(richer[0], this->Coarse) &&
       leavesNoise(richer[1], this->Coarse) &&
       richer[1].score - richer[0].score < FitLimits::LikelihoodRatio)
     {
-      return "the curves do not tell a global compliance from a layer";
+      return "the curves do not distinguish a global compliance from a layer";
     }
     this->choose(richer.front());
     return {};
@@ -218,7 +218,7 @@ private:
     {
       return this->isFlatOnly() && fit.body.model != BodyModel::HalfSpace
         ? std::string(FlatAlone)
-        : "the curves do not tell the parameters of " + what + " apart" + advice;
+        : "the curves do not determine the parameters of " + what + " separately" + advice;
     }
     const double width = studentQuantile(fit.degreesOfFreedom) * noise;
     const std::string fault = checkCompliance(fit, width);
@@ -229,8 +229,8 @@ private:
     const double error = width * fit.errorPerNoise[0];
     if (!(error <= this->Options.largestUncertainty))
     {
-      return "the slow E* is known to " + shortly(100.0 * error) + " % only, where " +
-        shortly(100.0 * this->Options.largestUncertainty) + " % are asked for" + advice;
+      return "the slow E* is known to " + shortly(100.0 * error) + " % only, but " +
+        shortly(100.0 * this->Options.largestUncertainty) + " % is required" + advice;
     }
     return {};
   }
@@ -341,26 +341,25 @@ private:
     const PronySeries& series = result.relaxation;
     std::string text = "times from " + seconds(result.shortestTime) + " to " +
       seconds(result.longestTime) +
-      " are told; relaxation that is faster or slower than the test is not";
+      " are determined; relaxation that is faster or slower than the test is not";
     for (std::size_t i = 0; i < series.count; ++i)
     {
       const Estimate& time = result.relaxationTime[i];
       if (time.value > result.longestTime)
       {
-        text += "; that of " + seconds(time.value) + " (" + seconds(time.lower) + " to " +
-          seconds(time.upper) + ") goes on beyond it, and E* hangs on a guess of its end";
+        text += "; the time of " + seconds(time.value) + " (" + seconds(time.lower) + " to " +
+          seconds(time.upper) + ") is longer than the test, so that E* depends on an extrapolation";
       }
       else if (time.value < result.shortestTime)
       {
-        text += "; of that of " + seconds(time.value) +
-          " little more than strength times time is "
-          "known";
+        text += "; of the branch of " + seconds(time.value) +
+          " the product of strength and time is known, but hardly each of the two";
       }
     }
     if (modulusError > WideInterval)
     {
       text += "; E* is known to " + shortly(100.0 * modulusError) +
-        " % only, as the force has not come to rest: hold longer";
+        " % only, because the force has not come to rest: hold longer";
     }
     return text;
   }

@@ -123,8 +123,8 @@ std::string BodyMaterial::take(Values values, std::size_t points)
       this->Thickness.empty() ? joined("LayerThickness ", this->Given.thickness, " mm")
                               : joined("array '", values.thickness.name, "'"),
       ") and a global compliance ('", values.compliance.name,
-      "'), which contains the base already if it was found on the body as it stands; if not, "
-      "declare it by ComplianceExcludesLayer");
+      "'). A compliance that was found on the whole body already contains the base; otherwise "
+      "switch on ComplianceExcludesLayer");
   }
   return {};
 }
@@ -145,13 +145,13 @@ std::string BodyMaterial::checkStackOf(const Values& values) const
     if (!each->values.empty())
     {
       return joined("Array '", each->name,
-        "': the layers of a stack are of one material each, but this has a value per point");
+        "': each layer of a stack has one material, but this array has a value per point");
     }
   }
   if (!values.second.values.empty() && this->Given.deeper.empty())
   {
-    return joined(
-      "Array '", values.second.name, "' is the thickness of a second layer, but there is one only");
+    return joined("Array '", values.second.name,
+      "' is the thickness of a second layer, but the body has only one layer");
   }
   LayerStack stack = this->Given.stack();
   const auto isThick = [](double value) { return value > 0.0 && std::isfinite(value); };

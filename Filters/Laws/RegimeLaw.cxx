@@ -81,7 +81,7 @@ std::string compare(const ComparedResponse& given, const std::vector<double>& de
     {
       return "Response '" + given.name + "' is of another material: point " + std::to_string(i) +
         " at " + std::to_string(depths[i]) + " mm gives " + std::to_string(force) +
-        " N, the material given here " + std::to_string(forces[i]) + " N";
+        " N, but the given material " + std::to_string(forces[i]) + " N";
     }
   }
   return {};

@@ -110,8 +110,8 @@ std::string relaxationReason(
   const auto [least, most] =
     std::minmax_element(series.time.begin(), series.time.begin() + series.count);
   return words +
-    joined("; how fast the tool will move is not known: a press that takes much longer than ",
-      *most, " s feels the slow response, one much shorter than ", *least, " s up to ",
-      inPercent(need.strength), " more");
+    joined("; the speed of the tool is not known: a press that takes much longer than ", *most,
+      " s has the force of the slow response, a press much shorter than ", *least,
+      " s a force up to ", inPercent(need.strength), " larger");
 }
 } // namespace palpate

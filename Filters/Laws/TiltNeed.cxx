@@ -72,9 +72,9 @@ std::string tiltReason(const TiltNeed& need, const TiltViews& tilts, double tole
       inPercent(need.change), ", within ", inPercent(tolerance), ", and its torque is ", torque,
       " N mm at most");
   }
-  std::string words =
-    joined("a tilt of ", std::round(degrees * need.angle), " degrees changes the force by ",
-      inPercent(need.change), " where it does most, with ", torque, " N mm at most");
+  std::string words = joined("a tilt of ", std::round(degrees * need.angle),
+    " degrees changes the force by ", inPercent(need.change),
+    " at the point where its effect is largest, with a torque of ", torque, " N mm at most");
   if (need.without > 0.0)
   {
     words += joined("; at ", std::floor(1000.0 * need.without) / 10.0,

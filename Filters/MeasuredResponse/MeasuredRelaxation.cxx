@@ -81,7 +81,7 @@ std::string siteRelaxationInWords(const SiteMeasurement& measurement)
   }
   if (longest > 0.0)
   {
-    text += " (told from " + shortly(shortest) + " to " + shortly(longest) + " s)";
+    text += " (determined from " + shortly(shortest) + " to " + shortly(longest) + " s)";
   }
   if (common.worst > 0.01)
   {

@@ -282,8 +282,8 @@ std::string curvesFromTable(
     if (title.compare(0, 1, "#") == 0)
     {
       return name + ": the comment '" + title +
-        "' stands where the names of the columns should: read a file without the comments of its "
-        "head, or give the file itself";
+        "' is in the place of the column names: read a file without the comments of its head, or "
+        "give the file itself";
     }
     columns.push_back(column);
     readings.columns.push_back(title);

@@ -205,7 +205,7 @@ std::string vtkMeasuredContactResponse::CheckProperties()
   }
   if (tables > 0 && this->MeasuringTool.empty())
   {
-    return "The MeasuringTool of the table of curves is required, as 'sphere:6.35'";
+    return "The MeasuringTool of the table of curves is required, for example 'sphere:6.35'";
   }
   palpate::PronySeries series;
   return fault.str().empty() ? this->Relaxations.fillSeries(series) : fault.str();

@@ -74,6 +74,16 @@
  * Cost: up to a tenth of a second per site, or a second for a site that relaxes, on all cores, in
  * addition to the cost of vtkToolContactResponse.
  *
+ * @code{.py}
+ * measured = palpate.vtkMeasuredContactResponse()
+ * measured.SetInputConnection(surface.GetOutputPort())
+ * measured.AddFileName("curves.csv")                   # readings, with the measuring tool
+ * measured.SetTool(tool)                               # may differ from the measuring tool
+ * measured.Update()
+ * body = measured.GetOutput()
+ * sites = measured.GetOutputDataObject(1)              # the body found at each site
+ * @endcode
+ *
  * @sa vtkToolContactResponse
  */
 #ifndef vtkMeasuredContactResponse_h

@@ -15,6 +15,13 @@
  * NaN in all other rows. A refused site has no model: NaN.
  *
  * Errors: a column is missing (named).
+ *
+ * @code{.py}
+ * curves = palpate.vtkMeasuredCurves()
+ * curves.SetInputConnection(measured.GetOutputPort(2)) # readings of vtkMeasuredContactResponse
+ * curves.Update()
+ * table = curves.GetOutput()                           # Deflection (mm), N measured (N), ...
+ * @endcode
  */
 #ifndef vtkMeasuredCurves_h
 #define vtkMeasuredCurves_h

@@ -171,7 +171,7 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const std::string tilts = tiltReason(attached.tilt, arrays.tilt, used.tolerance);
   attached.reason += tilts.empty() ? tilts : ". " + capitalised(tilts);
   const std::string terms = termsReason(body, responseName);
-  attached.reason += terms.empty() ? terms : ". Of its law: " + terms;
+  attached.reason += terms.empty() ? terms : ". Terms of its law: " + terms;
   copyWithOwnFields(body, output);
   if (attached.choice.need != ResponseNeed::PerVertex)
   {

@@ -316,7 +316,7 @@ std::shared_ptr<const ContactBody> makeContactBody(
   if (arrays.points != same.surface.inputPointCount())
   {
     error = "the body has " + std::to_string(arrays.points) +
-      " points, the surface it is to have " + std::to_string(same.surface.inputPointCount());
+      " points, but its surface must have " + std::to_string(same.surface.inputPointCount());
     return nullptr;
   }
   if (arrays.edges.areFelt() != (same.edges != nullptr))

@@ -25,6 +25,15 @@
  *
  * A file that has changed is read again after Modified().
  *
+ * @code{.py}
+ * reader = palpate.vtkBodyFileReader()
+ * reader.SetFileName("liver.stl")
+ * reader.Update()
+ * if reader.GetFault():                                # "" if the file was read
+ *     print(reader.GetFault())
+ * body = reader.GetOutput()
+ * @endcode
+ *
  * @sa
  * vtkBodySurface vtkSkinSurface vtkLayerThickness vtkScannedMaterial
  */

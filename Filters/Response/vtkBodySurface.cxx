@@ -143,7 +143,8 @@ int vtkBodySurface::RequestData(
   this->LongestSide = 0.0;
   if (!(this->LengthScale > 0.0) || !std::isfinite(this->LengthScale))
   {
-    vtkErrorMacro(<< "A unit of length of " << this->LengthScale << " mm makes no sense.");
+    vtkErrorMacro(<< "LengthScale must be positive and finite (mm), but is " << this->LengthScale
+                  << ".");
     return 0;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
@@ -242,7 +243,7 @@ std::string vtkBodySurface::Gather(
   const std::string lost = palpate::arraysNotShared(all);
   if (!lost.empty() && ranks.own() == 0)
   {
-    vtkWarningMacro(<< "Point arrays that not all parts of the body have are left out: " << lost
+    vtkWarningMacro(<< "Point arrays that are not on all parts of the body are left out: " << lost
                     << ".");
   }
 

@@ -45,6 +45,14 @@
  *
  * Single-threaded; the output is the same on every run. Abort is ignored.
  *
+ * @code{.py}
+ * triangles = palpate.vtkBodySurface()
+ * triangles.SetInputConnection(reader.GetOutputPort()) # any surface or volume
+ * triangles.SetLengthUnitToCentimetre()                # the unit of the input
+ * triangles.Update()
+ * surface = triangles.GetOutput()                      # triangles, mm
+ * @endcode
+ *
  * @sa
  * vtkSkinSurface vtkToolContactResponse vtkVoxelBody
  */

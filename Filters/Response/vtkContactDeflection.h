@@ -45,6 +45,15 @@
  * Cost: the mesh's neighbours are found once per change of its points or triangles, O(n). Then each
  * update evaluates the law once per point within the field and, with modes, a sum per point of the
  * body.
+ *
+ * @code{.py}
+ * dent = palpate.vtkContactDeflection()
+ * dent.SetInputData(0, body)                           # with the response that was probed
+ * dent.SetTipConnection(probe.GetOutputPort())
+ * dent.SetTipIndex(0)
+ * dent.Update()
+ * displacement = dent.GetOutput().GetPointData().GetArray("ContactDisplacement")  # mm
+ * @endcode
  */
 #ifndef vtkContactDeflection_h
 #define vtkContactDeflection_h

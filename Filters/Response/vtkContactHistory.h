@@ -20,6 +20,14 @@
  *
  * Errors: a required array is missing or does not have one number per point (the error names it,
  * and the filter to apply first); Abscissa is Time, but the input has no `Time`.
+ *
+ * @code{.py}
+ * history = palpate.vtkContactHistory()
+ * history.SetInputConnection(probe.GetOutputPort())    # tips along one polyline
+ * history.SetAbscissaToDeflection()
+ * history.Update()
+ * table = history.GetOutput()                          # Deflection (mm), Normal Force (N), ...
+ * @endcode
  */
 #ifndef vtkContactHistory_h
 #define vtkContactHistory_h

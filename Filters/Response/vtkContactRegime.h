@@ -39,6 +39,16 @@
  * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools; the bits do not depend on the
  * number of threads.
  *
+ * @code{.py}
+ * regime = palpate.vtkContactRegime()
+ * regime.SetInputData(body)
+ * regime.SetTool(tool)                                 # the tool and the material of its response
+ * regime.SetYoungsModulus(0.05)                        # MPa
+ * regime.SetDeflection(1.0)                            # mm
+ * regime.Update()
+ * verdicts = regime.GetOutput().GetPointData().GetArray("RegimeVerdict")
+ * @endcode
+ *
  * @sa vtkToolContactResponse vtkElasticCompliance
  */
 #ifndef vtkContactRegime_h

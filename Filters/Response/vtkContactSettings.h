@@ -5,11 +5,8 @@
  *
  * vtkToolContactProbe, vtkToolTouch and vtkHapticSession give the same force at the same tip if
  * these settings are equal. Each starts with its own object. If several share one object
- * (SetSettings), later changes apply to all of them. Their properties of these names, such as
- * SetFrictionCoefficient, are those of the object they hold:
- *
- *     session.SetSettings(probe.GetSettings())
- *     session.SetFrictionCoefficient(0.3)        # also changes the probe
+ * (SetSettings), later changes apply to all of them. vtkToolContactProbe also has the properties
+ * below, such as SetFrictionCoefficient: they are those of the object that it holds.
  *
  * | Property | meaning | range | default |
  * | --- | --- | --- | --- |
@@ -29,6 +26,15 @@
  * settings when it updates, a session at Start and ApplyChanges.
  *
  * GetTable gives all of this as numbers and text, for a user interface.
+ *
+ * @code{.py}
+ * settings = palpate.vtkContactSettings()
+ * settings.SetForceForm(palpate.vtkContactSettings.EnergyConsistent)
+ * probe.SetSettings(settings)
+ * session.SetSettings(settings)
+ * settings.SetFrictionCoefficient(0.3)                 # changes probe and session
+ * print(settings.GetFault())                           # "" if all values are valid
+ * @endcode
  */
 #ifndef vtkContactSettings_h
 #define vtkContactSettings_h

@@ -47,6 +47,14 @@
  * points). For shapes without a closed form (all except Flat, Paraboloid and Cone) pressure and
  * outer displacement integrate with about 100 points (3 µs; Profile: for each point). Get...
  * functions of one object must not run concurrently with Set...
+ *
+ * @code{.py}
+ * tool = palpate.vtkContactTool()
+ * tool.SetSpecification("sphere:6.35")                 # radius in mm
+ * reduced = 0.05 / (1 - 0.45**2)                       # E*, MPa, of E = 0.05 MPa and ν = 0.45
+ * force = tool.GetForce(1.0, reduced)                  # N, 1 mm deep
+ * radius = tool.GetContactRadius(1.0)                  # mm
+ * @endcode
  */
 // clang-format on
 #ifndef vtkContactTool_h

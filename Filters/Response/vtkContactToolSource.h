@@ -8,6 +8,14 @@
  * up to its wall. A profile that keeps widening (all other shapes) ends at MaximumRadius, or where
  * it reaches 9/10 of Length, and continues as a shaft. Edges and corners of the profile are points
  * of the geometry.
+ *
+ * @code{.py}
+ * source = palpate.vtkContactToolSource()
+ * source.SetTool(tool)
+ * source.SetLength(30)                                 # mm
+ * source.Update()
+ * shape = source.GetOutput()                           # triangles, tip at the origin, mm
+ * @endcode
  */
 #ifndef vtkContactToolSource_h
 #define vtkContactToolSource_h

@@ -227,17 +227,17 @@ std::string vtkLayerThickness::Problem(vtkImageData* scan, vtkDataArray* grey) c
     grey->GetNumberOfTuples() != scan->GetNumberOfPoints())
   {
     text << "the scan's scalars have " << grey->GetNumberOfComponents() << " components and "
-         << grey->GetNumberOfTuples() << " values, 1 and " << scan->GetNumberOfPoints()
+         << grey->GetNumberOfTuples() << " values, but 1 and " << scan->GetNumberOfPoints()
          << " are needed.";
   }
   else if (std::min({ size[0], size[1], size[2] }) < 2 || !(smallest > 0.0))
   {
-    text << "the scan must extend in three dimensions, it has " << size[0] << " x " << size[1]
-         << " x " << size[2] << " voxels, the smallest spacing is " << smallest << " mm.";
+    text << "the scan must extend in three dimensions, but has " << size[0] << " x " << size[1]
+         << " x " << size[2] << " voxels with a smallest spacing of " << smallest << " mm.";
   }
   else if (!std::isfinite(this->BaseValue))
   {
-    text << "BaseValue must be finite, it is " << this->BaseValue << ".";
+    text << "BaseValue must be finite, but is " << this->BaseValue << ".";
   }
   else if (!(this->MaximumDepth > 0.0 && this->EdgeWidth > 0.0 && this->SmoothingRadius >= 0.0 &&
              std::isfinite(this->MaximumDepth + this->EdgeWidth + this->SmoothingRadius)))
@@ -287,8 +287,8 @@ int vtkLayerThickness::RequestData(
     const double* s = scan->GetBounds();
     vtkErrorMacro(<< "Wrong input: the body lies outside the scan: x " << b[0] << " to " << b[1]
                   << ", y " << b[2] << " to " << b[3] << ", z " << b[4] << " to " << b[5]
-                  << " mm, the scan " << s[0] << " to " << s[1] << ", " << s[2] << " to " << s[3]
-                  << ", " << s[4] << " to " << s[5] << " mm.");
+                  << " mm, but the scan " << s[0] << " to " << s[1] << ", " << s[2] << " to "
+                  << s[3] << ", " << s[4] << " to " << s[5] << " mm.");
     return 0;
   }
 

@@ -39,6 +39,15 @@
  * the rest for the median, whose cost grows with the number of points within SmoothingRadius.
  * Threaded by vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
+ * @code{.py}
+ * layer = palpate.vtkLayerThickness()
+ * layer.SetInputConnection(skin.GetOutputPort())       # vtkSkinSurface of the same scan
+ * layer.SetScanConnection(scan.GetOutputPort())
+ * layer.SetMaximumDepth(20)                            # mm
+ * response.SetInputConnection(layer.GetOutputPort())
+ * response.SetInputArrayToProcess(1, 0, 0, 0, "LayerThickness")
+ * @endcode
+ *
  * @sa vtkSkinSurface vtkToolContactResponse
  */
 #ifndef vtkLayerThickness_h

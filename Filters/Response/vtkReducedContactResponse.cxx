@@ -69,8 +69,8 @@ std::string describe(const ReducedResponse& reduced, int before)
       text << "a curve per point in " << reduced.samples << " samples";
       break;
     case ReducedForm::Unchanged:
-      return "nothing less than the " + std::to_string(before) +
-        " numbers per point that there were";
+      return "no form is smaller than the " + std::to_string(before) +
+        " numbers per point of the input";
   }
   text << ": " << reduced.numbersPerPoint << " instead of " << before
        << " numbers per point; the force is off by " << 100.0 * reduced.largestError

@@ -32,6 +32,14 @@
  *
  * Errors: the body has no such response; Tolerance is not above 0; MaximumNumberOfLaws is not from
  * 1 to 16.
+ *
+ * @code{.py}
+ * reduced = palpate.vtkReducedContactResponse()
+ * reduced.SetInputData(body)
+ * reduced.SetTolerance(0.01)                           # 1 % of the force
+ * reduced.Update()
+ * print(reduced.GetReport())                           # form, numbers per point, error
+ * @endcode
  */
 #ifndef vtkReducedContactResponse_h
 #define vtkReducedContactResponse_h

@@ -46,6 +46,15 @@
  * Errors: the body has no such response; a setting is out of its range; RegimeVerdict or Validity
  * has another type; RegimeDeflection differs from Deflection.
  *
+ * @code{.py}
+ * choice = palpate.vtkResponseChoice()
+ * choice.SetInputConnection(regime.GetOutputPort())    # vtkContactRegime at the same Deflection
+ * choice.SetTolerance(0.05)                            # 5 % of the force
+ * choice.SetDeflection(1.0)                            # mm
+ * choice.Update()
+ * print(choice.GetReason())
+ * @endcode
+ *
  * @sa vtkReducedContactResponse vtkContactRegime
  */
 #ifndef vtkResponseChoice_h

@@ -18,6 +18,15 @@
  * without response are left out, with one warning that counts them; if no point is left, that is an
  * error. If more than MaximumNumberOfPoints are selected, only that many are used, evenly spaced
  * among their ids, with a warning. An empty selection, or no PointIds, gives an empty table.
+ *
+ * @code{.py}
+ * curves = palpate.vtkResponseCurves()
+ * curves.SetInputData(body)
+ * curves.AddPointId(0)
+ * curves.SetNumberOfRows(50)
+ * curves.Update()
+ * table = curves.GetOutput()                           # Deflection (mm), Response at point 0 (N)
+ * @endcode
  */
 #ifndef vtkResponseCurves_h
 #define vtkResponseCurves_h

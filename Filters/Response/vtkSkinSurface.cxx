@@ -246,16 +246,16 @@ std::string Problem(vtkImageData* image, vtkDataArray* scalars, double closing, 
   else if (scalars->GetNumberOfComponents() != 1)
   {
     text << "the scan's scalars have " << scalars->GetNumberOfComponents()
-         << " components, one is needed.";
+         << " components, but one is needed.";
   }
   else if (std::min({ size[0], size[1], size[2] }) < 2 || !(voxel > 0.0))
   {
-    text << "the scan must extend in three dimensions, it has " << size[0] << " x " << size[1]
+    text << "the scan must extend in three dimensions, but has " << size[0] << " x " << size[1]
          << " x " << size[2] << " voxels of " << voxel << " mm^3.";
   }
   else if (!(closing >= 0.0 && resolution >= 0.0 && std::isfinite(closing + resolution)))
   {
-    text << "ClosingRadius and Resolution must be 0 mm or more, they are " << closing << " and "
+    text << "ClosingRadius and Resolution must be 0 mm or more, but are " << closing << " and "
          << resolution << ".";
   }
   else if (resolution > 0.0 && voxels > MaximumVoxels)

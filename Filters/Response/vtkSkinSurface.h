@@ -43,6 +43,16 @@
  * @warning If tissue and the field of view separate the air into two parts, only the larger part
  *   counts as air.
  *
+ * @code{.py}
+ * reader = palpate.vtkBodyFileReader()
+ * reader.SetFileName("head.nii.gz")
+ * skin = palpate.vtkSkinSurface()
+ * skin.SetInputConnection(reader.GetOutputPort())
+ * skin.SetContourValue(30)                             # grey value of the skin
+ * skin.SetResolution(1.0)                              # mm
+ * skin.Update()
+ * @endcode
+ *
  * @sa
  * vtkBodyFileReader vtkFlyingEdges3D vtkWindowedSincPolyDataFilter
  */

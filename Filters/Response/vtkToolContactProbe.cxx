@@ -85,8 +85,7 @@ std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const s
 
 std::string uncoupledFault(const std::string& name)
 {
-  return "Coupled is on, but response '" + name +
-    "' does not tell how contacts feel one another: " + "field array '" +
+  return "Coupled is on, but response '" + name + "' has no coupling: " + "field array '" +
     palpate::arrayName(name, palpate::ResponseArray::Coupling) +
     "' is missing (vtkToolContactResponse::CouplingOn)";
 }
@@ -100,10 +99,10 @@ std::string checkTogether(const palpate::Ranks& ranks, vtkPolyData* tips)
   {
     count += static_cast<int>(each.size());
   }
-  return count > 1 ? palpate::joined("Coupled is on, but the tips are on ", count,
-                       " processes, and those of one do not feel those of another: give all of "
-                       "them to one process")
-                   : std::string();
+  return count > 1
+    ? palpate::joined("Coupled is on, but the tips are on ", count,
+        " processes, and tips on different processes do not interact: give all tips to one process")
+    : std::string();
 }
 } // namespace
 

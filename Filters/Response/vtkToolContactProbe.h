@@ -87,6 +87,15 @@
  * neighbours follow one another, and threaded by vtkSMPTools. The bits do not depend on the order
  * of the tips or on the number of threads. Each thread temporarily needs some 220 bytes for each of
  * up to 262144 tips.
+ *
+ * @code{.py}
+ * probe = palpate.vtkToolContactProbe()
+ * probe.SetInputData(0, body)                          # with a response
+ * probe.SetTipConnection(tips.GetOutputPort())         # points, mm
+ * probe.SetFrictionCoefficient(0.3)                    # for polylines
+ * probe.Update()
+ * forces = probe.GetOutput().GetPointData().GetArray("Force")  # N, 3 numbers per tip
+ * @endcode
  */
 #ifndef vtkToolContactProbe_h
 #define vtkToolContactProbe_h

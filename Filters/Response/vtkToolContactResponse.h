@@ -63,6 +63,16 @@
  * that of the whole body, also at a seam, where border points of several pieces coincide. An error
  * on one process is an error on all. Ghost cells are left out. All must update the filter.
  *
+ * @code{.py}
+ * tool = palpate.vtkContactTool()
+ * tool.SetSpecification("sphere:6.35")                 # radius in mm
+ * response = palpate.vtkToolContactResponse()
+ * response.SetInputConnection(surface.GetOutputPort())
+ * response.SetTool(tool)
+ * response.SetYoungsModulus(0.05)                      # MPa
+ * response.Update()
+ * @endcode
+ *
  * @sa vtkContactTool vtkToolContactProbe
  */
 #ifndef vtkToolContactResponse_h
@@ -118,10 +128,8 @@ public:
   };
 
   ///@{
-  /**
-   * The base of the layers: Bonded to a rigid base (default), Slip (on it without friction), or
-   * ElasticBase (an elastic half-space).
-   */
+  /** The base of the layers: Bonded to a rigid base (default), Slip (on it without friction), or
+   * ElasticBase (an elastic half-space). */
   vtkSetClampMacro(LayerBase, int, Bonded, ElasticBase);
   vtkGetMacro(LayerBase, int);
   void SetLayerBaseToBonded() { this->SetLayerBase(Bonded); }
@@ -130,11 +138,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Declares that the global compliance was found without the layers' base, so that both count.
+  /** Declares that the global compliance was found without the layers' base, so that both count.
    * Default off: a body with layers and a compliance is an error, since a compliance found on the
-   * whole body already contains the base.
-   */
+   * whole body already contains the base. */
   vtkSetMacro(ComplianceExcludesLayer, bool);
   vtkGetMacro(ComplianceExcludesLayer, bool);
   vtkBooleanMacro(ComplianceExcludesLayer, bool);
@@ -152,11 +158,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Layers below that of LayerThickness, from top to bottom, up to three: thickness (mm), Young's
+  /** Layers below that of LayerThickness, from top to bottom, up to three: thickness (mm), Young's
    * modulus (MPa), Poisson's ratio, and whether the layer slips without friction below the layer
-   * above it. The whole body is then a stack (palpate/LayerStack.h). Default none.
-   */
+   * above it. The whole body is then a stack (palpate/LayerStack.h). Default none. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
   int GetNumberOfAddedLayers();
@@ -171,11 +175,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Whether the law takes the body's curvature into account: the principal curvatures of the mesh
+  /** Whether the law takes the body's curvature into account: the principal curvatures of the mesh
    * are added to the tool's profile (palpate/CurvedContact.h). Default on; off: the surface counts
-   * as flat. If the tool does not fit into a hollow, the law is that of the flat surface.
-   */
+   * as flat. If the tool does not fit into a hollow, the law is that of the flat surface. */
   vtkSetMacro(CurvatureCorrection, bool);
   vtkGetMacro(CurvatureCorrection, bool);
   vtkBooleanMacro(CurvatureCorrection, bool);
@@ -251,11 +253,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Whether the global compliance is of the same material and relaxes with it. Default on; off: the
-   * compliance is elastic, a spring below a body that relaxes. It is then stored as point array
-   * `<name>ElasticCompliance` (float, mm/N) and must not be negative. No effect without relaxation.
-   */
+  /** Whether the global compliance is of the same material and relaxes with it. Default on; off:
+   * the compliance is elastic, a spring below a body that relaxes. It is then stored as point array
+   * `<name>ElasticCompliance` (float, mm/N) and must be >= 0. No effect without relaxation. */
   vtkSetMacro(ComplianceRelaxes, bool);
   vtkGetMacro(ComplianceRelaxes, bool);
   vtkBooleanMacro(ComplianceRelaxes, bool);
@@ -347,10 +347,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The processes that each have a piece of the body. Default: the global controller at the time
-   * when the filter is made. With none, or with one process, the input is the whole body.
-   */
+  /** The processes that each have a piece of the body. Default: the global controller at the time
+   * when the filter is made. With none, or with one process, the input is the whole body. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}

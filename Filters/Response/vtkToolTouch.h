@@ -43,6 +43,15 @@
  * Cost: once per state of the body, the kernel's copy (vtkToolContactProbe) and the neighbours of
  * its mesh, O(n log n). Then per move a copy of the points and some microseconds per point of the
  * dent.
+ *
+ * @code{.py}
+ * touch = palpate.vtkToolTouch()
+ * touch.SetInputData(body)                             # with a response
+ * touch.SetTipPosition(0, 0, 60)                       # mm; moved to the nearest point of the body
+ * touch.SetIndentation(1.0)                            # mm
+ * touch.Update()
+ * print(touch.GetOutputDataObject(3).GetValue(0, 0).ToString())
+ * @endcode
  */
 #ifndef vtkToolTouch_h
 #define vtkToolTouch_h

@@ -41,6 +41,15 @@
  * Errors name the property or the input: a surface that is open, inside out or too thin for its
  * cells, a side that is not known, a Poisson's ratio beyond 0.499.
  *
+ * @code{.py}
+ * compliance = palpate.vtkBodyCompliance()
+ * compliance.SetInputConnection(surface.GetOutputPort())  # closed
+ * compliance.SetYoungsModulus(0.05)                    # MPa
+ * compliance.SetFixedFaces("z-")                       # the lowest side holds the body
+ * response.SetInputConnection(compliance.GetOutputPort())
+ * response.SetInputArrayToProcess(2, 0, 0, 0, "GlobalCompliance")
+ * @endcode
+ *
  * @sa vtkToolContactResponse vtkElasticCompliance vtkElasticContactResponse
  */
 #ifndef vtkBodyCompliance_h

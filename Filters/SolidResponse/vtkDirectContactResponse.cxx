@@ -205,7 +205,7 @@ std::string vtkDirectContactResponse::CheckResponse(
   if (fault.empty() && arrays.force == nullptr)
   {
     return palpate::joined("Wrong input: response '", this->ResponseName,
-      "' was reduced, which leaves no curve of its own to a point: press before");
+      "' was reduced, so that a point has no curve of its own: press before the reduction");
   }
   if (fault.empty() &&
     !palpate::fetchArray<vtkFloatArray>(
@@ -333,7 +333,7 @@ std::string vtkDirectContactResponse::Press(
     {
       outcome =
         palpate::takeDirectCurve(at, contacts.finer, contacts.coarser, terms, sampling, spans);
-      wrong = "no contact settles"; // reported if the outcome is Failed
+      wrong = "no contact converges"; // reported if the outcome is Failed
     }
     became->SetValue(point, static_cast<unsigned char>(outcome));
   };

@@ -44,6 +44,17 @@
  * Errors, which name the fault: no such response, or one without errors; an input without cells or
  * `Fixed`; a property out of range; a Shape that cannot be closed.
  *
+ * @code{.py}
+ * direct = palpate.vtkDirectContactResponse()
+ * direct.SetInputConnection(felt.GetOutputPort())      # vtkElasticContactResponse of the solid
+ * direct.SetBodyConnection(solid.GetOutputPort())
+ * direct.SetCoarserConnection(coarser.GetOutputPort()) # the same solid, cells 1.5 times as long
+ * direct.SetTool(tool)
+ * direct.SetMaximumDeflection(1.0)                     # mm
+ * direct.SetErrorTolerance(0.05)                       # 5 % of the force
+ * direct.Update()
+ * @endcode
+ *
  * @sa vtkElasticContactResponse vtkGradedBody
  */
 #ifndef vtkDirectContactResponse_h

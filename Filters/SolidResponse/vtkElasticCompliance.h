@@ -82,6 +82,15 @@
  * during the factorisation. Uses as many threads as vtkSMPTools (one per core if that is
  * Sequential). The bits do not depend on their number, nor on the number of OpenBLAS's threads.
  *
+ * @code{.py}
+ * compliance = palpate.vtkElasticCompliance()
+ * compliance.SetInputConnection(solid.GetOutputPort()) # vtkVoxelBody
+ * compliance.SetYoungsModulus(0.05)                    # MPa
+ * compliance.SetNumberOfModes(2)
+ * response.SetInputConnection(compliance.GetOutputPort())
+ * response.SetInputArrayToProcess(2, 0, 0, 0, "GlobalCompliance")
+ * @endcode
+ *
  * @sa vtkVoxelBody vtkToolContactResponse
  */
 #ifndef vtkElasticCompliance_h

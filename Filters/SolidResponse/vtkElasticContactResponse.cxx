@@ -165,7 +165,8 @@ std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& fi
 {
   if (this->AutomaticTerms)
   {
-    return "AutomaticTerms compares at the points of the solid: not with a Surface";
+    return "AutomaticTerms compares laws at the points of the solid and cannot be used with a "
+           "Surface";
   }
   return finer.fault().empty() ? "" : "Wrong input: Surface: " + finer.fault();
 }
@@ -343,10 +344,10 @@ void vtkElasticContactResponse::WarnOfSurface(vtkFloatArray* error)
     [this](float value) { return static_cast<double>(value) > this->ErrorTolerance; });
   if (this->ErrorTolerance > 0.0 && 10 * open > count)
   {
-    vtkWarningMacro(<< "What lies between the points of the surface may change the force by more "
-                       "than "
-                    << 100.0 * this->ErrorTolerance << " % at " << open << " of " << count
-                    << " points: see array '" << error->GetName() << "'.");
+    vtkWarningMacro(
+      << "The shape of the surface between its points may change the force by more than "
+      << 100.0 * this->ErrorTolerance << " % at " << open << " of " << count
+      << " points: see array '" << error->GetName() << "'.");
   }
 }
 

@@ -42,6 +42,16 @@
  * MemoryLimit, and H, some hundred bytes per pair of points within a contact. Abort is checked
  * between steps and solutions. The bits do not depend on the number of threads.
  *
+ * @code{.py}
+ * felt = palpate.vtkElasticContactResponse()
+ * felt.SetInputConnection(solid.GetOutputPort())       # vtkGradedBody or vtkVoxelBody
+ * felt.SetTool(tool)
+ * felt.SetYoungsModulus(0.05)                          # MPa
+ * felt.SetMaximumDeflection(1.0)                       # mm
+ * felt.SetSourceSpacing(3.0)                           # mm
+ * felt.Update()
+ * @endcode
+ *
  * @sa vtkElasticCompliance vtkToolContactResponse vtkVoxelBody
  */
 #ifndef vtkElasticContactResponse_h

@@ -35,6 +35,15 @@
  * within milliseconds while cells are refined, nine tenths of the work, and only at the end while
  * slivers are removed.
  *
+ * @code{.py}
+ * solid = palpate.vtkGradedBody()
+ * solid.SetInputConnection(surface.GetOutputPort())    # closed
+ * solid.SetSurfaceSpacing(3.0)                         # mm
+ * solid.AddFineBall(0, 0, 50, 8, 1.0)                  # x, y, z, radius, spacing: mm
+ * solid.SetFixedFaces("z-:2")                          # the lowest 2 mm are held
+ * solid.Update()
+ * @endcode
+ *
  * @sa vtkElasticContactResponse vtkVoxelBody
  */
 #ifndef vtkGradedBody_h

@@ -249,7 +249,7 @@ std::string vtkNoduleDetectability::SolveOne(
   if (fault.empty() && (!factor.young || !factor.poisson))
   {
     fault = palpate::joined(
-      "Array to process ", factor.young ? first + 1 : first, " has no name: it is needed");
+      "Array to process ", factor.young ? first + 1 : first, " is required, but has no name");
   }
   if (!fault.empty())
   {

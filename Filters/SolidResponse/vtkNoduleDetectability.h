@@ -39,6 +39,16 @@
  * body's solutions. Abort is checked between steps and solutions. The bits do not depend on the
  * number of threads.
  *
+ * @code{.py}
+ * felt = palpate.vtkNoduleDetectability()
+ * felt.SetInputConnection(material.GetOutputPort())    # vtkNoduleMaterial
+ * felt.SetTool(tool)
+ * felt.AddMoreTool("flat:1.6")                         # radius in mm
+ * felt.SetMaximumDeflection(1.0)                       # mm
+ * felt.Update()
+ * change = felt.GetOutput().GetPointData().GetArray("ForceChange")  # relative, one per tool
+ * @endcode
+ *
  * @sa vtkNoduleMaterial vtkElasticContactResponse
  */
 #ifndef vtkNoduleDetectability_h

@@ -28,6 +28,14 @@
  * Cost: Subdivisions³ distances for each cell whose box a sphere's surface cuts, milliseconds for
  * ten thousand cells.
  *
+ * @code{.py}
+ * material = palpate.vtkNoduleMaterial()
+ * material.SetInputConnection(solid.GetOutputPort())
+ * material.SetYoungsModulus(0.05)                      # MPa
+ * material.AddNodule(0, 0, 42, 4, 0.5)                 # x, y, z, radius (mm), modulus (MPa)
+ * material.Update()
+ * @endcode
+ *
  * @sa vtkNoduleDetectability vtkElasticContactResponse
  */
 #ifndef vtkNoduleMaterial_h

@@ -165,7 +165,7 @@ public:
       const bool isKnown = !isInside || this->Known.count(value) > 0;
       if (!isKnown)
       {
-        this->Fault = palpate::joined("label ", value, " is not in the map: AddMaterial");
+        this->Fault = palpate::joined("label ", value, " is not in the map: call AddMaterial");
       }
       const double key = isInside ? value : std::numeric_limits<double>::infinity();
       this->Volumes[key] += isKnown ? volume : 0.0;
@@ -281,7 +281,7 @@ std::string vtkScannedMaterial::CheckMap()
   }
   if (this->Rows.empty())
   {
-    return "There is no map from the image's values to materials: AddMaterial";
+    return "There is no map from the image's values to materials: call AddMaterial";
   }
   for (std::size_t i = 0; i < this->Rows.size(); ++i)
   {
@@ -304,7 +304,7 @@ std::string vtkScannedMaterial::CheckMap()
     {
       if (this->Rows[k].Value == row.Value)
       {
-        return palpate::joined("Materials ", k, " and ", i, " have one value, ", row.Value);
+        return palpate::joined("Materials ", k, " and ", i, " have the same value, ", row.Value);
       }
     }
   }
@@ -321,7 +321,7 @@ std::string vtkScannedMaterial::Map(
   if (!values || values->GetNumberOfComponents() != 1 ||
     values->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    return "Wrong input: the image has no point array of one component to be read";
+    return "Wrong input: the image has no point array of one component";
   }
   palpate::VolumeMesh ignored;
   std::string fault = palpate::convertVolume(grid, ignored);

@@ -27,6 +27,15 @@
  * map, with its cell; a cell of another kind. Abort is checked every 4,096 cells. Cost: 0.1 µs per
  * point.
  *
+ * @code{.py}
+ * tissues = palpate.vtkScannedMaterial()
+ * tissues.SetInputConnection(solid.GetOutputPort())
+ * tissues.SetImageConnection(labels.GetOutputPort())   # an image of tissue numbers
+ * tissues.AddMaterial(1, 0.035, 0.49)                  # number, E (MPa), ν: skin
+ * tissues.AddMaterial(2, 50.0, 0.3)                    # skull
+ * tissues.Update()
+ * @endcode
+ *
  * @sa vtkNoduleMaterial vtkGradedBody vtkElasticContactResponse
  */
 #ifndef vtkScannedMaterial_h

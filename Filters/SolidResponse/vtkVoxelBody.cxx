@@ -213,8 +213,8 @@ int vtkVoxelBody::RequestData(
   if (out > 0)
   {
     vtkWarningMacro(<< out
-                    << " voxels do not hang together with the others by a face and are left "
-                       "out: are there walls thinner than three Spacings?");
+                    << " voxels are not connected to the others by a face and are left out: are "
+                       "there walls thinner than three Spacings?");
   }
   if (this->Conform)
   {

@@ -23,6 +23,14 @@
  * bytes per point of it and 310 bytes per voxel inside. A Spacing that needs more than the
  * available memory is an error. The result is the same on every run, with any number of threads.
  *
+ * @code{.py}
+ * solid = palpate.vtkVoxelBody()
+ * solid.SetInputConnection(surface.GetOutputPort())    # closed
+ * solid.SetSpacing(5.0)                                # mm
+ * solid.SetFixedFaces("z-:5")                          # the lowest 5 mm are held
+ * solid.Update()
+ * @endcode
+ *
  * @sa vtkElasticCompliance
  */
 #ifndef vtkVoxelBody_h

@@ -137,8 +137,9 @@ std::string checkProblem(const FiniteProblem& problem)
     const bool isLast = i + 1 == problem.layers.size();
     if (!(layer.thickness > 0.0) || (std::isinf(layer.thickness) && !isLast))
     {
-      return joined("Layer ", i, ": its thickness must be positive (mm), and finite but for the ",
-        "last, but is ", layer.thickness);
+      return joined("Layer ", i,
+        ": its thickness must be positive (mm), and finite except for the ", "last, but is ",
+        layer.thickness);
     }
     if (!(layer.youngsModulus > 0.0 && std::isfinite(layer.youngsModulus)))
     {

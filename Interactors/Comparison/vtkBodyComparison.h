@@ -28,6 +28,16 @@
  *
  * Errors are reported by vtkErrorMacro; the function then returns false.
  *
+ * @code{.py}
+ * comparison = palpate.vtkBodyComparison()
+ * comparison.SetRenderWindow(window)
+ * comparison.SetBody(0, strip, "a strip that bends")
+ * comparison.SetBody(1, block, "a block that dents")
+ * comparison.AddTool(tool, "Response")                 # responses of both bodies
+ * comparison.SetYoungsModulus(0.05)                    # MPa
+ * comparison.ShowPlace(0, 0, 50)                       # mm
+ * @endcode
+ *
  * @sa vtkContactScene vtkContactRegime vtkRegimeMap
  */
 #ifndef vtkBodyComparison_h

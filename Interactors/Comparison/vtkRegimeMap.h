@@ -17,6 +17,13 @@
  *
  * Cost: the arrays are uploaded once, and again when the quantity changes.
  *
+ * @code{.py}
+ * colours = palpate.vtkRegimeMap()
+ * colours.SetRenderer(renderer)
+ * colours.SetBody(regime.GetOutput())                  # vtkContactRegime
+ * colours.SetQuantityToSensitivity()
+ * @endcode
+ *
  * @sa vtkContactRegime vtkBodyComparison
  */
 #ifndef vtkRegimeMap_h

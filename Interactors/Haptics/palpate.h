@@ -11,6 +11,19 @@
  * First come contacts for a loop with its own mapping and safety. From palpate_mapping on follow
  * contacts that include both.
  *
+ * @code{.c}
+ * palpate_tick tick;
+ * palpate_body* body = palpate_body_load("body.palpate", reason, sizeof reason);
+ * palpate_contact* contact = palpate_contact_new(body, 10.0);     // at most 10 N
+ * while (read_position(position, &time))                          // of the device, m and s
+ * {
+ *   palpate_step(contact, position, time, &tick);
+ *   write_force(tick.device_force);                               // to the device, N
+ * }
+ * palpate_contact_free(contact);
+ * palpate_body_free(body);
+ * @endcode
+ *
  * How this interface may change, so that a program works with any later library of the same soname:
  * - Functions, enumerators and macros are only added. Existing ones keep name, arguments and
  *   meaning.

@@ -20,6 +20,15 @@
  * vtkLiveCharts (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic
  * (help). Controls that the body or the setup does not support are left out. With Model Stored only
  * the display can be changed.
+ *
+ * @code{.py}
+ * panel = palpate.vtkContactPanel()
+ * panel.SetRenderer(strip)                             # of a window with an interactor
+ * panel.SetSetup(setup)
+ * panel.SetStyle(style)
+ * panel.SetClock(clock)
+ * panel.On()
+ * @endcode
  */
 #ifndef vtkContactPanel_h
 #define vtkContactPanel_h

@@ -26,6 +26,16 @@
  *
  * Beyond the `Validity` of the response at the contact, arrows, circle and trail are dashed, and
  * the caption names the assumption that fails.
+ *
+ * @code{.py}
+ * scene = palpate.vtkContactScene()
+ * scene.SetRenderer(renderer)
+ * scene.SetBody(body)                                  # with a response
+ * scene.SetTool(tool)
+ * scene.SetLargestForce(1.0)                           # N, for the scale of the arrows
+ * scene.ShowTip(probe.GetOutput(), 0)
+ * scene.LookAtBody((1, -0.5, 0.7), (0, 0, 1))
+ * @endcode
  */
 #ifndef vtkContactScene_h
 #define vtkContactScene_h

@@ -17,6 +17,16 @@
  * Lengths in mm, moduli in MPa. The body is not modified. Its points and cells must not be changed
  * in place after SetBody (after changes, call SetBody again). For one thread, the graphics thread;
  * only Update blocks it.
+ *
+ * @code{.py}
+ * setup = palpate.vtkContactSetup()
+ * setup.SetBody(triangles)                             # mm, without responses
+ * setup.AddTool(tool)
+ * setup.SetYoungsModulus(0.05)                         # MPa
+ * setup.Update()                                       # or Request, and Collect once a frame
+ * setup.ApplyTo(session)
+ * setup.ShowIn(scene)
+ * @endcode
  */
 #ifndef vtkContactSetup_h
 #define vtkContactSetup_h

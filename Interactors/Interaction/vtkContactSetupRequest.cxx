@@ -64,7 +64,7 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   this->Error = !kept.body ? "A body is required: call SetBody."
     : kept.tools.empty()   ? "A tool is required: call AddTool."
     : !this->HasModel(this->Model)
-    ? "The body has not what model " + std::to_string(this->Model) + " needs."
+    ? "The body does not have the data for model " + std::to_string(this->Model) + "."
     : "";
   if (!this->Error.empty())
   {

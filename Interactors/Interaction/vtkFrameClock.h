@@ -11,6 +11,14 @@
  *
  * Observers with a higher priority are called first: vtkContactPanel, which changes the scene, has
  * priority 1; vtkContactScene has -1.
+ *
+ * @code{.py}
+ * clock = palpate.vtkFrameClock()
+ * clock.SetInteractor(interactor)
+ * scene.Follow(clock, session)
+ * clock.AddObserver(clock.FrameEvent, lambda *_: charts.Update())
+ * clock.Start()                                        # up to 30 frames per second
+ * @endcode
  */
 #ifndef vtkFrameClock_h
 #define vtkFrameClock_h

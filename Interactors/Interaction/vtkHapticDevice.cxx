@@ -166,7 +166,7 @@ std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, doub
   kept.rate = rate;
   if (this->IsPhysical() && !realTime)
   {
-    return "This device is not in virtual time: set RealTime";
+    return "This device has no virtual time: set RealTime";
   }
   kept.mapping = this->ReadMapping(bounds);
   if (const palpate::SettingFault fault = kept.mapping.fault())

@@ -31,6 +31,14 @@
  *
  * Settings take effect at the session's next Start. A device serves one session at a time, on that
  * session's thread.
+ *
+ * @code{.py}
+ * device = palpate.vtkHapticDevice()
+ * device.Open("plant:mass=0.1,damping=1")              # kg, N s/m; or "hid:PATH"
+ * device.SetOrigin(0, 0, 50)                           # mm, in the frame of the body
+ * device.SetScale(0.5)                                 # mm of the body per mm of the hand
+ * session.SetDevice(device)
+ * @endcode
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h

@@ -10,6 +10,14 @@
  *
  * Settings are read at the session's Start. Results are those of the run since Start, empty before,
  * and are lost with the session. For the session's thread.
+ *
+ * @code{.py}
+ * session.GetRecorder().SetRecording(True)             # before Start
+ * session.Start()
+ * session.Step(2.0)                                    # s
+ * session.GetRecorder().GetRecording(recording)        # a vtkPolyData: a point per tick
+ * session.GetRecorder().GetStatistics(statistics)      # a vtkTable: ticks, peak force, ...
+ * @endcode
  */
 #ifndef vtkHapticRecorder_h
 #define vtkHapticRecorder_h
@@ -95,7 +103,7 @@ public:
   /** The same for one of several devices. Contacts and peaks are those of the device; times and
    * errors are those of all devices. */
   void GetStatistics(vtkTable* statistics, int device);
-  /** Statistics and timing, as lines of text. */
+  /** With RealTime: statistics and timing, as lines of text. Empty otherwise. */
   std::string GetStatisticsText();
   /**
    * With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock). Each row has the time

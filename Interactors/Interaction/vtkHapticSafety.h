@@ -13,6 +13,15 @@
  *
  * The properties are read at the session's Start; those of the fit also at ApplyChanges. Both fail
  * with an error if a number is out of its range. For one thread.
+ *
+ * @code{.py}
+ * safety = palpate.vtkHapticSafety()
+ * safety.SetForceLimit(3.0)                            # N
+ * safety.SetStiffnessLimit(1000.0)                     # N/m
+ * safety.FitForceOn()
+ * safety.SetFitDepth(1.0)                              # mm
+ * session.SetSafety(safety)
+ * @endcode
  */
 #ifndef vtkHapticSafety_h
 #define vtkHapticSafety_h

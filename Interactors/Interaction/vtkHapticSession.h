@@ -35,6 +35,16 @@
  *
  * Not thread-safe: one thread steers, steps and reads. It waits for the servo thread only in Stop
  * and Start.
+ *
+ * @code{.py}
+ * session = palpate.vtkHapticSession()
+ * session.SetBody(body)                                # with a response
+ * session.GetDevice().SetPath(path.GetOutput())        # vtkPressPath
+ * session.Start()
+ * session.Step(0.5 * session.GetDevice().GetPathDuration())  # s, in virtual time
+ * session.GetIdealForce(force := [0.0, 0.0, 0.0])      # N, of the newest tick
+ * session.Stop()
+ * @endcode
  */
 #ifndef vtkHapticSession_h
 #define vtkHapticSession_h

@@ -29,8 +29,8 @@ int vtkHapticSession::AddDevice(const std::string& name)
   constexpr int most = palpate::HandsStep::Most;
   if (this->GetNumberOfDevices() >= most)
   {
-    vtkErrorMacro(<< "Device '" << name << "' would be one too many: a session has " << most
-                  << " at most.");
+    vtkErrorMacro(<< "Device '" << name << "' cannot be added: a session has at most " << most
+                  << " devices.");
     return -1;
   }
   auto device = vtkSmartPointer<vtkHapticDevice>::New();

@@ -20,6 +20,14 @@
  * BeyondValidity dashes the arrows.
  *
  * Body frame; mm and N.
+ *
+ * @code{.py}
+ * shown = palpate.vtkHapticToolRepresentation()
+ * shown.SetTool(tool)
+ * shown.SetForceScale(20)                              # mm per N
+ * shown.SetContact((0, 0, 49), (0, 0, 1), (0, 0, 50), (0, 0, 0.5))  # tip, normal, place, force
+ * renderer.AddViewProp(shown)
+ * @endcode
  */
 #ifndef vtkHapticToolRepresentation_h
 #define vtkHapticToolRepresentation_h

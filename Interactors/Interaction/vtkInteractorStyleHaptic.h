@@ -31,6 +31,14 @@
  * space SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
  *
  * The body is that of the session. The tool presses along the normals of its response.
+ *
+ * @code{.py}
+ * style = palpate.vtkInteractorStyleHaptic()
+ * style.SetSession(session)                            # with RealTime
+ * style.SetScene(scene)
+ * style.SetPressDepth(1.0)                             # mm
+ * interactor.SetInteractorStyle(style)
+ * @endcode
  */
 #ifndef vtkInteractorStyleHaptic_h
 #define vtkInteractorStyleHaptic_h

@@ -136,9 +136,9 @@ bool vtkLiveCharts::ShowTip(vtkPolyData* probed, vtkIdType index)
   if (!probed || !kept.body || !probed->GetPointData()->HasArray("NormalForce") ||
     !palpate::readTick(probed, index, firstPolyOf(kept.body), now))
   {
-    vtkErrorMacro(<< "Tip " << index
-                  << " cannot be shown: it takes a body, and a tip of a vtkToolContactProbe's "
-                     "output.");
+    vtkErrorMacro(
+      << "Tip " << index
+      << " cannot be shown: a body, and a tip of a vtkToolContactProbe's output, are required.");
     return false;
   }
   kept.follow(kept.body, kept.name);

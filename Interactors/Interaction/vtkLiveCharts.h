@@ -28,6 +28,14 @@
  * Cost of an Update: 0.1 µs per tick since the last one, and tables of at most some thousand
  * numbers, independent of the length of the session and the size of the body. It never waits for
  * the servo thread and takes no lock. For the thread of the session.
+ *
+ * @code{.py}
+ * charts = palpate.vtkLiveCharts()
+ * charts.SetRenderer(strip)
+ * charts.SetSession(session)
+ * charts.SetDuration(5.0)                              # s
+ * clock.AddObserver(clock.FrameEvent, lambda *_: charts.Update())
+ * @endcode
  */
 #ifndef vtkLiveCharts_h
 #define vtkLiveCharts_h

@@ -146,7 +146,7 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
       const double leap = (foot.point - footprints.back().point).norm();
       if (leap > LargestLeap)
       {
-        vtkErrorMacro(<< "The path leaps " << leap << " mm at direction (" << direction.x() << ", "
+        vtkErrorMacro(<< "The path jumps " << leap << " mm at direction (" << direction.x() << ", "
                       << direction.y() << ", " << direction.z()
                       << "): it crosses a gap or a silhouette.");
         return false;

@@ -20,6 +20,15 @@
  *
  * Errors: a direction that meets no surface; a jump of more than 10 mm between neighbouring points
  * of the path (the path crosses a gap or a silhouette).
+ *
+ * @code{.py}
+ * path = palpate.vtkPressPath()
+ * path.SetInputConnection(surface.GetOutputPort())
+ * path.AddDirection(0, 0, 1)                           # from Center; slides from place to place
+ * path.AddDirection(1, 0, 1)
+ * path.SetDepth(1.0)                                   # mm
+ * path.Update()
+ * @endcode
  */
 #ifndef vtkPressPath_h
 #define vtkPressPath_h

@@ -10,6 +10,13 @@
  *
  * A curve may have a depth of validity, beyond which the line is dotted. A third and a fourth
  * column of a table, the bounds of the force (N), are drawn as a band.
+ *
+ * @code{.py}
+ * chart = palpate.vtkResponseChart()
+ * chart.SetTitle("A ball under two tools")
+ * chart.AddCurve(curves.GetOutput(), "sphere:6.35")    # vtkResponseCurves: mm, N
+ * view.GetScene().AddItem(chart.GetChart())            # a vtkContextView
+ * @endcode
  */
 #ifndef vtkResponseChart_h
 #define vtkResponseChart_h

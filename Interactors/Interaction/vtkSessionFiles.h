@@ -7,6 +7,16 @@
  * unless the caller gives a name. A record contains all ticks between two times of a session, as a
  * trajectory file for the device "replay:FILE". It continues over a stop and a start of the
  * session. GetNotice describes the last action in words. For the session's thread.
+ *
+ * @code{.py}
+ * session.GetRecorder().SetHistorySeconds(1.0)         # before Start
+ * files = palpate.vtkSessionFiles()
+ * files.SetSession(session)
+ * files.SetWindow(window)
+ * files.SetOutputFolder("records")
+ * files.StartRecording()                               # while the session runs
+ * name = files.WriteRecording()                        # "records/palpate-1.csv"
+ * @endcode
  */
 #ifndef vtkSessionFiles_h
 #define vtkSessionFiles_h

@@ -21,6 +21,14 @@
  * Errors: no file, or a file that is not a trajectory. The error names file, line and fault; the
  * output is then empty. Cost: the file is read again when its name or its modification time
  * differs; each request copies the tips up to its time.
+ *
+ * @code{.py}
+ * trajectory = palpate.vtkTrajectoryReader()
+ * trajectory.SetFileName("trajectory.csv")             # of palpate --record
+ * trajectory.WholePathOn()
+ * trajectory.Update()
+ * probe.SetTipConnection(trajectory.GetOutputPort())   # the same path on another body
+ * @endcode
  */
 #ifndef vtkTrajectoryReader_h
 #define vtkTrajectoryReader_h

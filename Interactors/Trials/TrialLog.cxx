@@ -163,7 +163,7 @@ std::string TrialLog::open(const std::string& path, const TrialHead& head)
   }
   if (std::ifstream(path).good())
   {
-    return "the trial log '" + path + "' exists already and is not overwritten";
+    return "the trial log '" + path + "' already exists and is not overwritten";
   }
   this->Path = path;
   this->Head = head;

@@ -70,9 +70,9 @@ const char* verdict(const Proportion& correct)
 {
   if (correct.lower > 0.5)
   {
-    return "told apart";
+    return "distinguished";
   }
-  return correct.upper < 0.5 ? "told apart, but the wrong way round" : "not told apart";
+  return correct.upper < 0.5 ? "distinguished, but in the wrong order" : "not distinguished";
 }
 } // namespace
 

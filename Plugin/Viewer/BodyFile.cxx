@@ -89,7 +89,8 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
 {
   if (!(options.lengthScale > 0.0) || !std::isfinite(options.lengthScale))
   {
-    return palpate::joined("a unit of length of ", options.lengthScale, " mm makes no sense");
+    return palpate::joined(
+      "the unit of length must be positive and finite (mm), but is ", options.lengthScale);
   }
 
   vtkNew<vtkBodyFileReader> reader;

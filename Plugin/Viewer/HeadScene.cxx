@@ -42,8 +42,8 @@ std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
   scene.materialSource =
     "E within the 31-42 kPa of cheek, cheekbone and forehead in vivo (aspiration; Luboz, Promayon "
     "and Payan, HAL hal-01092748); Poisson's ratio assumed nearly incompressible";
-  scene.modelReason = "skin over bone is a thin layer, so that the true force there is higher, the "
-                      "more so the deeper the tool";
+  scene.modelReason = "skin over bone is a thin layer, so that the true force there is higher, "
+                      "with a difference that grows with the depth";
   scene.tools = { "sphere:6.35", "flat:1.6", "sphere:1.6" };
   scene.depth = 0.8; // within the validity over most of the path
   // Relative to the scan's origin: +x right, +y to the nose, +z up. The path leads from above the

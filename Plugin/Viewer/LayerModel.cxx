@@ -22,9 +22,8 @@ namespace palpate
 {
 namespace
 {
-const char* const StackAssumptions =
-  "assumed: layers bonded to each other unless said, each homogeneous, thickness along the "
-  "normal";
+const char* const StackAssumptions = "assumed: layers bonded to each other unless stated, each "
+                                     "homogeneous, thickness along the normal";
 
 const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal; "
@@ -118,7 +117,7 @@ std::string describeStack(const ViewerScene& scene)
     const StackLayer& layer = stack.layers[i];
     const bool isScanned = scene.layer.scanned && i == scene.layer.scannedLayer;
     text += joined(i > 0 ? layer.slips ? "; slipping, " : "; " : "",
-      isScanned ? std::string("what is left of the soft tissue") : joined(layer.thickness, " mm"),
+      isScanned ? std::string("the rest of the soft tissue") : joined(layer.thickness, " mm"),
       " of ", layer.youngsModulus, " MPa, nu ", layer.poissonsRatio);
   }
   if (stack.hasHalfSpace)
@@ -134,7 +133,7 @@ std::string describeStack(const ViewerScene& scene)
   const Tissue tissue = tissueOf(scannedThickness(scene));
   vtkNew<vtkLayerThickness> settings;
   const std::string depth =
-    joined(", at the others taken to lie ", settings->GetMaximumDepth(), " mm deep; ");
+    joined(", assumed at the others to lie ", settings->GetMaximumDepth(), " mm deep; ");
   return text + ", bone, found at " + rounded(tissue.share, 0) + " % of the vertices" +
     (tissue.found.empty() ? std::string()
                           : " below " + rounded(tissue.found.front(), 1) + " to " +
@@ -193,9 +192,8 @@ std::string layerSource(const LayerChoice& layer)
   return layer.usual
     ? "moduli of the order that dermis and hypodermis show by indentation in vivo, Pailler-Mattei, "
       "Bec and Zahouani 2008, uncertain: in its plane skin is far stiffer; skin 1.5 mm thick, "
-      "within "
-      "the 0.8 to 2.0 mm of dermis in a face, Chopra et al. 2015; Poisson's ratios assumed; muscle "
-      "is not told from fat"
+      "within the 0.8 to 2.0 mm of dermis in a face, Chopra et al. 2015; Poisson's ratios assumed; "
+      "muscle is not distinguished from fat"
     : "given on the command line";
 }
 

@@ -256,7 +256,7 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   error = openDevice(options, session);
   if (error.empty() && session->GetDevice()->IsPhysical())
   {
-    error = "--device " + options.device + ": in virtual time nobody can hold it; give --window";
+    error = "--device " + options.device + ": it cannot be used in virtual time; give --window";
   }
   if (error.empty())
   {

@@ -98,7 +98,7 @@ std::string describeFriction(const ViewerOptions& options, const ViewerScene& sc
   text << "mu = " << friction.coefficient << ", ";
   if (friction.model == FrictionModel::ShapeDerived)
   {
-    text << "stuck as shape and depth of the contact tell, nu = " << scene.poissonsRatio;
+    text << "pre-sliding displacement from the response, nu = " << scene.poissonsRatio;
   }
   else
   {

@@ -15,7 +15,7 @@ std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored)
   {
-    return options.body + ": brings its response, which " +
+    return options.body + ": contains its response, which " +
       (options.solid ? "--solid" : "--voxel") + " cannot change; give --tool for a new one";
   }
   std::string fault;
@@ -156,14 +156,14 @@ std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)
     }
     scene.stored = true;
     scene.tools = { tool };
-    scene.materialSource = "not used: the file brings its response";
+    scene.materialSource = "not used: the file contains its response";
     scene.modelReason =
       "as stored in the file: " + responseText(scene.body, "Response", ResponseArray::Model);
     if (options.relaxation.count > 0)
     {
       removeArrays(scene.body, "Response", ContractArray::Use::Relaxation);
       describeRelaxation(scene.body, "Response", options.relaxation);
-      scene.modelReason += "; how it relaxes is given on the command line";
+      scene.modelReason += "; its relaxation is given on the command line";
     }
   }
   scene.body->GetCenter(scene.center.data());

@@ -134,7 +134,7 @@ def check_second_tip(response):
     touch.TipPositionmm, touch.SecondTipPositionmm = (0.2, 0.1, 5), (9.2, 0.1, 40)
     alone = [force_at(RANGE / 2)] * 2
     np.testing.assert_allclose(forces(touch), alone, rtol=FLOAT)
-    assert "do not feel one another" in text(touch), text(touch)
+    assert "do not interact" in text(touch), text(touch)
     response.Coupling = 1
     tips = np.array([[0.2, 0.1, 5 - RANGE / 2], [9.2, 0.1, 5 - RANGE / 2]])
     response.UpdatePipeline()

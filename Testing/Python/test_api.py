@@ -335,7 +335,7 @@ class ClosedForms(unittest.TestCase):
                               "Layer 1 slips.*StrainModel"),
                              ({"layer": 2, "layers": [(1, 1)]}, r"layers\[0\] must be \(thickness"),
                              ({"layer": 2, "layers": [(np.ones(7), 1, 0.4)]}, r"layers\[0\].*shape"),
-                             ({"layer": 2, "layers": [(1, 1, 0.4)], "young": np.full(441, 0.1)}, "one material each"),
+                             ({"layer": 2, "layers": [(1, 1, 0.4)], "young": np.full(441, 0.1)}, "each layer of a stack has one material"),
                              ({"layer": 2, "layers": [(np.zeros(441), 1, 0.4)]}, "SecondThickness.*point 0")):
             with self.subTest(given=list(given)), self.assertRaisesRegex(ValueError, words):
                 palpate.response(plate(), **given)
@@ -856,7 +856,7 @@ class Errors(unittest.TestCase):
                 (ValueError, "surface must be one of", {"surface": "round"}),
                 (ValueError, "Indentation must be finite", {"indentation": math.nan}),
                 (ValueError, "no response 'Other'|Other", {"name": "Other"}),
-                (ValueError, "Coupled is on, but response 'Response' does not tell", {"coupled": True}),
+                (ValueError, "Coupled is on, but response 'Response' has no coupling", {"coupled": True}),
                 (ValueError, r"'ToolAxis' is \(0, 0, 0\) at point 0", {"axis": [0, 0, 0]}),
                 (ValueError, r"axis must have shape \(1, 3\)", {"axis": np.ones((2, 3))}),
                 (ValueError, r"tips of a path that is coupled must have shape", {"coupled": True, "path": True}),

@@ -98,10 +98,10 @@ class Faults(Files):
     def test_obj(self):
         for text, words in (
                 ("v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1/1 2/2 3/3\n",
-                 "line 4: a corner names texture coordinate 3 that is not there, of 0"),
+                 "line 4: a corner names texture coordinate 3, but the number of them is 0"),
                 (VERTICES + "vn 0 0 1\nf 1//1 3//99999 2//1\nf 1//1 2//1 4//1\n",
-                 "line 6: a corner names normal 99999 that is not there, of 1"),
-                (VERTICES + "f 1 2 5\n", "line 5: a corner names vertex 5 that is not there, of 4"),
+                 "line 6: a corner names normal 99999, but the number of them is 1"),
+                (VERTICES + "f 1 2 5\n", "line 5: a corner names vertex 5, but the number of them is 4"),
                 (VERTICES + "f 1 2 -5\n", "line 5: the corner '-5' names vertex -5, but only 4 precede it"),
                 (VERTICES + "f 1 2 0\n", "line 5: the corner '0' cannot be understood"),
                 (VERTICES + "f 1 2 3/x\n", "line 5: the corner '3/x' cannot be understood"),
@@ -152,7 +152,7 @@ class Faults(Files):
         whole = nifti(grey)
         for content, words in (
                 (nifti(grey, dim=(3, 32767, 32767, 32767, 1, 1, 1, 1)), "wants 32767 x 32767 x 32767 voxels"),
-                (whole[:-1], "its header wants 34 x 30 x 26 voxels from byte 352 on, 106432 bytes; it has 106431"),
+                (whole[:-1], "its header states 34 x 30 x 26 voxels from byte 352 on, 106432 bytes, but it has 106431"),
                 (nifti(grey, dim=(4, 17, 30, 26, 2, 1, 1, 1)), r"it holds 2 images \(dim\[4\] of its header\)"),
                 (nifti(grey, dim=(5, 17, 30, 26, 1, 2, 1, 1)), r"it holds 2 images \(dim\[5\] of its header\)"),
                 (nifti(grey, dim=(3, 0, 30, 26, 1, 1, 1, 1)), r"dim\[1\] of its header is 0"),
@@ -170,9 +170,9 @@ class Faults(Files):
 
     def test_an_image_is_no_body(self):
         for name, content in (("scan.nii", nifti(lump())), ("scan.nii.gz", gzip.compress(nifti(lump())))):
-            with self.assertRaisesRegex(ValueError, "an image is no body.*vtkSkinSurface"):
+            with self.assertRaisesRegex(ValueError, "an image is not a body.*vtkSkinSurface"):
                 palpate.response(self.written(name, content))
-        with self.assertRaisesRegex(ValueError, "an image is no body.*vtkSkinSurface"):
+        with self.assertRaisesRegex(ValueError, "an image is not a body.*vtkSkinSurface"):
             palpate.response(vtkImageData())
 
     def test_files_that_are_damaged_anyhow(self):

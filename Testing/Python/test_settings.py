@@ -52,6 +52,15 @@ class Settings(unittest.TestCase):
                 getattr(settings, "Set" + name)(number(value))
                 self.assertRegex(settings.GetFault(), "^" + name + " must .*, but is %g$" % value)
 
+    def test_help_gives_the_range(self):
+        for row in table():
+            if not row["Values"]:
+                least, most = row["Minimum"], row["Maximum"]
+                said = "%g to %g" % (least, most) if math.isfinite(most) else \
+                    ("at least %g" if row["IncludesMinimum"] else "above %g") % least
+                self.assertIn(said, row["Help"], row["Name"])
+                self.assertIn(row["Unit"], row["Help"], row["Name"])
+
     def test_several_share_one(self):
         probe, session, touch = vtkToolContactProbe(), vtkHapticSession(), vtkToolTouch()
         session.SetSettings(probe.GetSettings())

@@ -104,7 +104,7 @@ class BadFiles(SessionCase):
         path = bodies.write(bodies.sphere(), self.path("lost.ply"), FileType=1)
         lines = path.read_text().splitlines()
         path.write_text("\n".join([*lines[:-1], "3 0 1 999999"]) + "\n")
-        self.refuse_file(path, "names a vertex that is not there")
+        self.refuse_file(path, "names a vertex that does not exist")
 
     def test_what_makes_readers_of_vtk_crash(self):
         vertices = "v -10 -10 0\nv 10 -10 0\nv 0 10 0\nv 0 0 20\n"

@@ -37,7 +37,7 @@ class Choice(SessionCase):
 
     def test_the_law_has_what_the_force_needs(self):
         said = self.press(bodies.sphere(), "ball.vtp", "--strain", "auto")
-        self.assertRegex(choice(said), "Of its law: the body's curvature is in the law: without it the force is off by .* %; ")
+        self.assertRegex(choice(said), "Terms of its law: the body's curvature is in the law: without it the force is off by .* %; ")
 
     def test_responses_of_a_file_are_judged_too(self):
         saved = self.folder / "saved.vtp"

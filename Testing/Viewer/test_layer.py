@@ -92,7 +92,7 @@ class Layer(SessionCase):
         numpy.testing.assert_allclose(array(body, "LayerThickness1"), THICKNESS - 2.0, atol=0.2)
         stack = vtk_to_numpy(body.GetFieldData().GetArray("ResponseLayerStack"))
         numpy.testing.assert_allclose(stack[:, 1:3], [[0.2, 0.48], [0.03, 0.49]])
-        self.assertIn("what is left of the soft tissue of 0.03 MPa", result.stdout)
+        self.assertIn("the rest of the soft tissue of 0.03 MPa", result.stdout)
         self.assertIn("the first: sphere:3 0.", result.stdout)   # soft base: less force than with the first layer alone
         # At more than half of the points the layer is not that of the given thickness.
         self.succeed(path, *usual, "--layers", "scan:0.03:0.49,50:0.2:0.48", pictures=(*PICTURES, "thickness"))

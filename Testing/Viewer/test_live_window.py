@@ -164,7 +164,7 @@ class LiveWindow(unittest.TestCase):
             xdotool("key", key)
             time.sleep(0.5)
         said = self.quit()  # before the fourth trial
-        self.assertIn("lets nobody feel a force", said)
+        self.assertIn("gives no force to the hand", said)
         self.assertNotIn("tool: ", said)
         self.assertIn("ended before trial 4 of 4", said)
         with open(log, encoding="utf-8") as file:

@@ -67,7 +67,7 @@ class Modules(SessionCase):
         self.refuse(self.ball, "--solid", "5", environment=self.environment, words=("module Solids", module.name))
         shutil.copy(MECHANICS, module)
         self.refuse(self.ball, "--solid", "5", environment=self.environment,
-                    words=(module.name, "is no module of Palpate", "palpateViewerSolidsModule"))
+                    words=(module.name, "is not a module of Palpate", "palpateViewerSolidsModule"))
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ class Solid(SolidCase):
         body.RemoveDeletedCells()
         path = bodies.write(body, self.folder / "hole.vtp")
         result = self.refuse(path, "--solid", "5", "--fixed", "z-:1000", words=("every point of the body is fixed",))
-        for warning in ("holes were filled", "held ends at whole cells, since nothing of the body would be left"):
+        for warning in ("holes were filled", "held part ends at whole cells, since nothing of the body would be left"):
             self.assertEqual(result.stderr.count(warning), 1, result.stderr)
 
     def test_what_cannot_be_filled_is_refused(self):

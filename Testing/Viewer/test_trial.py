@@ -107,7 +107,7 @@ class Trial(SessionCase):
 
     def test_other_lines_are_no_answers(self):
         said = self.ask(["3", "", "x", "2", " 1", "1"], "--trial", "sphere:3,flat:3", "--rounds", 1)
-        self.assertEqual(said.count("is no answer"), 4)
+        self.assertEqual(said.count("is not an answer"), 4)
         self.assertEqual([row[3] for row in self.log()[1]], ["Y", "X"])
 
     def test_what_was_answered_before_the_end_is_kept(self):
@@ -198,8 +198,8 @@ class Trial(SessionCase):
                 (("sphere:3,sphere:3+poisson=0.6",), "poisson=0.6"),
                 (("sphere:3,sphere:3+colour=red",), "colour=red"),
                 (("sphere:3,sphere:3+layer=-1",), "layer=-1"),
-                (("sphere:3,sphere:3+layers=1:1",), "layer 1: '1:1' is none"),
-                (("sphere:3,sphere:3+layers=scan",), "what a scan shows"),
+                (("sphere:3,sphere:3+layers=1:1",), "layer 1: '1:1' is not MM:MPA:NU"),
+                (("sphere:3,sphere:3+layers=scan",), "scan can only be given by --layers"),
                 (("sphere:3,sphere:3+young=1+layers=1:1:0.4",), "its own young and poisson"),
                 (("sphere:3,friction=0.2",), "either all"),
                 (("sphere:3,sphere:2+flat:1",), "two tools"),

@@ -60,14 +60,15 @@ std::string faultOfCoupling(const CouplingTerms& terms, std::size_t points)
     if (!std::isfinite(knot.share) || !std::isfinite(knot.slope) || !(knot.ratio >= before) ||
       !std::isfinite(knot.ratio))
     {
-      return joined("knot ", k, " must be finite, its contact radius not falling, but is (",
-        knot.share, ", ", knot.slope, ", ", knot.ratio, ")");
+      return joined("knot ", k,
+        " must be finite, with a contact radius that does not decrease, but is (", knot.share, ", ",
+        knot.slope, ", ", knot.ratio, ")");
     }
   }
   if (terms.modeCount < 0 || terms.modeCount > CouplingTerms::MostModes)
   {
     return joined(
-      "the modes must be 0 to ", CouplingTerms::MostModes, ", but are ", terms.modeCount);
+      "the number of modes must be 0 to ", CouplingTerms::MostModes, ", but is ", terms.modeCount);
   }
   std::string fault = faultOfValues(terms.localModulus, points, "the reduced modulus (MPa)");
   fault = fault.empty() ? faultOfValues(terms.localThickness, points, "the thickness (mm)") : fault;

@@ -172,8 +172,9 @@ private:
     {
       if (this->Largest[part] > this->Counts[part])
       {
-        this->Mesh.fault = joined("line ", this->LargestAt[part], ": a corner names ",
-          PartNames[part], ' ', this->Largest[part], " that is not there, of ", this->Counts[part]);
+        this->Mesh.fault =
+          joined("line ", this->LargestAt[part], ": a corner names ", PartNames[part], ' ',
+            this->Largest[part], ", but the number of them is ", this->Counts[part]);
       }
     }
   }

@@ -235,7 +235,8 @@ std::string rowFault(Values& values, const Element& element, std::uint64_t verti
       }
       if (corners && value >= vertices)
       {
-        return palpate::joined("names a vertex that is not there, of ", vertices);
+        return palpate::joined(
+          "names a vertex that does not exist; the number of vertices is ", vertices);
       }
     }
   }

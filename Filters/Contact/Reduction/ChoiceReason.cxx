@@ -89,10 +89,13 @@ std::string noPointForce(const ResponseChoice& choice, const ChoiceSettings& set
       ", but a spring per point would be off by " + percent(choice.springLoss) +
       " of the force at " + text(choice.range) + " mm";
   }
-  return choice.shapelessShare < settings.share
-    ? "; the shape of the tool is felt " + depth + " at " +
-      percentOfPoints(1.0 - choice.shapelessShare)
-    : "; the shape of the tool is not felt " + depth + ", but the law that says so does not hold";
+  if (choice.shapelessShare < settings.share)
+  {
+    return "; the shape of the tool is felt " + depth + " at " +
+      percentOfPoints(1.0 - choice.shapelessShare);
+  }
+  return "; the shape of the tool is not felt " + depth +
+    ", but the law on which this is based does not hold";
 }
 
 std::string beyondValidity(const ResponseChoice& choice)
@@ -105,7 +108,7 @@ std::string beyondValidity(const ResponseChoice& choice)
   return "; " + text(choice.depth) + " mm is beyond the validity of the law at " +
     percentOfPoints(choice.beyondShare) +
     (assumption.empty() ? assumption : " (mostly " + assumption + ")") +
-    ": there its numbers are kept, not the body's";
+    ": its numbers are kept there, but do not describe the body";
 }
 } // namespace
 

@@ -96,7 +96,7 @@ bool CsvReader::columns(std::vector<std::string_view> names, std::size_t require
       this->Place[i] = static_cast<std::size_t>(found - this->Fields.begin());
       if (std::find(found + 1, this->Fields.end(), this->Names[i]) != this->Fields.end())
       {
-        return this->fail("column " + quoted(this->Names[i]) + " stands there twice");
+        return this->fail("column " + quoted(this->Names[i]) + " occurs twice");
       }
     }
   }
@@ -282,7 +282,7 @@ bool CsvReader::split()
       at = skipBlanks(at + 1);
       if (at < this->Line.size() && this->Line[at] != this->Separator)
       {
-        return this->fail("field " + std::to_string(count) + " goes on after its closing quote");
+        return this->fail("field " + std::to_string(count) + " continues after its closing quote");
       }
     }
     else

@@ -69,14 +69,14 @@ LoadedModule loadModule(const std::string& name)
   const auto entry = reinterpret_cast<Entry>(dlsym(library, (name + "Module").c_str()));
   if (!entry)
   {
-    return { nullptr,
-      joined(fileName, " is no module of Palpate: ", name, "Module is missing in it") };
+    return { nullptr, joined(fileName, " is not a module of Palpate: it has no ", name, "Module") };
   }
   const ModuleTable* table = entry();
   if (table->version != std::string(PALPATE_VERSION))
   {
     return { nullptr,
-      joined(fileName, " is of version ", table->version, ", this program of ", PALPATE_VERSION) };
+      joined(fileName, " is of version ", table->version, ", but this program is of version ",
+        PALPATE_VERSION) };
   }
   return { table, {} };
 }
@@ -84,6 +84,6 @@ LoadedModule loadModule(const std::string& name)
 std::string missingModule(const std::string& name, const std::string& fault)
 {
   return joined("the module ", name, ", which cannot be loaded (", fault,
-    "): ./run build makes it, and so do Palpate's packages");
+    "): ./run build makes it, and Palpate's packages contain it");
 }
 } // namespace palpate

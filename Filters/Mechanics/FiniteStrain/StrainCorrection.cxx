@@ -28,14 +28,13 @@ std::string checkBonds(const LayerStack& stack)
     if (stack.layers[i].slips)
     {
       return joined("Layer ", i,
-        " slips below the one above it: StrainModel has a law for layers bonded to each other; use "
-        "SmallStrain, whose ErrorTolerance says how far off that is");
+        " slips below the layer above it, but StrainModel has a law only for layers that are "
+        "bonded to each other: use SmallStrain, whose error is estimated with an ErrorTolerance");
     }
   }
   return stack.hasHalfSpace && stack.halfSpace.slips
-    ? "The layers slip on their half-space: StrainModel has a law for bonded ones; use "
-      "SmallStrain, "
-      "whose ErrorTolerance says how far off that is"
+    ? "The layers slip on their half-space, but StrainModel has a law only for layers that are "
+      "bonded to it: use SmallStrain, whose error is estimated with an ErrorTolerance"
     : "";
 }
 

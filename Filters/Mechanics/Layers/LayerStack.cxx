@@ -130,8 +130,8 @@ std::string checkStack(const LayerStack& stack)
 {
   if (stack.layers.empty() || stack.layers.size() > LayerStack::MostLayers)
   {
-    return joined(
-      "A stack has 1 to ", LayerStack::MostLayers, " layers, but this one ", stack.layers.size());
+    return joined("A stack has 1 to ", LayerStack::MostLayers, " layers, but this one has ",
+      stack.layers.size());
   }
   const auto check = [](const StackLayer& layer, const std::string& name, bool isEndless)
   {

@@ -100,7 +100,7 @@ std::string parsePronySeries(const std::string& text, PronySeries& series)
     if (colon == std::string_view::npos || !readNumber(pair.substr(0, colon), strength) ||
       !readNumber(pair.substr(colon + 1), time))
     {
-      return joined("'", pair, "' is no relaxation, which is strength:seconds, e.g. 0.5:0.1");
+      return joined("'", pair, "' is not a relaxation, which is strength:seconds, e.g. 0.5:0.1");
     }
     if (read.count == PronySeries::LargestCount)
     {

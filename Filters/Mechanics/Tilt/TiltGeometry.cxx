@@ -172,8 +172,8 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
   if (largest <= 0.0)
   {
     return joined("the tool's flank rises by ", flankAngle(tool) / Degree,
-      " degrees only and lies on the body as soon as it is tilted; no tilt of ", angle / Degree,
-      " degrees can be felt with it");
+      " degrees only and lies on the body when the tool is tilted; there is no law for a tilt of ",
+      angle / Degree, " degrees");
   }
   constexpr double Rounding = 1e-9; // of angles converted from degrees
   return angle <= largest + Rounding

@@ -203,7 +203,7 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
       (answers(middle) ? answered : unanswered) = middle;
     }
     constexpr double Degrees = 57.29577951308232;
-    return joined("on ", body.describe(), " the tool's law answers to ", answered, " mm only",
+    return joined("on ", body.describe(), " the tool's law is known to ", answered, " mm only",
       angle > 0.0 ? joined(" when it is tilted by ", angle * Degrees, " degrees") : std::string(),
       ", not to the range of ", range, " mm");
   }

@@ -39,7 +39,7 @@ std::string advice(vtkDataObject* data)
       "apply Molecule To Lines (vtkMoleculeToLinesFilter), then Tube "
       "(vtkTubeFilter)" },
   };
-  std::string text = std::string("a ") + data->GetClassName() + " is no body: ";
+  std::string text = std::string("a ") + data->GetClassName() + " is not a body: ";
   for (const Advice& one : known)
   {
     if (data->IsA(one.type))
@@ -48,7 +48,7 @@ std::string advice(vtkDataObject* data)
     }
   }
   return text +
-    "apply a filter first that makes a surface of it, such as Extract Surface "
+    "first apply a filter that makes a surface of it, such as Extract Surface "
     "(vtkDataSetSurfaceFilter)";
 }
 

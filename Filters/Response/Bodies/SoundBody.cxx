@@ -168,8 +168,10 @@ std::string describeDefects(const MeshDefects& found)
   add(found.degenerate, "triangle without area", "triangles without area", "left out");
   add(found.notFinite, "triangle with a coordinate that is not finite or beyond 1e14 mm",
     "triangles with a coordinate that is not finite or beyond 1e14 mm", "left out");
-  add(found.nonManifoldEdges, "edge of more than two triangles or of two that cannot wind alike",
-    "edges of more than two triangles or of two that cannot wind alike", "taken for open borders");
+  add(found.nonManifoldEdges,
+    "edge of more than two triangles or of two that cannot wind consistently",
+    "edges of more than two triangles or of two that cannot wind consistently",
+    "treated as open borders");
   return text;
 }
 } // namespace palpate

@@ -53,7 +53,7 @@ std::string cellFault(vtkDataSet* data)
       if (!cells->IsValid() || wrong < 0 || wrong >= static_cast<double>(data->GetNumberOfPoints()))
       {
         return joined("its cells are damaged: one names point ", static_cast<vtkIdType>(wrong),
-          ", there are ", data->GetNumberOfPoints(), " points");
+          ", but there are ", data->GetNumberOfPoints(), " points");
       }
     }
   }

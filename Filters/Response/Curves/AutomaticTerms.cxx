@@ -138,7 +138,7 @@ std::string chooseBody(const Ranks& ranks, vtkPolyData* body, const LawRequest& 
   {
     chooser.say(
       joined(material.range().hasStack() ? "the stack of layers stays" : "the layer stays",
-        ": off would be ", nearest));
+        ": the force would be off with ", nearest));
   }
   return {};
 }
@@ -168,7 +168,7 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
         *request.tool->GetKernel(), material.range().strainBodies(), request.deflection))
     {
       chooser.say(joined("small strain stays, off by up to ", percentOf(bound),
-        ": this tool has no table of ", name, ", which takes the solver"));
+        ": this tool has no table of ", name, ", which would have to be solved"));
       return {};
     }
   }
@@ -228,8 +228,9 @@ void chooseEdges(const Ranks& ranks, const PressedBody& pressed, bool hasPiece,
     areNear = pressed.shape.edge(i).distance < NearEdge::Far;
   }
   chosen.terms.edges = ranks.any(areNear);
-  chooser.say(chosen.terms.edges ? "sharp edges are felt"
-                                 : "no sharp edge is within reach of a contact: none is felt");
+  chooser.say(chosen.terms.edges
+      ? "sharp edges have an effect"
+      : "no sharp edge is within reach of a contact: edges are left out");
 }
 } // namespace
 

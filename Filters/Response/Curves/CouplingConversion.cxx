@@ -131,8 +131,8 @@ std::string checkCouples(const BodyMaterial& material, vtkPolyData* body)
   if (fault.empty() && modes && (material.modelParts() & GlobalCompliancePart) == 0)
   {
     fault = joined("point array '", CouplingModesName,
-      "' tells how the body moves as a whole, but the response has no global compliance (array to "
-      "process 2), which is part of that");
+      "' describes the motion of the whole body, but the response has no global compliance (array "
+      "to process 2), which is part of this motion");
   }
   return fault;
 }

@@ -119,7 +119,7 @@ std::string relaxationInWords(const RelaxationRequest& request, const MaterialAr
     words += isLocal ? joined(series.time[i], " s")
                      : joined(series.strength[i], " in ", series.time[i], " s");
   }
-  return isElastic(request, compliance) ? words + ", but for its global compliance" : words;
+  return isElastic(request, compliance) ? words + ", except its global compliance" : words;
 }
 
 void attachRelaxation(const RelaxationRequest& request, const MaterialArray& compliance,

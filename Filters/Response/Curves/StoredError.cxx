@@ -121,6 +121,6 @@ std::string errorInWords(double relativeError)
   }
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), percent < 1.0 ? "%.1f %%" : "%.0f %%", percent);
-  return percent < 99.5 ? std::string(" \u00b1 ") + text.data() : " (nothing bounds its error)";
+  return percent < 99.5 ? std::string(" \u00b1 ") + text.data() : " (its error has no bound)";
 }
 } // namespace palpate

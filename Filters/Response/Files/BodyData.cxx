@@ -53,7 +53,7 @@ std::string accessFault(const std::string& path)
   }
   if (!std::ifstream(path).good())
   {
-    return "it may not be read";
+    return "there is no permission to read it";
   }
   return std::ifstream(path).peek() == std::ifstream::traits_type::eof() ? "it is empty" : "";
 }

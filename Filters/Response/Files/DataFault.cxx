@@ -51,7 +51,7 @@ std::string cellsFault(vtkCellArray* cells, vtkIdType points)
   }
   if (!cells->IsValid())
   {
-    return "the places where its cells begin are damaged";
+    return "the offsets of its cells are damaged";
   }
   std::array<double, 2> ids{};
   cells->GetConnectivityArray()->GetRange(ids.data());
@@ -59,7 +59,7 @@ std::string cellsFault(vtkCellArray* cells, vtkIdType points)
   return cells->GetNumberOfConnectivityIds() > 0 &&
       (wrong < 0.0 || wrong >= static_cast<double>(points))
     ? joined(
-        "a cell names point ", static_cast<vtkIdType>(wrong), ", there are ", points, " points")
+        "a cell names point ", static_cast<vtkIdType>(wrong), ", but there are ", points, " points")
     : "";
 }
 

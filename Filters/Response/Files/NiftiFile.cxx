@@ -152,18 +152,18 @@ std::string niftiFault(vtkNIFTIImageReader* reader)
     if (i > 3 && size > 1)
     {
       return joined("it holds ", size, " images (dim[", i,
-        "] of its header): take one of them out, as a file of three dimensions");
+        "] of its header): extract one of them to a file of three dimensions");
     }
     voxels *= static_cast<double>(size);
   }
   if (dimensions < 3)
   {
-    return joined("it has ", dimensions, " dimensions, three are needed");
+    return joined("it has ", dimensions, " dimensions, but three are needed");
   }
   if (reader->GetNumberOfScalarComponents() != 1)
   {
     return joined("its voxels have ", reader->GetNumberOfScalarComponents(),
-      " components (colours or complex numbers), one is needed");
+      " components (colours or complex numbers), but one is needed");
   }
   const std::string path = reader->GetFileName();
   const double offset = static_cast<double>(header->GetVoxOffset());
@@ -173,8 +173,8 @@ std::string niftiFault(vtkNIFTIImageReader* reader)
   const auto size = static_cast<double>(std::filesystem::file_size(path, ignored));
   if (!(offset >= 0.0) || needed > size * (isCompressed(path) ? MostDeflated : 1.0))
   {
-    return joined("its header wants ", header->GetDim(1), " x ", header->GetDim(2), " x ",
-      header->GetDim(3), " voxels from byte ", offset, " on, ", needed, " bytes; it has ", size,
+    return joined("its header states ", header->GetDim(1), " x ", header->GetDim(2), " x ",
+      header->GetDim(3), " voxels from byte ", offset, " on, ", needed, " bytes, but it has ", size,
       isCompressed(path) ? ", compressed" : "");
   }
   return "";
@@ -208,7 +208,7 @@ std::string applyNiftiHeader(
   }
   if (unit != 1.0)
   {
-    notes.push_back(joined("its header says ", unit > 1.0 ? "metres" : "micrometres"));
+    notes.push_back(joined("its header states ", unit > 1.0 ? "metres" : "micrometres"));
   }
   const double slope = reader->GetRescaleSlope();
   const double intercept = reader->GetRescaleIntercept();
@@ -221,7 +221,7 @@ std::string applyNiftiHeader(
     return joined("scl_slope and scl_inter of its header are ", slope, " and ", intercept);
   }
   scaleValues(image, slope, intercept);
-  notes.push_back(joined("values times ", slope, " plus ", intercept, ", as its header says"));
+  notes.push_back(joined("values times ", slope, " plus ", intercept, ", as its header states"));
   return "";
 }
 } // namespace palpate

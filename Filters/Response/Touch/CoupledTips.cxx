@@ -95,7 +95,7 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
       {
         return joined("polyline ", line, " has two points at Time ", timeOf(lines[line][i]), ", ",
           lines[line][i - 1], " and ", lines[line][i],
-          ", and which of them presses with the others cannot be told");
+          ": it is not known which of them presses with the other tips");
       }
     }
   }
@@ -107,8 +107,8 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
         time < timeOf(lines[line].back()))
       {
         return joined("polyline ", line, " has no point at Time ", time,
-          ", where another one has, between its first and its last: where its tool is then cannot "
-          "be told");
+          ", at which another polyline has one, between its first and its last point: the position "
+          "of its tool is not known");
       }
     }
   }
@@ -194,7 +194,7 @@ std::string checkCoupledTips(vtkPolyData* tips)
     if (time == -Infinity)
     {
       return joined("the point array 'Time' is ", times->GetTuple1(group.front()), " at point ",
-        group.front(), ", and with which others it presses cannot be told");
+        group.front(), ": it is not known with which tips it presses");
     }
     if (group.size() > CoupledContacts::Most)
     {

@@ -127,7 +127,7 @@ std::string makeToolSurface(
   if (!normals->GetOutput()->GetPointData()->GetNormals())
   {
     return joined("A tool of Length ", size.length, " mm and MaximumRadius ", size.maximumRadius,
-      " mm has no surface: too far from its own size");
+      " mm has no surface: these lengths are too far from the size of the tool");
   }
   output->ShallowCopy(normals->GetOutput());
   return {};

@@ -92,9 +92,7 @@ std::string describeTouches(const std::vector<Touch>& touches, const std::string
     isForce = isForce || touches[i].touches() || touches[i].contact.state == ContactState::Invalid;
   }
   text += isForce ? "\nArrow: " + shortest(touches.front().scale) + " mm per N" : "";
-  text += touches.front().isAlone
-    ? "\nThe tips do not feel one another: the response has no Coupling"
-    : "";
+  text += touches.front().isAlone ? "\nThe tips do not interact: the response has no Coupling" : "";
   return text;
 }
 } // namespace palpate

@@ -45,7 +45,7 @@ std::string checkCoarser(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser
   if (!(ratio >= LeastRatio))
   {
     return joined("Wrong input: Coarser must have cells at least ", LeastRatio,
-      " times as long as the body's, but theirs are ", ratio, " times as long");
+      " times as long as the body's, but its cells are ", ratio, " times as long");
   }
   std::array<double, 6> box{};
   std::array<double, 6> other{};

@@ -143,12 +143,12 @@ std::string DirectPresses::pressIn(
       facetsUnder(finer.body, this->Tool, place, this->Terms.depth);
     if (depthOfMarked(under, finer.held, this->Tool) < this->Terms.depth)
     {
-      return "the tool comes upon what is held";
+      return "the tool reaches held points";
     }
     isBeyond = depthOfMarked(under, finer.onCut, this->Tool) < this->Terms.depth;
     if (isBeyond)
     {
-      return "the tool comes upon what is too far away";
+      return "the tool touches the body outside the part";
     }
     contacts = { this->press(place, finer), this->press(place, coarser) };
   }

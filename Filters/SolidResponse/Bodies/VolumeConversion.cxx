@@ -52,7 +52,7 @@ std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh)
   // There are three unknowns per point, numbered by int.
   if (points > std::numeric_limits<int>::max() / 3 || cells > std::numeric_limits<int>::max())
   {
-    text << points << " points are more than can be solved for";
+    text << points << " points are too many to be solved";
     return text.str();
   }
   mesh.nodes.resize(3, points);

@@ -77,9 +77,9 @@ std::string takeSurface(vtkPolyData* body, PreparedSurface& prepared)
   {
     return fault + " (" + open + ")";
   }
-  prepared.warnings.push_back(joined("The surface was not closed: it was parted at ", done.points,
-    " points where it touched itself, and ", done.holes, " holes were filled, the widest ",
-    done.widest, " mm."));
+  prepared.warnings.push_back(joined("The surface was not closed: it was separated at ",
+    done.points, " points where it touched itself, and ", done.holes,
+    " holes were filled, the widest ", done.widest, " mm."));
   prepared.closed = {};
   return takeClosedSurface(convertMeshToSurface(surface), prepared.closed);
 }
@@ -96,8 +96,8 @@ std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepar
   }
   if (mended > 0)
   {
-    prepared.warnings.push_back(joined("The surface cut itself at ", mended,
-      " pairs of triangles; it was mended there before it was filled."));
+    prepared.warnings.push_back(joined("The surface intersected itself at ", mended,
+      " pairs of triangles; it was repaired there before it was filled."));
   }
   std::vector<CutPlane> planes = planesOf(wanted, faces, true);
   MeshedSurface left = wanted;
@@ -108,7 +108,7 @@ std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepar
     fault = fault.empty() ? takeClosedSurface(convertMeshToSurface(left), closedLeft) : fault;
     if (!fault.empty())
     {
-      prepared.warnings.push_back("What is held ends at whole cells, since " + fault + ".");
+      prepared.warnings.push_back("The held part ends at whole cells, since " + fault + ".");
     }
     else
     {

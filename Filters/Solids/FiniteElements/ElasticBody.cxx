@@ -103,8 +103,8 @@ std::string ElasticBody::factorise()
 {
   return this->Factor->factorise(this->Stiffness.lower)
     ? std::string()
-    : "the stiffness matrix is not positive definite, or does not fit the memory: do parts of the "
-      "body hang together at a point or an edge only, so that they can turn?";
+    : "the stiffness matrix is not positive definite, or does not fit the memory: are parts of the "
+      "body connected only at a point or an edge, so that they can turn?";
 }
 
 bool ElasticBody::isUniform() const

@@ -20,7 +20,7 @@ constexpr std::pair<SafetyLink, const char*> Words[] = {
   { SafetyLink::Magnitude, "cut to the device's largest" },
   { SafetyLink::Passivity, "damped against energy from nothing" },
   { SafetyLink::Watchdog, "no force: the device is silent" },
-  { SafetyLink::NoSample, "no force: the device tells no position" },
+  { SafetyLink::NoSample, "no force: the device reports no position" },
   { SafetyLink::Stopped, "no force: stopped" },
 };
 } // namespace

@@ -111,7 +111,7 @@ std::string RealTimeGrant::describe() const
   const std::string wanted = "SCHED_FIFO " + std::to_string(this->request.priority);
   if (this->request.priority == 0)
   {
-    text = "SCHED_FIFO not asked for";
+    text = "SCHED_FIFO not requested";
   }
   else if (this->priority == this->request.priority)
   {
@@ -132,7 +132,7 @@ std::string RealTimeGrant::describe() const
   else
   {
     text += "; memory not locked: " +
-      (this->request.lockMemory ? reason(this->memoryError) : std::string("not asked for"));
+      (this->request.lockMemory ? reason(this->memoryError) : std::string("not requested"));
   }
   return text + (this->timerSlack ? "; timer slack 1 ns" : "; timer slack of the system");
 }

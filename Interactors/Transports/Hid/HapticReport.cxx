@@ -185,7 +185,7 @@ const char* inWords(ReportDefect defect) noexcept
     case ReportDefect::Kind:
       return "another kind of report";
     case ReportDefect::Content:
-      return "a number that is not finite, or a turn that is none";
+      return "a number that is not finite, or an orientation that is not a rotation";
   }
   return "unknown";
 }

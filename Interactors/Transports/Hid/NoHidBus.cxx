@@ -18,7 +18,7 @@ public:
   std::string obstacle(const std::string&) override { return this->complaint(); }
   std::string complaint() const override
   {
-    return "this Palpate was built without hidapi: it knows no HID devices (libhidapi-dev, "
+    return "this Palpate was built without hidapi: it cannot use HID devices (libhidapi-dev, "
            "PALPATE_USE_HIDAPI)";
   }
 };

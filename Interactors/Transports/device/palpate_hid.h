@@ -5,12 +5,16 @@
  * PROTOCOL.md describes the reports byte by byte.
  *
  * In the firmware, with palpate_hid_report_descriptor as HID report descriptor:
- *   at start            palpate_hid_start(&hid, 6.0f, 20000);
- *   feature report      palpate_hid_describe(&what_i_am, 0, report);
- *   report from host    palpate_hid_receive(&hid, report, length, now);
- *   control, each tick  palpate_hid_force(&hid, now, force);      put it on the motors
- *                       palpate_hid_torque(&hid, now, torque);    if there are motors for it
- *                       palpate_hid_state(&hid, now, &reading, report);      and send it
+ *
+ * @code{.c}
+ * palpate_hid_start(&hid, 6.0f, 20000);              // at start: at most 6 N, held for 20 ms
+ * palpate_hid_describe(&what_i_am, 0, report);       // the feature report
+ * palpate_hid_receive(&hid, report, length, now);    // for each report from the host
+ * palpate_hid_force(&hid, now, force);               // each tick: apply it by the motors
+ * palpate_hid_torque(&hid, now, torque);             // if there are motors for it
+ * palpate_hid_state(&hid, now, &reading, report);    // and send this report
+ * @endcode
+ *
  * `now` is a clock in microseconds that does not go back. Calls must not interrupt one another: if
  * receive is called from an interrupt, disable this interrupt around the others.
  */

@@ -79,31 +79,34 @@ void set(QLabel* label, const QString& words)
 } // namespace
 
 LiveTouchForm::LiveTouchForm(QWidget* contents)
-  : body(wrapped("body", "The source that is touched: the active one."))
-  , response(named<QComboBox>("response", "Which of the responses on the body, and of which tool."))
+  : body(wrapped("body", "The source that is touched: the active source."))
+  , response(named<QComboBox>("response", "The response on the body that is used, and its tool."))
   , device(named<QComboBox>("device",
-      "The device: simulated (it follows the handle in the view), plant (the same, and the force "
-      "moves it; plant:mass=0.1,damping=1,stiffness=300), one that was found, or typed: hid:PATH, "
-      "bridge:unix:/PATH, bridge:udp:PORT, replay:FILE."))
-  , find(named<QToolButton>("find", "Look again for devices that are plugged in."))
-  , depth(named<QDoubleSpinBox>(
-      "depth", "How far the simulated device presses, mm. 0: half of the range of the response."))
+      "The device: simulated (it follows the handle in the view), plant (the same, but the force "
+      "moves it; plant:mass=0.1,damping=1,stiffness=300), a device that was found, or a typed one: "
+      "hid:PATH, bridge:unix:/PATH, bridge:udp:PORT, replay:FILE."))
+  , find(named<QToolButton>("find", "Search again for devices that are plugged in."))
+  , depth(named<QDoubleSpinBox>("depth",
+      "Depth to which the simulated device presses, mm. 0: half of the range of the response."))
   , snap(named<QCheckBox>("snap",
-      "The simulated tip goes to the point of the surface nearest to the handle, and there as deep "
-      "as told. Off: the tip is where the handle is."))
-  , start(named<QPushButton>("start", "Start the servo loop, or end it."))
-  , state(wrapped("state", "What the tip does."))
-  , remark(wrapped("remark", "What is wrong, or why another force is applied than the ideal one."))
+      "The simulated tip goes to the point of the surface nearest to the handle and presses there "
+      "to the depth. Off: the tip is where the handle is."))
+  , start(named<QPushButton>("start", "Start or end the servo loop."))
+  , state(wrapped("state", "State of the contact."))
+  , remark(wrapped(
+      "remark", "The fault, or the reason why the applied force differs from the ideal force."))
   , bar(named<pqForceBar>("bar",
-      "The force the device applies; outline: the ideal force; red: the most that may reach the "
-      "hand."))
-  , force(named<QLabel>("force", "The force the device applies, N."))
+      "The force that the device applies; outline: the ideal force; red: the largest force that "
+      "may reach the hand."))
+  , force(named<QLabel>("force", "The force that the device applies, N."))
   , limit(named<QLabel>("limit", "The largest force of the device, N."))
-  , error(named<QLabel>("error", "How far the ideal force may be off, by the response's estimate."))
-  , memory(wrapped("memory", "Of a body that relaxes: how much of the ideal force is memory."))
-  , deflection(named<QLabel>("deflection", "How deep the tip is in the undeformed body, mm."))
-  , servo(named<QLabel>("servo", "Ticks of the servo loop, and how many were missed."))
-  , grant(wrapped("grant", "What the system granted the servo thread, and why not more."))
+  , error(named<QLabel>("error", "Estimated error of the ideal force, from the response."))
+  , memory(
+      wrapped("memory", "For a body that relaxes: the part of the ideal force that is memory."))
+  , deflection(named<QLabel>("deflection", "Depth of the tip in the undeformed body, mm."))
+  , servo(named<QLabel>("servo", "Ticks of the servo loop, and the number of missed ticks."))
+  , grant(wrapped("grant",
+      "Scheduling that the system permits the servo thread, and the reason if it is not the best."))
 {
   this->device->setEditable(true);
   this->device->lineEdit()->setObjectName("text");

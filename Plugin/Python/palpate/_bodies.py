@@ -70,7 +70,7 @@ def warn_about_size(body):
 
 def _surface_of(data):
     if isinstance(data, vtkImageData):
-        raise ValueError("an image is no body; make a surface of it first: the skin of a scan by "
+        raise ValueError("an image is not a body; make a surface of it first: the skin of a scan by "
                          "palpate.vtkSkinSurface (its ContourValue is the grey level of the skin), its box by "
                          "palpate.vtkBodySurface")
     surface = vtkBodySurface()

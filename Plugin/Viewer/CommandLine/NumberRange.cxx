@@ -53,7 +53,7 @@ std::string NumberRange::read(const std::string& text, double& number) const
   }
   else if (result.ec == std::errc::result_out_of_range)
   {
-    fault = shorten(text) + " is beyond what a number can be";
+    fault = shorten(text) + " is beyond the range of a number";
   }
   else if (!std::isfinite(value))
   {

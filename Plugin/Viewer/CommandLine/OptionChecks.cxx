@@ -73,7 +73,7 @@ std::string readStackLayer(const std::string& text, StackLayer& layer, bool& sca
   layer.slips = parts.size() == 4 && parts.back() == "slip";
   if (parts.size() != 3 && !layer.slips)
   {
-    return "'" + text.substr(0, 40) + "' is none; MM:MPA:NU or MM:MPA:NU:slip, e.g. 1.5:0.2:0.48";
+    return "'" + text.substr(0, 40) + "' is not MM:MPA:NU or MM:MPA:NU:slip, e.g. 1.5:0.2:0.48";
   }
   scanned = parts[0] == "scan";
   std::string fault = scanned ? "" : StackRange.read(parts[0], layer.thickness);
@@ -87,7 +87,7 @@ std::string checkLayers(const LayerChoice& choice, std::size_t scanned)
   const LayerStack& stack = choice.stack;
   if (stack.layers.empty())
   {
-    return "a half-space alone is no stack: give --young and --poisson";
+    return "a half-space alone is not a stack: give --young and --poisson";
   }
   if (stack.layers.size() > LayerStack::MostLayers)
   {
@@ -96,7 +96,7 @@ std::string checkLayers(const LayerChoice& choice, std::size_t scanned)
   }
   if (stack.layers.front().slips)
   {
-    return "layer 1: nothing lies above it on which it could slip";
+    return "layer 1: there is no layer above it on which it could slip";
   }
   if (scanned > 0 && (scanned > 1 || stack.layers.size() != 2 || stack.hasHalfSpace))
   {
@@ -150,7 +150,7 @@ std::string readLayers(const std::string& text, LayerChoice& layer)
   read.stack.base = hasSlipBase ? LayerBase::Slip : LayerBase::Bonded;
   if (hasSlipBase && read.stack.hasHalfSpace)
   {
-    return "slip at the end is of a rigid base; of a half-space write 0:MPA:NU:slip";
+    return "slip at the end belongs to a rigid base; for a half-space write 0:MPA:NU:slip";
   }
   const std::string fault = checkLayers(read, scanned);
   layer = fault.empty() ? read : layer;
@@ -212,7 +212,7 @@ std::string checkFaces(const std::string& text)
     if (side.size() < face.size() &&
       (!CLI::detail::lexical_cast(face.substr(side.size() + 1), depth) || !(depth > 0.0)))
     {
-      return "'" + face + "': how deep a side holds must be a positive number of mm, as in z-:5";
+      return "'" + face + "': the depth of a side must be a positive number of mm, as in z-:5";
     }
     if (std::find(known.begin(), known.end(), side) == known.end())
     {

@@ -95,7 +95,8 @@ std::string readSetting(const std::string& name, const std::string& value, Trial
       [&]
       {
         const std::string fault = readLayers(value, choice.layer.emplace());
-        return choice.layer->scanned ? "what a scan shows is --layers for all alternatives" : fault;
+        return choice.layer->scanned ? "scan can only be given by --layers, for all alternatives"
+                                     : fault;
       } },
   };
   for (const SettingRow& setting : SettingTable)
@@ -115,7 +116,7 @@ std::string readSetting(const std::string& name, const std::string& value, Trial
   {
     known += (known.empty() ? "" : ", ") + entry.first;
   }
-  return "no such setting: there are " + known;
+  return "there is no such setting, but there are " + known;
 }
 
 std::string readChoice(const std::string& text, TrialChoice& choice)
@@ -137,7 +138,7 @@ std::string readChoice(const std::string& text, TrialChoice& choice)
     {
       if (choice.hasLump)
       {
-        return "'" + text.substr(0, 40) + "' says twice whether there is a lump";
+        return "'" + text.substr(0, 40) + "' states twice whether there is a lump";
       }
       choice.hasLump = part == "lump";
       continue;

@@ -14,15 +14,11 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
 {
   app
     .add_option("--trial", alternatives,
-      "compare blindly: A,B or more alternatives, each a tool, settings, or both, as "
-      "sphere:6.35+layer=7; settings: young, poisson, layer, layers, with --scene phantom the "
-      "words "
-      "lump and none, and what the options of "
-      "friction, "
-      "force and surface "
-      "set, as friction=0.3. In the window: space switches between X and Y, 1 or 2 answers; "
-      "without "
-      "it answers are read from the standard input")
+      "compare blindly: A,B or more alternatives, each of them a tool, settings, or both, as in "
+      "sphere:6.35+layer=7; settings: young, poisson, layer, layers, the options of friction, "
+      "force and surface, as in friction=0.3, and with --scene phantom the words lump and none. In "
+      "the window, space switches between X and Y, and 1 or 2 answers; without a window, answers "
+      "are read from the standard input")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -32,24 +28,24 @@ void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alterna
       "A,B"));
   app
     .add_option("--rounds", options.trialRounds,
-      "of a trial: in each, every pair is asked about twice, in either order")
+      "number of rounds of a trial; in each round every pair is asked twice, once in either order")
     ->check(within(NumberRange::between(1, 10000, "a number of rounds, e.g. 5"), "INT"))
     ->needs("--trial")
     ->capture_default_str();
   app
     .add_option("--seed", options.trialSeed,
-      "of the order of a trial, to have the same again (default: another one each time)")
+      "seed of the order of a trial, to repeat an order (default: another seed each time)")
     ->check(within(NumberRange::notNegative("a whole number, e.g. 1"), "NONNEGATIVE"))
     ->needs("--trial");
   app
     .add_option("--question", options.question,
-      "what a trial asks (default: which one pushes back more, of lump and none under which one "
-      "the "
-      "lump is; only these have a right answer)")
+      "question of a trial (default: which one pushes back more, or, with lump and none, under "
+      "which one the lump is; only these questions have a right answer)")
     ->needs("--trial");
   app
     .add_option("--log", options.trialLog,
-      "answers of a trial, a .csv that must not exist (default: trial.csv in the output folder)")
+      "file for the answers of a trial, a .csv that must not exist yet (default: trial.csv in the "
+      "output folder)")
     ->needs("--trial");
   app.get_option("--trial")->excludes("--hand");
 }
@@ -66,7 +62,7 @@ void takeTrialTools(ViewerOptions& options)
   {
     throw CLI::ValidationError("--trial",
       options.tools.empty() ? "either all alternatives name a tool, or none does"
-                            : "the alternatives name tools, so --tool has nothing to say");
+                            : "the alternatives name tools, so --tool cannot be given");
   }
   for (const TrialChoice& choice : options.trial)
   {

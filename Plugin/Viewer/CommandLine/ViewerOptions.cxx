@@ -27,8 +27,7 @@ void addContactOptions(CLI::App& app, ContactSettings& contact)
       continue;
     }
     const std::string option = std::string("--") + setting.text.option;
-    const std::string unit = *setting.text.unit ? std::string(", ") + setting.text.unit : "";
-    const std::string help = setting.text.help + unit;
+    const std::string help = setting.text.help;
     if (setting.isEnumeration())
     {
       const ContactNames names = namesOf(setting);
@@ -58,25 +57,25 @@ void addDeviceOptions(CLI::App& app, ViewerOptions& options)
 {
   app
     .add_option("--device", options.device,
-      "what the hand holds: simulated (a path, or with --window the mouse), "
-      "plant:mass=0.1,damping=1,"
-      "stiffness=300 (the same as a device that the force moves: kg, N s/m, N/m of the hand), "
-      "replay:FILE (a trajectory), hid:PATH, bridge:ADDRESS (unix:/PATH or udp:PORT)")
+      "the device: simulated (it follows a path, or with --window the mouse), "
+      "plant:mass=0.1,damping=1,stiffness=300 (a simulated device that the force moves: kg, N s/m, "
+      "N/m of the hand), replay:FILE (a trajectory), hid:PATH, bridge:ADDRESS (unix:/PATH or "
+      "udp:PORT)")
     ->capture_default_str();
   app
     .add_option("--hand", options.hands,
-      "with --window: a further device on the same body, up to three, as --device; each feels the "
-      "others through the body. simulated: the mouse, key n takes the next hand")
+      "with --window: a further device on the same body, up to three, as in --device; the devices "
+      "interact through the body. simulated: moved by the mouse; key n selects the next hand")
     ->expected(1, MostFurtherHands)
     ->needs("--window");
   app
     .add_option("--scale", options.scale,
-      "how many mm of the body a mm of the hand is; stiffness is felt times this")
+      "mm of the body per mm of the hand; the hand feels the stiffness times this factor")
     ->check(positive("a factor, e.g. 1"))
     ->capture_default_str();
-  app.add_flag("--list-devices", options.listDevices, "list the devices that are there, and end");
+  app.add_flag("--list-devices", options.listDevices, "list the connected devices, and exit");
   app.add_option(
-    "--record", options.record, "also write every tick, a trajectory .csv for replay:FILE");
+    "--record", options.record, "also write every tick to a trajectory .csv, for replay:FILE");
 }
 
 /// Adds the options of views other than one tool over one body.
@@ -84,7 +83,7 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
 {
   CLI::Option* compare = app.add_flag("--compare", options.compare,
     "two bodies of rubber side by side under the same tools and motion: a strip on rollers, which "
-    "bends, and a block on a plate, which only dents; curves and verdict under each");
+    "bends, and a block on a plate, which only dents; curves and verdict below each");
   for (const char* option : { "BODY", "--scene", "--scan", "--measured", "--voxel", "--solid",
          "--layer", "--layers", "--site", "--slide-to", "--length-unit", "--resolution", "--save",
          "--export", "--device", "--hand", "--record", "--trial", "--pictures" })
@@ -92,8 +91,8 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
     compare->excludes(app.get_option(option));
   }
   CLI::Option* map = app.add_flag("--map", options.map,
-    "where on the body the shape of the first tool matters at --depth: regime index, sensitivity "
-    "and verdict as colour, with --window to be turned");
+    "draw where on the body the shape of the first tool matters at --depth: regime index, "
+    "sensitivity and verdict as colours; with --window the body can be turned");
   for (const char* option :
     { "--measured", "--device", "--hand", "--record", "--trial", "--compare", "--pictures" })
   {
@@ -114,46 +113,48 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   std::string alternatives;
 
   app.add_option("BODY", options.body, "the body to touch; without one, the --scene");
-  app.add_option("--scene", options.scene, "a scene of its own")
+  app.add_option("--scene", options.scene, "a built-in scene")
     ->check(CLI::IsMember({ "head", "cylinder", "phantom" }))
     ->capture_default_str();
   app.add_option("--scan", options.scan, "scan of the head scene (default: mricron-data's ch2)");
   app
     .add_option("--tool", options.tools,
-      "a tool; give several to compare their curves, the first one touches")
+      "a tool; with several tools their curves are compared, and the first one touches the body")
     ->check(CLI::Validator(checkToolText, "SHAPE:SIZE"));
   app.add_option("--young", options.youngsModulus, "Young's modulus of the body, MPa")
     ->check(within(YoungsModulusRange, "POSITIVE"));
   app.add_option("--poisson", options.poissonsRatio, "Poisson's ratio of the body")
     ->check(within(PoissonsRatioRange, "0 TO 0.5"));
-  app.add_option("--depth", options.depth, "depth the tip is pressed to, mm")
+  app.add_option("--depth", options.depth, "depth to which the tip is pressed, mm")
     ->check(positive("a depth in mm, e.g. 1", LargestDepth));
-  app.add_option("--max-deflection", options.maximumDeflection, "depth the responses reach, mm")
+  app
+    .add_option(
+      "--max-deflection", options.maximumDeflection, "depth of the responses' last sample, mm")
     ->check(positive("a depth in mm, e.g. 2", Kilometre))
     ->capture_default_str();
   app
     .add_option("--measured", options.measured,
-      "curves measured on the body, a .csv; the tools follow from what they show. Give several for "
-      "several tools")
+      "curves measured on the body, a .csv; the responses of the tools are made from them. Give "
+      "one file for each measuring tool")
     ->excludes("--young");
   app
     .add_option("--register", options.registration,
-      "carries the frame of the curves to the body's: a 4x4 matrix, or a .csv of pairs of points")
+      "transforms the frame of the curves to that of the body: a 4x4 matrix, or a .csv of pairs of "
+      "points")
     ->needs("--measured");
-  app.add_option("--reach", options.reach, "how far a measured site speaks for, mm")
+  app.add_option("--reach", options.reach, "distance within which a measured site is used, mm")
     ->check(positive("a distance in mm, e.g. 20", Kilometre))
     ->capture_default_str();
   app
     .add_option("--max-strain", options.maximumStrain,
-      "contact radius over tip radius up to which readings of --measured are used")
+      "largest ratio of contact radius to tip radius for which readings of --measured are used")
     ->check(positive("a fraction, e.g. 0.4"))
     ->needs("--measured")
     ->capture_default_str();
   app
     .add_option("--voxel", options.voxel,
-      "fill the closed surface with hexahedra of this side, mm: each point then also gives way "
-      "with "
-      "the body as a whole")
+      "fill the closed surface with hexahedra of this size, mm: the responses then include the "
+      "deflection of the whole body")
     ->check(positive("the side of a voxel in mm, e.g. 2", Kilometre))
     ->excludes("--measured");
   app
@@ -165,7 +166,8 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
         readSolid(text, options.solidSpacing);
       },
       "fill the closed surface with tetrahedra of this size at the surface, mm, larger inside "
-      "(without a number: chosen from body and tools): each point then feels the body's true shape")
+      "(without a number: chosen from body and tools): the responses are then those of the body's "
+      "true shape")
     ->expected(0, 1)
     ->check(CLI::Validator(
       [](const std::string& text)
@@ -178,14 +180,14 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->excludes("--measured");
   app
     .add_option("--fixed", options.fixedFaces,
-      "sides of the bounding box that hold the filled body: x-,x+,y-,y+,z-,z+, each with how deep "
-      "in mm where that is not half a cell, as z-:5")
+      "sides of the bounding box at which the filled body is held: x-,x+,y-,y+,z-,z+, each with "
+      "its depth in mm if that is not half a cell, as in z-:5")
     ->check(CLI::Validator(checkFaces, "SIDES"))
     ->capture_default_str();
   app
     .add_option("--layer", layer,
-      "soft tissue on a rigid base: scan (as thick as the scan of the body shows; the head's "
-      "default), none (a half-space), or its thickness everywhere, mm")
+      "soft tissue on a rigid base: scan (thickness from the scan of the body; the head's "
+      "default), none (a half-space), or one thickness everywhere, mm")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -199,12 +201,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app
     .add_option("--layers", layers,
       "layers on each other, outermost first, on a rigid base: MM:MPA:NU,MM:MPA:NU,...; 0 mm in "
-      "the "
-      "last is an elastic half-space below; scan for the mm of one of two: what the other leaves "
-      "of "
-      "the scan's soft tissue; :slip after a layer: without friction on the one above, ,slip at "
-      "the "
-      "end: on the rigid base. scan alone: skin over fat")
+      "the last one: an elastic half-space; scan in place of the mm of one of two layers: the "
+      "scan's soft tissue minus the other layer; :slip after a layer: it slips without friction "
+      "below the layer above; ,slip at the end: the lowest layer slips on the rigid base. scan "
+      "alone: skin over fat")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -221,11 +221,11 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app
     .add_option_function<std::string>(
       "--strain", [&options](const std::string& text) { readStrain(text, options.terms); },
-      "how the body resists large strain: small (not at all otherwise than small strain), "
-      "neo-hooke, ogden:ALPHA or demiray:B (solved for once, a minute or so, and kept); auto: "
-      "neo-hooke where a table has the tool, and of it, curvature and layers no more than changes "
-      "the force by --tolerance, each with its per cent (the head's default; of a --solid: "
-      "neo-hooke where a table has the tool)")
+      "law of the body at large strain: small (the laws of small strain), neo-hooke, ogden:ALPHA "
+      "or demiray:B (solved once, in about a minute, and stored); auto: neo-hooke if a table has "
+      "the tool; it, curvature and layers are left out if they change the force by less than "
+      "--tolerance, and the per cent of each is reported (the head's default; for a --solid: "
+      "neo-hooke if a table has the tool)")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -237,35 +237,35 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->default_str("small");
   app
     .add_option("--error-tolerance", options.terms.errorTolerance,
-      "estimated error of the force, relative, that curves are drawn in full up to; 0: up to where "
-      "the first assumption of the law breaks, and no error is told")
+      "estimated relative error of the force up to which curves are drawn in full; 0: they are "
+      "drawn in full until the first assumption of the law fails, and no error is given")
     ->check(notNegative("a relative error, e.g. 0.05"))
     ->excludes("--measured")
     ->capture_default_str();
   app
     .add_flag("--curvature,!--no-curvature", options.terms.curvature,
-      "count the body's sag under the tool (default; --no-curvature: every point is flat)")
+      "include the body's curvature under the tool (default; --no-curvature: the body counts as "
+      "flat)")
     ->disable_flag_override();
   app
     .add_flag("--edges", options.terms.edges,
-      "feel sharp edges: a contact beside one is softer, and leaves over it with its force going "
-      "to "
-      "nothing instead of dropping it")
+      "include sharp edges: a contact near an edge is softer, and its force falls to zero without "
+      "a jump as it leaves over the edge")
     ->excludes("--measured")
     ->disable_flag_override();
   app
     .add_option("--tilt", options.terms.tilt,
-      "how far the tool is tilted at most against the body's normal, in degrees: its force and its "
-      "torque follow the tilt; 0: it counts as upright")
+      "largest tilt of the tool against the body's normal, in degrees: force and torque follow the "
+      "tilt; 0: the tool counts as upright")
     ->check(any("an angle in degrees, e.g. 30"))
     ->capture_default_str();
   app
     .add_option_function<std::string>(
       "--relax",
       [&options](const std::string& text) { parsePronySeries(text, options.relaxation); },
-      "how the body relaxes: strength:seconds,... of up to four branches, as 0.5:0.1,0.3:2; the "
-      "strength is relative to the slow response, which the modulus is of. A press is felt up to 1 "
-      "+ their sum times as stiff when it is fast")
+      "relaxation of the body: strength:seconds,... of up to four branches, as in 0.5:0.1,0.3:2; a "
+      "strength is relative to the slow response, to which the modulus belongs. A fast press is up "
+      "to 1 + the sum of the strengths times as stiff")
     ->check(CLI::Validator(
       [](const std::string& text)
       {
@@ -283,22 +283,22 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->default_str("mm");
   app
     .add_option("--resolution", options.resolution,
-      "distance of the vertices taken from a scan, mm; 0: the scan's own")
+      "distance between the vertices of a scan's surface, mm; 0: that of the scan's voxels")
     ->check(notNegative("a distance in mm, e.g. 2; 0: the scan's own"))
     ->capture_default_str();
   app.add_option("--contour", options.contourValue, "grey level of the skin in a scan")
     ->check(any("a grey level, e.g. 30"))
     ->capture_default_str();
   app
-    .add_option(
-      "--closing", options.closingRadius, "openings of a scan's skin up to twice this are shut, mm")
+    .add_option("--closing", options.closingRadius,
+      "openings of a scan's skin up to twice this width are closed, mm")
     ->check(within(
-      NumberRange::between(0.0, 100.0, "a radius in mm, e.g. 6; 0: none is shut"), "0 TO 100"))
+      NumberRange::between(0.0, 100.0, "a radius in mm, e.g. 6; 0: none is closed"), "0 TO 100"))
     ->capture_default_str();
-  app.add_option("--site", site, "where to press: a direction from the middle of the body, X,Y,Z")
+  app.add_option("--site", site, "place to press: a direction from the middle of the body, X,Y,Z")
     ->check(any("three numbers are needed, e.g. 0,0,1"))
     ->delimiter(',');
-  app.add_option("--slide-to", slideTo, "where to slide to, likewise")
+  app.add_option("--slide-to", slideTo, "end of the slide: a direction, as in --site")
     ->check(any("three numbers are needed, e.g. 0,0,1"))
     ->delimiter(',');
   app.add_option("--rate", options.rate, "ticks per second")
@@ -312,23 +312,23 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     "also write the body with the first tool's responses for loops without VTK, a .palpate");
   app
     .add_flag("--auto,!--no-auto", options.automatic,
-      "choose from regime, validity and spread what is felt: a point force, one law, a few, or a "
-      "response per vertex, and say why (default; --no-auto: per vertex as computed, as always in "
-      "--trial)")
+      "choose the form of the responses from regime, validity and spread (a point force, one law, "
+      "a few laws, or a response per vertex), and state the reason (default; --no-auto: per vertex "
+      "as computed, as always in --trial)")
     ->disable_flag_override(); // CLI11 does not report a number that is too large as a ParseError
   app
     .add_option("--tolerance", options.tolerance,
-      "how much the chosen form may change a force, relative (see vtkResponseChoice)")
+      "largest relative change of a force by the chosen form (see vtkResponseChoice)")
     ->check(positive("a relative error, e.g. 0.01"))
     ->capture_default_str();
   app
     .add_flag("--pictures,!--no-pictures", options.pictures,
-      "draw what happens (default; --no-pictures: only trajectory and summary, without a display)")
+      "draw pictures (default; --no-pictures: only trajectory and summary, without a display)")
     ->disable_flag_override();
   app.add_flag("--window", options.window,
     "open a window in which the mouse moves the tool, instead of writing pictures");
   app.add_option("--screenshot", options.screenshot,
-    "with --window: a picture of the window as it was when it closed, a .png");
+    "with --window: write the last picture of the window, a .png");
 
   addDeviceOptions(app, options);
   addTrialOptions(app, options, alternatives);

@@ -34,7 +34,7 @@ const char* const Hint = "? or h: keys and mouse";
 const char* const KeySheet =
   "left button on a body\tpress, and slide with the pointer: on both bodies\n"
   "wheel\tdeeper, less deep\n"
-  "left button beside it\torbit; middle: pan; right: zoom\n"
+  "left button next to it\torbit; middle: pan; right: zoom\n"
   "\n"
   "1 to 9\tthe tool\n"
   "m\tcolour: displacement, regime index, sensitivity, verdict\n"

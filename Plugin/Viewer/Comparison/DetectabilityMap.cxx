@@ -152,9 +152,8 @@ std::string describeNodules(const ViewerScene& scene, bool inShort)
   vtkDataArray* change = data->GetArray("ForceChange");
   vtkDataArray* depth = data->GetArray("ChangeDepth");
   std::string text = inShort
-    ? "By how much each nodule changes the force;\nin brackets: not felt\n \n"
-    : "Over each nodule, by how much the force changes "
-      "(and how deep it does so most):\n";
+    ? "Change of the force by each nodule;\nin brackets: not felt\n \n"
+    : "Change of the force over each nodule (and the depth of the largest change):\n";
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
   {
     text += (i > 0 ? ", " : "radius, depth of the top: ") + scene.tools[i];
@@ -209,7 +208,7 @@ std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene&
   }
   const std::string all =
     joined(scene.title, "\npressed up to ", scene.depth, " mm deep\nlined: from ", FeltFrom,
-      " %, the least that a hand tells\n \n", describeNodules(scene, true));
+      " %, the least that a hand feels\n \n", describeNodules(scene, true));
   stage.addWords(all, maps == 1 ? alone[1] : places[maps]);
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(PhantomField[0] - ViewMargin, PhantomField[2] - ViewMargin, 0.0);

@@ -157,7 +157,7 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
   }
   else
   {
-    scene.notes.push_back("no second mesh to tell the error of the first: " + lost);
+    scene.notes.push_back("no second mesh to estimate the error of the first: " + lost);
   }
   pressed->SetYoungsModulus(scene.youngsModulus);
   pressed->SetPoissonRatio(scene.poissonsRatio);

@@ -193,8 +193,8 @@ std::string attachVoxelCompliance(
   body->GetPointData()->GetArray("GlobalCompliance")->GetRange(range.data());
   std::array<char, 300> text{};
   std::snprintf(text.data(), text.size(),
-    "filled with %lld hexahedra of %g mm, held at %s: it gives way by %.3g to %.3g mm/N; "
-    "what is drawn of that, %d modes, leaves out %.0f %%.",
+    "filled with %lld hexahedra of %g mm, held at %s: it gives way by %.3g to %.3g mm/N; the %d "
+    "modes that are drawn leave out %.0f %%.",
     static_cast<long long>(voxels->GetOutput()->GetNumberOfCells()), options.spacing,
     options.fixedFaces.c_str(), range[0], range[1], BodyModes,
     100.0 * compliance->GetNeglectedByModes());

@@ -101,7 +101,7 @@ std::string ask(BlindTrial& trial, vtkHapticSession* session, double seconds, bo
     }
     else
     {
-      std::printf("'%s' is no answer\n", line.c_str());
+      std::printf("'%s' is not an answer\n", line.c_str());
     }
   }
 }

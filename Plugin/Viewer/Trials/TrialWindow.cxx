@@ -20,7 +20,7 @@ const char* const TrialKeys = "? or h\tthis help, on and off\n"
                               "mouse on the body\tthe hand hovers under the pointer\n"
                               "left button\tpress and slide\n"
                               "wheel\tpress deeper, or less deep\n"
-                              "left beside the body\torbit\n"
+                              "left next to the body\torbit\n"
                               "middle, right\tpan, zoom";
 
 /// Asks the question of the current trial, or ends.
@@ -62,7 +62,8 @@ std::string runTrialWindow(const ViewerOptions& options, const ViewerScene& scen
   error = chooseDevice(options, responses, live.session());
   if (error.empty() && !live.session()->GetDevice()->GetOutputsForce())
   {
-    std::fprintf(stderr, "palpate: warning: '%s' lets nobody feel a force; give --device\n",
+    std::fprintf(stderr,
+      "palpate: warning: the device '%s' gives no force to the hand; give --device\n",
       options.device.c_str());
   }
   if (error.empty())

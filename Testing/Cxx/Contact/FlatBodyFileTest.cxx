@@ -127,7 +127,7 @@ TEST_F(FlatBodyFileTest, AForeignFileIsRefused)
   std::remove(this->Path.c_str());
   EXPECT_TRUE(contains(this->openError(), "No such file"));
   FlatBodyFile file;
-  EXPECT_TRUE(contains(file.open(::testing::TempDir()), "no file"));
+  EXPECT_TRUE(contains(file.open(::testing::TempDir()), "not a file"));
 }
 
 TEST_F(FlatBodyFileTest, ANewerFormatAndTheOtherByteOrderAreNamed)

@@ -110,7 +110,7 @@ TEST(RealTimeGrant, NothingIsChangedThatWasNotAskedFor)
   EXPECT_EQ(asked.slack, 1);
   EXPECT_EQ(lockedMemory(), before);
   EXPECT_EQ(asked.grant.describe(),
-    "SCHED_FIFO not asked for; memory not locked: not asked for; timer slack 1 ns");
+    "SCHED_FIFO not requested; memory not locked: not requested; timer slack 1 ns");
 }
 
 TEST(RealTimeGrant, ARefusalSaysWhy)
@@ -144,7 +144,7 @@ TEST(RealTimeGrant, ALimitBelowTheRequestIsUsed)
   EXPECT_EQ(asked.grant.priority, 10);
   EXPECT_EQ(asked.grant.describe(),
     "SCHED_FIFO 80 refused: Operation not permitted, SCHED_FIFO 10 granted; memory not locked: "
-    "not asked for; timer slack 1 ns");
+    "not requested; timer slack 1 ns");
 }
 
 TEST(RealTimeGrant, APriorityThatThereIsNotIsRefused)

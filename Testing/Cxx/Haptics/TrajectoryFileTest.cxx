@@ -254,7 +254,7 @@ TEST(TrajectoryFile, ErrorsNameFileAndLine)
   EXPECT_EQ(faultOf("time_s,tip_x_mm,tip_y_mm,tip_z_mm,device_x_m\n"),
     "t.csv:1: column 'device_y_m' is missing");
   EXPECT_EQ(faultOf("time_s,tip_x_mm,tip_y_mm,tip_z_mm,tip_x_mm\n"),
-    "t.csv:1: column 'tip_x_mm' stands there twice");
+    "t.csv:1: column 'tip_x_mm' occurs twice");
   EXPECT_EQ(faultOf(Head + "0,1,2,3\n0,1,2\n"), "t.csv:3: has 3 fields instead of 4");
   EXPECT_EQ(faultOf(Head + "0,1,2,3,4\n"), "t.csv:2: has 5 fields instead of 4");
   EXPECT_EQ(faultOf(Head + "0,1,nan,3\n"), "t.csv:2: tip_y_mm: 'nan' is not a finite number");

@@ -133,7 +133,8 @@ TEST(CurvesFile, WithoutSitesIsOneCurve)
   EXPECT_EQ(curves.curves[0].site, "(10, -0.5, 50)"); // as in a file of another tool
   EXPECT_EQ(curves.curves[0].force, (std::vector<double>{ 1.0, 2.0 }));
   refuse(columns + "10,0,50,0.1,1\n10,0,51,0.2,2\n",
-    "press.csv:4: lies elsewhere than the first row, and without the column 'site' a file has one "
+    "press.csv:4: has another position than the first row, but a file without the column 'site' "
+    "has one "
     "curve");
 }
 
@@ -158,7 +159,7 @@ TEST(CurvesFile, RefusesTheHead)
     "press.csv:2: negative: 'time' is not known; accepted are force, deflection");
   refuse(Head + Columns + "# negative: force\n" + row, "press.csv:3: signs are named in the head");
   refuse(Head + "site,x_mm,x_mm,y_mm,z_mm,deflection_mm,force_N\n" + row,
-    "press.csv:2: column 'x_mm' stands there twice");
+    "press.csv:2: column 'x_mm' occurs twice");
   MeasuredCurves curves;
   const std::string error = read("# tool: spoon:3\n" + Columns + row, curves);
   EXPECT_EQ(error.rfind("press.csv:1: tool: ", 0), 0U) << error;
@@ -180,7 +181,7 @@ TEST(CurvesFile, RefusesRows)
   refuseRow("A,0,0,0,0.1 mm,0.5,1,loading", "deflection_mm: '0.1 mm' is not a finite number");
   refuseRow("A,0,0,x,0.1,0.5,1,loading", "z_mm: 'x' is not a finite number");
   refuseRow("A,0,0,0,0.1,0.5,0.9,loading", "time_s decreases at site 'A'");
-  refuseRow("A,0,0,1,0.1,0.5,1,loading", "site 'A' lies elsewhere than in its first row");
+  refuseRow("A,0,0,1,0.1,0.5,1,loading", "site 'A' has another position than in its first row");
   refuseRow("A,0,0,0,0.1,0.5,1,press",
     "phase: 'press' is not known; accepted are loading, unloading, hold");
 }

@@ -159,7 +159,8 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
   {
     const IdentifiedBody body =
       identification.identify({ approach(1.0, 200, 0.0, drift).measure(*tip, random) });
-    EXPECT_EQ(body.refusal.find("no baseline") != std::string::npos, drift > 0.25) << body.refusal;
+    EXPECT_EQ(body.refusal.find("not a baseline") != std::string::npos, drift > 0.25)
+      << body.refusal;
   }
 }
 

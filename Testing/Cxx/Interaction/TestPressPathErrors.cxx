@@ -59,7 +59,7 @@ void checkLeap()
   press->SetInputConnection(both->GetOutputPort());
   press->AddDirection(0.0, 0.0, 1.0);
   press->AddDirection(1.0, 0.0, 0.8);
-  checkRefused(press, messages, { "leaps", " mm at direction (0.55", "silhouette" });
+  checkRefused(press, messages, { "jumps", " mm at direction (0.55", "silhouette" });
 }
 
 void checkNumbers(vtkPolyData* body)

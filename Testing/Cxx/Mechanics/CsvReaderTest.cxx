@@ -80,7 +80,7 @@ TEST(CsvReader, BrokenFilesAreNamedWithLineAndColumn)
   EXPECT_EQ(faultOf(""), "t.csv:0: there is no line with the names of the columns");
   EXPECT_EQ(faultOf("\n# a,b\n"), "t.csv:2: there is no line with the names of the columns");
   EXPECT_EQ(faultOf("b,c\n1,2\n"), "t.csv:1: column 'a' is missing");
-  EXPECT_EQ(faultOf("a,b,a\n1,2,3\n"), "t.csv:1: column 'a' stands there twice");
+  EXPECT_EQ(faultOf("a,b,a\n1,2,3\n"), "t.csv:1: column 'a' occurs twice");
   EXPECT_EQ(faultOf("a,b\n1,2\n\n1\n"), "t.csv:4: has 1 fields instead of 2");
   EXPECT_EQ(faultOf("a\n1,2\n"), "t.csv:2: has 2 fields instead of 1");
   for (const char* const number : { "", "x", "1 2", "nan", "-inf", "1e999", "0x1", "1,", "1;5" })
@@ -89,7 +89,7 @@ TEST(CsvReader, BrokenFilesAreNamedWithLineAndColumn)
     EXPECT_EQ(fault, "t.csv:3: b: '" + std::string(number) + "' is not a finite number");
   }
   EXPECT_EQ(faultOf("a,b\n1,\"2\n3,4\n"), "t.csv:2: a quote is not closed");
-  EXPECT_EQ(faultOf("a,b\n1,\"2\"3\n"), "t.csv:2: field 2 goes on after its closing quote");
+  EXPECT_EQ(faultOf("a,b\n1,\"2\"3\n"), "t.csv:2: field 2 continues after its closing quote");
   EXPECT_EQ(faultOf("a,c\n1,\"2\n\"\nx,4\n"), "t.csv:4: a: 'x' is not a finite number");
 }
 

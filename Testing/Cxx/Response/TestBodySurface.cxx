@@ -467,7 +467,8 @@ void checkErrors()
   Made scale;
   scale.filter->SetLengthScale(0.0);
   make(scale, sphereBody(30.0, 1));
-  PALPATE_CHECK_TEXT(scale.messages.errors(), "unit of length of 0 mm");
+  PALPATE_CHECK_TEXT(
+    scale.messages.errors(), "LengthScale must be positive and finite (mm), but is 0");
 }
 } // namespace
 

@@ -281,7 +281,7 @@ void checkHeld()
     press(before, filled(ball->GetOutput(), 2.0, held), filled(ball->GetOutput(), 3.5, held), held);
   Messages messages(filter);
   filter->Update();
-  PALPATE_CHECK_TEXT(messages.warnings(), "comes upon what is held");
+  PALPATE_CHECK_TEXT(messages.warnings(), "reaches held points");
   vtkPolyData* after = filter->GetOutput();
   PALPATE_CHECK(value(after, "ResponseDirect", below, 0) == 3.0);
   PALPATE_CHECK(

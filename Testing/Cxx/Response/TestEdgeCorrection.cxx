@@ -174,10 +174,10 @@ void checkErrorAndChoice()
     filter->AutomaticTermsOn();
     filter->Update();
     PALPATE_CHECK((edgesOf(filter->GetOutput()) != nullptr) ==
-      (filter->GetTermReason().find("sharp edges are felt") != std::string::npos));
+      (filter->GetTermReason().find("sharp edges have an effect") != std::string::npos));
     return filter->GetTermReason();
   };
-  PALPATE_CHECK_TEXT(reasonOn(small), "sharp edges are felt");
+  PALPATE_CHECK_TEXT(reasonOn(small), "sharp edges have an effect");
   PALPATE_CHECK_TEXT(reasonOn(sphereBody(10.0, 3)), "no sharp edge");
 }
 

@@ -399,7 +399,7 @@ void checkFinerSurface()
   {
     Messages messages(finer.Get());
     finer->Update();
-    PALPATE_CHECK_TEXT(messages.warnings(), "What lies between the points of the surface");
+    PALPATE_CHECK_TEXT(messages.warnings(), "The shape of the surface between its points");
     PALPATE_CHECK_TEXT(messages.warnings(), "see array 'ResponseSurfaceError'");
   }
   const double open = at("ResponseSurfaceError", 0.5 * Side);

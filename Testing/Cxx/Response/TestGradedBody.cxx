@@ -550,7 +550,7 @@ void checkMended()
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
-  PALPATE_CHECK_TEXT(messages.warnings(), "cut itself", "mended");
+  PALPATE_CHECK_TEXT(messages.warnings(), "intersected itself", "repaired");
   const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
   PALPATE_CHECK_NEAR(measure(filter->GetOutput()).volume, exact,
     0.01 * exact); // error of facets and of the moved point

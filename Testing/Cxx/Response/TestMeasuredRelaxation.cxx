@@ -118,11 +118,11 @@ void checkOneSite(const std::string& folder)
   PALPATE_CHECK(array(filter, "ResponseLocalRelaxation") == nullptr);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ShortestTime (s)"), 0.05 / 15.0, 2e-4);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "LongestTime (s)"), 20.0, 0.1);
-  PALPATE_CHECK_TEXT(siteText(filter, 0, "Remark"), "times from", "are told");
+  PALPATE_CHECK_TEXT(siteText(filter, 0, "Remark"), "times from", "are determined");
   auto* model = vtkStringArray::SafeDownCast(
     filter->GetOutput()->GetFieldData()->GetAbstractArray("ResponseModel"));
-  PALPATE_CHECK_TEXT(model ? model->GetValue(0) : std::string(), "half-space, relaxing 0.", "told",
-    "identified from measured curves");
+  PALPATE_CHECK_TEXT(model ? model->GetValue(0) : std::string(), "half-space, relaxing 0.",
+    "determined", "identified from measured curves");
 
   // The stored curve is the slow one, equal to that of the same body with given material.
   vtkNew<vtkToolContactResponse> given;

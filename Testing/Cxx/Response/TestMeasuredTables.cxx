@@ -160,7 +160,7 @@ void checkErrors(const std::string& folder)
   refuse(wrong, Tip, { "Table 0", "row 7", "force_N", "not a finite number" });
   wrong->DeepCopy(table);
   wrong->SetValueByName(3, "x_mm", 8.0);
-  refuse(wrong, Tip, { "row 3", "'A'", "elsewhere" });
+  refuse(wrong, Tip, { "row 3", "'A'", "another position" });
   vtkNew<vtkIntArray> more;
   more->SetName("colour");
   more->SetNumberOfValues(table->GetNumberOfRows());

@@ -73,7 +73,7 @@ void checkAttached(vtkPolyData* body)
   PALPATE_CHECK(local->GetComponent(7, 1) == 0.25 + 0.125 * 15);
   PALPATE_CHECK(elastic->GetTuple1(7) == static_cast<double>(static_cast<float>(0.1 + 0.01 * 7.0)));
   PALPATE_CHECK_TEXT(
-    modelOf(made), "relaxing point by point in 0.1 s, 2 s", "but for its global compliance");
+    modelOf(made), "relaxing point by point in 0.1 s, 2 s", "except its global compliance");
 }
 
 /// Without relaxation no array remains, not even one from another response of the same name. The
@@ -200,7 +200,7 @@ void checkChoice(vtkPolyData* body)
     PALPATE_CHECK(elements && elements->GetTuple1(0) == each.elements);
     PALPATE_CHECK(fieldOf(choice->GetOutput(), "ResponseRelaxationTime") != nullptr);
     PALPATE_CHECK_TEXT(choice->GetReason(), "The body relaxes", "RelaxationElements",
-      "how fast the tool will move is not known", "longer than 2 s", "shorter than 0.1 s", "160 %");
+      "the speed of the tool is not known", "longer than 2 s", "shorter than 0.1 s", "160 %");
   }
   // At most 0.8 % of the force: within the tolerance.
   const Filter little = relaxing(body, "sphere:5", 0.005);

@@ -237,7 +237,7 @@ void checkPlateOnItsEdges()
   const Choice distrusted = choose(doubtful);
   PALPATE_CHECK(distrusted->GetVerdict() != vtkResponseChoice::PointForce);
   PALPATE_CHECK(distrusted->GetBeyondValidityShare() == 1.0);
-  PALPATE_CHECK_TEXT(distrusted->GetReason(), "the law that says so does not hold");
+  PALPATE_CHECK_TEXT(distrusted->GetReason(), "the law on which this is based does not hold");
 }
 
 /// Soft tissue of 2 to 20 mm over bone; 16 % of the points have no bone below, as on a head.
@@ -267,7 +267,7 @@ void checkHead()
   PALPATE_CHECK_NEAR(choice->GetBeyondValidityShare(),
     static_cast<double>(beyond) / static_cast<double>(body->GetNumberOfPoints()), 1e-12);
   PALPATE_CHECK_TEXT(choice->GetReason(), "0.6 mm is beyond the validity", "mostly the thickness",
-    "its numbers are kept, not the body's");
+    "its numbers are kept there, but do not describe the body");
   // With the regime, the text says that the shape of the tool matters everywhere.
   pointArray<vtkUnsignedCharArray>(body, "RegimeVerdict", [](vtkIdType) { return 0; });
   PALPATE_CHECK_TEXT(choose(body)->GetReason(), "the shape of the tool is felt 1 mm deep at 100 %");

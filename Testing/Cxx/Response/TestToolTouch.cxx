@@ -235,7 +235,7 @@ void checkSecondTip()
     PALPATE_CHECK_NEAR(bounds[0], -5.0, 1e-5);
     PALPATE_CHECK_NEAR(bounds[1], 5.0, 1e-5);
     PALPATE_CHECK_TEXT(text(touch), "\nSecond tip\nForce ",
-      isCoupled ? " less by the other tip" : "do not feel one another");
+      isCoupled ? " less by the other tip" : "do not interact");
     vtkDataArray* dent =
       touch->GetOutput(vtkToolTouch::BodyPort)->GetPointData()->GetArray("Dent (mm)");
     const vtkIdType under = response->GetOutput()->vtkDataSet::FindPoint(-3.0, 0.0, 0.0);

@@ -128,12 +128,12 @@ TEST(TrialScore, SaysInWordsWhatItFound)
     return text;
   };
   EXPECT_THAT(words(answered(10, 10)),
-    HasSubstr("right in 10 of 10, 100 % (95 %: 69 to 100 %): told apart\n"));
+    HasSubstr("right in 10 of 10, 100 % (95 %: 69 to 100 %): distinguished\n"));
   EXPECT_THAT(words(answered(10, 10)), HasSubstr("soft against hard: soft chosen in 0 of 10"));
   EXPECT_THAT(words(answered(10, 10)), HasSubstr("they differ by 100 %"));
-  EXPECT_THAT(words(answered(5, 10)), HasSubstr("not told apart"));
+  EXPECT_THAT(words(answered(5, 10)), HasSubstr("not distinguished"));
   EXPECT_THAT(words(answered(5, 10)), HasSubstr("(75 % right): no limit"));
-  EXPECT_THAT(words(answered(0, 10)), HasSubstr("the wrong way round"));
+  EXPECT_THAT(words(answered(0, 10)), HasSubstr("in the wrong order"));
   TrialRecord chosen = answered(8, 10);
   chosen.head.hasRightAnswer = false;
   EXPECT_THAT(words(chosen), Not(HasSubstr("right in")));

@@ -158,7 +158,7 @@ std::string mendByCgal(MeshedSurface& surface, std::size_t& mended)
     return {};
   }
   const std::string where =
-    joined("the surface cuts itself: triangles ", crossing.front().first.idx(), " and ",
+    joined("the surface intersects itself: triangles ", crossing.front().first.idx(), " and ",
       crossing.front().second.idx(), " cross, the first of ", crossing.size(), " pairs");
   if (static_cast<double>(crossing.size()) >
     MostCrossing * static_cast<double>(surface.triangles.size()))
@@ -171,12 +171,12 @@ std::string mendByCgal(MeshedSurface& surface, std::size_t& mended)
   }
   catch (const std::exception& failed)
   {
-    return joined(where, ", and it cannot be mended (", failed.what(), ")");
+    return joined(where, ", and it cannot be repaired (", failed.what(), ")");
   }
   mesh.collect_garbage();
   if (!CGAL::is_closed(mesh) || !crossingsOf(mesh).empty())
   {
-    return where + ", and it cannot be mended";
+    return where + ", and it cannot be repaired";
   }
   mended = crossing.size();
   fromCgal(mesh, surface);
