@@ -7,7 +7,8 @@
  * Input: the body with the material of its response. The properties and arrays to process are those
  * of vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance, 3 Poisson's
  * ratio). If the response has a global compliance and no array is given for it, the array
- * `GlobalCompliance` of the body is used. Output: the body with these arrays, per point, for the tool pressed `Deflection` deep:
+ * `GlobalCompliance` of the body is used. Output: the body with these arrays, per point, for the
+ * tool pressed `Deflection` deep:
  * - `RegimeIndex` (float): λ = 1 - δ_hs(F)/δ, where δ_hs is the depth of the same tool under the
  *   same force on a half-space of the same modulus. At most 1: near 0 for local deformation, near 1
  *   for global deformation, negative where a near base stiffens the body;
