@@ -31,7 +31,7 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
 {
   WholeBody made;
   made.body = body;
-  if (!request.wholeBody || !ranks.areAlone() || !isOfOneMaterial(request) ||
+  if (!request.wholeBody || request.terms.edges || request.couples || !ranks.areAlone() || !isOfOneMaterial(request) ||
     !makeBodyMesh(body).isClosed())
   {
     return made;

@@ -21,7 +21,8 @@ struct WholeBody
  * Finds the compliance of the body of a request with `wholeBody` (BodyYield), attaches it to a copy
  * of the body, and adds the array to the request. The body is left as it is if it is open, on
  * several processes, or known better: if it has layers, a given compliance, a material that varies
- * or was measured, or a Poisson's ratio above 0.499. It is also left as it is, with a warning, if
+ * or was measured, or a Poisson's ratio above 0.499. The same applies if sharp edges have an effect
+ * (a law of their own), and if contacts interact (the compliance of one does not act on another). It is also left as it is, with a warning, if
  * it cannot be filled or held or if the module Solids is missing.
  */
 WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,

@@ -150,8 +150,8 @@ public:
   /** Whether the law is in series with the compliance of the whole body, which vtkBodyCompliance
    * finds from its closed surface, in some seconds for the first response. The output then has its
    * arrays, and `Model` names the side that holds the body. Left out where it does not apply: with
-   * layers, a given compliance, a material that varies, ν above 0.499 or an open surface; and with
-   * a warning if it cannot be found. Default off. */
+   * layers, a given compliance, a material that varies, EdgeCorrection, Coupling, ν above 0.499 or
+   * an open surface; and with a warning if it cannot be found. Default off; on in ParaView. */
   vtkSetMacro(WholeBody, bool);
   vtkGetMacro(WholeBody, bool);
   vtkBooleanMacro(WholeBody, bool);

@@ -95,7 +95,7 @@ public:
 
   ///@{
   /** Largest number of cells, about, >= 100. More cells give a smaller error: the cost grows
-   * with the power of 1.5. Default 8000. */
+   * with the power of 1.5. Default 12000. */
   vtkSetMacro(NumberOfCells, int);
   vtkGetMacro(NumberOfCells, int);
   ///@}
@@ -119,7 +119,7 @@ private:
   double PoissonRatio = 0.45;
   double ContactRadius = 2.0;
   std::string FixedFaces;
-  int NumberOfCells = 8000;
+  int NumberOfCells = 12000;
   std::string HeldAt;
 };
 

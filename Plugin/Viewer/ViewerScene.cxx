@@ -5,6 +5,7 @@
 #include "BodyFile.h"
 #include "LayerModel.h"
 #include "ViewerModules.h"
+#include "WholeBodyScene.h"
 
 namespace palpate
 {
@@ -117,7 +118,12 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   {
     return fillBody(options, scene);
   }
-  return options.measured.empty() ? std::string() : identifyBody(options, scene);
+  if (options.measured.empty())
+  {
+    includeWholeBody(options, scene);
+    return {};
+  }
+  return identifyBody(options, scene);
 }
 
 std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)

@@ -25,7 +25,7 @@ struct YieldRequest
   double poissonsRatio = 0.45;
   double radius = 2.0; ///< of the contact for which the compliance is exact, mm
   std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
-  int cells = 8000;    ///< largest number of finite elements, about
+  int cells = 12000;    ///< largest number of finite elements, about
 };
 
 /// Name of the array that attachYield() attaches.

@@ -3,7 +3,7 @@
 
 #include "Mechanics/ReducedModulus.h"
 #include "Mechanics/SharedWork.h"
-#include "SolidResponse/Bodies/NearLandmarks.h"
+#include "SolidResponse/Bodies/LargeTriangles.h"
 #include "Solids/TrueShape/KernelError.h"
 #include "Solids/TrueShape/LandmarkKernels.h"
 #include "Solids/TrueShape/MeshDifference.h"
@@ -72,45 +72,68 @@ private:
 };
 } // namespace
 
-SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
-  const LandmarkKernels& landmarks, const MeshDifference* meshes, const std::vector<double>& radii)
+YieldField::YieldField(
+  vtkPolyData* solid, const LandmarkKernels& landmarks, const MeshDifference* meshes)
+  : Landmarks(landmarks)
+  , Near(solid, landmarks)
+  , Meshes(meshes)
+  , Modulus(reducedModulus(landmarks.material(0).youngsModulus, landmarks.material(0).poissonRatio))
 {
-  const NearLandmarks near(solid, landmarks);
-  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
-  const ElasticMaterial& material = landmarks.material(0);
-  const double modulus = reducedModulus(material.youngsModulus, material.poissonRatio);
-  const auto ofHalfSpace = [modulus](double radius) { return 1.0 / (2.0 * modulus * radius); };
-  SurfaceYield made;
-  made.compliance.assign(count * radii.size(), 0.0);
+}
+
+double YieldField::ofHalfSpace(double radius) const
+{
+  return 1.0 / (2.0 * this->Modulus * radius);
+}
+
+SpotYield YieldField::at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
+  const std::vector<double>& radii) const
+{
+  SurfaceSpot spot;
+  spot.place = place;
+  spot.normal = normal;
+  BlendedKernels kernels(this->Landmarks, spot, this->Near.around(place.data(), normal));
+  if (this->Meshes)
+  {
+    kernels.setMissed(this->Meshes->at(place, normal));
+  }
+  SpotYield made;
+  made.status = static_cast<unsigned char>(kernels.site().status);
   for (const double radius : radii)
   {
-    made.error.insert(made.error.end(), count, ofHalfSpace(radius));
+    const PlaceYield yield(kernels, radius);
+    const double found = yield.isKnown() ? yield.compliance() : 0.0;
+    const double taken = std::max(found, LeastCompliance * this->ofHalfSpace(radius));
+    made.compliance.push_back(taken);
+    made.error.push_back(
+      yield.isKnown() ? std::max(yield.error(), taken - found) : this->ofHalfSpace(radius));
   }
-  made.status.assign(count, static_cast<unsigned char>(PatchStatus::OutOfReach));
+  return made;
+}
+
+SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, const YieldField& field,
+  const std::vector<double>& radii)
+{
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  SurfaceYield made;
+  made.compliance.resize(count * radii.size());
+  made.error.resize(count * radii.size());
+  made.status.resize(count);
   shareWork(count,
     [&](std::size_t i)
     {
-      SurfaceSpot spot;
-      surface->GetPoint(static_cast<vtkIdType>(i), spot.place.data());
-      spot.normal = Eigen::Map<const Eigen::Vector3f>(normals + 3 * i).cast<double>();
-      BlendedKernels kernels(landmarks, spot, near.around(spot.place.data(), spot.normal));
-      if (meshes)
-      {
-        kernels.setMissed(meshes->at(spot.place, spot.normal));
-      }
-      made.status[i] = static_cast<unsigned char>(kernels.site().status);
+      Eigen::Vector3d place;
+      surface->GetPoint(static_cast<vtkIdType>(i), place.data());
+      const SpotYield here =
+        field.at(place, Eigen::Map<const Eigen::Vector3f>(normals + 3 * i).cast<double>(), radii);
+      made.status[i] = here.status;
       for (std::size_t k = 0; k < radii.size(); ++k)
       {
-        const PlaceYield yield(kernels, radii[k]);
-        if (yield.isKnown())
-        {
-          const double found = yield.compliance();
-          const double taken = std::max(found, LeastCompliance * ofHalfSpace(radii[k]));
-          made.compliance[k * count + i] = taken;
-          made.error[k * count + i] = std::max(yield.error(), taken - found);
-        }
+        made.compliance[k * count + i] = here.compliance[k];
+        made.error[k * count + i] = here.error[k];
       }
     });
+  includeLargeTriangles(surface, field, radii, made);
   return made;
 }
 } // namespace palpate

@@ -2,6 +2,10 @@
 #ifndef SurfaceYield_h
 #define SurfaceYield_h
 
+#include "SolidResponse/Bodies/NearLandmarks.h"
+
+#include <Eigen/Core>
+
 #include <vector>
 
 class vtkPolyData;
@@ -20,6 +24,34 @@ struct SurfaceYield
   std::vector<unsigned char> status; ///< a PatchStatus per point
 };
 
+/// The same at one place, a value per contact radius.
+struct SpotYield
+{
+  std::vector<double> compliance;
+  std::vector<double> error;
+  unsigned char status = 0;
+};
+
+/// The compliance at any place of a surface. `solid`: the surface to which the landmarks' point
+/// numbers refer. `meshes`: null if there is no second mesh. All must outlive this object.
+class YieldField
+{
+public:
+  YieldField(vtkPolyData* solid, const LandmarkKernels& landmarks, const MeshDifference* meshes);
+
+  /// Safe from any number of threads.
+  SpotYield at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
+    const std::vector<double>& radii) const;
+
+private:
+  double ofHalfSpace(double radius) const;
+
+  const LandmarkKernels& Landmarks;
+  NearLandmarks Near;
+  const MeshDifference* Meshes;
+  double Modulus; ///< reduced, MPa
+};
+
 /**
  * The compliance in series with the law of a tool on a half-space: δ = δ_local(F) + C F. C is the
  * mean of H (RegularGreen) over both ends, weighted by the pressure of a round tool with one of
@@ -28,13 +60,12 @@ struct SurfaceYield
  * The error includes the elements, the interpolation between the sources of H, the order of the
  * kernel, the difference between a round tool and a flat end, and the change of C from the first
  * touch to this radius. At points whose status is not Valid, C is 0 and its error is that of a
- * contact on a half-space.
+ * contact on a half-space. Inside large triangles the corners say little (LargeTriangles.h).
  *
- * `surface` must have passed checkTriangles; `normals`: three per point. `solid`: the surface to
- * which the landmarks' point numbers refer. `meshes`: null if there is no second mesh.
+ * `surface` must have passed checkTriangles; `normals`: three per point. `radii`: descending.
  */
-SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
-  const LandmarkKernels& landmarks, const MeshDifference* meshes, const std::vector<double>& radii);
+SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, const YieldField& field,
+  const std::vector<double>& radii);
 } // namespace palpate
 
 #endif

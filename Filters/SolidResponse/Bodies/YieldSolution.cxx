@@ -50,7 +50,7 @@ constexpr double Solved = 0.85;
 constexpr double Compared = 0.98;
 
 /// Must be increased when the same input gives other values.
-constexpr int Revision = 1;
+constexpr int Revision = 2;
 
 std::string bytesOf(vtkPolyData* body)
 {
@@ -202,8 +202,8 @@ std::string solve(vtkPolyData* body, const YieldRequest& request, double largest
     fault.empty() ? solved.landmarks(FilterStage{ filter, Compared, 1.0 }) : nullptr;
   if (landmarks)
   {
-    values = packed(yieldOf(body, normals->GetPointer(0), solved.surface(filled.grid), *landmarks,
-      coarser.difference(), radiiFrom(largest)));
+    const YieldField field(solved.surface(filled.grid), *landmarks, coarser.difference());
+    values = packed(yieldOf(body, normals->GetPointer(0), field, radiiFrom(largest)));
   }
   return fault;
 }

@@ -41,8 +41,9 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         them may vary like `layer`; moduli are then constant.
     compliance : global compliance of the body, mm/N, in series with the local dent. True: found from the shape of a closed
         body of one material without layers, as vtkBodyCompliance does, within seconds; the next call reads it from a
-        cache. It depends on the side that holds the body: the one on which it stands best, named in the model. An open
-        body, layers and a material that varies have none. None or False: no global compliance.
+        cache. It depends on the side that holds the body: the one on which it stands best, named in the model. It is
+        left out for an open body, and with layers, a material that varies, edges or coupling. None or False: no global
+        compliance.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : number of samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body need several names.

@@ -180,10 +180,16 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->excludes("--measured");
   app
     .add_option("--fixed", options.fixedFaces,
-      "sides of the bounding box at which the filled body is held: x-,x+,y-,y+,z-,z+, each with "
-      "its depth in mm if that is not half a cell, as in z-:5")
+      "sides of the bounding box at which the body is held: x-,x+,y-,y+,z-,z+, each with its depth "
+      "in mm if that is not half a cell, as in z-:5; without --solid and --voxel the side on which "
+      "the body stands best is the default")
     ->check(CLI::Validator(checkFaces, "SIDES"))
     ->capture_default_str();
+  app
+    .add_flag("--no-whole-body{false}", options.wholeBody,
+      "leave out the deflection of the body as a whole, which the responses include for a closed "
+      "body without layers")
+    ->disable_flag_override();
   app
     .add_option("--layer", layer,
       "soft tissue on a rigid base: scan (thickness from the scan of the body; the head's "
@@ -337,9 +343,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   try
   {
     app.parse(argc, argv);
-    if (app.count("--fixed") > 0 && options.voxel == 0.0 && !options.solid)
+    options.fixedGiven = app.count("--fixed") > 0;
+    if (options.fixedGiven && !options.wholeBody && options.voxel == 0.0 && !options.solid)
     {
-      throw CLI::RequiresError("--fixed", "--voxel or --solid");
+      throw CLI::ExcludesError("--fixed", "--no-whole-body");
     }
     if (!alternatives.empty())
     {

@@ -43,6 +43,8 @@ struct ViewerOptions
   double solidSpacing = 0.0;         ///< size of the tetrahedra at the surface, mm; 0: chosen
                                      ///< automatically
   std::string fixedFaces = "z-";     ///< sides of the bounding box that hold the solid
+  bool fixedGiven = false;
+  bool wholeBody = true; ///< the compliance of the whole body is included where it applies
   double lengthScale = 1.0;
   double resolution = 0.0;
   double contourValue = 30.0;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WholeBodyScene.h"
+
+#include "Mechanics/JoinedText.h"
+#include "Mechanics/Tools/ToolSpecification.h"
+#include "Response/Bodies/BodyYield.h"
+#include "Response/Bodies/SoundBody.h"
+#include "Response/BodyConversion.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr double LargestRatio = 0.499; // of finite elements
+constexpr double Quiet = 1.0;          // s before progress is reported
+
+bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
+{
+  const bool isHalfSpace =
+    !scene.layer.isStack() && !scene.layer.scanned && scene.layer.thickness == 0.0;
+  return options.wholeBody && !options.body.empty() && !scene.stored && isHalfSpace && !scene.terms.edges &&
+    options.hands.empty() && options.trial.empty() && scene.poissonsRatio <= LargestRatio;
+}
+
+double widestContact(const ViewerOptions& options, const ViewerScene& scene)
+{
+  double widest = 0.0;
+  for (const std::string& text : scene.tools)
+  {
+    ToolSpecification specification;
+    std::string fault;
+    if (parseTool(text, specification, fault))
+    {
+      widest = std::max(widest, makeTool(specification)->contactRadius(options.maximumDeflection));
+    }
+  }
+  return widest;
+}
+
+/// One line on a terminal, which is overwritten.
+class ProgressLine
+{
+public:
+  bool show(double done)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (isatty(STDERR_FILENO) && std::chrono::duration<double>(now - this->Begin).count() > Quiet)
+    {
+      std::fprintf(stderr, "\rpalpate: the body as a whole is solved: %2.0f %% ", 100.0 * done);
+      this->IsShown = true;
+    }
+    return true;
+  }
+  ~ProgressLine()
+  {
+    if (this->IsShown)
+    {
+      std::fputs("\r\033[K", stderr);
+    }
+  }
+
+private:
+  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+  bool IsShown = false;
+};
+
+/// Returns "", or a message about the fault.
+std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& found)
+{
+  const SoundBody sound(scene.body);
+  const double radius = widestContact(options, scene);
+  if (!sound.fault().empty() || !(radius > 0.0) || !makeBodyMesh(sound.body()).isClosed())
+  {
+    return {}; // the response names the fault
+  }
+  ProgressLine line;
+  const std::string fault = findYield(sound.body(),
+    { scene.youngsModulus, scene.poissonsRatio, radius, options.fixedGiven ? options.fixedFaces : "" },
+    [&line](double done) { return line.show(done); }, found);
+  if (fault.empty())
+  {
+    const auto body = vtkSmartPointer<vtkPolyData>::New();
+    body->ShallowCopy(sound.body());
+    attachYield(found, body);
+    sound.giveBack(body);
+    scene.body = body;
+  }
+  return fault;
+}
+} // namespace
+
+void includeWholeBody(const ViewerOptions& options, ViewerScene& scene)
+{
+  if (!isAsked(options, scene))
+  {
+    return;
+  }
+  BodyYield found;
+  const std::string fault = solve(options, scene, found);
+  if (!fault.empty())
+  {
+    std::fprintf(stderr,
+      "palpate: warning: the deflection of the whole body is not included, since %s\n",
+      fault.c_str());
+  }
+  if (found.compliance.empty())
+  {
+    return;
+  }
+  const auto range = std::minmax_element(found.compliance.begin(), found.compliance.end());
+  scene.solid = true;
+  scene.modelReason = "in series with the compliance of the whole body, by finite elements";
+  scene.notes.push_back(joined("as a whole the body, held at ", found.heldAt, ", yields by ",
+    *range.first, " to ", *range.second, " mm/N (--fixed, --no-whole-body)"));
+  for (const std::string& warning : found.warnings)
+  {
+    std::fprintf(stderr, "palpate: warning: %s\n", warning.c_str());
+  }
+}
+} // namespace palpate
