@@ -14,7 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Keeps the tilt small if few directions determine it.
-constexpr double TiltRidge = 0.3;
+constexpr double LeastTilt = 0.3;
 /// Relative to the sum of weights: three distinct directions.
 constexpr double LeastSpread = 1e-3;
 } // namespace
@@ -63,7 +63,7 @@ void PointFormSums::add(const Vector3d& edge, const Vector3d& turn)
 /// few triangles is inexact.
 Vector3d PointFormSums::sagForm() const
 {
-  const Eigen::Matrix2d tilts = this->Tilts + TiltRidge * this->Count * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d tilts = this->Tilts + LeastTilt * this->Count * Eigen::Matrix2d::Identity();
   const Eigen::Matrix<double, 3, 2> share = this->Mixed * tilts.inverse();
   const Matrix3d reduced = this->Products - share * this->Mixed.transpose();
   return reduced.ldlt().solve(this->Sags - share * this->TiltSags);

@@ -2,7 +2,9 @@
 #include "Laws/SurfaceCurvature.h"
 
 #include "Contact/ParallelRanges.h"
+#include "Laws/DiscForm.h"
 #include "Laws/PointForm.h"
+#include "Laws/PointRings.h"
 
 #include <Eigen/Dense>
 
@@ -19,7 +21,14 @@ using Eigen::Vector3d;
 // Factors that bound 95 of 100 errors that are estimated from a few neighbours; see
 // SurfaceCurvatureTest.cxx.
 constexpr double OfOne = 0.7; // for the form of one point: of roughness, residual and difference
-constexpr double RoughOfOne = 2.5; // with noise
+constexpr double RoughOfOne = 2.5;  // with noise
+constexpr double OfDisc = 2.0;      // of the residual of a disc
+constexpr double NoiseOfDisc = 3.0; // more with noise
+constexpr double CurvatureOfDisc = 0.003;
+constexpr double MostNoiseOfDisc = 0.5; // with more noise an average is better
+// A contact of a radius between these, in distances of points, gets the form of its disc.
+constexpr double LeastOfDisc = 1.1;
+constexpr double MostOfDisc = 4.0;
 // For an average, times 1/(1 + steps): errors of neighbours are opposite.
 constexpr double RoughOfAverage = 1.3;
 // For the spread: the centre of an average is not exactly the point.
@@ -42,43 +51,6 @@ constexpr double MostOfSags = 1.5;
 constexpr double OfSmooth = -0.12;
 constexpr double OfNoise = -0.25;
 constexpr double MostOfDifferences = 3.0; // times the median: larger ones are those of edges
-
-/// Triangles around each point, in ascending order.
-class TrianglesOfPoints
-{
-public:
-  TrianglesOfPoints(const TriangleSpans& surface)
-    : Begin(surface.pointCount + 1, 0)
-    , Corner(3 * surface.triangleCount)
-  {
-    for (std::size_t i = 0; i < this->Corner.size(); ++i)
-    {
-      ++this->Begin[static_cast<std::size_t>(surface.triangles[i]) + 1];
-    }
-    for (std::size_t i = 0; i < surface.pointCount; ++i)
-    {
-      this->Begin[i + 1] += this->Begin[i];
-    }
-    std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (std::size_t i = 0; i < this->Corner.size(); ++i)
-    {
-      this->Corner[next[static_cast<std::size_t>(surface.triangles[i])]++] = i;
-    }
-  }
-
-  template <class Visit>
-  void forCornersOf(std::size_t point, const Visit& visit) const
-  {
-    for (std::size_t i = this->Begin[point]; i < this->Begin[point + 1]; ++i)
-    {
-      visit(this->Corner[i]);
-    }
-  }
-
-private:
-  std::vector<std::size_t> Begin;
-  std::vector<std::size_t> Corner; ///< index in the list of corners
-};
 
 std::array<float, 3> principal(const Vector3d& form, double error)
 {
@@ -130,7 +102,7 @@ public:
   FormAverage(const TriangleSpans& surface, const float* normals)
     : Surface(surface)
     , Normals(normals)
-    , Around(surface)
+    , Rings(surface)
   {
   }
 
@@ -197,7 +169,7 @@ public:
       [&](std::size_t point)
       {
         std::array<double, 2> sums{};
-        this->forNeighbours(point,
+        this->Rings.forNeighbours(point,
           [&](std::size_t other)
           {
             sums[0] += clipped(other);
@@ -215,6 +187,68 @@ public:
     return squares > 0.0
       ? std::clamp((OfSmooth - products / squares) / (OfSmooth - OfNoise), 0.0, 1.0)
       : 0.0;
+  }
+
+  /// The curvatures after so many steps, the last one in part.
+  std::vector<std::array<float, 3>> averaged(double steps, std::vector<Form>& forms) const
+  {
+    std::vector<std::array<float, 3>> found(forms.size());
+    const int whole = static_cast<int>(std::ceil(steps));
+    std::vector<Form> before;
+    std::vector<float> halfway(forms.size());
+    for (int step = 0; step < whole; ++step)
+    {
+      for (std::size_t i = 0; step == whole / 2 && i < forms.size(); ++i)
+      {
+        halfway[i] = static_cast<float>(meanOf(forms[i]));
+      }
+      before = forms;
+      this->step(forms);
+    }
+    const double last = steps - (whole - 1);
+    for (std::size_t i = 0; i < forms.size(); ++i)
+    {
+      const Vector3d normal = this->normalOf(i);
+      if (!(normal.squaredNorm() > 0.0))
+      {
+        continue;
+      }
+      for (std::size_t k = 0; k < Count; ++k)
+      {
+        forms[i][k] = (1.0 - last) * before[i][k] + last * forms[i][k];
+      }
+      const Matrix3d matrix = matrixOf(forms[i]);
+      const TangentFrame frame(normal);
+      const double mean = meanOf(forms[i]);
+      const double change = std::abs(mean - static_cast<double>(halfway[i]));
+      const double spread = std::sqrt(std::max(0.0, forms[i][Square] - mean * mean));
+      found[i] =
+        principal({ frame.first.dot(matrix * frame.first), frame.first.dot(matrix * frame.second),
+                    frame.second.dot(matrix * frame.second) },
+          RoughOfAverage * std::sqrt(forms[i][Rough]) / (1.0 + steps) + change + OfSpread * spread +
+            OfCurvature * matrix.norm());
+    }
+    return found;
+  }
+
+  /// Replaces the curvatures by those of the forms fitted to the disc under the contact, where the
+  /// disc has enough points.
+  void takeDiscs(double contactRadius, double noise, std::vector<std::array<float, 3>>& found) const
+  {
+    const double factor = OfDisc * (1.0 + NoiseOfDisc * noise);
+    forRanges(this->Surface.pointCount,
+      [&](std::size_t first, std::size_t last)
+      {
+        DiscForms discs(this->Surface, this->Normals, this->Rings, contactRadius);
+        for (std::size_t i = first; i < last; ++i)
+        {
+          if (const std::optional<DiscForm> disc = discs.fit(i))
+          {
+            found[i] =
+              principal(disc->form, factor * disc->residual + CurvatureOfDisc * disc->form.norm());
+          }
+        }
+      });
   }
 
   Vector3d normalOf(std::size_t point) const
@@ -261,20 +295,6 @@ private:
     return Eigen::Map<const Vector3d>(this->Surface.points + 3 * point);
   }
 
-  template <class Visit>
-  void forNeighbours(std::size_t point, const Visit& visit) const
-  {
-    this->Around.forCornersOf(point,
-      [&](std::size_t corner)
-      {
-        for (std::size_t step = 1; step < 3; ++step)
-        {
-          visit(static_cast<std::size_t>(
-            this->Surface.triangles[corner - corner % 3 + (corner % 3 + step) % 3]));
-        }
-      });
-  }
-
   PointFormSums sumsOf(std::size_t point) const
   {
     const Vector3d normal = this->normalOf(point);
@@ -282,7 +302,7 @@ private:
     if (normal.squaredNorm() > 0.0)
     {
       const Vector3d here = this->placeOf(point);
-      this->forNeighbours(point,
+      this->Rings.forNeighbours(point,
         [&](std::size_t other)
         { sums.add(this->placeOf(other) - here, this->normalOf(other) - normal); });
     }
@@ -293,7 +313,7 @@ private:
   {
     Form sums{};
     const Vector3d normal = this->normalOf(point);
-    this->forNeighbours(point,
+    this->Rings.forNeighbours(point,
       [&](std::size_t other)
       {
         Form form = forms[other];
@@ -314,7 +334,7 @@ private:
 
   const TriangleSpans& Surface;
   const float* Normals;
-  TrianglesOfPoints Around;
+  PointRings Rings;
 };
 
 /// The curvature of a contact that is not wider than the turns average, on a surface with such a
@@ -342,55 +362,26 @@ SurfaceCurvature::SurfaceCurvature(
   const FormAverage average(surface, normals);
   std::vector<Form> forms;
   const std::vector<PointForm> fits = average.fits(forms);
-  const auto roughness = [&forms](std::size_t i) { return std::sqrt(forms[i][Rough]); };
+  const double noise = average.noise(fits);
   const double ratio = contactRadius / pointSpacing(surface);
   const double steps = std::isfinite(ratio)
     ? std::min((FeltVariance * ratio * ratio - OfTurns) / OfStep, 1.0 * MostSteps)
     : 0.0;
-  if (!(steps > 0.0))
+  if (steps > 0.0)
   {
-    const double noise = average.noise(fits);
+    this->Found = average.averaged(steps, forms);
+  }
+  else
+  {
     average.step(forms); // needed for the roughness only
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
-      this->Found[i] = ofOne(fits[i], roughness(i), contactRadius, noise);
+      this->Found[i] = ofOne(fits[i], std::sqrt(forms[i][Rough]), contactRadius, noise);
     }
-    return;
   }
-  const int whole = static_cast<int>(std::ceil(steps));
-  std::vector<Form> before;
-  std::vector<float> halfway(forms.size());
-  for (int step = 0; step < whole; ++step)
+  if (ratio > LeastOfDisc && ratio < MostOfDisc && noise < MostNoiseOfDisc)
   {
-    for (std::size_t i = 0; step == whole / 2 && i < forms.size(); ++i)
-    {
-      halfway[i] = static_cast<float>(meanOf(forms[i]));
-    }
-    before = forms;
-    average.step(forms);
-  }
-  const double last = steps - (whole - 1);
-  for (std::size_t i = 0; i < forms.size(); ++i)
-  {
-    const Vector3d normal = average.normalOf(i);
-    if (!(normal.squaredNorm() > 0.0))
-    {
-      continue;
-    }
-    for (std::size_t k = 0; k < Count; ++k)
-    {
-      forms[i][k] = (1.0 - last) * before[i][k] + last * forms[i][k];
-    }
-    const Matrix3d matrix = matrixOf(forms[i]);
-    const TangentFrame frame(normal);
-    const double mean = meanOf(forms[i]);
-    const double change = std::abs(mean - static_cast<double>(halfway[i]));
-    const double spread = std::sqrt(std::max(0.0, forms[i][Square] - mean * mean));
-    this->Found[i] =
-      principal({ frame.first.dot(matrix * frame.first), frame.first.dot(matrix * frame.second),
-                  frame.second.dot(matrix * frame.second) },
-        RoughOfAverage * roughness(i) / (1.0 + steps) + change + OfSpread * spread +
-          OfCurvature * matrix.norm());
+    average.takeDiscs(contactRadius, noise, this->Found);
   }
 }
 } // namespace palpate

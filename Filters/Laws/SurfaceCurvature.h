@@ -23,26 +23,31 @@ namespace palpate
  * The width of the average follows from the contact: to first order its force depends on the
  * surface's height weighted by 1/√(a²-r²). For heights of second and fourth order this is the mean
  * curvature, averaged so that the mean of r² is a²/5. The turns average over as much if a is 2.4
- * times the distance of the points. For a smaller contact a second form is fitted to the sags of
- * the neighbours below the tangent plane, which average over a third of that, and the two forms are
- * combined. For a larger one the forms are averaged from point to point, at most MostSteps times,
- * the last time in part. Each form is turned from normal to normal.
+ * times the distance of the points. There are three ways, by this ratio:
+ *
+ * - below 1.1: a second form is fitted to the sags of the neighbours below the tangent plane, which
+ *   average over a third of that, and the two forms are combined;
+ * - 1.1 to 4: a polynomial is fitted to the heights of the points under the contact (DiscForms);
+ * - above 4: the forms of the turns are averaged from point to point, at most MostSteps times, the
+ *   last time in part. Each form is turned from normal to normal.
+ *
+ * If neighbours differ against each other, the surface is noisy: only the turns are used.
  *
  * The error is the error of this mean curvature. The *roughness* of a point is the root mean
  * square, over the point and its neighbours, of the difference between a mean curvature and the
  * mean around it. The error of one form is 0.7 times the root of the sum of three squares: the
  * roughness, the root-mean-square residual of the turns (with fewer than three directions, twice
- * that of the edges), and the difference of the two forms. On a noisy surface (neighbours differ
- * against each other) only turns are used, and the error is the larger of the residual and 2.5
- * times the roughness. The error of an average is the sum of
- * four terms: 1.3/(1 + steps) times the roughness, since noise moves neighbours against each other;
- * the change by the second half of the steps; a tenth of the spread; and a fiftieth of the
- * curvature. It holds for 95 of 100 points of analytic surfaces, including noisy and coarse ones:
+ * that of the edges), and the difference of the two forms; with noise it is the larger of the
+ * residual and 2.5 times the roughness. The error of a disc is twice the residual of its heights
+ * over a², and 0.3 % of the curvature. The error of an average is the sum of four terms: 1.3/(1 +
+ * steps) times the roughness, since noise moves neighbours against each other; the change by the
+ * second half of the steps; a tenth of the spread; and a fiftieth of the curvature. The error holds
+ * for 95 of 100 points of analytic surfaces, including noisy and coarse ones:
  * Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
  *
  * Points are gathered one by one, threaded; the bits do not depend on the number of threads.
  * Memory: 12 bytes per point; during construction another 28 per triangle and 160 per point. Cost:
- * 1 µs per point, and 0.3 µs per point and step.
+ * 1 µs per point, 0.3 µs per point and step, and up to 10 µs per disc.
  */
 class PALPATE_EXPORT SurfaceCurvature
 {

@@ -238,8 +238,10 @@ void expectBound(
   const Outcome found = judge(surface, n, m, noise, contactRadius);
   EXPECT_GE(found.held, 0.95) << name << ", noise " << noise << ", a " << contactRadius;
   // A bound for 95 of 100 is three medians of a normal error. The uncertain spread from few
-  // neighbours, and noise that is similar in neighbours, may add the rest.
-  EXPECT_LT(found.medianStated, 12.0 * found.medianTrue + 1e-4)
+  // neighbours, and noise that is similar in neighbours, may add the rest. On surfaces as smooth as
+  // these a fit to many points is more accurate than its residual shows: 0.002 is 2 to 4 % of their
+  // curvatures.
+  EXPECT_LT(found.medianStated, 12.0 * found.medianTrue + 0.002)
     << name << ", noise " << noise << ", a " << contactRadius;
 }
 } // namespace

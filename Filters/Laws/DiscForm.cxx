@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laws/DiscForm.h"
+
+#include "Laws/PointForm.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr int TermCount = 11;
+using Terms = Eigen::Matrix<double, TermCount, 1>;
+constexpr int TiltTerms = 0;   // and the next one
+constexpr int SquareTerms = 2; // and the next two
+constexpr int CubeTerms = 5;   // and the next three
+constexpr int FourthTerm = 9;
+constexpr int OffsetTerm = 10;
+
+constexpr double Reach = 1.25;      // in contact radii
+constexpr double TwoRings = 2.6;    // in distances of points
+constexpr std::size_t Fewest = 12;  // points
+constexpr double LeastFacing = 0.3; // between normals: points beyond a sharp edge are left out
+// Ridges over the sum of weights, for lengths in contact radii.
+constexpr double TiltRidge = 0.005;
+constexpr double CubeRidge = 0.01;
+constexpr double FourthRidge = 0.003;
+constexpr double OffsetRidge = 0.01;
+
+/// The terms of the height at a place in the tangent plane.
+Terms termsAt(double x, double y)
+{
+  const double square = x * x + y * y;
+  Terms terms;
+  terms << x, y, 0.5 * x * x, x * y, 0.5 * y * y, x * x * x, x * x * y, x * y * y, y * y * y,
+    square * square, 1.0;
+  return terms;
+}
+
+Terms ridges()
+{
+  Terms ridge = Terms::Zero();
+  ridge.segment<2>(TiltTerms).setConstant(TiltRidge);
+  ridge.segment<4>(CubeTerms).setConstant(CubeRidge);
+  ridge[FourthTerm] = FourthRidge;
+  ridge[OffsetTerm] = OffsetRidge;
+  return ridge;
+}
+} // namespace
+
+DiscForms::DiscForms(
+  const TriangleSpans& surface, const float* normals, const PointRings& rings, double contactRadius)
+  : Surface(surface)
+  , Normals(normals)
+  , Rings(rings)
+  , Radius(contactRadius)
+  , Spacing(pointSpacing(surface))
+  , Passed(surface.pointCount, 0)
+{
+}
+
+Vector3d DiscForms::placeOf(std::size_t point) const
+{
+  return Eigen::Map<const Vector3d>(this->Surface.points + 3 * point);
+}
+
+Vector3d DiscForms::normalOf(std::size_t point) const
+{
+  return Eigen::Map<const Eigen::Vector3f>(this->Normals + 3 * point).cast<double>();
+}
+
+/// Collects the points that are connected within this distance and face the same way.
+void DiscForms::gather(std::size_t point, double reach)
+{
+  const Vector3d here = this->placeOf(point);
+  const Vector3d normal = this->normalOf(point);
+  ++this->Search;
+  this->Passed[point] = this->Search;
+  this->Near = { point };
+  for (std::size_t i = 0; i < this->Near.size(); ++i)
+  {
+    this->Rings.forNeighbours(this->Near[i],
+      [&](std::size_t other)
+      {
+        const bool isSeen = this->Passed[other] == this->Search;
+        this->Passed[other] = this->Search;
+        if (!isSeen && (this->placeOf(other) - here).squaredNorm() < reach * reach &&
+          this->normalOf(other).dot(normal) > LeastFacing)
+        {
+          this->Near.push_back(other);
+        }
+      });
+  }
+}
+
+std::optional<DiscForm> DiscForms::fit(std::size_t point)
+{
+  const Vector3d normal = this->normalOf(point);
+  if (!(normal.squaredNorm() > 0.0))
+  {
+    return {};
+  }
+  this->gather(point, Reach * this->Radius);
+  if (this->Near.size() < Fewest)
+  {
+    this->gather(point, TwoRings * this->Spacing);
+  }
+  if (this->Near.size() < Fewest)
+  {
+    return {};
+  }
+  const TangentFrame frame(normal);
+  const Vector3d here = this->placeOf(point);
+  const double coarse = this->Spacing / this->Radius;
+  const double width = 2.0 * std::max(1.0, 1.2 * coarse * coarse);
+  Eigen::Matrix<double, TermCount, TermCount> products =
+    Eigen::Matrix<double, TermCount, TermCount>::Zero();
+  Terms heights = Terms::Zero();
+  double squares = 0.0;
+  double weights = 0.0;
+  for (const std::size_t other : this->Near)
+  {
+    const Vector3d away = (this->placeOf(other) - here) / this->Radius;
+    const double x = away.dot(frame.first);
+    const double y = away.dot(frame.second);
+    const double height = -away.dot(normal);
+    const double weight = std::exp(-(x * x + y * y) / width);
+    const Terms terms = termsAt(x, y);
+    products.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight);
+    heights += weight * height * terms;
+    squares += weight * height * height;
+    weights += weight;
+  }
+  products.diagonal() += weights * ridges();
+  const Terms found = products.selfadjointView<Eigen::Lower>().ldlt().solve(heights);
+  // The ridges count as residuals, too.
+  const double left = std::max(0.0, squares - found.dot(heights)) / weights;
+  const double added = 8.0 / 5.0 * found[FourthTerm] + 3.0 * found[OffsetTerm];
+  const Vector3d form = found.segment<3>(SquareTerms) + added * Vector3d(1.0, 0.0, 1.0);
+  return DiscForm{ form / this->Radius, std::sqrt(left) / this->Radius };
+}
+} // namespace palpate

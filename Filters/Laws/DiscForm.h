@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_DiscForm_h
+#define palpate_DiscForm_h
+
+#include "Laws/PointRings.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace palpate
+{
+/// The second fundamental form of the surface under a contact, in the TangentFrame of the normal
+/// (t², tu, u²), 1/mm, positive where convex.
+struct DiscForm
+{
+  Eigen::Vector3d form;
+  double residual; ///< root-mean-square residual of the heights over the squared contact radius
+};
+
+/**
+ * Fits the surface under a contact by a polynomial of fourth order around a point: an offset and a
+ * tilt of the tangent plane, all terms of second and third order, and r⁴. The mean of the form is
+ * that of the paraboloid on which a contact has the same force to first order (SurfaceCurvature):
+ * half the trace, plus 8/5 a² of the coefficient of r⁴, plus 3/a² of the offset. The points within
+ * 1.25 contact radii a are fitted, at least two rings, with a weight that falls with the distance.
+ * Small ridges keep the terms that few points determine small.
+ *
+ * Not thread-safe: one object per thread. Cost: 0.1 µs per fitted point, and 2 µs.
+ */
+class DiscForms
+{
+public:
+  /// `normals`: 3 floats per point, unit length. All arguments must outlive this.
+  DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
+    double contactRadius);
+
+  /// Without a value if the point has no normal or too few neighbours.
+  std::optional<DiscForm> fit(std::size_t point);
+
+private:
+  Eigen::Vector3d placeOf(std::size_t point) const;
+  Eigen::Vector3d normalOf(std::size_t point) const;
+  void gather(std::size_t point, double reach);
+
+  const TriangleSpans& Surface;
+  const float* Normals;
+  const PointRings& Rings;
+  double Radius;
+  double Spacing;
+  std::vector<std::size_t> Near;     ///< the points of the disc
+  std::vector<std::uint32_t> Passed; ///< the search in which a point was last seen
+  std::uint32_t Search = 0;
+};
+} // namespace palpate
+
+#endif
