@@ -77,7 +77,8 @@ std::string compare(const ComparedResponse& given, const std::vector<double>& de
       continue;
     }
     const double force = stored.evaluate(point, depths[i]).force;
-    if (std::abs(force - forces[i]) > ResponseAgreement * forces[i])
+    const double allowed = std::max(ResponseAgreement, given.error ? given.error(i) : 0.0);
+    if (std::abs(force - forces[i]) > allowed * forces[i])
     {
       return "Response '" + given.name + "' is of another material: point " + std::to_string(i) +
         " at " + std::to_string(depths[i]) + " mm gives " + std::to_string(force) +

@@ -71,14 +71,16 @@ struct ComparedResponse
   ResponseArrays arrays;
   std::string name;
   std::function<SpotCurvature(std::size_t)> curvature = {};
+  std::function<double(std::size_t)> error = {}; ///< stated relative error of a force at a point
 };
 
 /**
  * The regime of a tool that is pressed `depths[i]` (mm, > 0) deep at each point of a body.
  * `stored`, unless null, is the response of the same tool on the body. Its force must agree to 2 %
- * (its storage error in series), since the regime must belong to the same body. Depths below a
- * hundredth of its range are not compared. Returns "" if all is valid, else a message that names
- * the point. The bits do not depend on the number of threads.
+ * (its storage error in series) or to its stated error if that is larger, since the regime must
+ * belong to the same body. Depths below a hundredth of its range are not compared. Returns "" if
+ * all is valid, else a message that names the point. The bits do not depend on the number of
+ * threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
   const std::vector<double>& depths, double deepest, const ComparedResponse* stored,

@@ -172,6 +172,15 @@ std::string attachRegime(
     {
       stored.curvature = [&shape](std::size_t i) { return shape->curvatureAt(i); };
     }
+    if (vtkDataArray* errors =
+          body->GetPointData()->GetArray(arrayName(name, ResponseArray::Error).c_str()))
+    {
+      stored.error = [errors](std::size_t i)
+      {
+        const double* row = errors->GetTuple(static_cast<vtkIdType>(i));
+        return *std::max_element(row, row + errors->GetNumberOfComponents());
+      };
+    }
     std::string noResponse;
     // The regime assumes small strain, so a response at finite strain is not compared.
     const bool isStored = (parts & FiniteStrainPart) == 0 &&

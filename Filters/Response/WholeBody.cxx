@@ -31,8 +31,8 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
 {
   WholeBody made;
   made.body = body;
-  if (!request.wholeBody || request.terms.edges || request.couples || !ranks.areAlone() || !isOfOneMaterial(request) ||
-    !makeBodyMesh(body).isClosed())
+  if (!request.wholeBody || request.terms.edges || request.couples || !ranks.areAlone() ||
+    !isOfOneMaterial(request) || !makeBodyMesh(body).isClosed())
   {
     return made;
   }
@@ -46,7 +46,9 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
     return made;
   }
   made.isComplete = !found.compliance.empty();
-  if (made.isComplete)
+  const bool isRigid = std::all_of(found.compliance.begin(), found.compliance.end(),
+    [](double compliance) { return compliance == 0.0; });
+  if (made.isComplete && !isRigid)
   {
     made.body = vtkSmartPointer<vtkPolyData>::New();
     made.body->ShallowCopy(body);

@@ -28,9 +28,9 @@
  *
  * Deflection 0 (default): half of the array `<ResponseName>Range` at each point; an error without
  * that array. If the body has the response `ResponseName` of the same tool, its force at that depth
- * must agree with the given material to 2 %. Otherwise an error names the point, since the regime
- * would be that of a different body than the response. (2 %: the storage error of a response in
- * series. Depths below a hundredth of Range are not compared.)
+ * must agree with the given material to 2 %, or to its stated error. Otherwise an error names the
+ * point, since the regime would be that of a different body than the response. (2 %: the storage
+ * error of a response in series. Depths below a hundredth of Range are not compared.)
  *
  * Several processes, each with a piece of the body (Controller): the arrays and RegimeDeflection
  * are those of the whole body. An error on one process is an error on all. Ghost cells are left

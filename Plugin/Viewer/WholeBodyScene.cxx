@@ -27,8 +27,9 @@ bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
 {
   const bool isHalfSpace =
     !scene.layer.isStack() && !scene.layer.scanned && scene.layer.thickness == 0.0;
-  return options.wholeBody && !options.body.empty() && !scene.stored && isHalfSpace && !scene.terms.edges &&
-    options.hands.empty() && options.trial.empty() && scene.poissonsRatio <= LargestRatio;
+  return options.wholeBody && !options.body.empty() && !scene.stored && isHalfSpace &&
+    !scene.terms.edges && options.hands.empty() && options.trial.empty() &&
+    scene.poissonsRatio <= LargestRatio;
 }
 
 double widestContact(const ViewerOptions& options, const ViewerScene& scene)
@@ -73,6 +74,13 @@ private:
   bool IsShown = false;
 };
 
+/// Whether the compliance is known anywhere. On a mesh of few large triangles it is not.
+bool isKnown(const BodyYield& found)
+{
+  return std::any_of(found.compliance.begin(), found.compliance.end(),
+    [](double compliance) { return compliance != 0.0; });
+}
+
 /// Returns "", or a message about the fault.
 std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& found)
 {
@@ -83,10 +91,12 @@ std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& f
     return {}; // the response names the fault
   }
   ProgressLine line;
-  const std::string fault = findYield(sound.body(),
-    { scene.youngsModulus, scene.poissonsRatio, radius, options.fixedGiven ? options.fixedFaces : "" },
+  const std::string fault = findYield(
+    sound.body(),
+    { scene.youngsModulus, scene.poissonsRatio, radius,
+      options.fixedGiven ? options.fixedFaces : "" },
     [&line](double done) { return line.show(done); }, found);
-  if (fault.empty())
+  if (isKnown(found))
   {
     const auto body = vtkSmartPointer<vtkPolyData>::New();
     body->ShallowCopy(sound.body());
@@ -112,7 +122,7 @@ void includeWholeBody(const ViewerOptions& options, ViewerScene& scene)
       "palpate: warning: the deflection of the whole body is not included, since %s\n",
       fault.c_str());
   }
-  if (found.compliance.empty())
+  if (!isKnown(found))
   {
     return;
   }

@@ -14,7 +14,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double HeldDepth = 0.03;   // of the extent along the axis
+constexpr double HeldDepth = 0.03; // of the extent along the axis; a step
+constexpr int MostSteps = 5;
+constexpr double Support = 0.25;     // held area over that of the bounding box, both along the axis
 constexpr double FlatDepth = 0.0005; // the same of a face that counts as flat
 constexpr double FlatShare = 0.9;    // of the area, for a flat side
 constexpr double Equal = 1e-6;       // relative difference of equal areas
@@ -27,8 +29,10 @@ struct Side
   double flat = 0.0; ///< the same within FlatDepth
 };
 
-void measure(const BodyMesh& mesh, const double* bounds, Side& side)
+void measure(const BodyMesh& mesh, const double* bounds, double heldDepth, Side& side)
 {
+  side.held = 0.0;
+  side.flat = 0.0;
   const double low = bounds[2 * side.axis];
   const double high = bounds[2 * side.axis + 1];
   const double extent = high - low;
@@ -42,7 +46,7 @@ void measure(const BodyMesh& mesh, const double* bounds, Side& side)
     const double middle = (a + b + c)[side.axis] / 3.0;
     const double outward = side.isUpper ? along : -along;
     const double depth = side.isUpper ? high - middle : middle - low;
-    side.held += depth <= HeldDepth * extent ? std::max(0.0, outward) : 0.0;
+    side.held += depth <= heldDepth * extent ? std::max(0.0, outward) : 0.0;
     side.flat += depth <= FlatDepth * extent ? std::max(0.0, outward) : 0.0;
   }
 }
@@ -62,16 +66,30 @@ std::string standingSide(vtkPolyData* surface)
   surface->GetBounds(bounds.data());
   std::array<Side, 6> sides = { { { 2, false }, { 1, false }, { 0, false }, { 2, true },
     { 1, true }, { 0, true } } };
-  const Side* best = &sides.front();
+  Side* best = &sides.front();
   for (Side& side : sides)
   {
-    measure(mesh, bounds.data(), side);
+    measure(mesh, bounds.data(), HeldDepth, side);
     best = side.held > (1.0 + Equal) * best->held ? &side : best;
   }
   const std::string name = joined("xyz"[best->axis], best -> isUpper ? "+" : "-");
-  const double extent = bounds[static_cast<std::size_t>(2 * best->axis + 1)] -
-    bounds[static_cast<std::size_t>(2 * best->axis)];
-  return best->flat >= FlatShare * best->held ? name
-                                              : joined(name, ":", rounded(HeldDepth * extent));
+  if (best->flat >= FlatShare * best->held)
+  {
+    return name;
+  }
+  std::array<double, 3> length{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    length[axis] = bounds[2 * axis + 1] - bounds[2 * axis];
+  }
+  const double extent = length[static_cast<std::size_t>(best->axis)];
+  const double box = length[0] * length[1] * length[2] / extent;
+  int step = 1;
+  while (best->held < Support * box && step < MostSteps)
+  {
+    ++step;
+    measure(mesh, bounds.data(), step * HeldDepth, *best);
+  }
+  return joined(name, ":", rounded(step * HeldDepth * extent));
 }
 } // namespace palpate

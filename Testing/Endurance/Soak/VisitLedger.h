@@ -10,7 +10,9 @@ namespace palpate::endurance
  * Work of the contact force on the tip from one time outside to the next, by the trapezoidal rule:
  * the energy that a hand gains from a body in one visit. It must not be positive, except for the
  * error of the force forms on facets (stability study: 1 % of force times path), whatever
- * relaxation adds.
+ * relaxation adds. Where a step leads over the surface, the place between its ends where the force
+ * begins or ends is unknown: the work of such a step may be anything from zero to the whole force
+ * times the step, so half of that is subtracted from the gain.
  */
 class VisitLedger
 {
@@ -30,22 +32,25 @@ public:
     if (this->IsOpen)
     {
       this->Work += 0.5 * (force + this->Force).dot(way);
-      this->Scale += 0.5 * (force.norm() + this->Force.norm()) * way.norm();
+      const double scale = 0.5 * (force.norm() + this->Force.norm()) * way.norm();
+      this->Scale += scale;
+      this->Doubt += force.isZero(0.0) != this->Force.isZero(0.0) ? scale : 0.0;
       this->IsOpen = way.norm() <= LongestStep;
     }
-    this->Gain = ends && this->IsOpen ? this->Work / this->Scale : 0.0;
+    this->Gain = ends && this->IsOpen ? (this->Work - this->Doubt) / this->Scale : 0.0;
     const bool isJudged = ends && this->IsOpen;
     if (isOutside)
     {
       this->IsOpen = true;
       this->Work = 0.0;
       this->Scale = 0.0;
+      this->Doubt = 0.0;
     }
     this->Tip = tip;
     this->Force = force;
     return isJudged;
   }
-  /// Energy gained in the visit that has ended, over force times path.
+  /// Energy gained for certain in the visit that has ended, over force times path.
   double gain() const noexcept { return this->Gain; }
 
 private:
@@ -54,6 +59,7 @@ private:
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   double Work = 0.0;
   double Scale = 0.0;
+  double Doubt = 0.0; ///< N mm, of the steps over the surface
   double Gain = 0.0;
 };
 } // namespace palpate::endurance

@@ -45,7 +45,7 @@ def read_head(scan):
 
 def read_body(file, length=None):
     """A file's surface; `length`: what its longest side is scaled to, mm."""
-    surface = palpate.response(file, tool="sphere:1", maximum_deflection=0.001)
+    surface = palpate.response(file, tool="sphere:1", maximum_deflection=0.001, compliance=None)
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     factor = length / np.ptp(points, axis=0).max() if length else 1.0
