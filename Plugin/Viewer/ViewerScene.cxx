@@ -120,7 +120,7 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   }
   if (options.measured.empty())
   {
-    includeWholeBody(options, scene);
+    addBodyCompliance(options, scene);
     return {};
   }
   return identifyBody(options, scene);

@@ -108,7 +108,7 @@ std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& f
 }
 } // namespace
 
-void includeWholeBody(const ViewerOptions& options, ViewerScene& scene)
+void addBodyCompliance(const ViewerOptions& options, ViewerScene& scene)
 {
   if (!isAsked(options, scene))
   {

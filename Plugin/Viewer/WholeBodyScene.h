@@ -13,7 +13,7 @@ namespace palpate
  * if the options exclude it (--no-whole-body, --edges, --hand, --trial); and with a warning on
  * stderr if the compliance cannot be found. Takes seconds, and reports its progress on stderr.
  */
-void includeWholeBody(const ViewerOptions& options, ViewerScene& scene);
+void addBodyCompliance(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate
 
 #endif
