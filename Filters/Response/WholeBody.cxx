@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestRatio = 0.499; // of finite elements
+constexpr double LargestRatio = 0.499; // largest Poisson's ratio of the finite elements
 
 bool isOfOneMaterial(const LawRequest& request)
 {
@@ -31,8 +31,8 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
 {
   WholeBody made;
   made.body = body;
-  if (!request.wholeBody || request.terms.edges || request.couples || !ranks.areAlone() || !isOfOneMaterial(request) ||
-    !makeBodyMesh(body).isClosed())
+  if (!request.wholeBody || request.terms.edges || request.couples || !ranks.areAlone() ||
+    !isOfOneMaterial(request) || !makeBodyMesh(body).isClosed())
   {
     return made;
   }

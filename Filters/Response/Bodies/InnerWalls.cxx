@@ -50,8 +50,8 @@ struct KeyHash
 };
 
 /**
- * A key that is the same for the same corners in the same block, wherever the polygon begins and
- * ends.
+ * Makes a key of the corners of a polygon and of the block's name. It does not depend on the corner
+ * at which the polygon begins.
  */
 Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std::string& block)
 {

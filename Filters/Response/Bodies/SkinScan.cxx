@@ -42,8 +42,8 @@ struct Ball
 };
 
 /**
- * The scan with `margin` more voxels on every side, filled with `air`. A negative margin removes
- * voxels.
+ * Returns the scan with `margin` more voxels on every side, filled with `air`. A negative margin
+ * removes voxels.
  */
 SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float air)
 {

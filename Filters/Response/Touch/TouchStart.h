@@ -24,7 +24,7 @@ struct Sight
   Vector3 up = Vector3::UnitY();
   /// Position of the viewer, mm; for a far viewer any point of the axis.
   Vector3 eye = Vector3::Zero();
-  bool isNear = false; ///< perspective: lines of sight meet in the eye
+  bool isNear = false; ///< perspective: the lines of sight meet at the eye
   /// Half of the picture's size: mm for a far viewer, tangents of the angles for a near one. 0: the
   /// whole body is in the picture.
   double halfWidth = 0.0;
