@@ -238,7 +238,8 @@ int vtkResponseCurves::RequestData(
       }
       else if (!selection)
       {
-        // A selected point without this response is kept, since another response may be valid there.
+        // A selected point without this response is kept, since another response may be valid
+        // there.
         vtkErrorMacro(<< "Point " << id << " has no response '" << response.name << "'.");
         return 0;
       }

@@ -14,10 +14,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double HeldDepth = 0.03;   // of the extent along the axis
-constexpr double FlatDepth = 0.0005; // the same of a face that counts as flat
-constexpr double FlatShare = 0.9;    // of the area, for a flat side
-constexpr double Equal = 1e-6;       // relative difference of equal areas
+constexpr double HeldDepth = 0.03;   // fraction of the extent along the axis
+constexpr double FlatDepth = 0.0005; // the same for a face that counts as flat
+constexpr double FlatShare = 0.9; // smallest fraction of the area within FlatDepth, for a flat side
+constexpr double EqualAreas = 1e-6; // relative difference of equal areas
 
 struct Side
 {
@@ -47,7 +47,7 @@ void measure(const BodyMesh& mesh, const double* bounds, Side& side)
   }
 }
 
-/// With two significant digits.
+/// Rounds to two significant digits.
 double rounded(double depth)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(depth)) - 1.0);
@@ -66,7 +66,7 @@ std::string standingSide(vtkPolyData* surface)
   for (Side& side : sides)
   {
     measure(mesh, bounds.data(), side);
-    best = side.held > (1.0 + Equal) * best->held ? &side : best;
+    best = side.held > (1.0 + EqualAreas) * best->held ? &side : best;
   }
   const std::string name = joined("xyz"[best->axis], best -> isUpper ? "+" : "-");
   const double extent = bounds[static_cast<std::size_t>(2 * best->axis + 1)] -

@@ -48,7 +48,7 @@ std::vector<Edge> outerEdges(const TetrahedralMesh& mesh)
   {
     if (i + 1 < faces.size() && faces[i] == faces[i + 1])
     {
-      ++i; // the face has a tetrahedron on both sides
+      ++i; // the face belongs to two tetrahedra
       continue;
     }
     edges.push_back({ faces[i][0], faces[i][1] });
