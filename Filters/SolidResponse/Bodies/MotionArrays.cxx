@@ -50,7 +50,7 @@ void fillModes(const GlobalModes& modes, const PartsOf& partsOf, vtkPolyData* su
   for (std::size_t k = modes.fields.size();
        surface->GetPointData()->HasArray(modeName(k).c_str()) != 0; ++k)
   {
-    // the array may belong to another body
+    // The array may belong to another body.
     surface->GetPointData()->RemoveArray(modeName(k).c_str());
   }
   std::vector<float*> to;

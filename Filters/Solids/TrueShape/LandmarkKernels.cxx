@@ -17,16 +17,17 @@ namespace
 {
 constexpr std::size_t RadiusCount = 17;
 
-/// A limit farther than this, in units of the largest contact radius, is ignored.
+/// A limit at a larger distance, in units of the largest contact radius, is ignored.
 constexpr double FarLimit = 2.0;
 
-/// Limits for the plane through landmarks: the smallest spread over the largest, and the sum of the
-/// absolute weights. Beyond a limit the mean is used.
+/// Limits for the plane through landmarks: the smallest ratio of the smaller to the larger spread,
+/// and the largest sum of the absolute weights. If a limit is violated, the mean is used.
 constexpr double LeastSpreadOfPlane = 0.02;
 constexpr double LargestWeights = 3.0;
-constexpr double NearLandmark = 1e-3; ///< added to the squared distance over the mean one
+constexpr double NearLandmark = 1e-3; ///< added to the square of the distance relative to the mean
+                                      ///< distance
 
-/// From powers of r/from to powers of r/to.
+/// Converts coefficients of powers of r/from to coefficients of powers of r/to.
 Eigen::Matrix4d rescaled(const Eigen::Matrix4d& c, double from, double to)
 {
   const double square = (to / from) * (to / from);

@@ -15,7 +15,7 @@ namespace palpate
 struct ExpectedError
 {
   double error = NotANumber;
-  double direct = NotANumber;             ///< the part of H beyond this is bending
+  double direct = NotANumber;             ///< the part of H that exceeds this value is bending
   double bending = BendingError::Assumed; ///< missed fraction of the bending
 };
 

@@ -76,7 +76,8 @@ public:
         {
           continue;
         }
-        if (this->isHeld(*t)) // begins at its edge, which may be nearer than its corners
+        if (this->isHeld(*t)) // the held triangle begins at its edge, which may be nearer than its
+                              // corners
         {
           limit(disc, away, PatchStatus::OutOfReach);
           continue;
@@ -142,7 +143,7 @@ private:
     if (away > this->Radius ||
       this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < ContactTurn)
     {
-      return; // on an edge; its other side limits the disc
+      return; // the point is on an edge; the other side of the edge limits the disc
     }
     if (isHeldAlongNormal(this->Body, point))
     {
