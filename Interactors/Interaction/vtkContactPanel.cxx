@@ -23,7 +23,7 @@ namespace
 using palpate::PanelButton;
 using palpate::PanelSlider;
 
-constexpr float Priority = 1.0F; // among the observers of a frame: the panel is first
+constexpr float Priority = 1.0F; // priority among the observers of a frame: the panel is first
 } // namespace
 
 struct vtkContactPanel::Parts

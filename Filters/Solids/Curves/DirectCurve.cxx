@@ -17,7 +17,7 @@ namespace
 /// Error of a force on which two meshes agree, with four facets over the contact radius, and facets
 /// of an eighth of the radius at a rim (DirectContactTest).
 constexpr double ErrorOfAgreement = 0.01;
-/// StiffnessStep for the stiffness, as a fraction of the depth. A contact grows corner by corner,
+/// Step for the stiffness, as a fraction of the depth. A contact grows corner by corner,
 /// and the slope of the force jumps at each corner. The largest depth must stay within the reach of
 /// DirectContact.
 constexpr double StiffnessStep = 0.08;
