@@ -19,10 +19,10 @@ struct VoxelComplianceOptions
 };
 
 /**
- * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid that it encloses,
- * and six modes of its global motion (`GlobalMode0`..., `GlobalModeSign`). Fills the surface with
- * hexahedra (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's own
- * points. Adds a sentence about this to `notes`. Returns "" or an error.
+ * Attaches to a closed surface the point array `GlobalCompliance` (mm/N) of the enclosed solid, and
+ * six modes of the solid's global motion (`GlobalMode0`..., `GlobalModeSign`). Fills the surface
+ * with hexahedra (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's
+ * own points. Adds a sentence about the solid to `notes`. Returns "" or an error.
  */
 std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes);
