@@ -26,8 +26,8 @@ class Ranks;
  * or is of true shape (point arrays `GlobalMode0`..., field array `GlobalModeSign`); and
  * `NearField` if it is of true shape.
  *
- * Keeps the neighbours of the mesh (O(n log n)) as long as points and triangles do not change, and
- * the solution for the last layer.
+ * The object keeps the neighbours of the mesh (O(n log n)) while points and triangles do not
+ * change. It also keeps the solution for the last layer.
  */
 class PALPATERESPONSE_EXPORT BodyField
 {

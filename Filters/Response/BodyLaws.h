@@ -40,7 +40,7 @@ struct LawRequest
   const MeasuredBodyError* measured = nullptr; ///< error of the material, for a response whose
                                                ///< material was measured
   RelaxationRequest relaxation = {};           ///< for a response
-  bool couples = false;                        ///< for a response: contacts on it can interact
+  bool couples = false;       ///< for a response: whether contacts on the body can interact
   MaterialArray pressed = {}; ///< for a response: nonzero at the points that get a response;
                               ///< without an array all points get one
   bool wholeBody = false;     ///< for a response: whether it includes the body's compliance
@@ -50,7 +50,7 @@ struct LawRequest
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 
-/// Attaches the response to the body, see vtkToolContactResponse. `output` stays empty if
+/// Attaches the response to the body, see vtkToolContactResponse. `output` is empty if
 /// `goOn(fraction)` returns false. Returns "" or an error message; `warning` is a warning or "".
 /// Collective; `input` is the piece of this process. The laws use the repaired body (SoundBody).
 PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* input,

@@ -41,7 +41,7 @@ using Stage = palpate::FilterStage;
 /// Pass band of the smoothing on a lattice as fine as the scan. It removes the traces of voxels,
 /// waves of up to about ten spacings, and keeps longer waves.
 constexpr double PassBand = 0.02;
-constexpr double MaximumVoxels = 4e9; // of the resampled scan: 16 GB
+constexpr double MaximumVoxels = 4e9; // largest number of voxels of the resampled scan: 16 GB
 constexpr float Clearance = 0.005f;   // see KeepClearOfVoxels
 
 /** The scalars as floats; NaN and infinities become the lowest value. */
@@ -158,7 +158,7 @@ bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stag
 
 /**
  * Windowed-sinc smoothing that does not move border points. The filter's gain at frequency zero is
- * not quite 1: it scales all points about the centre of the box by some 0.2 %. This function
+ * not quite 1: it scales all points about the centre of the box by about 0.2 %. This function
  * reverses the scaling. The factor is found by smoothing a triangle, all of whose points are border
  * points.
  */

@@ -83,7 +83,7 @@ public:
   /**
    * Radius of the ball that closes nostrils and ears, mm. It shuts openings up to twice as wide. 0
    * = no closing. Default 6: up to a radius of 5 the ear canals of Colin 27 stay open, 20 mm deep;
-   * between 3 and 6 hardly anything else changes.
+   * between 3 and 6 little else changes.
    */
   vtkSetMacro(ClosingRadius, double);
   vtkGetMacro(ClosingRadius, double);

@@ -85,8 +85,8 @@
  * Cost: the kernel's copy of the body is built once per change of the body, O(n log n), with
  * progress. Then 0.5 to 1 µs per tip, if there are many tips. Independent tips are sorted so that
  * neighbours follow one another, and threaded by vtkSMPTools. The bits do not depend on the order
- * of the tips or on the number of threads. Each thread temporarily needs some 220 bytes for each of
- * up to 262144 tips.
+ * of the tips or on the number of threads. Each thread temporarily needs about 220 bytes for each
+ * of up to 262144 tips.
  *
  * @code{.py}
  * probe = palpate.vtkToolContactProbe()
@@ -148,7 +148,7 @@ public:
   ///@{
   /**
    * The settings of the contact, and their properties: see vtkContactSettings. Other objects may
-   * share the settings. Default, and for null: an object of its own.
+   * share the settings. Default, or if null is set: a separate object.
    */
   virtual void SetSettings(vtkContactSettings* settings)
   {

@@ -52,7 +52,7 @@
  *
  * Cost per point and core: without compliance the writing of 4 (2n + 5) + 2 bytes; with compliance
  * or layers and n = 8 about 1 µs, 5 µs for the exact Sphere. CurvatureCorrection and ErrorTolerance
- * add 0.7 µs, a StrainModel 3 µs and its solver once; on layers some 10 µs together. Threaded by
+ * add 0.7 µs, a StrainModel 3 µs and its solver once; on layers about 10 µs together. Threaded by
  * vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Coordinates stored as double keep 1e-10 mm a
@@ -148,10 +148,11 @@ public:
 
   ///@{
   /** Whether the law is in series with the compliance of the whole body, which vtkBodyCompliance
-   * finds from its closed surface, in some seconds for the first response. The output then has its
-   * arrays, and `Model` names the side that holds the body. The compliance is left out with layers,
-   * a given compliance, a material that varies, EdgeCorrection, Coupling, ν above 0.499 or an open
-   * surface, and, with a warning, if it cannot be found. Default off; on in ParaView. */
+   * finds from its closed surface, within a few seconds for the first response. The output then has
+   * the arrays of the compliance, and `Model` names the side that holds the body. The compliance is
+   * left out with layers, a given compliance, a material that varies, EdgeCorrection, Coupling, ν
+   * above 0.499 or an open surface, and, with a warning, if it cannot be found. Default off; on in
+   * ParaView. */
   vtkSetMacro(WholeBody, bool);
   vtkGetMacro(WholeBody, bool);
   vtkBooleanMacro(WholeBody, bool);
@@ -209,7 +210,7 @@ public:
    * sphere and, on a half-space, for a flat end. Its error is 0.5 % for cones, 1 % for other tools,
    * and 3 % for flat-ended tools beyond a tenth of their size. On layers it uses the axisymmetric
    * tool of equal contact radius, within Validity. An angle within 4 degrees of that at which a
-   * flank of the tool is parallel to the surface, or beyond, is an error. Cost: some seconds for
+   * flank of the tool is parallel to the surface, or beyond, is an error. Cost: a few seconds for
    * each tool without closed form.
    */
   vtkSetMacro(MaximumTilt, double);

@@ -150,7 +150,7 @@ public:
   ///@{
   /**
    * The settings of the contact. Other objects may share them. Friction does not act, since a
-   * single tip has no history. Default, and for null: an object of its own.
+   * single tip has no history. Default, or if null is set: a separate object.
    */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();

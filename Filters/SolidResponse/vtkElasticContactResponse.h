@@ -337,7 +337,7 @@ private:
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   double LayerThickness = 0.0;
-  std::string ThicknessName; ///< of the array to process 2 in the last run
+  std::string ThicknessName; ///< name of the array to process 2 in the last run
   std::string TermReason;
   double MemoryLimit = 0.0;
   int Solver = 0;

@@ -36,8 +36,8 @@ constexpr double LayerDepth = 0.4;
 /// Edges of the surface that are sharper than this are kept, degrees.
 constexpr double SharpAngle = 45.0;
 
-/// Largest distance of the outward search for the surface, over the distance of the closest point:
-/// √3 at a corner.
+/// Largest distance of the outward search for the surface, relative to the distance of the closest
+/// point. The ratio is √3 at a corner.
 constexpr double LongestReach = 1.75;
 /// Peak memory of the filter, measured on a filled box and on a ball.
 constexpr double BytesPerGridPoint = 40.0;

@@ -60,8 +60,8 @@ public:
   enum ModelType
   {
     HalfSpace = 0,
-    Layer = 1,  ///< the thickness is the property LayerThickness, or the array of this name (mm);
-                ///< below it are the layers of AddLayer, if any, and LayerBase
+    Layer = 1,  ///< a layer whose thickness is the property LayerThickness, or the array of this
+                ///< name (mm); below it are the layers of AddLayer, if any, and LayerBase
     Series = 2, ///< the local deflection in series with the array GlobalCompliance (mm/N)
     Stored = 3  ///< the body has its responses already: they are used unchanged
   };

@@ -40,7 +40,7 @@ public:
 
   enum Events
   {
-    FrameEvent = vtkCommand::UserEvent + 411 ///< invoked before the frame is drawn
+    FrameEvent = vtkCommand::UserEvent + 411 ///< invoked before a frame is drawn
   };
 
   ///@{

@@ -59,7 +59,7 @@ public:
   ///@}
   ///@{
   /**
-   * Stiffness cap and passivity control act as far as the device's specification requires. Default
+   * Stiffness cap and passivity control act where the device's specification requires them. Default
    * on. There is no passivity control through the stiff hand of "simulated" and "replay:FILE".
    */
   vtkSetMacro(StiffnessCap, bool);

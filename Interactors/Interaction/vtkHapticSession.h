@@ -112,16 +112,16 @@ public:
   ///@{
   /**
    * The settings of the contact. Other sessions may share them. Read at Start and ApplyChanges,
-   * which fail with an error if a value is out of its range. Default, and for null: an object of
-   * its own with the default values.
+   * which fail with an error if a value is out of its range. Default, or if null is set: a separate
+   * object with the default values.
    */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
   /**
-   * The device. Read at Start, except for the target of a simulated hand. Default, and for null: an
-   * object of its own, "simulated".
+   * The device. Read at Start, except for the target of a simulated hand. Default, or if null is
+   * set: a separate "simulated" device.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
@@ -143,14 +143,14 @@ public:
   ///@}
   ///@{
   /**
-   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, and for
-   * null: an object of its own.
+   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, or if null
+   * is set: a separate object.
    */
   void SetSafety(vtkHapticSafety* safety);
   vtkHapticSafety* GetSafety();
   ///@}
   ///@{
-  /** The recorder of the ticks. Read at Start. Default, and for null: an object of its own. */
+  /** The recorder of the ticks. Read at Start. Default, or if null is set: a separate object. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
   ///@}
@@ -250,7 +250,7 @@ public:
   double GetTilt();
   ///@}
   ///@{
-  /** The same values for one of several devices, by its index. */
+  /** As above, for one of several devices, given by its index. */
   void GetTip(int device, double tip[3]);
   void GetContactPoint(int device, double point[3]);
   void GetIdealForce(int device, double force[3]);

@@ -104,7 +104,7 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      withoutGhosts->RemoveGhostCells(); // their faces are the walls of structured pieces
+      withoutGhosts->RemoveGhostCells(); // faces of ghost cells are the walls of structured pieces
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
       all.insert(all.end(), own[i].begin(), own[i].end());

@@ -80,7 +80,7 @@ std::vector<vtkIdType> pointsOf(vtkUnstructuredGrid* grid, vtkIdType cell)
 std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
-  std::vector<std::pair<std::size_t, vtkIdType>> order; // by hash
+  std::vector<std::pair<std::size_t, vtkIdType>> order; // sorted by hash
   order.reserve(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {

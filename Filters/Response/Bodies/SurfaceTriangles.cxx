@@ -133,7 +133,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   }
   joinRoundedPoints(pieces);
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // only has an effect if nothing is marked as a ghost
+  all->MergePointsOn(); // has an effect only if no cell or point is marked as a ghost
   for (vtkUnstructuredGrid* piece : pieces)
   {
     all->AddInputData(piece);

@@ -70,7 +70,7 @@ std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMate
   return simpler;
 }
 
-/// Removes terms while their changes stay within the tolerance.
+/// Removes terms while their changes are within the tolerance.
 class TermChooser
 {
 public:

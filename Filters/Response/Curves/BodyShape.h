@@ -21,7 +21,8 @@ class Ranks;
 /// Curvature and edges of this rank's piece of a body. A member that was not requested is null.
 struct BodyShape
 {
-  std::unique_ptr<SurfaceCurvature> curvature; ///< of the whole body, like the edges
+  std::unique_ptr<SurfaceCurvature> curvature; ///< curvature of the whole body; null if not
+                                               ///< requested
   std::unique_ptr<EdgeDistance> edges;
   /// Indices of the piece's points in the whole body; empty: all points, in order.
   std::vector<std::int32_t> inWhole;

@@ -30,7 +30,7 @@ class BodySeam;
 std::string fillPointNormals(
   vtkPolyData* body, const BodySeam& seam, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 
-/// The same for a whole body.
+/// As above, for a whole body.
 PALPATERESPONSE_EXPORT std::string fillPointNormals(
   vtkPolyData* body, vtkFloatArray* normals, vtkUnsignedCharArray* status);
 } // namespace palpate

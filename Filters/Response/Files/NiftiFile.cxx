@@ -28,7 +28,7 @@ constexpr double MostDeflated = 1032.0; // bytes per byte of a gzip file
 constexpr double SmallestVolume = 1e-6; // volume spanned by the three axes, as a fraction of that
                                         // of a box with the same sides
 
-using Affine = Eigen::Matrix<double, 3, 4>; // from voxel indices to the coordinates of the file
+using Affine = Eigen::Matrix<double, 3, 4>; // maps voxel indices to the coordinates of the file
 
 bool isCompressed(const std::string& path)
 {

@@ -13,7 +13,7 @@ namespace palpate
 /// One touch, as vtkToolTouch displays it. Body frame; mm, N.
 struct Touch
 {
-  Vector3 tip = Vector3::Zero(); ///< after snap and indentation
+  Vector3 tip = Vector3::Zero(); ///< tip after snap and indentation
   TouchedPlace nearest;          ///< nearest place to the given tip
   TouchedPlace place;            ///< place of the contact; cell -1: no contact
   /// Without contact, contact.normal points away from the surface.

@@ -28,7 +28,7 @@ struct CutOutPart
 /// Lengths of a part's cells.
 struct PartCells
 {
-  double spacing = 0.0; ///< at the surface outside the balls, mm
+  double spacing = 0.0; ///< spacing at the surface outside the balls, mm
   std::vector<FineBall> balls;
 };
 

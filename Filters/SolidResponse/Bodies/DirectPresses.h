@@ -31,7 +31,7 @@ public:
   struct Contacts
   {
     DirectPress finer;
-    DirectPress coarser; ///< on cells 1.5 times as long
+    DirectPress coarser; ///< the contact on cells 1.5 times as long
   };
   /// Presses the tool at a place. Returns "", or a message about the fault there.
   std::string at(const DirectPlace& place, Contacts& contacts) const;

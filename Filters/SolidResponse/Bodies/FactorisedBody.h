@@ -17,8 +17,8 @@ namespace palpate
 struct FactorRequest
 {
   ElasticMaterial material;        ///< material of cells without an array
-  vtkDataArray* young = nullptr;   ///< per cell, MPa; null: the constant
-  vtkDataArray* poisson = nullptr; ///< per cell; null: the constant
+  vtkDataArray* young = nullptr;   ///< Young's modulus per cell, MPa; null: the constant
+  vtkDataArray* poisson = nullptr; ///< Poisson's ratio per cell; null: the constant
   int solver = 0;                  ///< a StiffnessFactor::Kind
   double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of the available memory
 };

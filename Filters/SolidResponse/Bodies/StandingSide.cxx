@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 constexpr double HeldDepth = 0.03;   // fraction of the extent along the axis
-constexpr double FlatDepth = 0.0005; // the same for a face that counts as flat
+constexpr double FlatDepth = 0.0005; // fraction of the extent within which a face counts as flat
 constexpr double FlatShare = 0.9; // smallest fraction of the area within FlatDepth, for a flat side
 constexpr double EqualAreas = 1e-6; // relative difference of equal areas
 
@@ -24,7 +24,7 @@ struct Side
   int axis;
   bool isUpper;
   double held = 0.0; ///< area within HeldDepth, seen along the axis, mm²
-  double flat = 0.0; ///< the same within FlatDepth
+  double flat = 0.0; ///< area within FlatDepth, seen along the axis, mm²
 };
 
 void measure(const BodyMesh& mesh, const double* bounds, Side& side)

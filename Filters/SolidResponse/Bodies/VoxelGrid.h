@@ -41,7 +41,7 @@ VolumeMesh makeVoxelMesh(const VoxelGrid& grid);
 
 /**
  * Adds a layer of hexahedra between the mesh and a surface around it, one on each outer face.
- * `reach` gives the place of a far node from the position of the near node and the mean outward
+ * `reach` returns the place of a far node for the position of the near node and the mean outward
  * normal of the core's faces there. If the Jacobian of a hexahedron would be below a twentieth of
  * that of a voxel, the far nodes of the hexahedron are moved back towards its near nodes.
  */

@@ -27,8 +27,8 @@ using EdgeReach = std::function<Eigen::Vector3d(const Eigen::Vector3d& middle, b
  */
 CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& reach);
 
-/// Smallest Bézier coefficient of a tetrahedron's Jacobian over six times its volume with straight
-/// edges: 1 if the edges are straight.
+/// Smallest Bézier coefficient of a tetrahedron's Jacobian, divided by six times its volume with
+/// straight edges; 1 if the edges are straight.
 double leastJacobian(const Eigen::Matrix3Xd& nodes, const std::array<std::int32_t, 10>& cell);
 } // namespace palpate
 

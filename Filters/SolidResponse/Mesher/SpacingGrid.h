@@ -23,7 +23,7 @@ struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
   std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise as seen from outside
-  /// Edges of triangles that cells must follow, even if the surface hardly turns there.
+  /// Edges of triangles that cells must follow, even if the surface is nearly flat there.
   std::vector<std::array<std::int32_t, 2>> rims;
   std::vector<double> spacing;  ///< spacing of the cells at each point
   std::vector<FineBall> balls;  ///< balls with finer cells, anywhere

@@ -64,9 +64,10 @@ PALPATE_EXPORT Eigen::Vector3d quadraticPoint(int i);
 /// The corners at the ends of the edge whose middle is node 4 .. 9 of a quadratic tetrahedron.
 PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
 
-/// The matrix that gives a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode)
-/// from the motion of its nodes if no forces act on the modes. Forces f on the modes are equivalent
-/// to forces on the nodes, the transpose of this matrix times f. The element must not be inverted.
+/// The matrix that maps the motion of a hexahedron's nodes to the amplitudes of its modes (mode by
+/// mode, three amplitudes along x, y, z), if no forces act on the modes. Forces f on the modes are
+/// equivalent to forces on the nodes, the transpose of this matrix times f. The element must not be
+/// inverted.
 PALPATE_EXPORT Eigen::Matrix<double, 9, 24> modesOfNodes(
   const ElementNodes& nodes, const ElasticMaterial& material);
 

@@ -59,7 +59,7 @@ Quadrature quadratureOf(ElementKind kind)
   return { places, 1.0 / 24.0 };
 }
 
-using Gradient = Eigen::Matrix3d; ///< of a displacement in space
+using Gradient = Eigen::Matrix3d; ///< gradient of a displacement in space
 
 /// Stress of an element for any displacement.
 class ElementStress

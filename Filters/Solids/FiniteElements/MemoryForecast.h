@@ -22,7 +22,7 @@ namespace palpate
 struct MemoryForecast
 {
   double matrix = 0.0; ///< the stiffness and its symbolic analysis
-  double factor = 0.0; ///< its Cholesky factor
+  double factor = 0.0; ///< the Cholesky factor of the stiffness
 
   static constexpr double ForecastError = 2.0;
 

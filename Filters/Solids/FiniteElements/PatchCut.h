@@ -24,8 +24,8 @@ struct LocalPatch
 {
   VolumeMesh mesh;                           ///< in the tangent frame of the point, flattened
   std::vector<unsigned char> inner;          ///< per element: 1 if it is also in the inner cut
-  std::array<std::vector<CutNode>, 2> nodes; ///< per node, for the inner and the outer cut
-  std::array<PatchLoad, 2> loads;            ///< on the nodes, in the frame of this mesh
+  std::array<std::vector<CutNode>, 2> nodes; ///< role per node, for the inner and the outer cut
+  std::array<PatchLoad, 2> loads;            ///< loads on the nodes, in the frame of this mesh
   double poissonRatio = 0.3;
   double spacing = 1.0;               ///< mm
   std::vector<std::int32_t> elements; ///< elements of the body that were cut out

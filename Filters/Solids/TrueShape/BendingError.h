@@ -11,12 +11,12 @@ namespace palpate
 {
 /**
  * Fraction of a body's bending that its elements miss, measured at some of the sources for which
- * the body is solved. The fraction is x/(1 - x), with x = 4 e over the bending part of H. Here e is
- * the energy of the difference between the elements' stresses and smoothed ones (energyErrors). At
- * other places the weighted mean of the samples is used. The weight is the inverse square of the
- * distance times the bending at the sample: a sample where the body hardly bends carries no
- * information about bending. Near a crease or a held part the source's own field makes e up to a
- * hundred times larger. Samples above three times the weighted median of their neighbourhood
+ * the body is solved. The fraction is x/(1 - x), where x is 4 e divided by the bending part of H.
+ * Here e is the energy of the difference between the elements' stresses and smoothed ones
+ * (energyErrors). At other places the weighted mean of the samples is used. The weight is the
+ * bending at the sample divided by the square of the distance: a sample where the body hardly bends
+ * has no information about bending. Near a crease or a held part the source's own field makes e up
+ * to a hundred times larger. Samples above three times the weighted median of their neighbourhood
  * therefore do not count.
  *
  * The factor 4 is the one of complianceErrors(). BendingErrorTest and ShapedErrorTest check how

@@ -28,8 +28,8 @@ public:
   /// H between points(), symmetric; used to check H against other methods.
   const Eigen::MatrixXd& values() const { return this->Values; }
   const std::vector<DiscPoint>& points() const { return this->Points; }
-  /// Largest |H(x,y) - H(y,x)| of the disc over the largest |H|. A large value indicates too coarse
-  /// elements near an edge. The asymmetry is not an estimate of the error.
+  /// Largest |H(x,y) - H(y,x)| of the disc, divided by the largest |H|. A large value indicates too
+  /// coarse elements near an edge. The asymmetry is not an estimate of the error.
   double asymmetry() const { return this->Asymmetry; }
 
 private:

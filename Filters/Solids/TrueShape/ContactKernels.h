@@ -33,8 +33,8 @@ struct ContactKernel
   GapTerms gap;
 };
 
-/// Error of c₀₀ due to the elements, mm/N, over the contact radius, estimated from a second mesh
-/// (MeshDifference).
+/// Error of c₀₀ due to the elements, mm/N, as a function of the contact radius, estimated from a
+/// second mesh (MeshDifference).
 struct PALPATE_EXPORT MissedCompliance
 {
   std::vector<double> radii;  ///< ascending, mm

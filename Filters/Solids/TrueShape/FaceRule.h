@@ -40,8 +40,8 @@ struct FacePoint
 void facePoints(const LocalFace& face, std::vector<FacePoint>& points);
 
 /// Number of Gauss points in each direction for a cell whose middle is `distance` away and whose
-/// farthest corner is `size` from the middle. The error of Boussinesq's stress stays near 1e-3 of
-/// the cell's contribution.
+/// farthest corner is `size` from the middle. The error of Boussinesq's stress is about 1e-3 of the
+/// cell's contribution.
 int pointsAlong(double distance, double size);
 constexpr int MostPoints = 6; ///< largest result of pointsAlong()
 } // namespace palpate

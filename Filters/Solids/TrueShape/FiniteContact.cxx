@@ -188,7 +188,7 @@ private:
   std::unique_ptr<StiffnessFactor> Factor;
   bool IsReady = false;
   Eigen::VectorXd Solution;
-  Eigen::VectorXd Motion; ///< per mm of depth
+  Eigen::VectorXd Motion; ///< change of the displacements per mm of depth
   Eigen::VectorXd Gradient;
   FinitePart::Pressed Contact;
   double Depth; ///< mm

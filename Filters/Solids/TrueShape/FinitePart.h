@@ -72,7 +72,7 @@ private:
   struct Gap
   {
     double value;             ///< mm, > 0 outside
-    Eigen::Vector3d gradient; ///< with respect to the displacement
+    Eigen::Vector3d gradient; ///< gradient with respect to the displacement
     Eigen::Matrix3d hessian;
   };
 

@@ -113,7 +113,7 @@ BlendedKernels::Weights BlendedKernels::weigh(
     w.positions.col(k) = (frame.transpose() * away).head<2>();
   }
   const double scale = w.near.mean() + 1e-300;
-  // The weight at a landmark stays finite, so that its neighbours still determine the plane.
+  // The weight at a landmark is finite, so that its neighbours still determine the plane.
   w.near = ((w.near / scale).array().square() + NearLandmark).inverse();
   w.near /= w.near.sum();
   w.plane = Eigen::Matrix3Xd::Zero(3, count);
@@ -165,7 +165,7 @@ void BlendedKernels::blendSites(const LandmarkKernels& landmarks, const SurfaceS
   this->Site.limitedBy = this->Site.limit < largest ? by : PatchStatus::Valid;
   if (this->Site.limit == 0.0 && by == PatchStatus::OutOfReach)
   {
-    this->Site.status = by; // inside the held part of the surface
+    this->Site.status = by; // the place is inside the held part of the surface
   }
   this->Site.nearestSource = 0.0;
   this->Site.spacing = blend([](const KernelSite& site) { return site.spacing; });

@@ -114,7 +114,7 @@ private:
   void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
-  const std::vector<double>* Radii = nullptr; ///< of the landmarks
+  const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels
   std::vector<Blend> Blends;                  ///< one per radius
   SurfaceGap Gap;
   Eigen::Matrix<double, 3, 2> Tangents;

@@ -36,7 +36,7 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
   {
     if (at.distance > 0.0)
     {
-      // The weight is roughly the angle that the point covers: its area over its distance.
+      // The weight is roughly the angle that the point covers: its area divided by its distance.
       const double weight = at.area / at.distance;
       sum += weight * 2.0 * at.drop / (at.distance * at.distance);
       weights += weight;

@@ -19,8 +19,8 @@ struct ExpectedError
   double bending = BendingError::Assumed; ///< missed fraction of the bending
 };
 
-/// Expected errors of the points of a RegularGreen. A source has its own error; another point takes
-/// the errors of the nearest sources of its disc.
+/// Expected errors of the points of a RegularGreen. A source has its own error; the error of
+/// another point is that of the nearest sources of its disc.
 class SourceErrors
 {
 public:

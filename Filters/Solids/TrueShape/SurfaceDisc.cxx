@@ -169,7 +169,7 @@ private:
   std::int32_t Centre;
   double Radius;
   Eigen::Matrix3d Frame;
-  Eigen::Vector3d Origin; ///< on the smooth surface
+  Eigen::Vector3d Origin; ///< place of the point on the smooth surface
   ElasticMaterial Material;
 };
 } // namespace

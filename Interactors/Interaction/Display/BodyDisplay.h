@@ -89,7 +89,7 @@ private:
   void complain(const std::string& fault);
 
   vtkSmartPointer<vtkActor> Actor;
-  std::vector<Dent> Dents; ///< at least one
+  std::vector<Dent> Dents; ///< one per contact, at least one
   double FieldRadius = 0.0;
   bool ByShader = true;
 

@@ -58,7 +58,7 @@ public:
 
 private:
   ArrowLook Look;
-  Eigen::Vector3d ArrowVector = Eigen::Vector3d::Zero(); ///< from origin to head, mm
+  Eigen::Vector3d ArrowVector = Eigen::Vector3d::Zero(); ///< vector from origin to head, mm
   Eigen::Vector3d Head = Eigen::Vector3d::Zero();
   vtkSmartPointer<vtkTubeFilter> Shaft;
   vtkSmartPointer<vtkConeSource> Cone;

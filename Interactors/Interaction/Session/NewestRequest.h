@@ -57,7 +57,7 @@ public:
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Waiting = std::move(request);
-      this->Done.reset(); // the result of an older request
+      this->Done.reset(); // discards the result of an older request
       ++this->Newest;
     }
     if (!this->Thread.joinable())

@@ -29,11 +29,11 @@ struct LiveTouchForm
   QComboBox* device;     ///< text: the device; data: the address of a device that was found
   QToolButton* find;     ///< starts another search for devices
   QDoubleSpinBox* depth; ///< depth of the press, mm; 0: half of the range
-  QCheckBox* snap;       ///< whether the tip stays on the surface under the handle
-  QPushButton* start;    ///< Start, Cancel or Stop
-  QLabel* state;         ///< "stick", "no contact", "making the search structure …"
-  QLabel* remark;        ///< the error, or the reason why the applied force differs from the ideal
-                         ///< one
+  QCheckBox* snap;    ///< whether the tip is first moved to the surface point nearest to the handle
+  QPushButton* start; ///< Start, Cancel or Stop
+  QLabel* state;      ///< "stick", "no contact", "making the search structure …"
+  QLabel* remark;     ///< the error, or the reason why the applied force differs from the ideal
+                      ///< one
   pqForceBar* bar;
   QLabel* force;      ///< applied force, N
   QLabel* limit;      ///< N

@@ -20,8 +20,8 @@ namespace palpate
 struct LiveTouchRequest
 {
   vtkPolyData* body = nullptr;
-  std::string response;       ///< prefix of the response arrays
-  std::string device;         ///< as for vtkHapticDevice::Open; "": no device is opened
+  std::string response; ///< prefix of the response arrays
+  std::string device; ///< name of the device as for vtkHapticDevice::Open; "": no device is opened
   std::optional<Sight> sight; ///< if set, a starting point for this view is searched
 };
 

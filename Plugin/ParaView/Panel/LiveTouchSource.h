@@ -27,7 +27,7 @@ struct StoredResponse
 /// The part of the pipeline that is used for a live touch.
 struct LiveTouchSource
 {
-  pqOutputPort* body = nullptr;      ///< null: see obstacle
+  pqOutputPort* body = nullptr;      ///< the output with the body; null: see obstacle
   pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle defines the tip, or null
   std::vector<StoredResponse> responses;
   QString obstacle; ///< the reason as text why no live touch is possible; "" if it is possible

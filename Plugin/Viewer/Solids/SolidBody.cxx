@@ -31,7 +31,8 @@ namespace
 // ten thousand solutions.
 constexpr double UsualCells = 20000.0;
 constexpr double UsualSources = 10000.0;
-/// Number of vtkGradedBody's cells: this factor times the surface area over the squared spacing.
+/// Number of vtkGradedBody's cells: this factor times the surface area, divided by the square of
+/// the spacing.
 constexpr double CellsPerSquare = 8.7;
 /// Limits of the spacing: at least this fraction of the contact radius, and at most this fraction
 /// of the cube root of the volume, which the shape of the body needs.

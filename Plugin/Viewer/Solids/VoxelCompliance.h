@@ -13,7 +13,7 @@ namespace palpate
 struct VoxelComplianceOptions
 {
   double spacing = 2.0;          ///< mm
-  std::string fixedFaces = "z-"; ///< as for vtkVoxelBody
+  std::string fixedFaces = "z-"; ///< sides that hold the body, as for vtkVoxelBody
   double youngsModulus = 0.05;   ///< MPa
   double poissonsRatio = 0.45;
 };

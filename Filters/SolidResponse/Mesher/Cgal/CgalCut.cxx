@@ -74,7 +74,8 @@ void addRims(const CutPlane& plane, MeshedSurface& surface)
   }
 }
 
-/// Sorts points and triangles by position, because CGAL orders the cut ones by memory addresses.
+/// Sorts points and triangles by position, because CGAL orders the results of a cut by memory
+/// addresses.
 void sortElements(MeshedSurface& surface)
 {
   const auto count = static_cast<std::size_t>(surface.points.cols());

@@ -64,7 +64,7 @@ constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
 constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is the removal of slivers
 
-/// Limit on the cells needed for the deviation, over the expected cells.
+/// Largest ratio of the number of cells that the deviation needs to the expected number.
 constexpr double LargestExcess = 5.0;
 
 struct Stopped

@@ -14,7 +14,7 @@ struct FollowedEdges
 {
   /// Whether all edges sharper than the limit are followed. The mesher then finds them itself.
   bool areDetected = false;
-  std::vector<std::vector<CgalPoint>> lines; ///< from corner to corner, or closed
+  std::vector<std::vector<CgalPoint>> lines; ///< lines from corner to corner, or closed lines
 };
 
 /**
