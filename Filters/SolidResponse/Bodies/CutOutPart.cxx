@@ -90,9 +90,9 @@ void takeCells(
   }
 }
 
-/// Keeps only elements that are connected to a held face. Removes fragments that the cut leaves of
-/// a thin flap, and parts that are connected only by an edge and could rotate about it. Returns "",
-/// or a message about the fault.
+/// Keeps only elements that are connected, face by face, to a face that is held or on the cut.
+/// Removes fragments that the cut leaves of a thin flap, and parts that are connected only by an
+/// edge and could rotate about it. Returns "", or a message about the fault.
 std::string removeLoose(CutOutPart& part)
 {
   MeshTopology topology;

@@ -40,8 +40,9 @@ struct PartCells
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part);
 
-/// Fills the part with quadratic tetrahedra. Elements that are not connected to held nodes are left
-/// out. Returns "", or a message about the fault. Cost: 60 µs per cell.
+/// Fills the part with quadratic tetrahedra. Elements that are not connected, face by face, to a
+/// face that is held or on the cut are left out. Returns "", or a message about the fault. Cost: 60
+/// µs per cell.
 std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPart& filled);
 } // namespace palpate
 

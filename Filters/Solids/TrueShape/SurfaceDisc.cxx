@@ -143,7 +143,7 @@ private:
     if (away > this->Radius ||
       this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < ContactTurn)
     {
-      return; // the point is on an edge; the other side of the edge limits the disc
+      return; // the point is beyond the radius, or on an edge, whose other side limits the disc
     }
     if (isHeldAlongNormal(this->Body, point))
     {
