@@ -8,12 +8,12 @@ class vtkAlgorithm;
 
 namespace palpate
 {
-/// Checks a request. Returns "", or a message that names the wrong setting.
+/// Returns "", or a message that names the wrong setting of a request.
 std::string checkYieldRequest(const YieldRequest& request);
 
 /// Reads the solution of a body from the cache, or solves for it and stores it there. `body` must
-/// be the body() of a SoundBody. Reports progress to `filter`. If the filter is aborted, the
-/// function stops and `made` is empty. Returns "", or a message about the fault.
+/// be the body() of a SoundBody. Reports progress to `filter`, and stops if it is aborted: the
+/// result is then empty. Returns "", or a message about the fault.
 std::string solveYield(
   vtkPolyData* body, const YieldRequest& request, vtkAlgorithm* filter, BodyYield& made);
 } // namespace palpate
