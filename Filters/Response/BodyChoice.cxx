@@ -49,8 +49,8 @@ std::string capitalised(std::string words)
   return words;
 }
 
-/// Stores the number of elements that the relaxation needs. Removes it if the relaxation does not
-/// matter.
+/// Stores the number of elements that the relaxation needs. Removes the array if the relaxation
+/// does not matter.
 void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
   const RelaxationNeed& need)
 {

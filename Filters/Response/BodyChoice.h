@@ -14,14 +14,14 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A choice, as numbers and text.
+/// The chosen form of a response, as numbers and text.
 struct AttachedChoice
 {
   ResponseChoice choice;
   std::string reason;
   int numbersPerPointBefore = 0;
-  RelaxationNeed relaxation; ///< for a body that relaxes
-  TiltNeed tilt;             ///< for a tool that may be tilted
+  RelaxationNeed relaxation; ///< set for a body that relaxes
+  TiltNeed tilt;             ///< set for a tool that may be tilted
 };
 
 /// Replaces a body's response by its simplest form, see vtkResponseChoice.

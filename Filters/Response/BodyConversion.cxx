@@ -77,7 +77,7 @@ bool fetchCurves(
   return arrays.coefficient != nullptr;
 }
 
-/// Leaves `edges` unchanged if the body has no array for them.
+/// Reads the edge terms. Leaves `edges` unchanged if the body has no array for them.
 bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
 {
   const std::string full = arrayName(name, ResponseArray::Edges);

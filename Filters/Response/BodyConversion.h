@@ -46,27 +46,29 @@ PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPoly
 PALPATERESPONSE_EXPORT void removeArrays(
   vtkPolyData* body, const std::string& name, ContractArray::Use use);
 
-/// Views of the response arrays with prefix `name`, in either form. Returns false and an error if
-/// they break the contract.
+/// Sets `arrays` to views of the response arrays with prefix `name`, in either form. Returns false
+/// and an error if they break the contract.
 PALPATERESPONSE_EXPORT bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 
-/// Views of Validity and Limit of the response with prefix `name`, one value per point. Returns
-/// false and an error if one is missing or has another type. Not needed to evaluate a response.
+/// Sets `validity` and `limit` to views of the arrays Validity and Limit of the response with
+/// prefix `name`, one value per point. Returns false and an error if one is missing or has another
+/// type. The two arrays are not needed to evaluate a response.
 PALPATERESPONSE_EXPORT bool viewValidity(vtkPolyData* body, const std::string& name,
   const float*& validity, const unsigned char*& limit, std::string& error);
 
-/// The response as the kernel stores it, in the order of the points. Returns null and an error if
-/// the arrays break the contract.
+/// Makes the response as the kernel stores it, in the order of the points. Returns null and an
+/// error if the arrays break the contract.
 PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
   vtkPolyData* body, const std::string& name, std::string& error);
 
-/// All data of a body that a tick needs. Returns null and an error if a part is missing or invalid.
+/// Makes all data of a body that a tick needs. Returns null and an error if a part is missing or
+/// invalid.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const BuildProgress& progress = {});
 
-/// The same for a body that has the points and triangles of `same` and other responses. The surface
-/// is copied, which is a tenth of the work.
+/// As above, for a body that has the points and triangles of `same` but other responses. The
+/// surface is copied from `same`, which takes a tenth of the time.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(
   vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same);
 

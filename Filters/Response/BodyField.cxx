@@ -293,12 +293,12 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
       this->Warnings.push_back(field.fault());
     }
     const ResponseModel model = responseModel(body, name);
-    if (model.isInSeries() && field.modeWeights().empty() && model.text != this->WarnedOfModel)
+    if (model.isInSeries() && field.modeWeights().empty() && model.text != this->ReportedModel)
     {
       this->Warnings.emplace_back("The response has a global compliance, but the body no "
                                   "GlobalMode0...; the field shows the local part alone, at the "
                                   "whole deflection");
-      this->WarnedOfModel = model.text; // a live display computes the field many times per second
+      this->ReportedModel = model.text; // a live display computes the field many times per second
     }
   }
   if (ranks.any(!this->Piece || !this->Piece->isOf(body)))

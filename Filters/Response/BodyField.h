@@ -26,8 +26,8 @@ class Ranks;
  * or is of true shape (point arrays `GlobalMode0`..., field array `GlobalModeSign`); and
  * `NearField` if it is of true shape.
  *
- * Keeps the neighbours of the mesh (O(n log n)) as long as points and triangles do not change, and
- * the solution of the last layer.
+ * The object keeps the neighbours of the mesh (O(n log n)) while points and triangles do not
+ * change. It also keeps the solution for the last layer.
  */
 class PALPATERESPONSE_EXPORT BodyField
 {
@@ -43,9 +43,9 @@ public:
     std::string responseName;
     FieldSettings settings;
   };
-  /// Makes `ContactDisplacement` (float 3, mm) of a body that has passed checkBody; zero without
-  /// contact. The cell of the contact is a triangle of the body on `rank`. Collective. Returns ""
-  /// or an error message, the same on all ranks.
+  /// Computes `ContactDisplacement` (float 3, mm) of a body that has passed checkBody; it is zero
+  /// without contact. The cell of the contact is a triangle of the body on `rank`. Collective.
+  /// Returns "" or an error message, the same on all ranks.
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
   /// The parts that displace() left out, as sentences. Missing modes are reported once.
@@ -57,7 +57,7 @@ private:
   std::unique_ptr<const LinkedPiece> Piece;
   std::shared_ptr<const LayerKernel> Kernel;
   std::vector<std::string> Warnings;
-  std::string WarnedOfModel;
+  std::string ReportedModel;
 };
 
 /// The triangle `cell` of a body, with the data that a field of the response `name` uses there.

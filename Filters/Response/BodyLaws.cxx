@@ -39,7 +39,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double WholeBodyShare = 0.9; // of the work, if the body's compliance is included
+constexpr double WholeBodyShare = 0.9; // fraction of the work, if the body's compliance is included
 
 /// Makes the correction by finite strain; null for the linear model. Returns "" or an error
 /// message.

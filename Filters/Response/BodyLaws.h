@@ -37,17 +37,20 @@ struct LawRequest
   MaterialArrays arrays;
   int samples = 8;                             ///< for a response
   LawTerms terms = {};                         ///< for a response
-  const MeasuredBodyError* measured = nullptr; ///< for a response whose material was measured
+  const MeasuredBodyError* measured = nullptr; ///< error of the material, for a response whose
+                                               ///< material was measured
   RelaxationRequest relaxation = {};           ///< for a response
-  bool couples = false;                        ///< for a response: contacts on it can interact
-  MaterialArray pressed = {}; ///< for a response: not 0 at the points that get it; none: all
-  bool wholeBody = false;     ///< for a response: includes the body's compliance (WholeBody.h)
+  bool couples = false;       ///< for a response: whether contacts on the body can interact
+  MaterialArray pressed = {}; ///< for a response: nonzero at the points that get a response;
+                              ///< without an array all points get one
+  bool wholeBody = false;     ///< for a response: whether it includes the body's compliance
+                              ///< (WholeBody.h)
 };
 
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
 
-/// Attaches the response to the body, see vtkToolContactResponse. `output` stays empty if
+/// Attaches the response to the body, see vtkToolContactResponse. `output` is empty if
 /// `goOn(fraction)` returns false. Returns "" or an error message; `warning` is a warning or "".
 /// Collective; `input` is the piece of this process. The laws use the repaired body (SoundBody).
 PALPATERESPONSE_EXPORT std::string attachResponse(const Ranks& ranks, vtkPolyData* input,

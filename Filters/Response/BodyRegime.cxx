@@ -119,7 +119,8 @@ std::string attachRegime(
     return "Wrong input: " + fault;
   }
   vtkPolyData* body = sound.body();
-  // From here no rank has a fault. A rank without a piece only takes part in the collective calls.
+  // No rank has a fault from here onward. A rank without a piece only takes part in the collective
+  // calls.
   const std::string& name = request.responseName;
   vtkSmartPointer<vtkContactTool> tool;
   std::vector<double> depths;

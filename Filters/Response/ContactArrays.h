@@ -25,7 +25,7 @@ namespace palpate
 class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
-  /// Does not set the values: every tip must be stored before the arrays are attached.
+  /// The values are not initialised: every tip must be stored before the arrays are attached.
   explicit ContactArrays(vtkIdType tips, bool relaxes = false, bool hasAxes = false);
 
   /// `firstPoly` is the cell id of the body's first triangle. Different tips may be stored at the

@@ -14,9 +14,9 @@ namespace palpate
 /// has no effect if VTK's loops are not threaded (back end Sequential, ParaView's default).
 class FilterThreads
 {
-  ThreadLimit Limit{ wish() };
+  ThreadLimit Limit{ threadCount() };
 
-  static std::size_t wish()
+  static std::size_t threadCount()
   {
     const char* backend = vtkSMPTools::GetBackend();
     return backend == nullptr || std::strcmp(backend, "Sequential") == 0

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Conversion between vtkPolyData with responses and the flat body file, which loops without VTK
- * read.
+ * Conversion between vtkPolyData with responses and the flat body file, which servo loops without
+ * VTK can read.
  */
 #ifndef FlatBodyConversion_h
 #define FlatBodyConversion_h
@@ -21,8 +21,9 @@ namespace palpate
 PALPATERESPONSE_EXPORT std::string writeFlatBody(
   vtkPolyData* body, const std::string& name, const std::string& path);
 
-/// Reads such a file as a body that has the response under the prefix `name`. The bits are those
-/// that were written. Returns null and an error that names the file if it cannot be used.
+/// Reads such a file as a body that has the response under the prefix `name`. All numbers are bit
+/// for bit those that were written. Returns null and an error that names the file if it cannot be
+/// used.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> readFlatBody(
   const std::string& path, const std::string& name, std::string& error);
 } // namespace palpate

@@ -15,7 +15,7 @@ inline double roundDown(double value)
 }
 
 /// The smallest number of the form 1, 2, 3, 4, 6 or 8 times a power of ten that is not below
-/// `value` > 0. Quarters of these are short numbers, too.
+/// `value` > 0. A quarter of such a number has few digits, too.
 inline double roundUp(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestRatio = 0.499; // of finite elements
+constexpr double LargestRatio = 0.499; // largest Poisson's ratio of the finite elements
 
 bool isOfOneMaterial(const LawRequest& request)
 {

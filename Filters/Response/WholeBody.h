@@ -12,18 +12,22 @@ namespace palpate
 struct WholeBody
 {
   vtkSmartPointer<vtkPolyData> body; ///< the body with the arrays of the compliance
-  std::string heldAt;                ///< "": the compliance is not included
-  std::string warning;               ///< why it is not included, or repairs of the surface; or ""
-  bool isComplete = true;            ///< false after an abort
+  std::string heldAt;  ///< the sides at which the body is held; "": the compliance is not included
+  std::string warning; ///< the reason why the compliance is not included, or a repair of the
+                       ///< surface; "" if neither applies
+  bool isComplete = true; ///< false after an abort
 };
 
 /**
  * Finds the compliance of the body of a request with `wholeBody` (BodyYield), attaches it to a copy
- * of the body, and adds the array to the request. The body is left as it is if it is open, on
- * several processes, or known better: if it has layers, a given compliance, a material that varies
- * or was measured, or a Poisson's ratio above 0.499. The same applies if sharp edges have an effect
- * (a law of their own), and if contacts interact (the compliance of one does not act on another). It is also left as it is, with a warning, if
- * it cannot be filled or held or if the module Solids is missing.
+ * of the body, and adds the array to the request.
+ *
+ * The compliance is not included, and `body` is returned unchanged, in these cases: the surface is
+ * open; the body is on several processes; it has layers, a given compliance, a material that varies
+ * or was measured, or a Poisson's ratio above 0.499; sharp edges have an effect (their law has no
+ * compliance); contacts interact (the compliance under one contact does not act on another). The
+ * same holds, with a warning, if the body cannot be filled with elements or held, or if the module
+ * Solids is missing.
  */
 WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
   const std::function<bool(double)>& goOn, LawRequest& request);

@@ -82,22 +82,22 @@ int vtkBodyFileReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   vtkInformation* info = output->GetInformationObject(0);
-  const auto tellExtent = [info](auto* grid)
+  const auto passExtent = [info](auto* grid)
   { info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), grid->GetExtent(), 6); };
   if (auto* image = vtkImageData::SafeDownCast(this->Content))
   {
-    tellExtent(image);
+    passExtent(image);
     info->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
     info->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
     info->Set(vtkDataObject::DIRECTION(), image->GetDirectionMatrix()->GetData(), 9);
   }
   else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(this->Content))
   {
-    tellExtent(rectilinear);
+    passExtent(rectilinear);
   }
   else if (auto* structured = vtkStructuredGrid::SafeDownCast(this->Content))
   {
-    tellExtent(structured);
+    passExtent(structured);
   }
   return 1;
 }

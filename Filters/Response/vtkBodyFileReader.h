@@ -20,8 +20,9 @@
  *
  * Errors name the file and, if known, the line, facet, row or header entry. These are errors: a
  * file that is missing, empty, truncated, damaged or of an unknown kind, and a NIfTI scan with
- * several images. Files that VTK reads are read twice, first in a copy of the process: if a reader
- * of VTK crashes there, that is an error. Read files while no other thread uses VTK.
+ * several images. Files that VTK reads are read twice, first in a copy of the process. If a reader
+ * of VTK crashes there, the file is reported as an error. Read files while no other thread uses
+ * VTK.
  *
  * A file that has changed is read again after Modified().
  *

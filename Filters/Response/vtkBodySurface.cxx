@@ -32,7 +32,8 @@ namespace
 {
 constexpr double SmallestBody = 5.0;   // mm, shortest plausible longest side
 constexpr double LargestBody = 5000.0; // mm, longest plausible longest side
-constexpr std::array<double, 3> Millimetres = { 1.0, 10.0, 1000.0 }; // of each LengthUnitType
+// Millimetres per unit, for each LengthUnitType.
+constexpr std::array<double, 3> Millimetres = { 1.0, 10.0, 1000.0 };
 
 vtkSmartPointer<vtkPolyData> turned(vtkPolyData* surface)
 {

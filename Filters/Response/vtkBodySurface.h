@@ -15,8 +15,8 @@
  *   or have a coordinate that is not finite. Their points remain;
  * - polygons and triangle strips are cut into triangles; vertices and lines are left out;
  * - the outer faces of the three-dimensional cells of a volume (unstructured, structured,
- *   rectilinear, image) are used; cells of fewer dimensions are left out. For an image, that is its
- *   box. vtkSkinSurface makes the skin of a scan;
+ *   rectilinear, image) are used; cells of fewer dimensions are left out. The outer faces of an
+ *   image are its box. vtkSkinSurface makes the skin of a scan;
  * - partitions of one data set (vtkPartitionedDataSet, vtkMultiPieceDataSet) are joined where their
  *   points coincide exactly, and their ghost cells are left out. The same holds for all blocks that
  *   are volumes;

@@ -7,8 +7,8 @@
  * the body with point vectors `ContactDisplacement` (float 3, mm). They are the surface
  * displacement of the tool on an elastic half-space (u_r, u_z of vtkContactTool) at the tip's
  * deflection. u_z points against the contact normal, u_r points along the surface away from the
- * contact, and distances r are measured along the surface. Zero without contact. To see the field,
- * warp by the vector.
+ * contact, and distances r are measured along the surface. The field is zero without contact. To
+ * see the field, warp by the vector.
  *
  * The field covers the part of the surface that is connected to the contact and whose normal is
  * within 60° of the contact normal. It ends there, because beyond that angle, and on the far side,
@@ -25,14 +25,14 @@
  *
  * If the response has a global compliance or is of true shape, and the body has its modes
  * (NumberOfModes of vtkElasticCompliance, StoreMotion of vtkElasticContactResponse), the whole
- * surface moves by the modes under the tip's `NormalForce`. The local part is then that of the
- * deflection minus the modes' part (palpate::ContactField). Without modes the field shows the local
- * part at the whole deflection, with one warning. A response of true shape also shows the effect of
- * its surroundings (`NearField`): the surface gives way more near an edge, and less over a nodule
- * or a base. Compared with finite elements under the same force, the error is within 3 % of the
- * deflection beyond two contact radii, on the side that is pressed (TestDeflectionShape). The side
- * behind an edge follows the modes only. A `NearField` of another shape is an error; if it is not
- * finite, it is not drawn.
+ * surface moves by the modes under the tip's `NormalForce`. The local part is then the field for
+ * the deflection minus the modes' part (palpate::ContactField). Without modes the field shows the
+ * local part at the whole deflection, with one warning. A response of true shape also shows the
+ * effect of its surroundings (`NearField`): the surface gives way more near an edge, and less over
+ * a nodule or a base. Compared with finite elements under the same force, the error is within 3 %
+ * of the deflection beyond two contact radii, on the side that is pressed (TestDeflectionShape).
+ * The side behind an edge follows the modes only. A `NearField` of another shape is an error; if it
+ * is not finite, it is not drawn.
  *
  * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
  *
@@ -100,8 +100,8 @@ public:
 
   ///@{
   /**
-   * The field ends at this distance from the contact, mm, even if it would be valid farther out. It
-   * fades from 3/4 of the distance on. 0 (default): no such end. At the distance r the field is
+   * The field ends at this distance from the contact, mm, even if it would be valid farther out.
+   * Fading begins at 3/4 of the distance. 0 (default): no limit. At the distance r the field is
    * about (2a/πr) of the deflection.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);

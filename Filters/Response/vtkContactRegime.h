@@ -21,7 +21,7 @@
  *   sphere may differ a little more: by 7 % between the paper's tools where all three had verdict 2
  *   (Testing/Studies/paper, Figure 5).
  * - field array `RegimeDeflection` (double, mm; the largest depth, if the depth follows Range): the
- *   depth for which λ and S are given.
+ *   depth for which λ and S were computed.
  *
  * Without a stable contact (compliance folds the curve, layer too thin) the numbers are NaN and the
  * verdict is 0.

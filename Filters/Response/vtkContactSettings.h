@@ -6,7 +6,7 @@
  * vtkToolContactProbe, vtkToolTouch and vtkHapticSession give the same force at the same tip if
  * these settings are equal. Each starts with its own object. If several share one object
  * (SetSettings), later changes apply to all of them. vtkToolContactProbe also has the properties
- * below, such as SetFrictionCoefficient: they are those of the object that it holds.
+ * below, such as SetFrictionCoefficient: they belong to its settings object.
  *
  * | Property | meaning | range | default |
  * | --- | --- | --- | --- |
@@ -25,7 +25,7 @@
  * session with such settings reports that text as its error and does nothing. A filter reads the
  * settings when it updates, a session at Start and ApplyChanges.
  *
- * GetTable gives all of this as numbers and text, for a user interface.
+ * GetTable returns this table as numbers and text, for a user interface.
  *
  * @code{.py}
  * settings = palpate.vtkContactSettings()
@@ -85,7 +85,7 @@ public:
     /// Sticks elastically with TangentialStiffness, and creeps near the limit. Does not creep below
     /// the fraction FrictionBreakaway of the limit (Hayward and Armstrong 2000).
     ElastoPlastic = 0,
-    /// Creeps from the first displacement on, and so drifts under any changing load.
+    /// Creeps at any displacement, however small, and so drifts under any changing load.
     Dahl = 1,
     /// Derived from the stored response f(δ) itself: Q(u) = μ [f(δ) - f(δ - u/(μc))], c =
     /// (2-ν)/(2(1-ν)). Slides at u = μcδ (Jaeger 1998; Ciavarella 1998). Uses only μ and
@@ -177,8 +177,8 @@ public:
   ///@}
 
   /**
-   * Describes a setting that is out of its range, "FrictionCoefficient must be finite and not
-   * negative, but is -1"; "" if all are valid.
+   * Describes a setting that is out of its range, for example "FrictionCoefficient must be finite
+   * and not negative, but is -1"; "" if all are valid.
    */
   std::string GetFault();
 

@@ -28,8 +28,8 @@
  *
  * **Profiles.** For points taken from a smooth tool, the error of the law falls with the square of
  * their spacing. The formulas hold for one full circle of contact. A tool that is not convex (a
- * shoulder, a groove, a second ring) would touch outside this circle from some depth on. If it is
- * pressed deeper, every Get... reports an error that names the deflection and the radius, and
+ * shoulder, a groove, a second ring) would touch outside this circle beyond a certain depth. If it
+ * is pressed deeper, every Get... reports an error that names the deflection and the radius, and
  * returns NaN: see GetDepthLimit. A ring below the tip is an error at once.
  *
  * **On the sphere of Mahvash and Hayward (2002), Table 1.** There it is printed as 4/3 √(R E*)

@@ -38,8 +38,9 @@ vtkStandardNewMacro(vtkLayerThickness);
 namespace
 {
 constexpr double SamplesPerVoxel = 4.0;
-constexpr double LargestTurn = 0.5; // cosine of 60°; beyond, the surface faces another way
-constexpr double MostSamples = 1e6; // per ray
+constexpr double LargestTurn = 0.5; // cosine of 60°; at larger angles the surface counts as facing
+                                    // another way
+constexpr double MostSamples = 1e6; // largest number of samples per ray
 constexpr int ThicknessBlocks = 10;
 constexpr float NotFound = std::numeric_limits<float>::infinity();
 using Stage = palpate::FilterStage;

@@ -27,7 +27,7 @@
  * `<name>ReductionError` (double, relative) report the dropped numbers and the resulting error.
  *
  * Source: proper orthogonal decomposition (Sirovich 1987), with columns weighted for the relative
- * error; details in ResponseReduction.h. Cost: some µs per point and core. The bits do not depend
+ * error; details in ResponseReduction.h. Cost: a few µs per point and core. The bits do not depend
  * on the number of threads.
  *
  * Errors: the body has no such response; Tolerance is not above 0; MaximumNumberOfLaws is not from

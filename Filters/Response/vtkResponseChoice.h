@@ -23,11 +23,11 @@
  * shape of the tool does not matter (RegimeVerdict 2), `Deflection` is within Validity, and the
  * error of the spring is at most `Tolerance` of the force at Range. The stiffness of the spring is
  * the secant of the tool's curve there: the local compliance in series with the global one, nearly
- * 1/GlobalCompliance. It would be the same for another tool to some per cent. A spring does not
- * have the soft start of a contact: a curve begins without stiffness, a spring with its full
- * stiffness. So at a tenth of Range, where the force is a tenth, the relative error may be many
- * times the Tolerance. A point force is never chosen without the regime's arrays, nor for
- * half-spaces and layers, whose λ is never near 1.
+ * 1/GlobalCompliance. Another tool would give the same stiffness to within a few per cent. A
+ * contact starts soft: its curve begins with zero stiffness, whereas a spring has its full
+ * stiffness from the start. So at a tenth of Range, where the force is a tenth, the relative error
+ * may be many times the Tolerance. A point force is never chosen without the regime's arrays, nor
+ * for half-spaces and layers, whose λ is never near 1.
  *
  * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, with its arrays, if it
  * changes the force of no press by more than `Tolerance`. Otherwise the field array
@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Largest error of the force, > 0, in the two senses above. Default 0.01: a tenth of the
-   * difference that a hand can notice.
+   * Largest error of the force, > 0, as defined above for laws and for a point force. Default 0.01:
+   * a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

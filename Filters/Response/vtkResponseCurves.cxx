@@ -236,8 +236,10 @@ int vtkResponseCurves::RequestData(
       {
         longest = std::max(longest, response.ranges->GetTuple1(id));
       }
-      else if (!selection) // a selected point remains as a gap, since it may have another response
+      else if (!selection)
       {
+        // A selected point without this response is kept, since another response may be valid
+        // there.
         vtkErrorMacro(<< "Point " << id << " has no response '" << response.name << "'.");
         return 0;
       }

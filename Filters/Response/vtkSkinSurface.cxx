@@ -41,7 +41,7 @@ using Stage = palpate::FilterStage;
 /// Pass band of the smoothing on a lattice as fine as the scan. It removes the traces of voxels,
 /// waves of up to about ten spacings, and keeps longer waves.
 constexpr double PassBand = 0.02;
-constexpr double MaximumVoxels = 4e9; // of the resampled scan: 16 GB
+constexpr double MaximumVoxels = 4e9; // largest number of voxels of the resampled scan: 16 GB
 constexpr float Clearance = 0.005f;   // see KeepClearOfVoxels
 
 /** The scalars as floats; NaN and infinities become the lowest value. */
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double contour, vtkAlg
   vtkNew<vtkPolyDataConnectivityFilter> largest;
   largest->SetInputConnection(edges->GetOutputPort());
   largest->SetExtractionModeToLargestRegion();
-  vtkNew<vtkCleanPolyData> used; // drops the points of the other regions
+  vtkNew<vtkCleanPolyData> used; // removes the points of the other regions
   used->SetInputConnection(largest->GetOutputPort());
   used->PointMergingOff();
   const bool done = palpate::runWithin(edges, { self, 0.35, 0.45 }) &&
@@ -127,9 +127,9 @@ vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double contour, vtkAlg
 }
 
 /**
- * Sets the window for which PassBand was chosen: it leaves 3 % of waves of 8 spacings. VTK had no
- * other window before March 2024 (9.4, and ParaView 5.13's 9.3). Then Nuttall's window became the
- * default, which needs more iterations for the same result and leaves 54 %.
+ * Sets the window for which PassBand was chosen: it leaves 3 % of waves of 8 spacings. Before March
+ * 2024 (VTK 9.4, and the 9.3 in ParaView 5.13) VTK had no other window. Since then Nuttall's window
+ * is the default. It needs more iterations for the same result, and leaves 54 %.
  */
 template <typename TFilter>
 auto UseHamming(TFilter* smooth, int) -> decltype(smooth->SetWindowFunctionToHamming())
@@ -141,7 +141,7 @@ void UseHamming(TFilter*, long)
 {
 }
 
-/** Windowed-sinc smoothing as the filter does it; Smooth corrects its scale. */
+/** Runs VTK's windowed-sinc filter. Smooth corrects the scale of the result. */
 bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stage)
 {
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
@@ -158,8 +158,9 @@ bool SmoothRaw(vtkPolyData* surface, int iterations, double passBand, Stage stag
 
 /**
  * Windowed-sinc smoothing that does not move border points. The filter's gain at frequency zero is
- * not quite 1: it scales all points about the centre of the box by some 0.2 %. This function
- * reverses the scaling. The factor is found from a triangle, all of whose points are border points.
+ * not quite 1: it scales all points about the centre of the box by about 0.2 %. This function
+ * reverses the scaling. The factor is found by smoothing a triangle, all of whose points are border
+ * points.
  */
 bool Smooth(vtkPolyData* surface, int iterations, double passBand, Stage stage)
 {
@@ -223,7 +224,7 @@ bool Orient(vtkPolyData* surface, vtkImageData* image, Stage stage)
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(surface);
   reverse->SetReverseCells(handedness < 0.0);
-  // vtkPolyDataNormals sums in the order of the threads
+  // vtkPolyDataNormals is not used, since it sums in the order of the threads.
   vtkNew<vtkTriangleMeshPointNormals> normals;
   normals->SetInputConnection(reverse->GetOutputPort());
   const bool done = palpate::runWithin(normals, stage);
@@ -330,7 +331,7 @@ int vtkSkinSurface::RequestData(
   {
     return 1;
   }
-  // As far above the contour value as air is below it.
+  // The grey value of the tissue is as far above the contour value as that of air is below it.
   const float tissue = 2.0f * contour - static_cast<float>(range[0]);
   if (!scan.fillCavities(contour, tissue))
   {
@@ -364,7 +365,8 @@ int vtkSkinSurface::RequestData(
 
   // Smooth the surface, move it to the scan's coordinates, and orient it.
   const double coarser = std::cbrt(1.0 * scan.values.size() / lattice->GetNumberOfPoints());
-  const double passBand = PassBand * std::min(1.0, coarser * coarser); // the same waves in mm
+  const double passBand = PassBand * std::min(1.0, coarser * coarser); // removes waves of the same
+                                                                       // length in mm
   if (!surface ||
     !Smooth(surface, this->NumberOfSmoothingIterations, passBand, { this, 0.7, 0.95 }))
   {

@@ -33,8 +33,8 @@
  * lattice) grow with Resolution^-3. The cost of closing grows with the square of ClosingRadius in
  * voxels.
  *
- * The output does not depend on the number of threads. It is the same on every run, and with every
- * version of VTK from 9.1 on.
+ * The output does not depend on the number of threads. It is the same on every run, and with VTK
+ * 9.1 and every later version.
  *
  * @warning Openings wider than twice the ClosingRadius stay open, and the cavity behind them then
  *   belongs to the surface. Much larger radii close folds that should stay open, as between ear and
@@ -83,7 +83,7 @@ public:
   /**
    * Radius of the ball that closes nostrils and ears, mm. It shuts openings up to twice as wide. 0
    * = no closing. Default 6: up to a radius of 5 the ear canals of Colin 27 stay open, 20 mm deep;
-   * between 3 and 6 hardly anything else changes.
+   * between 3 and 6 little else changes.
    */
   vtkSetMacro(ClosingRadius, double);
   vtkGetMacro(ClosingRadius, double);

@@ -9,10 +9,10 @@
  * point to point, with friction, as on a moving tool. A point in several polylines has the value of
  * the last one.
  *
- * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, any length) gives the
- * orientation of the tool. It has an effect if the response has tilts (`<name>Tilt...`). Otherwise
- * the tool is assumed to be along the normal. Numbers that are not finite, or all zero, are an
- * error.
+ * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, of any length above
+ * zero) gives the orientation of the tool. It has an effect if the response has tilts
+ * (`<name>Tilt...`). Otherwise the tool is assumed to be along the normal. Numbers that are not
+ * finite, or all zero, are an error.
  *
  * With **Coupled**, tips that press at the same time interact (palpate/CoupledContacts.h). For
  * polylines these are the points with exactly the same `Time` or, without Time, with the same index
@@ -29,9 +29,9 @@
  * force of a body that relaxes (vtkToolContactResponse::AddRelaxation) depends on it: each polyline
  * starts at its first point without memory, and the tip moves at constant speed from point to
  * point. Without Time, and for single points, the force is the slow force after a long press.
- * Nothing else depends on the rate - friction depends on the displacement, not the speed - and Time
- * passes through. But along each polyline Time must be finite and not decrease; otherwise it is an
- * error.
+ * Nothing else depends on the rate; friction depends on the displacement, not on the speed. The
+ * array Time passes through. Along each polyline Time must be finite and must not decrease;
+ * otherwise it is an error.
  *
  * Output: the tips, in input order, with their arrays and
  * - `Force` (double 3, N): total force on the tool: NormalForce along Normal, FrictionForce, and
@@ -85,8 +85,8 @@
  * Cost: the kernel's copy of the body is built once per change of the body, O(n log n), with
  * progress. Then 0.5 to 1 µs per tip, if there are many tips. Independent tips are sorted so that
  * neighbours follow one another, and threaded by vtkSMPTools. The bits do not depend on the order
- * of the tips or on the number of threads. Each thread temporarily needs some 220 bytes for each of
- * up to 262144 tips.
+ * of the tips or on the number of threads. Each thread temporarily needs about 220 bytes for each
+ * of up to 262144 tips.
  *
  * @code{.py}
  * probe = palpate.vtkToolContactProbe()
@@ -148,7 +148,7 @@ public:
   ///@{
   /**
    * The settings of the contact, and their properties: see vtkContactSettings. Other objects may
-   * share the settings. Default, and for null: an object of its own.
+   * share the settings. Default, or if null is set: a separate object.
    */
   virtual void SetSettings(vtkContactSettings* settings)
   {

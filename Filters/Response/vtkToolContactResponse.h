@@ -36,15 +36,15 @@
  * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
  * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
  * array counts by its index, not by its name), 5 strengths of the relaxations, one component each
- * (AddRelaxation), which replace the constants, 6 the points that get a response: not 0 (by
- * convention `Pressed`); their curves are, bit by bit, those of a response for all points. For a
- * global compliance the array of its name followed by `Error`, if present, is its error in mm/N. An
- * index without a name, or with an empty one, means the constant property. A named array that does
- * not exist is an error. So is a value out of range; the error names array, index and value.
+ * (AddRelaxation), which replace the constants, 6 a mask, nonzero at the points that get a response
+ * (by convention `Pressed`); their curves are, bit for bit, those of a response for all points. For
+ * a global compliance the array of its name followed by `Error`, if present, is its error in mm/N.
+ * An index without a name, or with an empty one, means the constant property. A named array that
+ * does not exist is an error. So is a value out of range; the error names array, index and value.
  *
  * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
- * constant thickness on a rigid base (Lebedev and Ufliand 1958). With a global compliance it is in
- * series with it: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 if that stores the curve
+ * constant thickness on a rigid base (Lebedev and Ufliand 1958). A global compliance is in series
+ * with this law: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 if that stores the curve
  * better. Normals are computed, angle-weighted; normals stored in the input are not used.
  *
  * **Unsound meshes** are repaired first (palpate/SoundMesh.h). A second body inside another one and
@@ -52,7 +52,7 @@
  *
  * Cost per point and core: without compliance the writing of 4 (2n + 5) + 2 bytes; with compliance
  * or layers and n = 8 about 1 µs, 5 µs for the exact Sphere. CurvatureCorrection and ErrorTolerance
- * add 0.7 µs, a StrainModel 3 µs and its solver once; on layers some 10 µs together. Threaded by
+ * add 0.7 µs, a StrainModel 3 µs and its solver once; on layers about 10 µs together. Threaded by
  * vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
  * **Precision**: curves are stored in floats, to 6e-8. Coordinates stored as double keep 1e-10 mm a
@@ -148,10 +148,11 @@ public:
 
   ///@{
   /** Whether the law is in series with the compliance of the whole body, which vtkBodyCompliance
-   * finds from its closed surface, in some seconds for the first response. The output then has its
-   * arrays, and `Model` names the side that holds the body. Left out where it does not apply: with
-   * layers, a given compliance, a material that varies, EdgeCorrection, Coupling, ν above 0.499 or
-   * an open surface; and with a warning if it cannot be found. Default off; on in ParaView. */
+   * finds from its closed surface, within a few seconds for the first response. The output then has
+   * the arrays of the compliance, and `Model` names the side that holds the body. The compliance is
+   * left out with layers, a given compliance, a material that varies, EdgeCorrection, Coupling, ν
+   * above 0.499 or an open surface, and, with a warning, if it cannot be found. Default off; on in
+   * ParaView. */
   vtkSetMacro(WholeBody, bool);
   vtkGetMacro(WholeBody, bool);
   vtkBooleanMacro(WholeBody, bool);
@@ -205,11 +206,12 @@ public:
    * Above 0 the output has the field arrays `<name>Tilt`, `<name>TiltDrop`, `<name>TiltNode`
    * (double) and, if points differ in more than their modulus, the point array `<name>TiltWeight`
    * (float): how a tilt changes the work of the upright tool (palpate/TiltTable.h). A probe or
-   * session that knows the tool's axis then applies its tilt, and a torque. Exact for a sphere and,
-   * on a half-space, a flat end; cones to 0.5 %, other tools to 1 %, flat-ended ones to 3 % from a
-   * tenth of their size on. On layers by the axisymmetric tool of equal contact radius, as far as
-   * Validity allows. An angle within 4 degrees of that at which a flank of the tool is parallel to
-   * the surface, or beyond, is an error. Cost: some seconds for each tool without closed form.
+   * session that knows the tool's axis then applies its tilt, and a torque. The law is exact for a
+   * sphere and, on a half-space, for a flat end. Its error is 0.5 % for cones, 1 % for other tools,
+   * and 3 % for flat-ended tools beyond a tenth of their size. On layers it uses the axisymmetric
+   * tool of equal contact radius, within Validity. An angle within 4 degrees of that at which a
+   * flank of the tool is parallel to the surface, or beyond, is an error. Cost: a few seconds for
+   * each tool without closed form.
    */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
@@ -218,14 +220,14 @@ public:
   ///@{
   /**
    * Whether several tools that press at once interact (vtkToolContactProbe::Coupled,
-   * palpate/CoupledContacts.h). The law C(r), by how much the surface gives way at the distance r
-   * from a force, is stored in the field array `<name>Coupling` (double 3), for the half-space or
-   * the layers. If modulus or thickness vary, also point arrays `<name>CouplingModulus` (float,
-   * MPa) and `<name>CouplingThickness` (float, mm). If the body has a point array `CouplingModes`
+   * palpate/CoupledContacts.h). The law C(r), the deflection per force at the distance r from the
+   * force, is stored in the field array `<name>Coupling` (double 3), for the half-space or the
+   * layers. If modulus or thickness vary, also point arrays `<name>CouplingModulus` (float, MPa)
+   * and `<name>CouplingThickness` (float, mm). If the body has a point array `CouplingModes`
    * (vtkElasticCompliance) and a global compliance, also `<name>CouplingModes` (float, √(mm/N)),
-   * scaled down where the modes would exceed the response. Layers must be everywhere or nowhere, a
-   * second layer of one thickness. Poisson's ratio is the mean of its smallest and largest value.
-   * Default off.
+   * scaled down where the modes would exceed the response. Layers must cover the whole body or be
+   * absent; the thickness of a second layer must be constant. Poisson's ratio is the mean of its
+   * smallest and largest value. Default off.
    */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);
@@ -312,8 +314,8 @@ public:
    * Whether to choose the terms of the law by their effect. Edges are left out if the body has
    * none. Layers, CurvatureCorrection and finite strain are left out if together they change the
    * force by no more than TermTolerance. Finite strain is kept if the error stated without it would
-   * exceed that; Neo-Hooke is then added if its tables have the tool. Judged down to
-   * MaximumDeflection, by 95 % of some 400 points (palpate/TermEffect.h). GetTermReason and the
+   * exceed that; Neo-Hooke is then added if its tables have the tool. The change is judged up to
+   * MaximumDeflection, at 95 % of about 400 points (palpate/TermEffect.h). GetTermReason and the
    * field array `<name>Terms` list the terms that are included and left out, with per cents.
    * Default off: all terms as set.
    */

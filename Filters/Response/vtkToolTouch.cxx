@@ -32,8 +32,8 @@
 
 namespace
 {
-constexpr double ProbeShare = 0.9; // fraction of the progress
-// Fraction of the body's diagonal: length of the force at half of Range.
+constexpr double ProbeShare = 0.9; // fraction of the progress for the probe
+// Length of the arrow for the force at half of Range, as a fraction of the body's diagonal.
 constexpr double ArrowShare = 0.2;
 
 using palpate::Vector3;
@@ -223,7 +223,7 @@ palpate::Touch vtkToolTouch::PressAlone(const double position[3])
     touch.tip = touch.nearest.point;
     depth = depth > 0.0 ? depth : 0.5 * this->Touched->range(touch.nearest);
   }
-  // A single tip has no history, so no friction.
+  // A single tip has no history and therefore no friction.
   palpate::touchWithTips(*this->Contact, tipsAt({ touch }), this->Settings->GetKernel(), depth,
     [&touch](vtkIdType, const palpate::Contact& contact, const Vector3&)
     { touch.contact = contact; });

@@ -41,7 +41,7 @@
  * update the filter.
  *
  * Cost: once per state of the body, the kernel's copy (vtkToolContactProbe) and the neighbours of
- * its mesh, O(n log n). Then per move a copy of the points and some microseconds per point of the
+ * its mesh, O(n log n). Then per move a copy of the points and a few microseconds per point of the
  * dent.
  *
  * @code{.py}
@@ -114,7 +114,7 @@ public:
    * are seen from the side. If possible it is within the response's validity. If no point on that
    * side has a response, the next of +z, +x, +y, -z, -x, -y is tried. The result depends on shape,
    * response and direction only. Returns false, and leaves `start` unchanged, for a body without a
-   * valid response. Takes some 0.2 s.
+   * valid response. Takes about 0.2 s.
    */
   static bool FindStart(vtkPolyData* body, const std::string& responseName, const double towards[3],
     const double up[3], double start[3]);
@@ -150,7 +150,7 @@ public:
   ///@{
   /**
    * The settings of the contact. Other objects may share them. Friction does not act, since a
-   * single tip has no history. Default, and for null: an object of its own.
+   * single tip has no history. Default, or if null is set: a separate object.
    */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
@@ -214,9 +214,9 @@ private:
   bool CheckSettings();
   /// Updates body, tool and force scale if they have changed.
   bool PrepareBody(vtkPolyData* body);
-  /// The touch at a position, without the other tool.
+  /// Computes the touch at a position, without the other tool.
   palpate::Touch PressAlone(const double position[3]);
-  /// Puts the tips in their places and probes there.
+  /// Moves the tips to their places and probes the body there.
   std::vector<palpate::Touch> Probe();
   bool MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   bool MakeTools(const std::vector<palpate::Touch>& touches, vtkPolyData* output);

@@ -8,38 +8,40 @@
  *
  * Output: the same surface with its arrays and
  * - `GlobalCompliance` (double, mm/N): C in series with the law of a tool on a half-space, δ =
- *   δ_local(F) + C F; array to process 2 of vtkToolContactResponse. Negative where a near support
- *   stiffens the contact, positive near edges and on thin parts;
+ *   δ_local(F) + C F; array to process 2 of vtkToolContactResponse. C is negative where a near
+ *   support stiffens the contact, and positive near edges and on thin parts;
  * - `GlobalComplianceError` (double, mm/N, >= 0): error of C. vtkToolContactResponse finds it by
  *   its name and includes it in the error of the force;
  * - `ComplianceStatus` (uint8): 0 Valid; 4 OutOfReach: the point is held; 5 Edge and 1 Degenerate:
- *   not known. If it is not 0, C is 0 and its error is that of a contact of ContactRadius on a
- *   half-space.
+ *   C is not known. If the status is not 0, C is 0 and its error is that of a contact of
+ *   ContactRadius on a half-space.
  *
  * **Method.** The surface is filled with quadratic tetrahedra (vtkGradedBody), NumberOfCells or
  * fewer, and held at FixedFaces. The elements solve for the regular part H of the Green function at
- * some of their surface points (vtkElasticContactResponse). C at a point is H there, from the
- * nearest solved points that face the same way, averaged over the pressure of a round tool with
- * ContactRadius. A second filling with cells twice as long gives the error due to the elements. The
- * error also includes the interpolation, and that C is the same for each tool and depth: the
- * difference between a round and a flat tool, and between ContactRadius and a small contact.
+ * some of their surface points (vtkElasticContactResponse). C at a point is the mean of H over the
+ * pressure of a round tool with ContactRadius; H is interpolated from the nearest solved points
+ * that face the same way. A second filling with cells twice as long gives the error due to the
+ * elements. The error also includes the interpolation. One C is used for all tools and depths; the
+ * error includes the resulting differences, between a round and a flat tool and between
+ * ContactRadius and a small contact.
  *
- * The compliance is that of a body that is held, but the surface does not show where. By default
- * the body stands on the side of its bounding box with the largest area (GetHeldAt). C does not
- * include the tool's own shape or large strain: these are in the local law.
+ * The compliance is that of a held body, but the surface does not show where it is held. By default
+ * the body stands on the side of its bounding box with the largest area (GetHeldAt). C includes
+ * neither the shape of the tool nor large strain: both are part of the local law.
  *
- * **Cost.** About ten seconds on two cores, mostly for the solutions, more beyond 10⁵ triangles.
- * The next run on the same surface reads them from the cache (SolutionCache.h); so does one with a
- * contact down to an eighth as wide. Uses as many threads as vtkSMPTools; the bits do not depend on
- * their number. Abort is checked between steps and solutions. The filter needs the modules Solids
- * and Mesher.
+ * **Cost.** About ten seconds on two cores, mostly for the solutions; more beyond 10⁵ triangles.
+ * Later runs on the same surface read the solutions from the cache (SolutionCache.h), also for
+ * contacts down to an eighth as wide. Uses as many threads as vtkSMPTools; the bits do not depend
+ * on their number. Abort is checked between steps and solutions. The filter needs the modules
+ * Solids and Mesher.
  *
- * **Limits.** The error holds for one series: a contact wider than its distance from an edge, a
- * crease or the held part has none. It has not been compared with direct contact at random places
- * yet. Parts that nothing holds are an error.
+ * **Limits.** The error is valid only where the series of the kernel converges. It is not valid
+ * where the contact is wider than its distance from an edge, a crease or the held part. The error
+ * has not been compared with direct contact at random places yet. Parts that nothing holds are an
+ * error.
  *
  * Errors name the property or the input: a surface that is open, inside out or too thin for its
- * cells, a side that is not known, a Poisson's ratio beyond 0.499.
+ * cells, an unknown side, a Poisson's ratio above 0.499.
  *
  * @code{.py}
  * compliance = palpate.vtkBodyCompliance()
@@ -88,19 +90,19 @@ public:
 
   ///@{
   /** Sides of the bounding box that hold the body, as in vtkGradedBody. "" (default): the side on
-   * which it stands best, see GetHeldAt. */
+   * which the body stands best, see GetHeldAt. */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
   ///@{
-  /** Largest number of cells, about, >= 100. More cells give a smaller error: the cost grows
-   * with the power of 1.5. Default 12000. */
+  /** Approximate upper limit of the number of cells, >= 100. More cells give a smaller error; the
+   * cost grows with their number to the power of 1.5. Default 12000. */
   vtkSetMacro(NumberOfCells, int);
   vtkGetMacro(NumberOfCells, int);
   ///@}
 
-  /// Sides that held the body in the last run, as in FixedFaces; "" before it.
+  /// Sides at which the body was held in the last run, as in FixedFaces; "" before the first run.
   vtkGetMacro(HeldAt, std::string);
 
 protected:

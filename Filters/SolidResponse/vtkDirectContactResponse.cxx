@@ -36,9 +36,9 @@ namespace
 {
 // Fractions of the work for the progress.
 constexpr double RestShare = 0.05;
-constexpr double RestsShare = 0.06;
-/// A curve that reaches this fraction of the depth counts as reaching it.
-constexpr double ToTheEnd = 0.999;
+constexpr double BothRestsShare = 0.06;
+/// A curve that reaches this fraction of the depth counts as complete.
+constexpr double CompleteFraction = 0.999;
 
 /// Replaces a point array by a copy that belongs to this body alone.
 template <class Array>
@@ -53,7 +53,7 @@ Array* ownCopy(vtkPolyData* body, const std::string& name, palpate::ResponseArra
 }
 } // namespace
 
-/// The bodies and the surface that the tool is pressed on.
+/// The bodies and the surface on which the tool is pressed.
 struct vtkDirectContactResponse::Bodies
 {
   palpate::PreparedSurface surface;
@@ -221,7 +221,7 @@ std::string vtkDirectContactResponse::CheckResponse(
   return fault;
 }
 
-/// The points where the response is not known well enough.
+/// Finds the points where the error of the response is too large or the curve ends too early.
 std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface) const
 {
   palpate::ResponseArrays arrays;
@@ -236,7 +236,7 @@ std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface
     const auto status = static_cast<palpate::ResponseStatus>(arrays.status[at]);
     const auto range = static_cast<double>(arrays.range[at]);
     const bool isKnown = status == palpate::ResponseStatus::Valid &&
-      range >= ToTheEnd * this->MaximumDeflection &&
+      range >= CompleteFraction * this->MaximumDeflection &&
       errors.at(i, std::min(range, this->MaximumDeflection)) <= this->ErrorTolerance;
     const bool canBe = status == palpate::ResponseStatus::Valid ||
       status == palpate::ResponseStatus::Edge || status == palpate::ResponseStatus::Folded;
@@ -259,7 +259,7 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   if (fault.empty() && !ended)
   {
     fault = bodies.coarser.factorise(
-      coarser, request, palpate::FilterStage{ this, RestShare, RestsShare }, memory, ended);
+      coarser, request, palpate::FilterStage{ this, RestShare, BothRestsShare }, memory, ended);
     fault = fault.empty() ? fault : "Coarser: " + fault;
   }
   if (!fault.empty() || ended)
@@ -281,7 +281,7 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   }
   const palpate::StrainLaw law{ static_cast<palpate::StrainModel>(this->StrainModel),
     this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent };
-  const palpate::FilterStage stage{ this, RestsShare, RestsShare };
+  const palpate::FilterStage stage{ this, BothRestsShare, BothRestsShare };
   fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
     palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio }, this->MaximumDeflection, stage,
     bodies.strain);
@@ -337,7 +337,7 @@ std::string vtkDirectContactResponse::Press(
     }
     became->SetValue(point, static_cast<unsigned char>(outcome));
   };
-  if (!palpate::shareWork(points.size(), press, palpate::FilterStage{ this, RestsShare, 1.0 }))
+  if (!palpate::shareWork(points.size(), press, palpate::FilterStage{ this, BothRestsShare, 1.0 }))
   {
     return {};
   }

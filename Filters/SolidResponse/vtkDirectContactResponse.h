@@ -18,31 +18,32 @@
  * curve has the smaller error; 3 failed (the part could not be cut out or filled, the tool reaches
  * held points, or no contact converged). A warning gives the first reason of a failure.
  *
- * **Method.** The part extends five contact radii. The nodes on its cut move as the body in its
- * coarse cells does under the same resultant (palpate::RestOfBody). Contacts are unilateral and
- * without friction. Everything is done twice, the second time with cells 1.5 times as long on the
- * coarser body; the difference of the two is part of the error. If it exceeds the tolerance, or the
- * tool extends farther, a part of eight contact radii is cut out.
+ * **Method.** The part extends five contact radii from the point. The nodes on its cut move as the
+ * body in its coarse cells does under the same resultant (palpate::RestOfBody). Contacts are
+ * unilateral and without friction. Each press is computed twice, the second time with cells 1.5
+ * times as long on the coarser body; the difference of the two is part of the error. If this
+ * difference exceeds the tolerance, or the tool extends beyond the part, a part of eight contact
+ * radii is cut out.
  * - With Neo-Hooke and a tool without a flat end: finite strain (palpate::pressAtFiniteStrain),
- *   with pressures along the tool's own normal. It starts where the tool first touches, as in a
- *   hollow that is too narrow for it. The rest of the body is at small strain; if it turns the
- *   place, the square of that angle is part of the error. Contact of the body with itself is not
- *   modelled.
+ *   with pressures along the tool's own normal. The computation starts where the tool first
+ *   touches, for example at the rim of a hollow that is too narrow for it. The rest of the body is
+ *   at small strain; if its motion rotates the place, the square of the angle of rotation is part
+ *   of the error. Contact of the body with itself is not modelled.
  * - Otherwise: small strain with pressures that are linear on the facets (palpate::DirectContact);
  *   finite strain multiplies the local part, as in vtkElasticContactResponse. Pressures along the
  *   mean normal and pressures along each normal give two forces; half of their difference is part
- *   of the error. It is large in a crease, or where the tool touches several sides, because small
- *   displacements do not decide between the two. A contact that touches elsewhere by more than the
- *   depth before it reaches the point fails.
+ *   of the error. This difference is large in a crease, or where the tool touches several sides,
+ *   because the theory of small displacements cannot decide between the two directions. A contact
+ *   that touches elsewhere by more than the depth before it reaches the point fails.
  *
- * **Cost.** 4 to 10 s per point on one thread, 20 s at finite strain, a minute in hollows; points
- * are shared among all threads, with 100 to 300 MB each: offline work. One factorisation of each of
- * the two bodies. Abort is checked between points. The bits do not depend on the number of threads.
- * The mesher is CGAL's, as in vtkGradedBody: without it (PALPATE_USE_CGAL) running the filter is an
- * error.
+ * **Cost.** 4 to 10 s per point on one thread, 20 s at finite strain, a minute in hollows. Points
+ * are shared among all threads, and each thread needs 100 to 300 MB. Each of the two bodies is
+ * factorised once. Abort is checked between points. The bits do not depend on the number of
+ * threads. The mesher is CGAL's, as in vtkGradedBody: without it (PALPATE_USE_CGAL) running the
+ * filter is an error.
  *
- * Errors, which name the fault: no such response, or one without errors; an input without cells or
- * `Fixed`; a property out of range; a Shape that cannot be closed.
+ * Errors, which name the fault: the response is missing or stores no error; a body without cells or
+ * without `Fixed`; a property out of range; a Shape that cannot be closed.
  *
  * @code{.py}
  * direct = palpate.vtkDirectContactResponse()
@@ -97,7 +98,7 @@ public:
 
   ///@{
   /** The closed surface from which parts are cut out, as in vtkGradedBody. Its facets are used
-   * as they are: if the facets of the input are longer than a contact, give a smoothly refined
+   * unchanged: if the facets of the input are longer than a contact is wide, set a smoothly refined
    * surface. Optional; by default the input. */
   void SetShapeConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(3, output); }
   void SetShapeData(vtkPolyData* shape);
@@ -118,7 +119,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth to which curves should be known, mm, > 0: usually that of the response. Default 2. */
+  /** Depth to which the curves are needed, mm, > 0: usually that of the response. Default 2. */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   ///@}
@@ -131,8 +132,8 @@ public:
 
   ///@{
   /** Sides of the bounding box at which the Shape is held, as in vtkGradedBody. They must match
-   * the solids. With a depth, "z-:1", the held part is the same for all three; without a depth
-   * it depends on the length of their cells. Default "z-". */
+   * those of the two solids. With a depth, as in "z-:1", the held part of the Shape and of both
+   * solids is the same; without a depth it depends on the length of the cells. Default "z-". */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}

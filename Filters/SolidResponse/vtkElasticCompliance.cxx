@@ -51,7 +51,8 @@ void attachCompliances(
   output->GetPointData()->AddArray(status);
 }
 
-/// An interpolated compliance has an error of at least its own size.
+/// Attaches the errors. The error of an interpolated compliance is at least as large as the
+/// compliance.
 void attachErrors(const palpate::PatchCompliances& compliances, const std::vector<double>& errors,
   vtkPolyData* output)
 {
@@ -161,8 +162,8 @@ int vtkElasticCompliance::RequestData(
   }
   if (fault.empty() && !isEnded && this->LoadedPoint >= body.surface().pointTotal())
   {
-    fault = palpate::joined("LoadedPoint must be -1 or a point of the surface, which has ",
-      body.surface().pointTotal(), ", but is ", this->LoadedPoint);
+    fault = palpate::joined("LoadedPoint must be -1 or the index of a surface point (0 to ",
+      body.surface().pointTotal() - 1, "), but is ", this->LoadedPoint);
   }
   if (!fault.empty())
   {
@@ -268,7 +269,8 @@ std::string vtkElasticCompliance::CheckProperties(const palpate::FactorRequest& 
   }
   if (this->LoadedPoint < -1 || !std::isfinite(this->LoadForce))
   {
-    return palpate::joined("LoadedPoint must be -1 or a point and LoadForce finite, but they are ",
+    return palpate::joined("LoadedPoint must be -1 or the index of a surface point, and LoadForce "
+                           "must be finite, but they are ",
       this->LoadedPoint, " and ", this->LoadForce, " N");
   }
   return {};

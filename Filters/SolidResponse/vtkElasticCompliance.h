@@ -12,26 +12,27 @@
  * Output: the body's outer surface, including inner cavities, as triangles (quadrilaterals split in
  * two, quadratic faces in four) with the input's point arrays and
  * - `GlobalCompliance` (double, mm/N): C_g, in series with the law of a tool on a half-space, δ =
- *   δ_local(F) + C_g F; array to process 2 of vtkToolContactResponse. Negative where a near support
- *   stiffens the contact;
+ *   δ_local(F) + C_g F; array to process 2 of vtkToolContactResponse. It is negative where a near
+ *   support stiffens the contact;
  * - `ComplianceStatus` (uint8): 0 Valid; 5 Edge: the surface turns by more than 30° under the
- *   patch; 4 OutOfReach: the patch covers fixed points; 1 Degenerate. If the status is not 0, the
- *   compliance is interpolated from the six nearest valid points along the surface, weighted by
+ *   patch; 4 OutOfReach: the patch covers fixed points; 1 Degenerate. Where the status is not 0,
+ *   the compliance is interpolated from the six nearest valid points along the surface, weighted by
  *   1/distance². It is NaN in a part of the surface without valid points;
  * - `GlobalComplianceError` (double, mm/N, >= 0): error of C_g due to the elements
  *   (palpate::complianceErrors, from about ten points); at least |C_g| where C_g is interpolated.
  *   vtkToolContactResponse finds it by its name, on the same points as the compliance, and includes
- *   it in the error of the force. Absent if none of the ten points can be pressed;
+ *   it in the error of the force. The array is absent if none of the ten points can be pressed;
  * - `OriginalPointIds` (vtkIdType): the points of the input;
  * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
- *   s_k (int, 1 or -1), NumberOfModes of them: the motion of the whole body, see below;
+ *   s_k (int, 1 or -1), NumberOfModes of them: They describe the motion of the whole body, see
+ *   below;
  * - `CouplingModes` φ (float, NumberOfCouplingModes of them, sqrt(mm/N)): the inward motion along
  *   the normal at each point. A force F pressed in at j lowers i by F Σ φ(i) φ(j) in addition to
  *   the dent (palpate/CouplingModes.h), and raises a finger on the other side of a plate. With
  *   vtkToolContactResponse::CouplingOn and the compliance they are part of its response;
  * - `LoadedDisplacement` (double 3, mm), if LoadedPoint is set: the motion of the whole surface
  *   under LoadForce on the patch of that point, towards the body. Within about a patch radius of
- *   the point it is that of the patch, not of a tool.
+ *   the point, the motion is that under the patch, not under a tool.
  *
  * **Method.** By Castigliano's theorem the mean displacement of a uniform patch of normal load is
  * twice its energy, bᵀK⁻¹b. The displacement of the same patch on a half-space of the same elements
@@ -45,42 +46,43 @@
  * through the thickness: within 2 %, second order in the size of the cells. The hexahedron has
  * incompatible modes (Wilson et al. 1973, Taylor et al. 1976). It locks neither in bending nor near
  * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4 or in bending. Quadratic
- * tetrahedra lose some per cent beyond ν = 0.47, in the half-space term.
+ * tetrahedra lose a few per cent beyond ν = 0.47, in the half-space term.
  *
  * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by
- *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X))  in mm, in addition to the dent of the tool.
- * X itself moves in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by
- * δ, the dent must be the rest, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear. The modes
- * come from full solutions for eight forces per mode, spread over the points of status 0, without
- * the dent of each force on the surface that faces the same way (palpate::GlobalModes,
- * RegularField). So they hold at points of any status, and where the body is fixed they cancel the
- * tail of the dent. A mode moves only one part of a body of several parts. If there are fewer
- * forces than modes, the last modes are zero; all are zero if no point has status 0. Modes of equal
- * strength, as on a square bar, may come in any combination; sums over them do not change.
+ *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X)) in mm, in addition to the dent of the tool. X itself
+ * moves in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by δ, the
+ * dent must be the rest, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear. The modes come
+ * from full solutions for eight forces per mode, spread over the points of status 0, without the
+ * dent of each force on the surface that faces the same way (palpate::GlobalModes, RegularField).
+ * So the modes are valid at points of any status, and where the body is fixed they cancel the
+ * displacement of the dent. A mode moves only one part of a body of several parts. If there are
+ * fewer forces than modes, the last modes are zero; all are zero if no point has status 0. Modes of
+ * equal strength, as on a square bar, may come in any combination; sums over them do not change.
  *
- * **Neglected by the modes**: all modes beyond these few, which form the sharp bottom of the dish
- * around the force; relatively most near supports, where the body hardly gives way; forces along
- * the surface; the rest of a dent where the display ends it before the surface turns by 50°. Six
- * modes against full solutions, largest error anywhere over the largest motion: a cantilever of 40
- * × 4 × 4 mm 0.3 % under forces beyond two fifths of its length, 1 % at a quarter, Σ s (n·φ)²
- * within 0.2 % of C_g (r.m.s. over the surface); a circular plate of 60 × 4 mm clamped at its rim 4
- * % under a force at the centre, 8 % half-way to the rim (r.m.s. over the plate 0.6 and 1.6 %), Σ s
- * (n·φ)² 16 % below C_g: no six functions hold more than four fifths of the compliance of a plate.
- * A body bonded along a whole side deforms locally; few modes do not describe it (40 % below C_g on
- * a block of 20 × 20 × 5 mm). See GetNeglectedByModes().
+ * **Neglected by the modes**: higher modes, which form the sharp bottom of the dish around the
+ * force (their relative effect is largest near supports, where the deflection is small); forces
+ * along the surface; the rest of a dent, where the display ends the dent before the surface turns
+ * by 50°. Six modes against full solutions, largest error anywhere over the largest motion: a
+ * cantilever of 40 × 4 × 4 mm 0.3 % under forces beyond two fifths of its length, 1 % at a quarter,
+ * Σ s (n·φ)² within 0.2 % of C_g (r.m.s. over the surface); a circular plate of 60 × 4 mm clamped
+ * at its rim 4 % under a force at the centre, 8 % half-way to the rim (r.m.s. over the plate 0.6
+ * and 1.6 %), Σ s (n·φ)² 16 % below C_g: no six functions represent more than four fifths of the
+ * compliance of a plate. A body bonded along a whole side deforms locally; few modes do not
+ * describe it (40 % below C_g on a block of 20 × 20 × 5 mm). See GetNeglectedByModes().
  *
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
  * points and both radii, half as much again on two cores if cells form a regular grid. On irregular
  * meshes no two points are alike, and the half-space terms take about 8 ms per point and core
  * (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes about ten solutions
- * of the whole body, and 100 µs per cell for each. CHOLMOD with OpenBLAS if Palpate was built with
- * it, otherwise Eigen, some hundred times slower. A body that does not fit MemoryLimit is refused
- * before it is solved: before anything is assembled if its numbers of points
- * (palpate::MemoryForecast) show this with certainty, otherwise by the memory of the factor, which
- * is known within a seventh before it is computed. A cube of n³ points takes about 0.9 n⁴ kB: 14
- * GiB for 64 points on a side, the most that CHOLMOD can index. Abort is checked between steps, not
- * during the factorisation. Uses as many threads as vtkSMPTools (one per core if that is
- * Sequential). The bits do not depend on their number, nor on the number of OpenBLAS's threads.
+ * of the whole body, and 100 µs per cell for each. The solver is CHOLMOD with OpenBLAS if Palpate
+ * was built with it, otherwise Eigen, which is about a hundred times slower. A body that needs more
+ * than MemoryLimit is refused before it is solved. If the number of points
+ * (palpate::MemoryForecast) shows this with certainty, it is refused before assembly; otherwise
+ * after the analysis, which predicts the memory of the factor within a seventh. A cube of n³ points
+ * takes about 0.9 n⁴ kB: 14 GiB for 64 points on a side, the most that CHOLMOD can index. Abort is
+ * checked between steps, not during the factorisation. Uses as many threads as vtkSMPTools (one per
+ * core if that is Sequential). The bits do not depend on their number, nor on the number of
+ * OpenBLAS's threads.
  *
  * @code{.py}
  * compliance = palpate.vtkElasticCompliance()
@@ -136,8 +138,8 @@ public:
   ///@}
 
   ///@{
-  /** Radius of the smaller patch, mm; the other patch has twice the radius. 0 (default): 0.75
-   * times the distance of neighbouring points, at each point. */
+  /** Radius of the smaller patch, mm; the other patch has twice the radius. 0 (default): 0.75 times
+   * the distance to the neighbouring points, at each point. */
   vtkSetMacro(PatchRadius, double);
   vtkGetMacro(PatchRadius, double);
   ///@}
@@ -184,13 +186,14 @@ public:
   ///@}
 
   /**
-   * Part that the coupling modes of the last run neglect: root mean square of C_ij - Σ φ(i) φ(j)
-   * between points spread over the surface, relative to that of C_ij; 0 without coupling modes.
+   * Part of the coupling that the modes of the last run neglect: root mean square of C_ij - Σ φ(i)
+   * φ(j) between points spread over the surface, relative to that of C_ij; 0 without coupling
+   * modes.
    */
   vtkGetMacro(NeglectedByCouplingModes, double);
 
-  /** Part that the modes of the last run neglect: root mean square of C_g - Σ s (n·φ)² over the
-   * points of status 0, relative to that of C_g; 0 without modes. */
+  /** Part of the compliance that the modes of the last run neglect: root mean square of C_g - Σ s
+   * (n·φ)² over the points of status 0, relative to that of C_g; 0 without modes. */
   vtkGetMacro(NeglectedByModes, double);
 
   /** Estimated memory of the last factorisation, MiB; also set if it was refused. */

@@ -171,7 +171,7 @@ std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& fi
   return finer.fault().empty() ? "" : "Wrong input: Surface: " + finer.fault();
 }
 
-/// The settings of a solution, with the arrays of this grid.
+/// Fills the settings of a solution, with the arrays of this grid.
 std::string vtkElasticContactResponse::FindMaterials(
   vtkUnstructuredGrid* grid, palpate::SolveRequest& request)
 {

@@ -14,20 +14,21 @@
  * and the response arrays of vtkToolContactResponse, for Tool pressed along the inward normal at
  * each point, unilateral and without friction, on a linear elastic body. `Range` is the smaller of
  * MaximumDeflection and the depth at which the contact reaches an edge (the surface turns by more
- * than 40°), a held point or another material at the surface. `Status` 5 Edge: there is no contact
- * before such a limit, or the surface turns by 30° at the point itself; the curve comes from the
- * points around, reduced by the softening of the edge, within about 15 %, and its validity is 0. 4
- * OutOfReach: the point is held or not `Pressed`; 1 Degenerate: both have no curve. `Validity` and
- * `Limit` follow from the estimated error: 1 small strain; 5 the effect of a near edge beyond its
- * tilt; 7 the elements (the error expected from the length of the cells, and from a second mesh)
- * and the order of the kernel.
+ * than 40°), a held point or another material at the surface. `Status` 5 Edge: no contact exists
+ * before such a limit, or the surface turns by 30° at the point itself. The curve is then that of
+ * the neighbouring points, reduced by the softening of the edge, with an error of about 15 %; its
+ * validity is 0. Points of status 4 OutOfReach (held or not `Pressed`) and 1 Degenerate have no
+ * curve. `Validity` and `Limit` follow from the estimated error: 1 small strain; 5 the effect of a
+ * near edge beyond its tilt; 7 the elements (the error expected from the length of the cells, and
+ * from a second mesh) and the order of the kernel.
  *
  * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, and the
  * elements solve for the smooth rest (palpate::RegularGreen). H, averaged over angles on a disc
- * that follows the contact, is a kernel of rank up to four. By dimensionality reduction its contact
- * is explicit for any radius and any tool of revolution. The drop of the surface is a gap, and the
- * tilt next to an edge is a second-order term (palpate::ShapedContact). Between the solved places
- * kernels are converted to the normal of each place (palpate::DirectedCompliance).
+ * under the contact, is a kernel of rank up to four. With this kernel, dimensionality reduction
+ * gives the contact in closed form for any radius and any tool of revolution. The sag of the
+ * surface is a gap, and the tilt next to an edge is a second-order term (palpate::ShapedContact).
+ * Between the solved places kernels are converted to the normal of each place
+ * (palpate::DirectedCompliance).
  *
  * **Accuracy.** Within 1 % of the exact law on bonded layers up to contact radii of 1.5 thicknesses
  * with two hexahedra through the thickness, 0.35 % with four; within 1 % next to an edge up to four
@@ -37,10 +38,10 @@
  *
  * **Cost.** One factorisation (8 s for 100 thousand unknowns) and one solution per point of the
  * surface, or per SourceSpacing, 10 to 50 ms of one thread each, on all threads. The body and its H
- * are kept until the input, the material or the solver changes, or a contact is wider: the next
- * tool takes some milliseconds per point. Memory: the factor, refused beforehand if beyond
- * MemoryLimit, and H, some hundred bytes per pair of points within a contact. Abort is checked
- * between steps and solutions. The bits do not depend on the number of threads.
+ * are kept until the input, the material or the solver changes, or a contact is wider; the next
+ * tool takes a few milliseconds per point. Memory: the factor, which is refused beforehand if it
+ * exceeds MemoryLimit, and H, a few hundred bytes per pair of points within a contact. Abort is
+ * checked between steps and solutions. The bits do not depend on the number of threads.
  *
  * @code{.py}
  * felt = palpate.vtkElasticContactResponse()
@@ -88,28 +89,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The surface that is touched, if it is finer than the solid's own surface, as a scan is: a
-   * vtkPolyData of triangles, mm, close to the surface of the solid. The output is then this
-   * surface with its arrays. H at each of its points comes from the six nearest solved points
-   * that face the same way (a plane through their values). The gap under the tool is the shape
-   * of this surface, of any kind (palpate::SurfaceGap, palpate::UnevenContact), smooth between
-   * its points. Detail between the points is an error of the surface, not of the contact: the
-   * point array `<name>SurfaceError` (float) is the relative change of the force at the end of
-   * the range that this detail may cause, in 95 of 100 cases. There is a warning if it exceeds
-   * ErrorTolerance at a tenth of the points. Optional; not with AutomaticTerms. */
+  /** The surface that is touched, if it is finer than the solid's own surface, for example a scan:
+   * a vtkPolyData of triangles, mm, close to the surface of the solid. The output is then this
+   * surface with its arrays. H at each of its points comes from the six nearest solved points that
+   * face the same way (a plane through their values). The gap under the tool follows the shape of
+   * this surface, which may be uneven (palpate::SurfaceGap, palpate::UnevenContact) and is
+   * interpolated smoothly between its points. Detail between the points is an error of the surface,
+   * not of the contact: the point array `<name>SurfaceError` (float) is the relative change of the
+   * force at the end of the range that this detail may cause, in 95 of 100 cases. A warning is
+   * given if this change exceeds ErrorTolerance at a tenth of the points. Optional; must not be
+   * used with AutomaticTerms. */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
 
   ///@{
-  /** The same body in coarser cells, 1.5 to 2 times as long at the surface, held in the same
-   * places and with the same arrays: a vtkUnstructuredGrid as the input. The difference of the
-   * two meshes is then a second estimate of the error due to the length of the cells
-   * (palpate::MeshDifference), in addition to the error expected from that length. The stated
-   * error becomes several times smaller on bodies that the cells follow well. The forces are
-   * the same. Errors: no cells, another extent than the body, cells that are not longer. Costs
-   * its own factor and solutions, a sixth of the body's if its cells are twice as long.
-   * Optional. */
+  /** The same body in coarser cells, 1.5 to 2 times as long at the surface, held in the same places
+   * and with the same arrays: a vtkUnstructuredGrid as the input. The difference of the two meshes
+   * is then a second estimate of the error due to the length of the cells
+   * (palpate::MeshDifference), in addition to the error expected from that length. On bodies that
+   * the cells follow well, the stated error becomes several times smaller. The forces do not
+   * change. Errors: the grid has no cells, its extent differs from that of the body, or its cells
+   * are not longer. It needs its own factor and solutions, which cost a sixth of those of the body
+   * if its cells are twice as long. Optional. */
   void SetCoarserConnection(vtkAlgorithmOutput* output);
   void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}
@@ -143,8 +145,8 @@ public:
   ///@}
 
   ///@{
-  /** As in vtkToolContactResponse. Defaults 0.05 and on. With a tolerance of 0 there is no
-   * error, and Validity is equal to Range. */
+  /** As in vtkToolContactResponse. Defaults 0.05 and on. With a tolerance of 0 no error is stored,
+   * and Validity is equal to Range. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   vtkSetMacro(StoreError, bool);
@@ -154,29 +156,30 @@ public:
 
   ///@{
   /** Whether the output holds the motion of the body in addition to the tool's dent, for
-   * vtkContactDeflection and the display, 120 bytes per point. The arrays are the motion as a
-   * whole (`GlobalMode0`... `GlobalMode5`, `GlobalModeSign`, as in vtkElasticCompliance), and
-   * around each point the rest of H, due to an edge, a base or a nodule near it (`NearField`,
-   * float 12, of palpate::NearField: the slope g in 1/N and R₀ in mm/N; the bend Q in 1/(N mm),
-   * xx yy zz, and ρ in mm; xy yz zx, and E* in MPa). Costs 48 more solutions, once for all
-   * tools. Default on. */
+   * vtkContactDeflection and the display, 120 bytes per point. The arrays are the motion as a whole
+   * (`GlobalMode0`... `GlobalMode5`, `GlobalModeSign`, as in vtkElasticCompliance), and around each
+   * point the regular part H due to an edge, a base or a nodule near the point (`NearField`, float
+   * 12, of palpate::NearField: the slope g in 1/N and R₀ in mm/N; the bend Q in 1/(N mm), xx yy zz,
+   * and ρ in mm; xy yz zx, and E* in MPa). This costs 48 more solutions, once for all tools.
+   * Default on. */
   vtkSetMacro(StoreMotion, bool);
   vtkGetMacro(StoreMotion, bool);
   vtkBooleanMacro(StoreMotion, bool);
   ///@}
 
   ///@{
-  /** The largest contact radius that is solved for, mm. Several tools share the solutions if it
-   * is set to that of the widest. 0 (default): 1.42 times that of Tool at MaximumDeflection on
+  /** The largest contact radius that is solved for, mm. Several tools share the solutions if it is
+   * set to that of the widest contact. 0 (default): 1.42 times that of Tool at MaximumDeflection on
    * a half-space. */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}
 
   ///@{
-  /** Distance of the points of the surface that are solved for, mm; smaller towards edges. Other
-   * points take H from those around them, so that all points have responses. Half the distance
-   * to the source of H (a base, a nodule) is enough. 0 (default): all points. */
+  /** Distance of the points of the surface that are solved for, mm; the distance is smaller near
+   * edges. At other points H is interpolated from the solved points around them, so that all points
+   * have responses. Half the distance to the source of H (a base, a nodule) is enough. 0 (default):
+   * all points. */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
   ///@}
@@ -270,7 +273,7 @@ public:
   vtkGetMacro(LayerThickness, double);
   ///@}
 
-  /// Choice of AutomaticTerms in the last run, in words; "" without it.
+  /// Choice of AutomaticTerms in the last run as text; "" if AutomaticTerms is off.
   vtkGetMacro(TermReason, std::string);
 
   ///@{
@@ -285,8 +288,8 @@ public:
   vtkGetMacro(Solver, int);
   ///@}
 
-  /** Estimated memory of the factorisation and the solutions of the last run, MiB; also set if
-   * it was refused; 0: nothing had to be computed. */
+  /** Estimated memory of the factorisation and the solutions of the last run, MiB; also set if the
+   * run was refused; 0: nothing had to be computed. */
   vtkGetMacro(MemoryEstimate, double);
   /** Number of points of the surface solved for in the last run; 0: nothing had to be solved. */
   vtkGetMacro(NumberOfSolutions, vtkIdType);
@@ -334,7 +337,7 @@ private:
   bool AutomaticTerms = false;
   double TermTolerance = 0.01;
   double LayerThickness = 0.0;
-  std::string ThicknessName; ///< of the array to process 2 in the last run
+  std::string ThicknessName; ///< name of the array to process 2 in the last run
   std::string TermReason;
   double MemoryLimit = 0.0;
   int Solver = 0;

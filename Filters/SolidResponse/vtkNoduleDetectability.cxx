@@ -248,8 +248,9 @@ std::string vtkNoduleDetectability::SolveOne(
     fault.empty() ? palpate::findCellArray(this, grid, first + 1, find, factor.poisson) : fault;
   if (fault.empty() && (!factor.young || !factor.poisson))
   {
-    fault = palpate::joined(
-      "Array to process ", factor.young ? first + 1 : first, " is required, but has no name");
+    fault = palpate::joined("Array to process ", factor.young ? first + 1 : first,
+      factor.young ? " (PoissonRatio" : " (YoungsModulus", " of the body ",
+      with ? "with" : "without", " nodules) is required, but is not set");
   }
   if (!fault.empty())
   {
@@ -297,7 +298,7 @@ std::string vtkNoduleDetectability::Compare(vtkUnstructuredGrid* grid, vtkPolyDa
       from += step;
       if (!fault.empty() || !response.complete)
       {
-        return fault; // or aborted
+        return fault; // a fault, or "" after an abort
       }
       lost = std::max(lost, static_cast<vtkIdType>(response.without));
       if (isWith || this->StoreWithout)

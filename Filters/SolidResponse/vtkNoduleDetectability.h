@@ -4,9 +4,10 @@
  * @brief where on a body, and by how much, nodules inside change the force on tools
  *
  * Input: a vtkUnstructuredGrid as in vtkElasticContactResponse, with the cell arrays of
- * vtkNoduleMaterial: `YoungsModulus`, `PoissonRatio`, and the same `Without` nodules. Arrays with
- * other names are given as arrays to process 0 to 3, in this order. A fault of the input is an
- * error that names it. Empty input gives empty output.
+ * vtkNoduleMaterial: `YoungsModulus` and `PoissonRatio`, and `YoungsModulusWithout` and
+ * `PoissonRatioWithout` of the body without nodules. Arrays with other names are given as arrays to
+ * process 0 to 3, in this order. A fault of the input is an error that names it. Empty input gives
+ * empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays,
  * `OriginalPointIds`, and
@@ -21,23 +22,23 @@
  * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 for Tool; -1 if no
  *   change is known. That tool also detects the deepest nodules.
  *
- * Depths: from the first sample to PressDepth, or to the end of the response of either body (Range,
- * with WithinValidity also Validity). If one body has no response at a point, the changes are NaN
- * and Felt is 0.
+ * The force is compared from the first sample to PressDepth, or to the end of the shorter response
+ * (Range; with WithinValidity also Validity). If one body has no response at a point, the changes
+ * are NaN and Felt is 0.
  *
  * **Threshold.** The smallest change of a force that a hand can perceive is about 7 % of it (Pang,
  * Tan and Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); between 0.07 and 0.1
  * for most people. 0.1 is on the safe side. Forces below half a newton need a larger change.
  *
- * **Accuracy.** That of vtkElasticContactResponse for either body. Errors that both bodies share
- * cancel, such as those of small strain and of elements far away. For the error due to the mixed
- * cells of a nodule see vtkNoduleMaterial.
+ * **Accuracy.** The accuracy is that of vtkElasticContactResponse for either body. Errors that both
+ * bodies share cancel, such as those of small strain and of elements far away. For the error due to
+ * the mixed cells of a nodule see vtkNoduleMaterial.
  *
- * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, kept for all
- * tools until the input changes or a contact is wider; then some milliseconds per point and tool.
- * Without nodules a coarser spacing is often enough: SourceSpacingWithout saves most of the second
- * body's solutions. Abort is checked between steps and solutions. The bits do not depend on the
- * number of threads.
+ * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, which are kept
+ * for all tools until the input changes or a contact is wider; then a few milliseconds per point
+ * and tool. Without nodules a coarser spacing is often enough: SourceSpacingWithout saves most of
+ * the second body's solutions. Abort is checked between steps and solutions. The bits do not depend
+ * on the number of threads.
  *
  * @code{.py}
  * felt = palpate.vtkNoduleDetectability()
@@ -87,7 +88,7 @@ public:
   ///@{
   /**
    * Further tools, by their specification, such as "flat:1.6" (vtkContactTool::SetSpecification). A
-   * wrong one is an error when the filter runs.
+   * wrong specification is an error when the filter runs.
    */
   void AddMoreTool(const std::string& specification);
   void RemoveAllMoreTools();
@@ -95,7 +96,7 @@ public:
   ///@}
 
   ///@{
-  /** Smallest relative change of the force that counts as felt, positive. Default 0.1. */
+  /** Smallest relative change of the force that counts as perceptible, positive. Default 0.1. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
@@ -149,7 +150,7 @@ public:
   ///@}
 
   ///@{
-  /** The same for the body without nodules, mm: half the distance to a base or a layer is
+  /** SourceSpacing for the body without nodules, mm: half the distance to a base or a layer is
    * enough. Default 0: as SourceSpacing. */
   vtkSetMacro(SourceSpacingWithout, double);
   vtkGetMacro(SourceSpacingWithout, double);
@@ -169,7 +170,7 @@ public:
   ///@}
 
   ///@{
-  /** Sums for both bodies, as in vtkElasticContactResponse. */
+  /** Sums over both bodies, as in vtkElasticContactResponse. */
   vtkGetMacro(MemoryEstimate, double);
   vtkGetMacro(NumberOfSolutions, vtkIdType);
   ///@}
@@ -198,7 +199,7 @@ private:
   std::unique_ptr<palpate::SolvedBody> Without;
   vtkSmartPointer<vtkContactTool> Tool;
   std::vector<std::string> MoreTools;
-  std::vector<vtkSmartPointer<vtkContactTool>> Tools; ///< of the current run
+  std::vector<vtkSmartPointer<vtkContactTool>> Tools; ///< tools of the current run
   double Threshold = 0.1;
   double PressDepth = 0.0;
   bool WithinValidity = false;

@@ -25,7 +25,7 @@
 
 namespace
 {
-constexpr vtkIdType CellsBetweenLooks = 4096; // cells between checks for an abort
+constexpr vtkIdType CellsPerAbortCheck = 4096; // cells between checks for an abort
 constexpr int MostSubdivisions = 64;
 
 /// The output arrays.
@@ -148,8 +148,8 @@ double vtkNoduleMaterial::MixCell(
 {
   const double within = std::min(std::accumulate(fractions.begin(), fractions.end(), 0.0), 1.0);
   const double around = material.poissonRatio;
-  // The nodules are mixed in one after the other. Each fraction is relative to the sum mixed so
-  // far, including itself.
+  // The nodules are mixed in one by one. The fraction of each is relative to the volume mixed so
+  // far, including its own.
   double mixed = 1.0 - within;
   for (std::size_t i = 0; i < fractions.size(); ++i)
   {
@@ -218,7 +218,7 @@ std::string vtkNoduleMaterial::Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGri
     arrays.YoungWithout->SetValue(cell, base.youngsModulus);
     arrays.PoissonWithout->SetValue(cell, base.poissonRatio);
     arrays.Fraction->SetValue(cell, within);
-    if (cell % CellsBetweenLooks == 0 &&
+    if (cell % CellsPerAbortCheck == 0 &&
       !palpate::FilterStage{ this, 0.0, 1.0 }(
         static_cast<double>(cell) / static_cast<double>(cells)))
     {

@@ -4,18 +4,18 @@
  * @brief spheres of another material in a volume mesh
  *
  * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
- * cells in mm. E and ν around the nodules per cell come from arrays to process 0 and 1 (cell data,
- * one component), else from the constants. Empty input gives empty output.
+ * cells in mm. E and ν of the tissue around the nodules come from arrays to process 0 and 1 (cell
+ * data, one component) or, without arrays, from the constants. Empty input gives empty output.
  *
  * Output: the same grid with the cell arrays (doubles)
  * - `YoungsModulus` (MPa) and `PoissonRatio`: with the nodules;
  * - `YoungsModulusWithout` and `PoissonRatioWithout`: without the nodules;
  * - `NoduleFraction`: the fraction of the cell's volume that nodules fill, 0 to 1.
  *
- * A cell that the surface of a sphere cuts is mixed by the fractions of its volume, counted at
- * Subdivisions³ points in it. E is mixed by palpate::mixedModulus, harmonically for a harder
- * nodule, geometrically for a softer one; ν by volume. Where spheres overlap, the one added last
- * counts.
+ * In a cell that is cut by the surface of a sphere, the materials are mixed by their fractions of
+ * the volume, counted at Subdivisions³ points of the cell. E is mixed by palpate::mixedModulus,
+ * harmonically for a harder nodule and geometrically for a softer one; ν is mixed by volume. Where
+ * spheres overlap, the sphere that was added last has effect.
  *
  * **Accuracy.** Error of the force on a nodule of 3 mm, ten times as hard, in cells of 1 mm: 1.5 %
  * at a depth of 2 mm or more, 4 % at 1 mm. Cells should be no larger than half the distance of a
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Adds a sphere: centre and radius in mm, E in MPa, and ν. Without ν it has the ν around it.
-   * Checked when the filter runs.
+   * Adds a sphere: centre and radius in mm, E in MPa, and ν. Without ν, its Poisson's ratio is that
+   * of the tissue around it. The values are checked when the filter runs.
    */
   void AddNodule(double x, double y, double z, double radius, double youngsModulus);
   void AddNodule(

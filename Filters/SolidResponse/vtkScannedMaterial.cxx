@@ -30,7 +30,7 @@
 
 namespace
 {
-constexpr vtkIdType ScannedBetweenLooks = 4096; // cells between checks for an abort
+constexpr vtkIdType ScannedCellsPerAbortCheck = 4096; // cells between checks for an abort
 constexpr int MostPlaces = 64;
 
 using palpate::ElasticMaterial;
@@ -46,8 +46,8 @@ public:
   {
   }
 
-  /// The value of the nearest voxel, or the trilinear value of the eight around. False outside the
-  /// image.
+  /// Reads the value of the nearest voxel, or interpolates the eight nearest voxels trilinearly.
+  /// Returns false outside the image.
   bool read(const std::array<double, 3>& place, bool nearest, double& value) const
   {
     std::array<double, 3> index{};
@@ -114,7 +114,7 @@ ElasticMaterial onScale(const TissueMap& map, double value)
     a.poissonRatio + part * (b.poissonRatio - a.poissonRatio) };
 }
 
-/// The most frequent material of a cell, with the others mixed in one after the other.
+/// Returns the most frequent material of a cell, with the other materials mixed in one by one.
 ElasticMaterial mixTissues(std::vector<std::pair<double, ElasticMaterial>>& parts)
 {
   std::stable_sort(
@@ -132,7 +132,7 @@ ElasticMaterial mixTissues(std::vector<std::pair<double, ElasticMaterial>>& part
   return mixed;
 }
 
-/// Collects the sample points of one cell.
+/// Collects the materials at the sample points of one cell.
 class CellTissue
 {
 public:
@@ -198,7 +198,8 @@ private:
   const TissueMap& Known;
   bool HasLabels;
   ElasticMaterial Outside;
-  std::map<double, double> Volumes; ///< by label; at infinity the volume outside the image
+  std::map<double, double> Volumes; ///< volumes by label; the key infinity is for the volume
+                                    ///< outside the image
   double LogModulus = 0.0;
   double Ratio = 0.0;
   double All = 0.0;
@@ -356,7 +357,7 @@ std::string vtkScannedMaterial::Map(
     const ElasticMaterial material = tissue.material();
     young->SetValue(cell, material.youngsModulus);
     poisson->SetValue(cell, material.poissonRatio);
-    if (cell % ScannedBetweenLooks == 0 &&
+    if (cell % ScannedCellsPerAbortCheck == 0 &&
       !palpate::FilterStage{ this, 0.0, 1.0 }(
         static_cast<double>(cell) / static_cast<double>(cells)))
     {

@@ -8,19 +8,20 @@
  * connection 1 (point data, one component), else its active point scalars. Empty input gives empty
  * output.
  *
- * Output: the grid with the cell arrays `YoungsModulus` (MPa) and `PoissonRatio` (doubles), as
- * vtkElasticContactResponse and vtkElasticCompliance take them.
+ * Output: the grid with the cell arrays `YoungsModulus` (MPa) and `PoissonRatio` (doubles), which
+ * vtkElasticContactResponse and vtkElasticCompliance read.
  *
- * A map (AddMaterial) gives E and ν for values of the image. With Labels on (default) each value is
- * a tissue of its own, taken from the nearest voxel, and a value that is not in the map is an
- * error. With Labels off, for elastography or CT numbers, the image is read trilinearly; log E and
- * ν are interpolated linearly between the values of the map and are constant beyond its ends.
- * Outside the image the constants hold.
+ * A map (AddMaterial) assigns E and ν to values of the image. With Labels on (default) each value
+ * is the number of a tissue and is read from the nearest voxel; a value that is not in the map is
+ * an error. With Labels off, for elastography or CT numbers, the image is read trilinearly; log E
+ * and ν are interpolated linearly between the values of the map and are constant beyond its ends.
+ * Outside the image E and ν are the constants.
  *
  * Each cell is sampled at Subdivisions³ points, which represent equal volumes in boxes and straight
- * tetrahedra. The most frequent material is mixed with the others, harder ones harmonically, softer
- * ones geometrically (palpate::mixedModulus), ν by volume. Without labels log E and ν are means.
- * The force has the relative error of E; no map is known better than about ten per cent.
+ * tetrahedra. With Labels on, the most frequent material is mixed with the others: E harmonically
+ * with harder and geometrically with softer materials (palpate::mixedModulus), ν by volume. With
+ * Labels off, log E and ν are averaged. The relative error of the force equals that of E, which for
+ * any map is at least about ten per cent.
  *
  * Errors, without output: no map; a wrong row (E must be positive and finite, ν 0 to 0.499); a
  * value given twice; no image or array; a value that is not finite, or a label that is not in the
@@ -69,8 +70,8 @@ public:
   ///@}
 
   ///@{
-  /** Adds a row of the map: a value of the image, its E, MPa, and its ν. Checked when the filter
-   * runs. */
+  /** Adds a row of the map: a value of the image, its E, MPa, and its ν. The values are checked
+   * when the filter runs. */
   void AddMaterial(double value, double youngsModulus, double poissonRatio);
   void ClearMaterials();
   int GetNumberOfMaterials() { return static_cast<int>(this->Rows.size()); }

@@ -30,22 +30,23 @@
 
 namespace
 {
-/// Depth of the core below the surface, in spacings. It leaves room for the layer.
+/// Depth of the core below the surface, in spacings. The layer fills the gap.
 constexpr double LayerDepth = 0.4;
 
 /// Edges of the surface that are sharper than this are kept, degrees.
 constexpr double SharpAngle = 45.0;
 
-/// Largest distance of the outward search for the surface, over the distance of the closest point:
-/// √3 at a corner.
+/// Largest distance of the outward search for the surface, relative to the distance of the closest
+/// point. The ratio is √3 at a corner.
 constexpr double LongestReach = 1.75;
 /// Peak memory of the filter, measured on a filled box and on a ball.
 constexpr double BytesPerGridPoint = 40.0;
 constexpr double BytesPerVoxel = 310.0;
-/// Well within the range of 32 bits.
+/// Largest number of points of the grid, well within the range of 32 bits.
 constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0;
 
-/// Relative to the spacing. With 0 vtkStaticCellLocator misses faces at the borders of its bins.
+/// Tolerance of the intersection with a line, relative to the spacing. With 0 vtkStaticCellLocator
+/// misses faces at the borders of its bins.
 constexpr double PickTolerance = 1e-6;
 
 /// Voxels along each side of a box, as doubles because they may exceed the range of int.
@@ -168,7 +169,8 @@ int vtkVoxelBody::RequestData(
     edgeLocator->SetDataSet(edges->GetOutput());
     edgeLocator->BuildLocator();
   }
-  // Moves to a sharp edge if there is one outwards, otherwise to the closest point.
+  // Moves a node to a sharp edge if one lies in the outward direction, otherwise to the closest
+  // point.
   const auto reach = [&](const Eigen::Vector3d& x, const Eigen::Vector3d& outward)
   {
     const Eigen::Vector3d near = palpate::closestPlace(locator, x).at;

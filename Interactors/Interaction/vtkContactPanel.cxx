@@ -23,7 +23,7 @@ namespace
 using palpate::PanelButton;
 using palpate::PanelSlider;
 
-constexpr float Priority = 1.0F; // among the observers of a frame: the panel is first
+constexpr float Priority = 1.0F; // priority among the observers of a frame: the panel is first
 } // namespace
 
 struct vtkContactPanel::Parts
@@ -35,7 +35,7 @@ struct vtkContactPanel::Parts
   vtkSmartPointer<vtkLiveCharts> charts;
   vtkNew<vtkCallbackCommand> follow;
 
-  std::unique_ptr<palpate::ContactControls> controls; ///< null until On
+  std::unique_ptr<palpate::ContactControls> controls; ///< null before On is called
   palpate::PanelSheet sheet;
   std::vector<std::pair<palpate::ControlQuantity, PanelSlider*>> sliders;
   std::vector<std::pair<palpate::ControlButton, PanelButton*>> buttons;

@@ -8,7 +8,7 @@
  * the comparison of tools, charts, the session, record and picture. (A live version of Mahvash and
  * Hayward 2002, figure 9.) Made of vtkSliderWidget and vtkButtonWidget.
  *
- * Give it a renderer of a window with an interactor; a setup; the style that has session, scene and
+ * Set a renderer of a window with an interactor; a setup; the style that has session, scene and
  * files; the clock; and the charts, if there are any. Then call On. At each frame of the clock, the
  * panel requests new responses from the setup if a setting was changed by the panel or by a
  * program. It passes finished responses to session, scene and charts, and shows the present
@@ -82,8 +82,8 @@ public:
   void Update();
 
   /**
-   * Chooses a tool of the setup, from 0, in session, scene and charts. No effect if there is no
-   * such tool.
+   * Chooses a tool of the setup, by its index from 0, in session, scene and charts. No effect if
+   * there is no such tool.
    */
   void ChooseTool(int tool);
 

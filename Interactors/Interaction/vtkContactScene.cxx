@@ -31,8 +31,9 @@
 
 namespace
 {
-constexpr double ArrowLength = 40.0;    // mm, for the largest force
-constexpr float AfterTheOthers = -1.0F; // among the observers of a frame: the scene is last
+constexpr double ArrowLength = 40.0; // mm, for the largest force
+// priority among the observers of a frame: the scene is last
+constexpr float LastPriority = -1.0F;
 } // namespace
 
 vtkStandardNewMacro(vtkContactScene);
@@ -220,7 +221,7 @@ void vtkContactScene::Follow(vtkFrameClock* clock, vtkHapticSession* session)
   if (this->Clock)
   {
     this->FrameObserver = this->Clock->AddObserver(
-      vtkFrameClock::FrameEvent, this, &vtkContactScene::ShowFrame, AfterTheOthers);
+      vtkFrameClock::FrameEvent, this, &vtkContactScene::ShowFrame, LastPriority);
   }
 }
 
@@ -332,7 +333,8 @@ void vtkContactScene::Arrange()
     this->Scale->place(this->Renderer, Eigen::Vector3d(this->Contact));
   }
   this->Caption->write(this->Renderer->GetSize()[0] - this->Scale->width());
-  this->Legends->place(this->Renderer, this->Caption->height()); // above caption and scale
+  // The legends are above caption and scale.
+  this->Legends->place(this->Renderer, this->Caption->height());
 }
 
 void vtkContactScene::LookAtBody(const double direction[3], const double up[3])

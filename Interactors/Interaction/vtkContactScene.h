@@ -3,17 +3,17 @@
  * @class vtkContactScene
  * @brief a body under a tool, drawn into a renderer: dent, deflection field, tool, forces, legends
  *
- * Give it a renderer, a body with responses and the tool. ShowTip shows one tip of the output of
+ * Set a renderer, a body with responses and the tool. ShowTip shows one tip of the output of
  * vtkToolContactProbe or vtkHapticRecorder::GetRecording. ShowSession shows the newest tick of a
- * session. Follow shows it at each frame of a clock.
+ * session. Follow calls ShowSession at each frame of a clock.
  *
  * - The body is displaced by the field of vtkContactDeflection, drawn to scale times Exaggeration.
  *   Its colour is the magnitude of the displacement, with a legend in mm.
  * - The tool is at the tip, with the force on it as an arrow and a number in N. With friction, the
  *   normal force and the friction are shown, too. If the applied force differs from the ideal
- *   force, it is drawn next to it (vtkHapticToolRepresentation).
+ *   force, both are drawn next to each other (vtkHapticToolRepresentation).
  * - The contact circle has the radius a of the tool at the deflection, on a half-space or a layer.
- *   With a global compliance, only the local part of the deflection counts.
+ *   With a global compliance, a is the radius for the local part of the deflection.
  * - The trail is the path of the contact, coloured by the force there, with a legend in N.
  * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows. It
  *   is chosen once, by SetLargestForce.
@@ -21,7 +21,7 @@
  *   different applied force, and the limit of validity.
  *
  * For a session with several devices, the tools, arrows, circles and dents of all are drawn, and
- * the caption has a line for each. Trail, camera and the values below are those of the first
+ * the caption has a line for each device. Trail, camera and the values below are those of the first
  * device.
  *
  * Beyond the `Validity` of the response at the contact, arrows, circle and trail are dashed, and
@@ -112,12 +112,13 @@ public:
   /** First line of the caption. */
   void SetTitle(const std::string& title);
 
-  /** Last line of the caption, from the next shown contact on. Default none. */
+  /** Last line of the caption; it appears with the next shown contact. Default none. */
   void SetRemark(const std::string& remark);
 
   ///@{
-  /** Whether the contact circle, and the trail with its legend, are drawn, from the next shown
-   * contact on. For the parts of the force see GetToolRepresentation. Default on. */
+  /** Whether the contact circle, and the trail with its legend, are drawn. A change takes effect
+   * with the next shown contact. For the parts of the force see GetToolRepresentation. Default on.
+   * */
   vtkSetMacro(ContactCircleVisibility, bool);
   vtkGetMacro(ContactCircleVisibility, bool);
   void SetTrailVisibility(bool visible);
@@ -126,8 +127,8 @@ public:
 
   /**
    * For a blind comparison: only the position of a contact is shown, by a ball on the surface,
-   * independent of the depth of the tip. There is no tool, force, dent, circle, trail or legend.
-   * The caption has only title and remark. Default off.
+   * independent of the depth of the tip. Tool, forces, dent, circle, trail and legends are not
+   * drawn. The caption has only title and remark. Default off.
    */
   void SetBlind(bool blind);
 
@@ -156,8 +157,8 @@ public:
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
   ///@{
   /**
-   * Direction of the tool without contact, of any length; zero (default): the last direction.
-   * Another device has its own, given by its index, once it is shown.
+   * Direction of the tool without contact, of any length; zero (default): the last direction. Each
+   * device has its own direction, which is set by the index of the device.
    */
   void SetFreeDirection(const double direction[3]) { this->SetFreeDirection(0, direction); }
   void SetFreeDirection(int hand, const double direction[3]);
@@ -188,8 +189,8 @@ public:
 
   ///@{
   /** Sets the camera. LookAtBody shows the whole body with the tool, seen from `direction`.
-   * LookAtContact shows, from `distance` mm, the last tick in contact (before the first: the
-   * contact point shown last). `up` points up in the picture. */
+   * LookAtContact shows, from `distance` mm, the point of the last tick in contact; before the
+   * first such tick, the contact point that was shown last. `up` points up in the picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
   ///@}
@@ -231,7 +232,7 @@ private:
   std::unique_ptr<palpate::ForceTrail> Trail;
   std::unique_ptr<palpate::ForceScale> Scale;
   std::unique_ptr<palpate::SceneCaption> Caption;
-  vtkSmartPointer<vtkActor> Marker; ///< of a contact, in a blind comparison
+  vtkSmartPointer<vtkActor> Marker; ///< marker of a contact, in a blind comparison
   bool Blind = false;
   bool ContactCircleVisibility = true;
   bool TrailVisibility = true;

@@ -3,20 +3,19 @@
  * @class vtkContactSetup
  * @brief body, tools, material and model of a contact, and the responses made from them
  *
- * Give it tools and a body without responses, and set the material of the body. Update makes the
- * responses of all tools, each under its own prefix: `Response` for the first, then `Response2`,
- * `Response3`... GetOutput is the body with the responses. GetTool and GetResponseName give the
- * tool and the prefix of each. ApplyTo passes them to a session, running or not; ShowIn passes them
- * to a scene.
+ * Set tools, a body without responses, and the material of the body. Update makes the responses of
+ * all tools, each under its own prefix: `Response` for the first, then `Response2`, `Response3`...
+ * GetOutput is the body with the responses. GetTool and GetResponseName give the tool and the
+ * prefix of each. ApplyTo passes them to a session, running or not; ShowIn passes them to a scene.
  *
- * Making responses takes a second for some hundred thousand points, and a live session must not
+ * Making responses takes a second for a few hundred thousand points, and a live session must not
  * wait for that. Request makes the responses, and the kernels for the session, on another thread.
- * Of several requests the newest counts. Collect, called once a frame, takes over the finished
- * responses. Until then, and after an error, output, session and scene do not change.
+ * Only the newest of several requests is carried out. Collect, called once a frame, takes over the
+ * finished responses. Until then, and after an error, output, session and scene do not change.
  *
  * Lengths in mm, moduli in MPa. The body is not modified. Its points and cells must not be changed
- * in place after SetBody (after changes, call SetBody again). For one thread, the graphics thread;
- * only Update blocks it.
+ * in place after SetBody (after changes, call SetBody again). Only one thread, the graphics thread,
+ * may use it; only Update blocks that thread.
  *
  * @code{.py}
  * setup = palpate.vtkContactSetup()
@@ -61,8 +60,8 @@ public:
   enum ModelType
   {
     HalfSpace = 0,
-    Layer = 1,  ///< the thickness is the property LayerThickness, or the array of this name (mm);
-                ///< below it are the layers of AddLayer, if any, and LayerBase
+    Layer = 1,  ///< a layer whose thickness is the property LayerThickness, or the array of this
+                ///< name (mm); below it are the layers of AddLayer, if any, and LayerBase
     Series = 2, ///< the local deflection in series with the array GlobalCompliance (mm/N)
     Stored = 3  ///< the body has its responses already: they are used unchanged
   };
@@ -88,8 +87,8 @@ public:
   ///@}
 
   ///@{
-  /** The chosen tool, by its index from 0; and the tool itself, null if there is none. Choosing
-   * another tool needs no new responses. Default 0. */
+  /** The chosen tool, by its index from 0. GetTool of that index returns the tool itself, or null.
+   * Choosing another tool needs no new responses. Default 0. */
   void SetChosenTool(int tool);
   vtkGetMacro(ChosenTool, int);
   vtkContactTool* GetToolInHand() { return this->GetTool(this->ChosenTool); }
@@ -138,8 +137,9 @@ public:
   ///@}
   ///@{
   /** The base of the layers, as LayerBase of vtkToolContactResponse: 0 bonded to a rigid base
-   * (default), 1 slipping on it, 2 on an elastic half-space. The half-space has this Young's
-   * modulus (MPa, default 1) and Poisson's ratio (default 0.45); the layers may slip on it. */
+   * (default), 1 slipping on a rigid base, 2 on an elastic half-space. The half-space has this
+   * Young's modulus (MPa, default 1) and Poisson's ratio (default 0.45); the layers may slip on it.
+   * */
   vtkSetClampMacro(LayerBase, int, 0, 2);
   vtkGetMacro(LayerBase, int);
   vtkSetMacro(BaseYoungsModulus, double);
@@ -176,8 +176,8 @@ public:
   vtkGetMacro(MaximumTilt, double);
   ///@}
   ///@{
-  /** Whether several tools at once deflect the surface for one another; see vtkToolContactResponse.
-   * Default off. */
+  /** Whether tools that press at the same time affect one another through the deflection of the
+   * surface; see vtkToolContactResponse. Default off. */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);
   vtkBooleanMacro(Coupling, bool);
@@ -239,8 +239,8 @@ public:
   ///@}
 
   ///@{
-  /** Largest relative error of the force at which a session is given a simpler form of a response
-   * than a curve per point; vtkResponseChoice defines this error. Default 0: responses are used
+  /** Largest relative error of the force for which a session gets a simpler form of a response than
+   * a curve per point; vtkResponseChoice defines this error. Default 0: responses are used
    * unchanged. The output always has the full responses. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -262,7 +262,7 @@ public:
   /** Takes over the requested responses if they are ready. Returns true once. Returns false, after
    * an error, if they could not be made. Never waits. */
   bool Collect();
-  /** The newest error; "" after a success. */
+  /** The error of the newest request; "" after a success. */
   vtkGetMacro(Error, std::string);
 
   /**
@@ -272,8 +272,8 @@ public:
   /** The tool for which a response was made; null before the first Update or Collect. */
   vtkContactTool* GetOutputTool(int tool);
 
-  /** The form of a tool's response in use, and the reason, in a sentence. "" without a Tolerance
-   * and before the first Update or Collect. */
+  /** A sentence with the form of a tool's response in use, and the reason for it; "" without a
+   * Tolerance, and before the first Update or Collect. */
   std::string GetChoice(int tool);
 
   /** Largest force of any tool of the output at any point, at MaximumDeflection, N; 0 before the
@@ -281,16 +281,17 @@ public:
   double GetLargestForce();
 
   ///@{
-  /** The contact settings of every session that ApplyTo is called for. Poisson's ratio in them
-   * becomes that of the responses then. Default null: each session keeps its own settings. */
+  /** The contact settings of every session that is passed to ApplyTo. ApplyTo sets their Poisson's
+   * ratio to that of the responses. Default null: each session keeps its own settings. */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
 
-  /** Gives a session the output, the response of the chosen tool, Poisson's ratio, and the settings
-   * if there are any. If the session runs, applies the changes. Returns false after an error. */
+  /** Passes the output, the response of the chosen tool, Poisson's ratio, and the settings if there
+   * are any, to a session. If the session runs, applies the changes. Returns false after an error.
+   * */
   bool ApplyTo(vtkHapticSession* session);
-  /** Gives a scene the output and the chosen tool as it was when its response was made. */
+  /** Passes the output to a scene, and the chosen tool as it was when its response was made. */
   void ShowIn(vtkContactScene* scene);
 
   vtkMTimeType GetMTime() override;

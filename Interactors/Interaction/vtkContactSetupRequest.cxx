@@ -91,7 +91,7 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
     this->ErrorTolerance, true, this->AutomaticTerms,
     this->Tolerance > 0.0 ? this->Tolerance : palpate::LawTerms().changeTolerance,
     this->EdgeCorrection, this->MaximumTilt };
-  this->Error = this->Relaxations.felt().fillSeries(request.relaxation.series);
+  this->Error = this->Relaxations.effectiveBranches().fillSeries(request.relaxation.series);
   if (!this->Error.empty())
   {
     vtkErrorMacro(<< this->Error << ".");

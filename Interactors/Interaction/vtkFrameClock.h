@@ -3,11 +3,10 @@
  * @class vtkFrameClock
  * @brief notifies observers that a frame is due, and draws it
  *
- * Give it an interactor and call Start. From then on a repeating timer of the interactor makes up
- * to 30 frames a second. Each frame invokes FrameEvent, on which scene, charts and panel update
- * themselves, and renders. Changes by mouse, wheel and widgets are drawn with the next frame, so
- * that no event waits for a rendering. If a frame takes long, half of the time is left for mouse
- * events.
+ * Set an interactor and call Start. A repeating timer of the interactor makes up to 30 frames a
+ * second. Each frame invokes FrameEvent, on which scene, charts and panel update themselves, and
+ * renders. Changes by mouse, wheel and widgets are drawn with the next frame, so that no event
+ * waits for a rendering. If frames take long, at least half of the time remains for mouse events.
  *
  * Observers with a higher priority are called first: vtkContactPanel, which changes the scene, has
  * priority 1; vtkContactScene has -1.
@@ -41,7 +40,7 @@ public:
 
   enum Events
   {
-    FrameEvent = vtkCommand::UserEvent + 411 ///< before the frame is drawn
+    FrameEvent = vtkCommand::UserEvent + 411 ///< invoked before a frame is drawn
   };
 
   ///@{

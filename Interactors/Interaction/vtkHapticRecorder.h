@@ -8,8 +8,9 @@
  * more than RecordedSeconds are lost, and counted. HistorySeconds stores only the last ticks, for
  * charts of a session of unlimited length.
  *
- * Settings are read at the session's Start. Results are those of the run since Start, empty before,
- * and are lost with the session. For the session's thread.
+ * Settings are read at the session's Start. Results are those of the run since Start; they are
+ * empty before Start, and are lost when the session is deleted. Only the session's thread may use
+ * the recorder.
  *
  * @code{.py}
  * session.GetRecorder().SetRecording(True)             # before Start
@@ -84,7 +85,8 @@ public:
    * and all results without a device index, are those of the first device.
    */
   void GetRecording(vtkPolyData* recording, int device);
-  /** The same for the history: the ticks less than HistorySeconds before the newest. */
+  /** As GetRecording, for the history: the ticks less than HistorySeconds before the newest tick.
+   * */
   void GetHistory(vtkPolyData* history);
 
   /** Ticks missed since Start; none in virtual time. */
@@ -100,7 +102,7 @@ public:
    * and repeated, forces refused, ticks not recorded, scene changes, and the device's own errors.
    */
   void GetStatistics(vtkTable* statistics);
-  /** The same for one of several devices. Contacts and peaks are those of the device; times and
+  /** The row for one of several devices. Contacts and peaks are those of the device; times and
    * errors are those of all devices. */
   void GetStatistics(vtkTable* statistics, int device);
   /** With RealTime: statistics and timing, as lines of text. Empty otherwise. */
@@ -115,8 +117,8 @@ public:
    * than `From (us)` and up to `To (us)`. The two limits differ by at most 1/32. The rows extend
    * from the first to the last class that contains a tick. Counts are double. Empty otherwise. */
   void GetTimingHistogram(vtkTable* histogram);
-  /** With RealTime: the scheduling that the system permits the servo thread, and the reason if it
-   * is not the best. */
+  /** With RealTime: the scheduling that the system permits the servo thread, and the reason if a
+   * better scheduling was refused. */
   std::string GetRealTimeGrant();
 
 #ifndef __VTK_WRAP__

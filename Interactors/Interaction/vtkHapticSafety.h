@@ -3,16 +3,16 @@
  * @class vtkHapticSafety
  * @brief the limits of a vtkHapticSession's force before it reaches the hand
  *
- * The optional links of the safety chain, limits in addition to those of the device, and the fit of
- * all forces to the device. Three protections cannot be switched off: the device's own limits, no
- * force without a valid sample, and no force that is not finite.
+ * Settings of the safety chain: its optional links, limits in addition to those of the device, and
+ * the fit of all forces to the device. Three protections cannot be switched off: the device's own
+ * limits, no force without a valid sample, and no force that is not finite.
  *
  * FitForce scales all forces by one factor, so that down to FitDepth none of the compared responses
  * exceeds the device's maximum force and stiffness at any vertex. The ratios of the forces are then
- * unchanged; limits would level them.
+ * unchanged, whereas a limit would make large forces equal.
  *
- * The properties are read at the session's Start; those of the fit also at ApplyChanges. Both fail
- * with an error if a number is out of its range. For one thread.
+ * The properties are read at the session's Start; those of the fit also at ApplyChanges. Start and
+ * ApplyChanges fail with an error if a number is out of its range. Not thread-safe.
  *
  * @code{.py}
  * safety = palpate.vtkHapticSafety()
@@ -47,7 +47,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** No force until the tip has been outside of the body once. Default on. */
+  /** Whether the force is zero until the tip has been outside of the body once. Default on. */
   vtkSetMacro(Gate, bool);
   vtkGetMacro(Gate, bool);
   vtkBooleanMacro(Gate, bool);
@@ -59,8 +59,8 @@ public:
   ///@}
   ///@{
   /**
-   * Both act as far as the device's specification requires. Default on. There is no passivity
-   * control through the stiff hand of "simulated" and "replay:FILE".
+   * Stiffness cap and passivity control act where the device's specification requires them. Default
+   * on. There is no passivity control through the stiff hand of "simulated" and "replay:FILE".
    */
   vtkSetMacro(StiffnessCap, bool);
   vtkGetMacro(StiffnessCap, bool);
@@ -115,8 +115,8 @@ public:
     return this->FitResponses;
   }
   /**
-   * The settings of the chain for this device. `isStiff`: its hand moves independently of the
-   * force.
+   * The settings of the chain for this device. `isStiff`: whether the hand of the device moves
+   * independently of the force.
    */
   palpate::SafetySettings GetSettings(
     const palpate::DeviceSpecification& device, bool isStiff) const;

@@ -3,7 +3,7 @@
  * @class vtkHapticSession
  * @brief a haptic device over a body with responses, tick by tick
  *
- * Give it a body (with response arrays) and, for the simulated device, a path. Start it, Step it in
+ * Set a body (with response arrays) and, for the simulated device, a path. Call Start, then Step in
  * virtual time, and read the contact. In virtual time the results do not depend on the machine: the
  * same steps give the same bits. With RealTime, Start starts the servo thread at Rate; Step has no
  * effect, and the getters return the newest tick.
@@ -18,18 +18,19 @@
  * which the safety chain has fitted to the device (force factor, stiffness cap, limits, passivity).
  * GetSafetyText names the links that acted.
  *
- * ApplyChanges gives a running session another body, response or settings, also during contact: the
- * force changes to it within 50 ms.
+ * ApplyChanges passes another body, response or settings to a running session, also during contact:
+ * the force changes to its new value within 50 ms.
  *
  * If a device is lost, the session continues with no force, in the state DeviceLost, until the
  * device returns.
  *
  * AddDevice puts further devices, up to four in total, on the same body, each with its own mapping
- * and safety chain. All of them tick in one loop, at the same times. If the response of the body
- * has a coupling (vtkToolContactResponse), their tools deflect the surface for one another; a lost
- * device has no effect on the others. Another body or other settings then take effect at zero
- * force: forces fall to zero in 50 ms and rise again in 50 ms. Devices are numbered from 0, the one
- * of GetDevice. For an index without a device, getters return the values before the first tick.
+ * and safety chain. One loop computes the ticks of all devices at the same times. If the response
+ * of the body has a coupling (vtkToolContactResponse), the tools affect one another through the
+ * deflection of the surface; a lost device has no effect on the others. With several devices,
+ * another body or other settings take effect at zero force: forces fall to zero in 50 ms and rise
+ * again in 50 ms. Devices are numbered from 0; number 0 is that of GetDevice. For an index without
+ * a device, getters return the values before the first tick.
  *
  * Defects of the body's mesh are reported in one warning, as by vtkToolContactProbe.
  *
@@ -96,8 +97,8 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * Sets the body together with the kernels that Start and ApplyChanges would otherwise make from
-   * its responses. Kernels made in the background cost no time here. They are valid until the body
-   * is changed, and for one Start.
+   * its responses. Kernels made in the background take no time at Start and ApplyChanges. They are
+   * valid for one Start, and until the body is changed.
    */
   void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
 #endif
@@ -111,25 +112,26 @@ public:
   ///@{
   /**
    * The settings of the contact. Other sessions may share them. Read at Start and ApplyChanges,
-   * which fail with an error if a value is out of its range. Default, and for null: an object of
-   * its own with the default values.
+   * which fail with an error if a value is out of its range. Default, or if null is set: a separate
+   * object with the default values.
    */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
   /**
-   * The device. Read at Start, except for the target of a simulated hand. Default, and for null: an
-   * object of its own, "simulated".
+   * The device. Read at Start, except for the target of a simulated hand. Default, or if null is
+   * set: a separate "simulated" device.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
   ///@{
   /**
-   * Adds a device from the next Start on, by a name as in vtkHapticDevice::Open. Returns its index,
-   * or -1 after an error. Path, mapping and steering are set on GetDevice(index), which is null for
-   * a wrong index. RemoveAddedDevices keeps only the first device.
+   * Adds a device, by a name as in vtkHapticDevice::Open; it takes part after the next Start.
+   * Returns its index, or -1 after an error. Path, mapping and steering are set on
+   * GetDevice(index), which is null for a wrong index. RemoveAddedDevices keeps only the first
+   * device.
    */
   int AddDevice(const std::string& name);
   void RemoveAddedDevices();
@@ -141,14 +143,14 @@ public:
   ///@}
   ///@{
   /**
-   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, and for
-   * null: an object of its own.
+   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, or if null
+   * is set: a separate object.
    */
   void SetSafety(vtkHapticSafety* safety);
   vtkHapticSafety* GetSafety();
   ///@}
   ///@{
-  /** The recorder of the ticks. Read at Start. Default, and for null: an object of its own. */
+  /** The recorder of the ticks. Read at Start. Default, or if null is set: a separate object. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
   ///@}
@@ -169,9 +171,9 @@ public:
   ///@{
   /**
    * With RealTime: time before each tick at which the servo thread wakes up and rehearses the
-   * contact, s, 0 to half a period; see ServoLoopSettings. With rehearsal, the force follows sooner
-   * after the sample, but each tick needs this much processor time. Default 0: the thread sleeps
-   * until the tick.
+   * contact, s, 0 to half a period; see ServoLoopSettings. With rehearsal, the delay from the
+   * sample to the force is shorter, but each tick needs this additional processor time. Default 0:
+   * the thread sleeps until the tick.
    */
   vtkSetMacro(Rehearsal, double);
   vtkGetMacro(Rehearsal, double);
@@ -180,7 +182,7 @@ public:
   ///@{
   /**
    * With RealTime: whether the memory of the process is locked against paging, if the system allows
-   * it. The program must decide this. Default off.
+   * it. A library does not lock memory by itself, so the program must request it. Default off.
    */
   vtkSetMacro(LockMemory, bool);
   vtkGetMacro(LockMemory, bool);
@@ -189,7 +191,7 @@ public:
 
   /** Ticks made since Start. */
   vtkIdType GetNumberOfTicks() const;
-  /** Number of successful Starts. It distinguishes the runs. */
+  /** Number of successful Starts, which identifies the run. */
   vtkIdType GetNumberOfStarts() const
   {
     return this->Starts;
@@ -203,10 +205,10 @@ public:
   void Toggle();
 
   /**
-   * Gives the running session the present body, ResponseName and contact settings. The force
-   * changes to them within 50 ms, also during contact. Of two calls in quick succession the later
-   * one counts. No effect if the session does not run. Returns false after an error that names the
-   * fault; the session then continues unchanged.
+   * Passes the present body, ResponseName and contact settings to the running session. The force
+   * changes to its new value within 50 ms, also during contact. If two calls follow in quick
+   * succession, the later one takes effect. No effect if the session does not run. Returns false
+   * after an error that names the fault; the session then continues unchanged.
    */
   bool ApplyChanges();
 
@@ -215,7 +217,7 @@ public:
   void Step(double seconds);
 
   int GetState() const;
-  /** State of another device. Each device has its own state DeviceLost. */
+  /** State of one of several devices. Each device can be in the state DeviceLost independently. */
   int GetState(int device) const;
   /** Virtual time of the next tick, s. */
   double GetTime() const;
@@ -248,7 +250,7 @@ public:
   double GetTilt();
   ///@}
   ///@{
-  /** The same values for one of several devices, by its index. */
+  /** As above, for one of several devices, given by its index. */
   void GetTip(int device, double tip[3]);
   void GetContactPoint(int device, double point[3]);
   void GetIdealForce(int device, double force[3]);
@@ -275,18 +277,18 @@ public:
    */
   double GetMaximumForce();
   /**
-   * Reasons why the applied force differs from the ideal force, in words, with the factor: "force
-   * ×0.12, stiffness capped". "" if it does not differ.
+   * Text with the reasons why the applied force differs from the ideal force, and the factor, for
+   * example "force ×0.12, stiffness capped". "" if it does not differ.
    */
   std::string GetSafetyText();
 
 #ifndef __VTK_WRAP__
-  /** The complete newest tick; valid until the next call. A default tick before the first. */
+  /** The complete newest tick, valid until the next call; a default tick before the first tick. */
   const palpate::Tick& GetNewestTick();
   const palpate::Tick& GetNewestTick(int device);
 #endif
 
-  /** Includes the modification times of its parts. */
+  /** Includes the modification times of the session's parts. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -324,7 +326,7 @@ private:
   bool LockMemory = false;
   double Rehearsal = 0.0;
   vtkIdType Starts = 0;
-  double FittedFactor = 1.0; ///< of the newest servo scene
+  double FittedFactor = 1.0; ///< factor of the newest servo scene
 
   // The body for which defects were reported last, and its modification time then.
   vtkPolyData* Unsound = nullptr;

@@ -195,7 +195,7 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(const std::vect
   {
     return nullptr;
   }
-  double factor = 1.0; // one factor for all devices, so that their forces stay comparable
+  double factor = 1.0; // all devices have one factor, so that their forces are comparable
   for (const Hand& hand : hands)
   {
     double fitted = 1.0;

@@ -27,7 +27,7 @@
 
 namespace
 {
-constexpr double Beside = 6.0; // mm, distance of the applied force from the ideal one
+constexpr double AppliedOffset = 6.0; // mm, distance of the applied force from the ideal one
 
 constexpr palpate::ArrowLook TotalLook = { palpate::ForceColor, 0.9, 2.4, 6.0, 22, true, 0.0 };
 constexpr palpate::ArrowLook AppliedLook = { palpate::AppliedForceColor, 0.9, 2.4, 6.0, 16, true,
@@ -43,7 +43,7 @@ Eigen::Vector3d rightOf(const Eigen::Vector3d& arrow, vtkCamera* camera)
   const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
   const Eigen::Vector3d along = arrow.normalized();
   const Eigen::Vector3d right = ahead.cross(along);
-  // An arrow straight towards the camera has no defined right side.
+  // The right side is not defined for an arrow that points at the camera.
   return right.norm() > 0.1 ? right.normalized()
                             : ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
 }
@@ -158,7 +158,7 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   const Eigen::Vector3d torque(this->TorqueAboutTip);
   if (palpate::isNoticeable(torque / palpate::TorqueArc::Radius, total))
   {
-    // On the side to which the tool is tilted; there the contact pushes it up.
+    // The arc begins on the side to which the tool is tilted; there the contact pushes the tool up.
     const Eigen::Vector3d side = Eigen::Vector3d(this->Axis).cross(torque);
     this->Torque->show(Eigen::Vector3d(tip), torque, side, this->ForceScale);
   }
@@ -174,11 +174,12 @@ int vtkHapticToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   if (renderer && this->Applied->isShown())
   {
-    // To the right of the ideal force. Without an ideal force, to the right of its own position.
+    // The applied force is drawn to the right of the ideal force or, without an ideal force, to the
+    // right of its own position.
     const Eigen::Vector3d origin(this->ContactPoint);
     const Eigen::Vector3d arrow =
       (this->Total->isShown() ? this->Total->head() : this->Applied->head()) - origin;
-    this->Applied->moveTo(origin + Beside * rightOf(arrow, renderer->GetActiveCamera()));
+    this->Applied->moveTo(origin + AppliedOffset * rightOf(arrow, renderer->GetActiveCamera()));
   }
   return this->Superclass::RenderOpaqueGeometry(viewport);
 }
@@ -212,7 +213,8 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
     }
   };
   add(*this->Total, this->Total->tail());
-  // For any direction of the forces, the applied force is to the right of the ideal force.
+  // The label is placed to the right, since the applied force is always to the right of the ideal
+  // force.
   const Eigen::Vector3d right = this->Applied->tail() - Eigen::Vector3d(this->ContactPoint);
   add(*this->Applied, this->Applied->head() - right);
   add(*this->NormalPart, this->NormalPart->tail());

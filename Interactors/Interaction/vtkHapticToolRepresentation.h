@@ -3,19 +3,19 @@
  * @class vtkHapticToolRepresentation
  * @brief the tool at its contact, and the forces on it as arrows with their values
  *
- * The tool is drawn at its tip along the contact normal, or along its own axis if that is known. It
- * is translucent, so that it hides neither dent nor arrow. The arrow of the total ideal force
- * starts at the contact point and is ForceScale mm long per newton. The label at its head is the
- * magnitude in newtons. Without force there is no arrow.
+ * The tool is drawn at its tip along the contact normal, or along its own axis if that is known.
+ * The tool is translucent, so that it hides neither dent nor arrow. The arrow of the total ideal
+ * force starts at the contact point and is ForceScale mm long per newton. The label at its head is
+ * the magnitude in newtons. Without force there is no arrow.
  *
  * With friction of at least 2 % of the force, two thinner arrows from the same point show the parts
  * of the force, normal and friction. If the applied force (after the safety chain) differs from the
- * ideal force by more than 2 %, it is drawn next to it, to the right as seen by the camera, at the
- * same scale. Labels do not cover one another.
+ * ideal force by more than 2 %, the applied force is drawn to the right of the ideal force as seen
+ * by the camera, at the same scale. Labels do not cover one another.
  *
  * A torque about the tip is drawn as an arc in the direction of rotation, with its value in N mm,
- * if it is at least 2 % of the torque of the force at the arc's radius. The arc is as long as the
- * arrow of the force that has the same torque at that radius.
+ * if it is at least 2 % of the torque that the force would have at the arc's radius. A force at
+ * that radius with the same torque would have an arrow as long as the arc.
  *
  * BeyondValidity dashes the arrows.
  *
@@ -79,7 +79,8 @@ public:
   ///@{
   /**
    * Whether normal force and friction are drawn, if there is friction; and whether the applied
-   * force is drawn, if it differs from the ideal force. From the next contact on. Default on.
+   * force is drawn, if it differs from the ideal force. A change takes effect with the next
+   * contact. Default on.
    */
   vtkSetMacro(ComponentsVisibility, bool);
   vtkGetMacro(ComponentsVisibility, bool);
@@ -89,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Whether the arrows are dashed, because the force is beyond the validity of its law. From the
-   * next contact on. Default off.
+   * Whether the arrows are dashed, because the force is beyond the validity of its law. A change
+   * takes effect with the next contact. Default off.
    */
   vtkSetMacro(BeyondValidity, bool);
   vtkGetMacro(BeyondValidity, bool);
@@ -103,21 +104,21 @@ public:
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3]);
   /**
-   * Also sets the friction in the force, and the applied force. The applied force is equal to the
-   * force if there is no other, or no device.
+   * Also sets the friction in the force, and the applied force. Without a device, or if the forces
+   * are equal, `applied` must be equal to `force`.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3], const double friction[3], const double applied[3]);
 
   /**
-   * From the next contact on: the axis of the tool, from its tip up the shaft, and the torque on
+   * Sets, for the next contacts, the axis of the tool, from its tip up the shaft, and the torque on
    * the tool about the tip, N mm. Zeros (default): the axis is unknown, and there is no torque.
    */
   void SetTilt(const double axis[3], const double torque[3]);
 
   /**
    * Another representation, drawn before this one, whose labels are placed first. The labels of
-   * this one avoid them. Default none.
+   * this representation avoid them. Default none.
    */
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 

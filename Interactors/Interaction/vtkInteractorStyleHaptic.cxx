@@ -74,7 +74,7 @@ void vtkInteractorStyleHaptic::SetPressDepth(double depth)
 
 void vtkInteractorStyleHaptic::SetWheelDepth(double depth)
 {
-  constexpr double rounding = 1e-9; // rounding error of notches that add up
+  constexpr double rounding = 1e-9; // allows for the rounding error of a sum of notches
   this->Steered().wheelDepth = depth < rounding ? 0.0 : std::min(depth, this->MaximumDepth);
   this->Modified();
 }
@@ -114,7 +114,7 @@ vtkRenderer* vtkInteractorStyleHaptic::FindSceneRenderer()
   return renderer && renderer->IsInViewport(position[0], position[1]) ? renderer : nullptr;
 }
 
-bool vtkInteractorStyleHaptic::IsBesideScene()
+bool vtkInteractorStyleHaptic::IsOutsideScene()
 {
   const int* position = this->Interactor->GetEventPosition();
   vtkRenderer* poked = this->Interactor->FindPokedRenderer(position[0], position[1]);
@@ -189,7 +189,7 @@ void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double norma
 void vtkInteractorStyleHaptic::FaceAlong(const double direction[3])
 {
   const palpate::SteeredTilt& tilt = this->Steered().tilt;
-  if (this->Session && tilt.isTold())
+  if (this->Session && tilt.isSet())
   {
     this->SteeredDevice()->TurnTo(
       tilt.axis(direction, this->Scene ? this->Scene->GetRenderer() : nullptr).data());
@@ -246,7 +246,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDown()
     return;
   }
   this->Pressing = false;
-  if (!this->IsBesideScene())
+  if (!this->IsOutsideScene())
   {
     this->Superclass::OnLeftButtonDown();
   }
@@ -265,7 +265,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
 
 void vtkInteractorStyleHaptic::OnMiddleButtonDown()
 {
-  if (!this->IsBesideScene())
+  if (!this->IsOutsideScene())
   {
     this->Superclass::OnMiddleButtonDown();
   }
@@ -273,16 +273,16 @@ void vtkInteractorStyleHaptic::OnMiddleButtonDown()
 
 void vtkInteractorStyleHaptic::OnRightButtonDown()
 {
-  if (!this->IsBesideScene())
+  if (!this->IsOutsideScene())
   {
     this->Superclass::OnRightButtonDown();
   }
 }
 
-/// Returns false if the wheel zooms.
+/// Handles the wheel. Returns false if the wheel zooms.
 bool vtkInteractorStyleHaptic::TurnWheel(double notches)
 {
-  if (this->IsBesideScene())
+  if (this->IsOutsideScene())
   {
     return true;
   }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkInteractorStyleHaptic
- * @brief the mouse moves the tool over the body; elsewhere it moves the camera
+ * @brief over the body the mouse moves the tool; elsewhere it moves the camera
  *
- * Give it a session (RealTime) and the scene that shows it; a vtkFrameClock draws the scene. The
- * style never waits for the servo thread.
+ * Set a session (RealTime) and the scene that shows it; a vtkFrameClock draws the scene. The style
+ * never waits for the servo thread.
  *
  * **Mouse**, over the body, in the viewport of the scene:
  * - moving: the tool hovers HoverHeight above the surface under the pointer;
  * - left button: the tool presses, PressDepth deep, and slides with the pointer; the wheel changes
  *   the depth by 0.1 mm per notch;
  * - wheel without a button: the tool presses WheelDepth deep, which changes by 0.1 mm per notch; at
- *   0 it hovers again;
- * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees against the normal there (or
- *   against the plane of the picture); key 0: upright;
+ *   0 the tool hovers again;
+ * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees relative to the surface normal
+ *   (with ViewPlane, relative to the direction to the viewer); key 0: upright;
  * - with Steering ViewPlane (key v), the pointer moves the tip in the plane through the tip
  *   parallel to the picture, both in free space and in the body. The wheel moves the tip away from
  *   the viewer or towards the viewer, by 0.1 mm per notch.
@@ -24,7 +24,7 @@
  * no effect.
  *
  * For a session with several devices, the pointer moves one hand at a time, given by Hand (key n
- * changes to the next simulated hand). The others stay where they are and continue to press.
+ * changes to the next simulated hand). The other hands do not move and continue to press.
  *
  * **Keys**: see GetKeyHelp; ? or h shows and hides this help on the screen. For keys that the style
  * does not handle itself, it invokes events: 1 to 9 ToolChosenEvent (call data: int*, from 0),
@@ -90,8 +90,8 @@ public:
   };
 
   /** The session that is steered. Its body must be set before the first movement of the pointer:
-   * the search structure for picking is built then. It is used as long as points and cells are the
-   * same. */
+   * the search structure for picking is built then. The structure is used as long as points and
+   * cells are unchanged. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
   /** The scene that shows the session. The pointer steers in its renderer. */
@@ -105,8 +105,8 @@ public:
 
   ///@{
   /**
-   * The device of the session that the pointer moves, by its index, at most the last. It continues
-   * with the wheel depth and the tilt at which it was left. Default 0.
+   * The device of the session that the pointer moves, by its index, at most the last. The hand
+   * keeps its wheel depth and tilt while another hand is moved. Default 0.
    */
   void SetHand(int hand);
   vtkGetMacro(Hand, int);
@@ -143,8 +143,8 @@ public:
 
   /**
    * Tilt of the tool against the normal, in degrees to the right of the picture and away from the
-   * viewer, each within 60; from the next steering on. Default 0, 0: the axis is not set, and the
-   * tool stands along the normal.
+   * viewer, each within 60. A change takes effect with the next movement. Default 0, 0: the axis is
+   * not set, and the tool stands along the normal.
    */
   void SetTilt(double right, double away);
   void GetTilt(double tilt[2]) const;
@@ -160,8 +160,8 @@ public:
   bool IsPressing() const { return this->Pressing; }
 
   /**
-   * Whether the wheel has ever pressed the tool, or moved it away from the viewer. A window may
-   * explain the wheel until then.
+   * Whether the wheel has ever pressed the tool, or moved it away from the viewer. Until then a
+   * window may explain the wheel.
    */
   bool HasWheelPressed() const { return this->WheelPressed; }
 
@@ -197,7 +197,7 @@ private:
   void operator=(const vtkInteractorStyleHaptic&) = delete;
 
   vtkRenderer* FindSceneRenderer();
-  bool IsBesideScene();
+  bool IsOutsideScene();
   bool PickSurface(double point[3], double normal[3]);
   bool Steer();
   bool SteerOverSurface();

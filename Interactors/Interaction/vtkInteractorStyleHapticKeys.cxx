@@ -19,7 +19,7 @@ namespace
 {
 constexpr double LargestExaggeration = 64.0;
 
-const std::map<char, unsigned long> ToldKeys = { { ' ', vtkInteractorStyleHaptic::SwitchEvent },
+const std::map<char, unsigned long> KeyEvents = { { ' ', vtkInteractorStyleHaptic::SwitchEvent },
   { 'c', vtkInteractorStyleHaptic::CompareEvent }, { 'g', vtkInteractorStyleHaptic::ChartsEvent },
   { 't', vtkInteractorStyleHaptic::HistogramEvent } };
 } // namespace
@@ -61,7 +61,7 @@ void vtkInteractorStyleHaptic::OnChar()
   }
 }
 
-/// Returns false for a key that this style leaves to its superclass.
+/// Handles a key. Returns false for a key that the superclass handles.
 bool vtkInteractorStyleHaptic::DoKey(char key)
 {
   if (key >= '1' && key <= '9')
@@ -70,9 +70,9 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     this->InvokeEvent(ToolChosenEvent, &tool);
     return true;
   }
-  if (const auto told = ToldKeys.find(key); told != ToldKeys.end())
+  if (const auto found = KeyEvents.find(key); found != KeyEvents.end())
   {
-    this->InvokeEvent(told->second);
+    this->InvokeEvent(found->second);
     return true;
   }
   // X reports the key without Shift: / and = are the keys of ? and + on an American keyboard.

@@ -3,19 +3,19 @@
  * @class vtkLiveCharts
  * @brief live charts next to the scene: force over time and over deflection, and the stored curves
  *
- * Give it a renderer (its own viewport in the live window; the charts fill it, side by side or one
+ * Set a renderer (its own viewport in the live window; the charts fill it, side by side or one
  * above the other) and a session. Call Update once a frame, before the window renders.
  *
- * - **Time**: all ticks of the last Duration seconds: the ideal force and the applied force;
- *   friction and memory if there are any; magnitudes in N. The lines join the smallest and the
- *   largest value of a few ticks each, so that no peak is lost. A time without ticks is a gap.
+ * - **Time**: all ticks of the last Duration seconds: the ideal force and the applied force, and
+ *   friction and memory force if there are any; magnitudes in N. The lines join the smallest and
+ *   the largest value of a few ticks each, so that no peak is lost. A time without ticks is a gap.
  * - **Deflection**: force over deflection (mm, N) since the contact last began, loading and
- *   unloading, ideal and applied. For a body that relaxes also the slow force; the ideal force
- *   makes a loop around it.
+ *   unloading, ideal and applied. For a body that relaxes, the slow force is shown, too; the curve
+ *   of the ideal force is a loop around it.
  * - **Curves**: the stored curves of the three corners of the triangle in contact, and their blend
  *   by area coordinates, dotted beyond Validity. A running point shows the present normal force.
- *   With AddComparedResponse, the chart shows the blended curve of each response, that is of each
- *   tool, at the contact, instead of the curves of the corners. The last contact remains visible.
+ *   With AddComparedResponse, the chart shows the blended curve of each response, one per tool, at
+ *   the contact, instead of the curves of the corners. The last contact remains visible.
  * - **Histogram** (off by default): histograms of the period, wake-up latency and duration of the
  *   servo thread's ticks (µs), both axes logarithmic. Empty in virtual time.
  *
@@ -25,9 +25,9 @@
  *
  * Without a session, ShowTip shows the tips of a probe's output or a recording in the same way.
  *
- * Cost of an Update: 0.1 µs per tick since the last one, and tables of at most some thousand
- * numbers, independent of the length of the session and the size of the body. It never waits for
- * the servo thread and takes no lock. For the thread of the session.
+ * Cost of an Update: 0.1 µs per tick since the last one, and tables of at most a few thousand
+ * numbers, independent of the length of the session and the size of the body. An Update never waits
+ * for the servo thread and takes no lock. Only the thread of the session may call it.
  *
  * @code{.py}
  * charts = palpate.vtkLiveCharts()
@@ -61,7 +61,8 @@ public:
 
   ///@{
   /**
-   * The renderer of the charts. They set its background and handle no events. Null: no renderer.
+   * The renderer of the charts. The charts set its background and handle no events. Null: no
+   * renderer.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -70,8 +71,8 @@ public:
   ///@{
   /**
    * The session to show. If its recorder's HistorySeconds is less than Duration, it is set to
-   * Duration, which takes effect at the next Start of the session. Changes of its body and
-   * ResponseName are followed.
+   * Duration, which takes effect at the next Start of the session. The charts adopt changes of the
+   * session's body and ResponseName.
    */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();

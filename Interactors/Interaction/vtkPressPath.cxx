@@ -25,12 +25,13 @@ using Vector = Eigen::Vector3d;
 namespace
 {
 constexpr double StepAngle = 0.25 * 3.14159265358979323846 / 180.0;
-constexpr double LargestLeap = 10.0;   // mm
-constexpr double Rest = 0.25;          // s, after pressing and before lifting
-constexpr double EdgeTolerance = 1e-8; // fraction of the body's size, so that a ray through an edge
-                                       // hits it
+constexpr double LargestLeap = 10.0; // mm
+constexpr double RestTime = 0.25;    // time of rest after pressing and before lifting, s
+// Fraction of the body's size; a ray through an edge then hits the edge.
+constexpr double EdgeTolerance = 1e-8;
 
-/// Unit directions of the path: the given ones, and directions between them at equal steps.
+/// Returns the unit directions of the path: the given ones, and intermediate directions at equal
+/// steps.
 std::vector<Vector> sweep(const std::vector<std::array<double, 3>>& given)
 {
   std::vector<Vector> directions;
@@ -201,12 +202,12 @@ void vtkPressPath::WritePath(const std::vector<Footprint>& footprints, vtkPolyDa
   double now = 0.0;
   append(footprints.front(), -this->Approach, now);
   append(footprints.front(), this->Depth, now += pressTime);
-  now += Rest;
+  now += RestTime;
   for (const Footprint& foot : footprints)
   {
     append(foot, this->Depth, now + foot.along / this->SlideSpeed);
   }
-  now += footprints.back().along / this->SlideSpeed + Rest;
+  now += footprints.back().along / this->SlideSpeed + RestTime;
   append(footprints.back(), this->Depth, now);
   append(footprints.back(), -this->Approach, now + pressTime);
 

@@ -8,15 +8,15 @@
  * vtkToolContactProbe.
  *
  * The places to visit are given by directions from Center. From outside the body, each direction is
- * followed inward to the first surface. With several directions, the path turns from one to the
- * next through the directions between them. At the first place the tip moves at PressSpeed from
- * Approach mm above the surface straight down to Depth below it, and rests. Then it slides at
- * SlideSpeed at constant Depth. At the last place it rests and lifts off. With one direction it
- * presses, rests and lifts off.
+ * followed inward to the first surface. With several directions, the path passes from each
+ * direction to the next through intermediate directions. At the first place the tip moves at
+ * PressSpeed from Approach mm above the surface straight down to Depth below it, and rests. Then it
+ * slides at SlideSpeed at constant Depth. At the last place it rests and lifts off. With one
+ * direction it presses, rests and lifts off.
  *
- * The direction of pressing is the surface normal, averaged over SmoothingLength of the path, as a
- * hand would hold the tool. On a rough surface, the depth along this direction is therefore only
- * nearly the deflection.
+ * The direction of pressing is the surface normal, averaged over SmoothingLength of the path, like
+ * the direction in which a hand holds the tool. On a rough surface, the depth along this direction
+ * is therefore only approximately the deflection.
  *
  * Errors: a direction that meets no surface; a jump of more than 10 mm between neighbouring points
  * of the path (the path crosses a gap or a silhouette).

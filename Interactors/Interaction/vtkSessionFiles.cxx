@@ -31,7 +31,7 @@ void vtkSessionFiles::SetWindow(vtkRenderWindow* window)
 std::string vtkSessionFiles::FreeName(const char* ending)
 {
   const std::filesystem::path folder(this->OutputFolder);
-  std::error_code ignored; // writing the file will report this error
+  std::error_code ignored; // an error here is reported when the file is written
   std::filesystem::create_directories(folder, ignored);
   std::filesystem::path name;
   const auto isTaken = [&ignored](const std::filesystem::path& path)

@@ -6,7 +6,7 @@
  * Files are named "palpate-1.png", "palpate-1.csv" in OutputFolder, with the first free number,
  * unless the caller gives a name. A record contains all ticks between two times of a session, as a
  * trajectory file for the device "replay:FILE". It continues over a stop and a start of the
- * session. GetNotice describes the last action in words. For the session's thread.
+ * session. GetNotice describes the last action. Only the session's thread may use it.
  *
  * @code{.py}
  * session.GetRecorder().SetHistorySeconds(1.0)         # before Start
@@ -45,7 +45,7 @@ public:
 
   /** The session to record. */
   void SetSession(vtkHapticSession* session);
-  /** The window to take pictures of. */
+  /** The window of the pictures. */
   void SetWindow(vtkRenderWindow* window);
 
   ///@{
@@ -62,17 +62,18 @@ public:
   ///@}
 
   /**
-   * Writes a picture of the window as a .png file; "": with an automatic name. Returns the name of
-   * the file, or "" after an error.
+   * Writes a picture of the window as a .png file. With "" the file has an automatic name. Returns
+   * the name of the file, or "" after an error.
    */
   std::string WritePicture(const std::string& fileName = std::string());
 
   ///@{
   /**
-   * StartRecording stores all ticks from now on. WriteRecording writes them; "": with an automatic
-   * name. It returns the name of the file, or "" after an error. StartRecording returns false,
-   * after an error, if the session's recorder had no HistorySeconds at its Start. HistorySeconds
-   * must cover some frames; 1 is ample. ToggleRecording starts or writes.
+   * StartRecording begins to store all ticks. WriteRecording writes them; with "" the file has an
+   * automatic name. It returns the name of the file, or "" after an error. StartRecording returns
+   * false, after an error, if the session's recorder had no HistorySeconds at its Start.
+   * HistorySeconds must cover a few frames; 1 is more than enough. ToggleRecording starts or
+   * writes.
    */
   bool StartRecording();
   std::string WriteRecording(const std::string& fileName = std::string());

@@ -23,8 +23,8 @@
 
 namespace
 {
-constexpr double MostSteps = 1e6; // limit of the time steps announced; for a longer recording the
-                                  // steps are larger
+// Largest number of announced time steps; the steps of a longer recording are larger.
+constexpr double MostSteps = 1e6;
 
 /// Adds a point array of `count` tuples with the value that `get` returns for each row.
 template <typename Get>

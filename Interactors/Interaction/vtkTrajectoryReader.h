@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkTrajectoryReader
- * @brief a recorded trajectory (.csv) as a polyline of tips that grows with time
+ * @brief reads a recorded trajectory (.csv) as a polyline of tips that grows with time
  *
  * Reads the record of a session (`palpate --record`, the offscreen session's trajectory.csv), or
  * any .csv with the columns time_s, tip_x_mm, tip_y_mm, tip_z_mm; see palpate::readTrajectory.
@@ -96,7 +96,7 @@ private:
   double FrameRate = 25.0;
   bool WholePath = false;
 
-  std::unique_ptr<palpate::Trajectory> Known; ///< the last file read; only ticks with a tip
+  std::unique_ptr<palpate::Trajectory> Known; ///< content of the last file; only ticks with a tip
   std::string KnownFile;
   std::filesystem::file_time_type KnownTime; ///< modification time of the file
 };

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The man page and the bash completion of `palpate`, from what `palpate --help` says.
+"""Makes the man page and the bash completion of `palpate` from the output of `palpate --help`.
 
-describe_options.py PALPATE VERSION OUTPUT: leaves OUTPUT/palpate.1.gz and OUTPUT/palpate (the completion).
+describe_options.py PALPATE VERSION OUTPUT: writes OUTPUT/palpate.1.gz and OUTPUT/palpate (the completion).
 """
 
 import gzip
@@ -25,21 +25,21 @@ NAMES = re.compile(r"\s+((?:(?:-\w|--?!?[a-z][\w-]*)(?:\{\w+\})?,?\s*)+)(.*)")
 
 
 class Option:
-    """One option: its names, the type of its value ("" for a flag), its default, what it does."""
+    """One option: its names, the type of its value ("" for a flag), its default and its description."""
 
-    def __init__(self, names, told):
-        """told: what stands between names and description, "FLOAT:POSITIVE=2 Needs: --voxel"."""
+    def __init__(self, names, spec):
+        """spec: the text between names and description, for example "FLOAT:POSITIVE=2 Needs: --voxel"."""
         self.names = names
         self.text = ""
-        told, *self.excluded = re.split(r" *\bExcludes: ", told)
-        told, *self.needed = re.split(r" *\bNeeds: ", told)
-        # "=1" by CLI11 2.1, " [1]" by 2.4
-        told, *default = re.split(r"=| (?=\[[^\]]*\] ?$)(?<!in )", told.strip().removesuffix(" ..."), maxsplit=1)
-        self.type = told
+        spec, *self.excluded = re.split(r" *\bExcludes: ", spec)
+        spec, *self.needed = re.split(r" *\bNeeds: ", spec)
+        # CLI11 2.1 writes the default as "=1", CLI11 2.4 as " [1]".
+        spec, *default = re.split(r"=| (?=\[[^\]]*\] ?$)(?<!in )", spec.strip().removesuffix(" ..."), maxsplit=1)
+        self.type = spec
         self.default = default[0].strip("[] ") if default else ""
 
     def words(self):
-        """The values to choose from, if there are only some."""
+        """The possible values; empty if any value is possible."""
         listed = re.search(r"\{([^}]*)\}", self.type)
         for name in self.names:
             if name in WORDS:
@@ -50,7 +50,7 @@ class Option:
         return self.type.startswith(("FLOAT", "INT", "UINT"))
 
     def value(self):
-        """As the man page shows it."""
+        """The value in the form of the man page."""
         kind = self.type.removeprefix("TEXT:")
         if not self.type or re.fullmatch(r"[\w:|,]+", kind) and self.type.startswith("TEXT"):
             return kind
@@ -149,8 +149,8 @@ def completion(options):
 
 
 def main(program, version, output):
-    told = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
-    options, paragraphs = read_help(told)
+    text = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
+    options, paragraphs = read_help(text)
     if not options:
         sys.exit(f"{program} --help shows no options")
     os.makedirs(output, exist_ok=True)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by ./run: configures and builds, and shows how far that is.
+# ./run sources this file. It configures and builds, and shows the progress.
 
 is_ci()
 {
@@ -9,12 +9,12 @@ is_ci()
   esac
 }
 
-# Compiled through ccache, where it is installed: release and plain-vtk share the kernels, and a second
-# clone, whose paths do not count, waits for what is new in it only.
+# Sources are compiled through ccache if it is installed: release and plain-vtk share the kernels, and a second clone
+# compiles only what is new in it, since the hashes do not contain paths.
 export CCACHE_BASEDIR=$source_dir CCACHE_NOHASHDIR=1
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-# Whether the packages of a group are there, or cannot be asked about.
+# Whether the packages of a group are installed, or whether this cannot be determined.
 has_group()
 {
   is_debian_like || return 0
@@ -26,24 +26,25 @@ has_group()
 
 on_if() { if "$@"; then echo ON; else echo OFF; fi; }
 
-# What is built follows what is installed. None of it changes how anything is compiled, so that nothing is
-# compiled anew when more is installed. cmake_options PRESET
+# cmake_options PRESET: the options depend on the installed packages. They do not change how a source is compiled, so
+# that nothing is compiled again after more packages are installed.
 cmake_options()
 {
   echo "-DPALPATE_BUILD_PLUGIN=$(on_if has_group plugin)"
   echo "-DBUILD_TESTING=$(on_if has_group gtest)"
-  # In continuous integration the cache is empty, and to fill it takes a tenth of the time: there it is for the
-  # kernels alone, which release and plain-vtk share.
+  # In continuous integration the cache is empty, and filling it takes a tenth of the time. There it is used only for
+  # the kernels, which release and plain-vtk share.
   echo "-DPALPATE_CACHE_TESTS=$(is_ci && echo OFF || echo ON)"
-  # The thread sanitizer takes three minutes to compile the solids, for the tests of five files: these are among the long ones.
+  # With the thread sanitizer, compiling the solids takes three minutes for the tests of only five files. These tests
+  # are therefore among the long tests.
   [ "$1" != tsan ] || echo "-DPALPATE_TEST_THREADS_OF_SOLIDS=$(on_if is_long)"
   if have ccache && ! { is_ci && [[ $1 == [at]san ]]; }; then
     printf -- '-DCMAKE_%s_COMPILER_LAUNCHER=ccache\n' C CXX
   fi
 }
 
-# configure PRESET: only the first time, and when presets, options or installed packages have changed.
-# Changes of CMakeLists.txt are seen by ninja.
+# configure PRESET: configures the first time, and whenever presets, options or installed packages have changed. Ninja
+# notices changes of CMakeLists.txt.
 configure()
 {
   local preset=$1 options stamp=$build_dir/$1/configured-by-run log=$build_dir/$1/configure.log
@@ -62,7 +63,8 @@ configure()
   echo "${options[*]}" >"$stamp"
 }
 
-# The kernels of the release build, before VTK is there: the same commands as with it, so that nothing is compiled again.
+# Builds the kernels of the release build before VTK is installed. The commands are the same as with VTK, so that
+# nothing is compiled again.
 build_kernels()
 {
   local options
@@ -71,7 +73,7 @@ build_kernels()
     exec nice ninja -C "$release_dir" palpateLaws palpateHaptics
 }
 
-# Reads ninja's lines "[done/all] what" and shows how far it is and what is left.
+# Reads ninja's lines "[done/all] what" and shows the progress and the estimated remaining time.
 show_build()
 {
   local line start=$SECONDS finished all left
@@ -84,8 +86,8 @@ show_build()
   done
 }
 
-# build PRESET TARGETS [COMMAND]: with COMMAND, cmake runs under it. What the compiler says is shown where
-# it fails; in continuous integration a warning is a failure too.
+# build PRESET TARGETS [COMMAND]: with COMMAND, cmake runs under that command. The compiler's output is shown if it
+# fails; in continuous integration a warning is a failure, too.
 build()
 {
   local preset=$1 targets=$2 start=$SECONDS log=$build_dir/$1/build.log status
@@ -107,7 +109,8 @@ build()
   ((SECONDS - start < 3)) || done_with "built $preset in $(minutes $((SECONDS - start))) (log: $log)"
 }
 
-# What every job starts with: build_release JOB [ADDITION...]. All of this talks on the error stream: the output is the job's alone.
+# build_release JOB [ADDITION...]: the first step of every job. All its messages go to the error stream; the output
+# stream contains only the output of the job.
 build_release()
 {
   prepare_system "$@"

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by ./run: the benchmarks and the studies.
+# ./run sources this file. It runs the benchmarks and the studies.
 
 readonly bench_parts=(tick servo frame bridge probe filters touch parallel)
 
-# run_bench [PART] [ARGS]: without a part all of them; of the arguments then --benchmark_... are for the filters,
-# the rest for the tick.
+# run_bench [PART] [ARGS]: runs one part, or all parts. If all parts run, the arguments --benchmark_... are for the
+# filters and the others for the tick.
 run_bench()
 {
   local part=${1:-all} each argument tick=() filters=()
@@ -34,7 +34,7 @@ run_bench()
   done
 }
 
-# bench_part PART [ARGS]: results in build/bench, or in the programs' --output.
+# bench_part PART [ARGS]: runs one part. The results are in build/bench, or where --output of the programs says.
 bench_part()
 {
   local part=$1 results=$build_dir/bench
@@ -57,8 +57,8 @@ bench_part()
   esac
 }
 
-# bench_program Tick|Servo|Frame|Bridge [ARGS]: the frame is drawn off screen, for which OpenGL needs some
-# display; the servo thread is measured beside that too.
+# bench_program Tick|Servo|Frame|Bridge [ARGS]: the frame is drawn off screen, for which OpenGL needs a display. The
+# servo thread is also measured while frames are drawn.
 bench_program()
 {
   local program=$release_dir/bin/palpate$1Benchmark name=${1,} output display=()
@@ -98,7 +98,7 @@ run_study()
   mkdir -p "$output" || exit 1
   case $name in
     measured) [ $# -gt 0 ] || set -- "$source_dir/Data/Studies/calculix" "$output/predictions.csv" ;;
-    *) set -- --output "$output" "$@" ;; # one among the arguments wins
+    *) set -- --output "$output" "$@" ;; # an --output among the arguments takes precedence
   esac
   run_host /usr/bin/python3 "$source_dir/Testing/Studies/$name/run.py" "$@"
 }

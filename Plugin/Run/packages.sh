@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by ./run: which packages of Debian each job needs, and how they come onto a machine.
+# ./run sources this file. It defines which packages of Debian each job needs, and installs them.
 
-# Groups of packages, as Debian calls them; of A|B the first goes with Qt 5, the second with Qt 6.
-# ParaView's CMake package does not depend on all that it looks for: vtk lists what its VTK wants for the
-# viewer and Python, plugin what the rest of it wants (tried out on bare systems).
+# Groups of packages, by Debian's names. In A|B the first is for Qt 5, the second for Qt 6. ParaView's CMake package
+# does not depend on all packages that it looks for: the group vtk lists those that its VTK needs for the viewer and
+# Python, the group plugin those that the rest needs (found by trial on bare systems).
 declare -rA packages=(
   [core]='g++ cmake ninja-build libeigen3-dev libcli11-dev ccache'
   [devices]='libhidapi-dev'
@@ -33,7 +33,8 @@ declare -rA packages=(
   [docs]='doxygen graphviz'
 )
 
-# job: groups of packages : targets of the release build. The jobs demo-… are additions to a demo, for the modules that it uses.
+# For each job: groups of packages, a colon, and targets of the release build. The jobs demo-… are additions to a demo,
+# for the modules that the demo uses.
 declare -rA needs=(
   [demo]='core vtk head display:palpate'
   [demo-solid]='elements mesher:palpateViewerSolids palpateMesher'
@@ -62,7 +63,7 @@ declare -rA needs=(
   [build]='core devices elements mesher vtk python plugin tests head display benchmarks style pictures:all palpateLong'
 )
 
-# What a job can do without, and what is lost then; all else it needs.
+# Packages that a job can do without, and what is lost without them. A job needs all other packages.
 declare -rA optional_packages=(
   [xvfb]="no virtual display: pictures need a running X server"
   [xauth]="no virtual display: pictures need a running X server"
@@ -124,7 +125,7 @@ may_install()
   [ -z "${PALPATE_NO_INSTALL:-}" ] && { [ "$(id -u)" -eq 0 ] || have sudo; }
 }
 
-# apt-get with an answer to every question; never removes a package that is in the way.
+# Runs apt-get without questions. A conflicting package is never removed.
 readonly apt_log=$build_dir/apt.log
 apt()
 {
@@ -132,7 +133,7 @@ apt()
     </dev/null >>"$apt_log" 2>&1
 }
 
-# install_packages PACKAGE...: with progress as apt tells it ("pmstatus:package:percent:what").
+# install_packages PACKAGE...: shows the progress that apt reports ("pmstatus:package:percent:what").
 install_packages()
 {
   local kind what percent text status
@@ -148,7 +149,7 @@ install_packages()
   return "${status:-1}"
 }
 
-# If one optional package is not to be had, the others still are.
+# If one optional package is not available, the others are still installed.
 install_optional()
 {
   install_packages "$@" && return
@@ -158,14 +159,14 @@ install_optional()
   done
 }
 
-# choose A|B: A goes with Qt 5, B with Qt 6; a package alone with both. By the caller's depends_of_paraview.
+# choose A|B: A is for Qt 5, B for Qt 6, a single package for both. The caller's depends_of_paraview decides.
 choose()
 {
   if [[ $1 == *'|'* && $depends_of_paraview == *libqt6core* ]]; then echo "${1#*|}"; else echo "${1%%|*}"; fi
 }
 
-# unmet GROUP...: the packages of groups that are missing, one per line; of alternatives ('A|B') all, if none
-# of them is installed.
+# unmet GROUP...: the packages of groups that are missing, one per line. If none of several alternatives ('A|B') is
+# installed, all of them are listed.
 unmet()
 {
   local group entries=() missing entry package
@@ -195,7 +196,7 @@ targets_of()
   for job in "$@"; do echo "${needs[$job]#*:}"; done
 }
 
-# Sorts what jobs lack into the caller's missing_needed and missing_optional.
+# Sorts the packages that jobs lack into the caller's missing_needed and missing_optional.
 find_missing()
 {
   missing_needed=() missing_optional=()
@@ -209,7 +210,7 @@ find_missing()
   done < <(unmet $(groups_of "$@"))
 }
 
-# install_missing JOB...: what find_missing found.
+# install_missing JOB...: installs the packages that find_missing found.
 install_missing()
 {
   local start=$SECONDS entry needed=() optional=() depends_of_paraview
@@ -218,7 +219,7 @@ install_missing()
   apt update || say "apt-get update failed (see $apt_log); going on with the lists there are"
   depends_of_paraview=$(apt-cache depends paraview 2>/dev/null)
   for entry in "${missing_needed[@]}"; do needed+=("$(choose "$entry")"); done
-  # Since 6 it is built on the system's VTK, whose headers paraview-dev does not bring.
+  # Since version 6 ParaView is built on the system's VTK, whose headers paraview-dev does not install.
   if [[ $depends_of_paraview == *'Depends: libvtk9'* ]]; then
     needed+=(libvtk9-dev)
     [[ $(groups_of "$@") != *plugin* ]] || needed+=(libvtk9-qt-dev)
@@ -228,7 +229,8 @@ install_missing()
     if apt-cache show "$entry" >/dev/null 2>&1; then optional+=("$entry"); fi
   done
   compile_meanwhile
-  # At once, since each call costs seconds; one by one where one of them cannot be had.
+  # All packages are installed in one call, since each call takes seconds. If a package is not available, they are
+  # installed one by one.
   install_packages "${needed[@]}" "${optional[@]}" || {
     [ ${#needed[@]} -eq 0 ] || install_packages "${needed[@]}" || tail -n 5 "$apt_log" >&2
     [ ${#optional[@]} -eq 0 ] || install_optional "${optional[@]}"
@@ -246,17 +248,17 @@ compile_meanwhile()
   local first=()
   mapfile -t first < <(unmet core)
   [[ " ${first[*]} " == *' g++ '* ]] || return 0
-  install_packages "${first[@]}" || return 0 # they are tried again with the rest
+  install_packages "${first[@]}" || return 0 # these packages are tried again with the rest
   build_kernels >"$build_dir/kernels.log" 2>&1 &
   kernels_process=$!
-  trap 'kill "$kernels_process" 2>/dev/null' EXIT # no second build in the same folder after an interrupt
+  trap 'kill "$kernels_process" 2>/dev/null' EXIT # prevents a second build in the same folder after an interrupt
 }
 
 finish_kernels()
 {
   [ -n "$kernels_process" ] || return 0
   progress "compiling what needs no VTK (log: $build_dir/kernels.log)"
-  wait "$kernels_process" # what failed is built again, and shown then
+  wait "$kernels_process" # a failed part is built again later, and its errors are shown then
   kernels_process=
   trap - EXIT
 }
@@ -273,7 +275,7 @@ report_missing()
   say "  apt-get install --no-install-recommends ${missing_needed[*]//|*/}"
 }
 
-# Another system: the names are hints; CMake says what it does not find.
+# For another system: the names are hints, and CMake reports what it does not find.
 list_packages()
 {
   say "this system has no apt: nothing is installed. The build needs, by Debian's names:"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by ./run: builds and runs the suites of tests, and adds up what came out.
+# ./run sources this file. It builds and runs the suites of tests, and sums up the results.
 
-# Plain VTK conflicts with ParaView's packages: its own are unpacked beside the build, not installed.
+# Plain VTK conflicts with ParaView's packages, so its packages are not installed but unpacked in a folder of the build.
 readonly plain_vtk=$build_dir/vtk
 
 prepare_plain_vtk()
@@ -24,7 +24,8 @@ prepare_plain_vtk()
   rm -r "$folder/packages" && touch "$folder/complete" && mv "$folder" "$plain_vtk"
 }
 
-# download_packages FOLDER PACKAGES: again with new lists, should these be too old.
+# download_packages FOLDER PACKAGES: if the lists of packages are too old, they are updated and the download is
+# repeated.
 download_packages()
 {
   local folder=$1
@@ -33,8 +34,8 @@ download_packages()
     { apt update && (cd "$folder" && apt-get -qq download "$@" >&2); }
 }
 
-# A kernel for the emulated machine that plugs HID devices: of its package the kernel and the modules for
-# HID, unpacked. The newest there is; for which CPUs the modules are, boot.sh judges.
+# A kernel for the emulated machine that plugs in HID devices. The kernel and the modules for HID are unpacked from the
+# newest package; boot.sh checks for which CPUs the modules are.
 readonly kernel_dir=$build_dir/kernel
 
 prepare_kernel()
@@ -53,13 +54,13 @@ prepare_kernel()
   rm -r "$folder/packages" && touch "$folder/complete" && mv "$folder" "$kernel_dir"
 }
 
-# The thread sanitizer of g++ 12 gives up where the kernel shuffles addresses more than it expects.
+# The thread sanitizer of g++ 12 fails if the kernel randomises addresses more than the sanitizer expects.
 tsan_launcher()
 {
   if setarch -R true 2>/dev/null; then echo setarch -R; fi
 }
 
-# What the suite plain-vtk runs needs no other program; its tests in C++ are among the long ones there.
+# The suite plain-vtk needs no other program; its tests in C++ are among the long tests.
 suite_targets()
 {
   case $1 in
@@ -80,7 +81,7 @@ run_suite()
   printf '\n=== %s\n' "$preset"
   if [ "$preset" = plain-vtk ] && ! prepare_plain_vtk; then
     add_row "$preset" 'not run' - - 0 0
-    ! is_ci # in CI all of it has to be there
+    ! is_ci # in CI all suites must be possible
     return
   fi
   if ! build "$preset" "$(suite_targets "$preset")" "${launcher[@]}"; then
@@ -108,14 +109,14 @@ run_suite()
   return $status
 }
 
-# The times that ctest adds up per label, of processors, as rows "suite label seconds tests".
+# The processor times that ctest sums up per label, as rows "suite label seconds tests".
 label_times()
 {
   sed -n '/^Label Time Summary/,/^$/p' "$2" |
     sed -nE "s|^(\S+) +=  *([0-9]+)[0-9.]* sec\*proc *\(([0-9]+) test.*|$1 \1 \2 \3|p"
 }
 
-# The sources against the headers of Debian 13: a row of the table, as a suite with one test.
+# Checks the sources against the headers of Debian 13; adds a row to the table, as a suite with one test.
 check_trixie()
 {
   local log=$build_dir/trixie.log start=$SECONDS status
@@ -123,7 +124,7 @@ check_trixie()
   "$source_dir/Testing/Systems/check_trixie.sh" 2>&1 | tee "$log"
   status=${PIPESTATUS[0]}
   if [ "$status" -eq 77 ]; then
-    add_row trixie 'not run' - - 0 0 # without Debian 13's packages, which not every network has
+    add_row trixie 'not run' - - 0 0 # Debian 13's packages are missing; not every network has them
     return 0
   fi
   total_run=$((total_run + 1))
@@ -134,7 +135,7 @@ check_trixie()
 # The file in which ctest leaves "number:name" of each test that failed.
 failed_tests() { echo "$build_dir/$1/Testing/Temporary/LastTestsFailed.log"; }
 
-# show_failures PRESET: which tests failed, and the end of what each of them printed.
+# show_failures PRESET: shows the tests that failed, and the end of the output of each.
 show_failures()
 {
   local list name
@@ -160,7 +161,7 @@ read_log()
 
 add_row() { table+=("$(printf '%-9s %9s %7s %8s %8s s %7s s' "$@")"); }
 
-# Whether the long tests are asked for.
+# Whether the long tests are requested.
 long_tests=
 is_long() { [ -n "$long_tests" ]; }
 
@@ -178,7 +179,7 @@ run_test()
   rm -f "$build_dir/trixie.log"
   local failed=0 preset total_run=0 total_skipped=0 table=() labels=()
   local tests_run tests_failed tests_skipped
-  ! is_long || prepare_kernel || ! is_ci || failed=1 # in CI all of it has to be there
+  ! is_long || prepare_kernel || ! is_ci || failed=1 # in CI all suites must be possible
   for preset in "${suites[@]}"; do
     run_suite "$preset" "$@" || failed=1
   done

@@ -66,8 +66,8 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
   return body;
 }
 
-/// The flat file format stores a body with a response. The response does not matter here. Its
-/// validity, a length per point, stores the thickness of the layer.
+/// Stores a body in the flat file format, which requires a response. The response itself is not
+/// used. Its validity, a length per point, holds the thickness of the layer.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   const std::string unmade = makeCacheFolder(file);

@@ -9,18 +9,19 @@
 namespace palpate
 {
 /// Path of the file for `key` in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate), named
-/// `kind`-HASH`ending`; "" if no cache folder is possible. The version is part of the key.
+/// `kind`-HASH`ending`; "" if no cache folder is possible. The program's version is part of the
+/// hashed key.
 std::string cachePlace(const std::string& kind, const std::string& key, const std::string& ending);
 
-/// Makes the folder of such a file. Returns "" or an error.
+/// Makes the folder of a cache file. Returns "" or an error.
 std::string makeCacheFolder(const std::string& file);
 
 /**
- * readBodyFile with a cache, for scans, whose skin takes seconds to compute. The cache is a flat
- * body file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate). Its name depends on the path, size
- * and modification time of the scan and on the options. The body has the same bits with and without
- * the cache, including LayerThickness. A cache that cannot be read or written is not an error; a
- * note reports it.
+ * Reads a body file as readBodyFile does, but with a cache, for scans, whose skin takes seconds to
+ * compute. The cache is a flat body file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate). Its name
+ * depends on the path, size and modification time of the scan and on the options. The body has the
+ * same bits with and without the cache, including LayerThickness. A cache that cannot be read or
+ * written is not an error; a note reports it.
  */
 BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options);
 } // namespace palpate

@@ -114,7 +114,7 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
   vtkNew<vtkBodySurface> surface;
   surface->SetInputData(content);
   surface->SetLengthScale(options.lengthScale);
-  surface->AskAboutSizeOff(); // asked below, with the name of the option
+  surface->AskAboutSizeOff(); // the question is asked below, with the name of the option
   surface->Update();
   if (complaints->hasFailed())
   {

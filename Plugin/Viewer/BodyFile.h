@@ -2,10 +2,10 @@
 /**
  * Reads the body of the command line, of any kind, as a surface for contact.
  *
- * .palpate: a body with its response, as written by --export; in mm already. .vtp .stl .ply .obj
- * .vtk: surfaces; .vtu .vtk: volume meshes. For their conversion see vtkBodySurface. .vti .vtk .nii
- * .nii.gz: scans. Their outer skin is used, see vtkSkinSurface. If a base value is given, the skin
- * has the array LayerThickness (mm), see vtkLayerThickness.
+ * .palpate is a body with its response in mm, as written by --export. .vtp .stl .ply .obj .vtk are
+ * surfaces, and .vtu .vtk volume meshes; vtkBodySurface converts them. .vti .vtk .nii .nii.gz are
+ * scans; vtkSkinSurface finds their outer skin. If a base value is given, the skin has the array
+ * LayerThickness (mm), see vtkLayerThickness.
  *
  * The body is in millimetres. A NIfTI scan is positioned by its header. A valid .vtp or .vtk of
  * triangles is unchanged, with all its arrays.
@@ -24,10 +24,10 @@ namespace palpate
 {
 struct BodyFileOptions
 {
-  double lengthScale = 1.0;        // mm per unit of length of the file
-  double resolution = 0.0;         // for a scan, mm; 0: its own resolution
+  double lengthScale = 1.0; // mm per unit of length of the file
+  double resolution = 0.0;  // for a scan: resolution of the skin, mm; 0: the scan's own resolution
   double contourValue = 30.0;      // for a scan: grey level of the skin
-  double closingRadius = 6.0;      // for a scan, mm: openings of up to twice this size are closed
+  double closingRadius = 6.0;      // for a scan: openings up to twice this size are closed, mm
   std::optional<double> baseValue; // for a scan: grey level below which it is bone
 };
 
@@ -35,7 +35,7 @@ struct BodyFileResult
 {
   vtkSmartPointer<vtkPolyData> body; // triangles only; null after an error
   std::vector<std::string> notes;    // changes to the content of the file, one sentence each
-  std::string error;                 // names the file; "" on success
+  std::string error;                 // an error that names the file; "" on success
 };
 
 /// Reads `path`. Never throws. Messages of the readers go into the error, not to the console: VTK's

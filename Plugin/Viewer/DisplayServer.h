@@ -12,8 +12,8 @@ namespace palpate
 std::string displayProblem();
 
 /// After this call, the process ends with a message and exit code 1 when it loses its X server.
-/// Xlib does not allow a return from this error, so no destructor runs. Actions that are needed
-/// nevertheless are given to AtDisplayLoss.
+/// Xlib does not allow a return from this error, so no destructor runs. Actions that must run in
+/// this case are registered with AtDisplayLoss.
 void endWithDisplay();
 
 /// Registers, during its lifetime, an action for the loss of the X server: release the hand, save

@@ -10,7 +10,7 @@ namespace
 {
 volatile std::sig_atomic_t Came = 0;
 
-void note(int /*signal*/)
+void recordSignal(int /*signal*/)
 {
   Came = 1;
 }
@@ -37,7 +37,7 @@ void handle(void (*handler)(int))
 EndSignals::EndSignals()
 {
   Came = 0;
-  handle(note);
+  handle(recordSignal);
 }
 
 EndSignals::~EndSignals()

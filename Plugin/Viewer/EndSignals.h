@@ -15,7 +15,7 @@ public:
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  /// True if a signal has arrived.
+  /// Whether a signal has arrived.
   bool any() const noexcept;
 };
 } // namespace palpate

@@ -10,8 +10,8 @@ class vtkObject;
 
 namespace palpate
 {
-/// The actions of a window on events of its objects. This object must outlive them, or their last
-/// event.
+/// The actions of a window on events of its objects. This object must outlive the other objects, or
+/// at least their last event.
 class EventActions
 {
 public:

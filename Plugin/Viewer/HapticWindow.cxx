@@ -27,9 +27,9 @@ constexpr double PanelWidth = 256.0;  // pixels
 constexpr double LargestPanelShare = 0.4;
 constexpr double ChartShare = 0.28; // fraction of the height
 
-/// The force (N) that 90 % of the points do not exceed at this depth (mm), for the tool with the
-/// largest such force. Returns 1 if the curves are stored in the compact form. (The maximum would
-/// be the force of the thinnest spot.)
+/// Returns the force (N) that is not exceeded at 90 % of the points at this depth (mm), for the
+/// tool with the largest such force. (The maximum over all points would be the force of the
+/// thinnest spot.) Returns 1 if the curves are stored in the compact form.
 double usualForce(const ResponseSet& responses, double depth)
 {
   double usual = 0.0;
@@ -87,8 +87,8 @@ HapticWindow::HapticWindow(
   , Responses(responses)
   , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel may press deeper
 {
-  this->Window->SetMultiSamples(0); // multisampling is three times slower without a graphics card;
-                                    // FXAA is not slower
+  // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
+  this->Window->SetMultiSamples(0);
   this->Renderer->UseFXAAOn();
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
@@ -139,7 +139,7 @@ void HapticWindow::showHelp(const std::string& text)
 {
   this->HelpText = text;
   this->placeHelp();
-  this->Renderer->AddViewProp(this->Help); // a prop is not added twice
+  this->Renderer->AddViewProp(this->Help); // a repeated call has no effect
 }
 
 /// Moves the help one line lower while the hint is shown. The hint disappears once the wheel has

@@ -39,15 +39,16 @@ public:
   HapticWindow(
     const ViewerOptions& options, const ViewerScene& scene, const ResponseSet& responses);
 
-  /// Adds a panel on the right that changes the setup, and charts below. Call before open().
+  /// Adds a panel on the right that changes the setup, and charts below. Must be called before
+  /// open().
   void usePanel(vtkContactSetup* setup);
   /// Shows lines of text at the top of the window, replacing the previous ones.
   void showHelp(const std::string& text);
   /// Shows the body with the tool above the first site of the scene, and prints this site.
   void open();
   /// Runs until the window is closed or a signal ends it. Then writes, if requested, the last
-  /// picture and the record (also a record begun by key), and prints a summary. If the X server is
-  /// lost, all of this is done except the picture. Returns "" or an error.
+  /// picture and the record (also a record that was started by a key), and prints a summary. If the
+  /// X server is lost, all of this is done except the picture. Returns "" or an error.
   std::string run();
 
   /// Sets the action for the choice of another tool in the panel. Tools are numbered from 0.
@@ -73,7 +74,7 @@ private:
   const ViewerOptions& Options;
   const ViewerScene& Scene;
   const ResponseSet& Responses;
-  double LargestForce;                        ///< N, for the scale of arrows and charts
+  double LargestForce; ///< largest force for the scale of arrows and charts, N
   std::vector<double> StrongestForces{ 0.0 }; ///< largest ideal force in any frame, for each hand,
                                               ///< N
   vtkNew<vtkRenderer> Renderer;
@@ -94,7 +95,7 @@ private:
   bool HasPanel = false;
   EventActions Actions;
   EndSignals Signals;
-  AtDisplayLoss LetGo{ [this] { return this->end(); } };
+  AtDisplayLoss ReleaseAtLoss{ [this] { return this->end(); } };
 };
 } // namespace palpate
 

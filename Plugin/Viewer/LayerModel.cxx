@@ -44,7 +44,7 @@ vtkDataArray* scannedThickness(const ViewerScene& scene)
 }
 /// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and
 /// LayerThickness1. Where the scan shows no bone, bone is assumed at the maximum depth of the
-/// search. The layer of given thickness takes at most half of the tissue.
+/// search. The layer of given thickness gets at most half of the tissue.
 void splitTissue(ViewerScene& scene)
 {
   vtkDataArray* tissue = scannedThickness(scene);
@@ -153,7 +153,8 @@ double thicknessAt(const ViewerScene& scene, vtkIdType point)
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene)
 {
   const bool other =
-    options.voxel > 0.0 || options.solid || !options.measured.empty(); // defines the layers
+    // These options define the layers.
+    options.voxel > 0.0 || options.solid || !options.measured.empty();
   const bool wanted = options.layer.value_or(other ? LayerChoice{} : ofScene).scanned;
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;
 }

@@ -10,14 +10,14 @@
 
 namespace palpate
 {
-/// The grey level below which a scan is bone, if --layer, or else the scene, requests the thickness
-/// of its soft tissue.
+/// The grey level below which a scan is bone. It is set if --layer or, without --layer, the scene
+/// requests the thickness of the soft tissue.
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene);
 
 /// Chooses the layers under the surface of a scene that has its body: those of --layer, otherwise
 /// those of the scene. There are no layers if another option defines the body below the surface.
-/// Adds the choice to the reason of the model. Returns "", or an error if a scan is requested but
-/// there is none.
+/// Adds the choice to the reason of the model. Returns "", or an error if the thickness from a scan
+/// is requested but the body is not from a scan.
 std::string chooseLayer(const ViewerOptions& options, ViewerScene& scene);
 
 /// Source of the numbers of a stack, for the summary.

@@ -18,7 +18,7 @@ int modelOf(const ViewerScene& scene)
     ? vtkContactSetup::Layer
     : vtkContactSetup::HalfSpace;
 }
-/// Gives the setup the layers. The material of the top layer is that of the scene.
+/// Sets the layers in the setup. The material of the top layer is that of the scene.
 void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
 {
   const LayerStack& stack = layer.stack;

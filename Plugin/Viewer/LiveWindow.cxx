@@ -13,18 +13,18 @@ namespace
 {
 const char* const Help = "? or h: keys and mouse";
 
-void tell(const ResponseSet& responses, int tool)
+void report(const ResponseSet& responses, int tool)
 {
   const std::string name = responses.tools[static_cast<std::size_t>(tool)]->GetDescription();
   std::printf("tool: %s\n", name.c_str());
   std::fflush(stdout);
 }
 
-/// Prints the form of the present response and the reason for it, whenever the form changes.
-class ToldChoice
+/// Prints the form of the present response and the reason for this form, whenever the form changes.
+class ChoiceReport
 {
 public:
-  ToldChoice(HapticWindow& live, vtkContactSetup* setup)
+  ChoiceReport(HapticWindow& live, vtkContactSetup* setup)
     : Live(live)
     , Setup(setup)
   {
@@ -34,11 +34,11 @@ public:
   {
     const std::string reason = this->Setup->GetChoice(this->Setup->GetChosenTool());
     const std::string inShort = reason.substr(0, reason.find(';'));
-    if (inShort == this->Told)
+    if (inShort == this->Reported)
     {
       return;
     }
-    this->Told = inShort;
+    this->Reported = inShort;
     this->Live.showHelp(Help + ("\n" + inShort));
     std::printf("choice: %s\n", reason.c_str());
     std::fflush(stdout);
@@ -47,7 +47,7 @@ public:
 private:
   HapticWindow& Live;
   vtkContactSetup* Setup;
-  std::string Told;
+  std::string Reported;
 };
 } // namespace
 
@@ -75,9 +75,9 @@ std::string runLive(const ViewerOptions& options, const ViewerScene& scene)
   placeDevice(scene, responses, live.session());
   live.showHelp(Help);
   live.usePanel(setup);
-  ToldChoice choice(live, setup);
+  ChoiceReport choice(live, setup);
   live.onFrame([&choice] { choice.update(); });
-  live.onTool([&responses](int tool) { tell(responses, tool); });
+  live.onTool([&responses](int tool) { report(responses, tool); });
   live.open();
   error = startQuietly(live.session());
   if (!error.empty())
@@ -85,7 +85,7 @@ std::string runLive(const ViewerOptions& options, const ViewerScene& scene)
     return error;
   }
   choice.update();
-  tell(responses, 0);
+  report(responses, 0);
   return live.run();
 }
 } // namespace palpate

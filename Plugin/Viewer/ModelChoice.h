@@ -20,9 +20,10 @@ struct ModelChoice
 };
 
 /**
- * Chooses by --auto and --tolerance, at the depth of the scene. With --no-auto the body is
- * unchanged. A point force is considered if the body has a global compliance (--voxel), but not for
- * half-spaces and layers. The responses themselves are kept for pictures, files and other tools.
+ * Chooses the model according to --auto and --tolerance, at the depth of the scene. With --no-auto
+ * the body is unchanged. A point force is considered if the body has a global compliance (--voxel),
+ * but not for half-spaces and layers. The responses themselves are kept for pictures, files and
+ * other tools.
  *
  * Returns "" or an error.
  */

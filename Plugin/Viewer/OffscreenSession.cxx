@@ -284,7 +284,7 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   PicturedMoment moment;
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
-  moment.largestForce = 1e-9; // N: an arrow needs a scale, also without contact
+  moment.largestForce = 1e-9; // N; the arrow needs a scale even without contact
   for (const Tick& tick : ticks)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());

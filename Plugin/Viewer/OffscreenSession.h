@@ -10,11 +10,11 @@
 namespace palpate
 {
 /**
- * The session without a window. Makes the responses of all tools, and moves the simulated device
- * along the path of the scene in virtual time. Then writes overview.png, deflection.png,
- * curves.png, trajectory.csv, and a summary on the output stream. A scene with several tools side
- * by side also gives tools.png; layers from a scan also give thickness.png. The files are the same
- * in every run. In the summary, only the lines of time and memory differ.
+ * Runs the session without a window. Makes the responses of all tools, and moves the simulated
+ * device along the path of the scene in virtual time. Then writes overview.png, deflection.png,
+ * curves.png, trajectory.csv, and a summary on the output stream. It also writes tools.png for a
+ * scene with several tools side by side, and thickness.png for layers from a scan. The files are
+ * the same in every run. In the summary, only the lines of time and memory differ.
  *
  * Returns "" or an error.
  */

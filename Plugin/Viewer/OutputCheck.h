@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Returns "", or the reason why a file cannot be written at the end of the session. To be called
+/// Returns "", or the reason why a file cannot be written at the end of the session. Must be called
 /// before the start. The output folder is not checked, since it is created when needed.
 std::string outputProblem(const ViewerOptions& options);
 } // namespace palpate

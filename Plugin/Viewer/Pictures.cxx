@@ -71,7 +71,7 @@ struct View
 };
 
 /// A view with the tool upright, from slightly above the surface, on the side of `viewFrom`.
-View besideTheTool(const PicturedMoment& moment, const Direction& viewFrom)
+View viewOfTool(const PicturedMoment& moment, const Direction& viewFrom)
 {
   View view{};
   moment.recording->GetPointData()->GetArray("Normal")->GetTuple(moment.tick, view.up.data());
@@ -135,7 +135,7 @@ std::string drawContact(const std::string& closeUp, const std::string& overview,
   auto shown = stage.addScene(
     scene, responses.body, responses.tools.front(), moment, moment.largestForce, 0.0, 1.0);
   shown->ShowTip(moment.recording, moment.tick);
-  const View view = besideTheTool(moment, scene.viewFrom);
+  const View view = viewOfTool(moment, scene.viewFrom);
   shown->LookAtContact(CloseUpDistance, view.from.data(), view.up.data());
   const std::string error = writePicture(stage.window, closeUp);
   if (!error.empty())

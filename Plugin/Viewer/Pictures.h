@@ -34,19 +34,19 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 // Each function draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG.
 // Returns "" or an error that names the file.
 
-/// The content of a window.
+/// Writes the content of a window.
 std::string writePicture(vtkRenderWindow* window, const std::string& file);
 
-/// Two pictures of body, tool, force arrow and deflection field: from close up, and of the whole
+/// Draws two pictures of body, tool, force arrow and deflection field: a close-up, and the whole
 /// body with the trail.
 std::string drawContact(const std::string& closeUp, const std::string& overview,
   const ViewerScene& scene, const ResponseSet& responses, const PicturedMoment& moment);
 
-/// All tools at the tip of the tick, side by side on copies of the body.
+/// Draws all tools at the tip of the tick, side by side on copies of the body.
 std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
-/// Force over deflection of all tools at the point of the body nearest to the contact.
+/// Draws force over deflection of all tools at the point of the body nearest to the contact.
 std::string drawCurves(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 } // namespace palpate

@@ -215,7 +215,7 @@ std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& s
 {
   if (!options.save.empty())
   {
-    return {}; // all are attached
+    return {}; // all responses are attached
   }
   vtkNew<vtkUnsignedCharArray> pressed;
   pressed->SetNumberOfValues(responses.body->GetNumberOfPoints());

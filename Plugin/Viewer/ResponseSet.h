@@ -41,8 +41,8 @@ struct ContactLaw
 /// The law of the scene.
 ContactLaw lawOf(const ViewerScene& scene);
 
-/// The law for the functions of Filters/Laws: constants, and the arrays of the body that override
-/// them.
+/// The law in the form of Filters/Laws: constants, and the arrays of the body that override the
+/// constants.
 BodyMaterial::Constants materialOf(const ContactLaw& law);
 MaterialArrays arraysOf(const ContactLaw& law, const ViewerScene& scene, vtkPolyData* body);
 
@@ -58,7 +58,8 @@ std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
 std::string prepareResponses(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 
-/// The same for the first tool only, unless --save needs all. All tools are checked.
+/// As prepareResponses, for the first tool only, unless --save needs all tools. All tools are
+/// checked.
 std::string prepareFirstResponse(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 

@@ -24,8 +24,8 @@ struct TouchSite
   std::array<double, 3> above(double height) const;
 };
 
-/// The first site of the scene: the outermost vertex within two degrees of its first direction from
-/// the centre.
+/// The first site of the scene: the outermost vertex within two degrees of the scene's first
+/// direction from the centre.
 TouchSite firstSite(const ViewerScene& scene, vtkPolyData* bodyWithResponse);
 
 /// Unit directions to the right and upward in the picture of a scene.

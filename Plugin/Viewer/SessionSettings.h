@@ -12,15 +12,15 @@ class vtkHapticSession;
 
 namespace palpate
 {
-/// Gives the session the contact settings of the options, and the scene's Poisson's ratio.
+/// Sets the contact settings of the options, and the scene's Poisson's ratio, in the session.
 void chooseContact(
   const ViewerOptions& options, const ViewerScene& scene, vtkHapticSession* session);
 
-/// Gives the session the device of the options. Returns an error, or "".
+/// Opens the device of the options for the session. Returns an error, or "".
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
 
-/// Also sets one force factor for all responses, so that the ratios of their forces are kept.
-/// Returns "" or an error.
+/// Opens the device as openDevice, and sets one force factor for all responses, so that the ratios
+/// of their forces are kept. Returns "" or an error.
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
 

@@ -17,7 +17,7 @@ namespace palpate
 vtkSmartPointer<vtkPolyData> readSolved(
   const std::string& file, const std::vector<std::string>& pointArrays);
 
-/// Writes the body to the cache. No effect if `file` is empty. Returns "" or an error.
+/// Writes the body to the cache. Has no effect if `file` is empty. Returns "" or an error.
 std::string keepSolved(vtkPolyData* body, const std::string& file);
 
 /// Part of a cache key: material, tools, depth and tolerance of a scene's responses.

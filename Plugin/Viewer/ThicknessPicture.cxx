@@ -38,12 +38,12 @@ constexpr double HeadZoom = 1.45;
 
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
-// From thin to thick: viridis, whose lightness increases monotonically.
+// Colours from thin to thick: viridis, whose lightness increases monotonically.
 constexpr std::array<Color, 5> Scale = { { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
   { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } } };
 
 /// The thickness at points with a layer; NaN at other points.
-vtkSmartPointer<vtkFloatArray> whereFound(vtkDataArray* thickness)
+vtkSmartPointer<vtkFloatArray> knownThickness(vtkDataArray* thickness)
 {
   auto found = vtkSmartPointer<vtkFloatArray>::New();
   found->SetName("Shown");
@@ -121,7 +121,7 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
 std::string drawThickness(const std::string& file, const ViewerScene& scene)
 {
   const vtkSmartPointer<vtkFloatArray> found =
-    whereFound(scene.body->GetPointData()->GetArray("LayerThickness"));
+    knownThickness(scene.body->GetPointData()->GetArray("LayerThickness"));
   const vtkSmartPointer<vtkLookupTable> colors = makeColors(found);
   vtkNew<vtkPolyData> shown;
   shown->ShallowCopy(scene.body);

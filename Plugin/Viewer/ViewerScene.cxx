@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// --voxel, --solid: makes a solid of the surface of the scene.
+/// For --voxel and --solid: makes a solid of the surface of the scene.
 std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored)
@@ -42,7 +42,7 @@ std::string makePhantom(const ViewerOptions& options, ViewerScene& scene)
   return solids ? solids->pressPhantom(options, scene) : fault;
 }
 
-/// --measured: makes the responses from curves measured on the body.
+/// For --measured: makes the responses from curves measured on the body.
 std::string identifyBody(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string fault;

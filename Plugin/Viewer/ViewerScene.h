@@ -21,18 +21,19 @@ struct ViewerScene
 {
   std::string title;
   vtkSmartPointer<vtkPolyData> body;
-  std::vector<std::string> notes; ///< how the body was made, one sentence each
+  std::vector<std::string> notes; ///< description of how the body was made, one sentence each
   double youngsModulus = 0.05;
   double poissonsRatio = 0.45;
   LawTerms terms;         ///< terms of the law: strain, curvature, error
-  PronySeries relaxation; ///< of the body
-  bool stored = false;    ///< the body has the response "Response" already, to be used unchanged
-  /// The responses are stored. The body also has the responses without its nodules, and the changes
-  /// of the force by the nodules.
+  PronySeries relaxation; ///< relaxation of the body
+  bool stored = false;    ///< whether the body has the response "Response" already, which is used
+                          ///< unchanged
+  /// Whether the body has nodules. It then also stores the responses without the nodules, and the
+  /// changes of the force by the nodules.
   bool nodules = false;
   std::string materialSource;
-  LayerChoice layer;       ///< if scanned: the body has the array LayerThickness, for a stack
-                           ///< LayerThickness0 and LayerThickness1
+  LayerChoice layer; ///< if it is scanned, the body has the array LayerThickness or, for a stack,
+                     ///< LayerThickness0 and LayerThickness1
   std::string modelReason; ///< reason for this law, and its range of validity
   std::vector<std::string> tools;
   double depth = 1.0;
@@ -41,16 +42,17 @@ struct ViewerScene
   double pictureAt = 0.5;            ///< fraction of the slide at which the pictures are taken
   Direction viewFrom{ 0.0, -1.0, 0.4 };
   Direction up{ 0.0, 0.0, 1.0 };
-  vtkSmartPointer<vtkTable> readings; ///< for --measured: port 2 of vtkMeasuredContactResponse
+  vtkSmartPointer<vtkTable> readings; ///< for --measured: the readings, port 2 of
+                                      ///< vtkMeasuredContactResponse
   std::string readSite;               ///< the site whose readings are shown
-  bool solid = false;                 ///< the body has the compliance of --voxel
-  bool sideBySide = false;            ///< one picture shows all tools
+  bool solid = false;                 ///< whether the body has the compliance of --voxel
+  bool sideBySide = false;            ///< whether one picture shows all tools
 };
 
 /// Makes the scene for the options. Returns "", or an error that names the missing or wrong option.
 std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene);
 
-// One function per kind of scene; makeViewerScene chooses.
+// There is one function per kind of scene; makeViewerScene calls one of them.
 std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makeCylinderScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene);

@@ -27,7 +27,8 @@ int fail(const std::string& error)
   return Failure;
 }
 
-/// The modules that the options need for display and questions; null if not needed.
+/// The modules that the options need for display and questions. A module that is not needed is
+/// null.
 struct NeededModules
 {
   const palpate::ComparisonModule* comparison = nullptr; ///< --compare, --map
@@ -112,11 +113,11 @@ int main(int argc, char** argv)
   }
   palpate::releaseForceOnTerminate();
   palpate::endWithDisplay();
-  // Writing reports a broken pipe. The process must not be ended by the signal with a force on the
-  // hand.
+  // The signals are ignored, since a write call also reports a broken pipe, and a signal must not
+  // end the process while there is a force on the hand.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // An application may choose the backend of VTK's loops; libraries leave the choice to their host.
+  // The program chooses the backend of VTK's loops; a library must leave this choice to its host.
   vtkSMPTools::SetBackend("STDThread");
   if (std::getenv("PALPATE_THREADS") != nullptr)
   {

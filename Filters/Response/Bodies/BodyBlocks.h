@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The parts of a user's body: the blocks of a composite. Each block is a data set or the partitions
- * of one. Empty parts are skipped.
+ * The parts of a user's body: the blocks of a composite. Each block is a data set, or the
+ * partitions of a data set. Empty parts are skipped.
  */
 #ifndef BodyBlocks_h
 #define BodyBlocks_h
@@ -18,7 +18,7 @@ namespace palpate
 {
 struct BodyBlock
 {
-  std::string name; // name in the composite, or its number
+  std::string name; // name of the block in the composite; its number if it has no name
   std::vector<vtkDataSet*> pieces;
 };
 

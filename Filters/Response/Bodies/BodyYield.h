@@ -18,44 +18,44 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The body, in addition to its surface. See vtkBodyCompliance.
+/// Material, support and mesh of the body, in addition to its surface. See vtkBodyCompliance.
 struct YieldRequest
 {
   double youngsModulus = 0.1; ///< MPa
   double poissonsRatio = 0.45;
-  double radius = 2.0; ///< of the contact for which the compliance is exact, mm
+  double radius = 2.0; ///< radius of the contact for which the compliance is exact, mm
   std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
-  int cells = 12000;    ///< largest number of finite elements, about
+  int cells = 12000;   ///< approximate upper limit of the number of finite elements
 };
 
 /// Name of the array that attachYield() attaches.
 constexpr const char* FoundCompliance = "GlobalCompliance";
 
-/// Values at the points of the surface.
+/// The compliance of a body at the points of its surface.
 struct BodyYield
 {
   std::vector<double> compliance;    ///< mm/N; empty after an abort
   std::vector<double> error;         ///< mm/N, >= 0
   std::vector<unsigned char> status; ///< 0: the compliance is known
-  std::string heldAt;                ///< the sides that hold the body
+  std::string heldAt;                ///< the sides at which the body is held
   std::vector<std::string> warnings; ///< repairs of the surface
 };
 
-/// Functions of the module Solids for responses of the core (ModuleFile.h).
+/// Functions of the module Solids that the library Response calls (ModuleFile.h).
 struct YieldModule : ModuleTable
 {
   std::string (*find)(vtkPolyData* body, const YieldRequest& request,
     const std::function<bool(double)>& goOn, BodyYield& made);
 };
 
-/// Finds the compliance of a body, which must be the body() of a SoundBody. Empty if `goOn(fraction
-/// of the work)` returned false. Returns "", or a message about the fault: the module is missing,
-/// or the body cannot be filled or held. Cost: vtkBodyCompliance.
+/// Finds the compliance of a body, which must be the body() of a SoundBody. `made` is empty if
+/// `goOn(fraction of the work)` returned false. Returns "", or a message about the fault: the
+/// module is missing, or the body cannot be filled or held. Cost: vtkBodyCompliance.
 PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldRequest& request,
   const std::function<bool(double)>& goOn, BodyYield& made);
 
 /// Attaches `GlobalCompliance`, `GlobalComplianceError` (double, mm/N) and `ComplianceStatus`
-/// (uint8) to a body with as many points.
+/// (uint8) to the body from which `found` was computed.
 PALPATERESPONSE_EXPORT void attachYield(const BodyYield& found, vtkPolyData* body);
 } // namespace palpate
 

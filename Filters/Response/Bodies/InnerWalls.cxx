@@ -50,8 +50,8 @@ struct KeyHash
 };
 
 /**
- * A key that is the same for the same corners in the same block, wherever the polygon begins and
- * ends.
+ * Makes a key of the corners of a polygon and of the block's name. It does not depend on the corner
+ * at which the polygon begins.
  */
 Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std::string& block)
 {
@@ -104,7 +104,7 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      withoutGhosts->RemoveGhostCells(); // their faces are the walls of structured pieces
+      withoutGhosts->RemoveGhostCells(); // faces of ghost cells are the walls of structured pieces
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
       all.insert(all.end(), own[i].begin(), own[i].end());

@@ -80,7 +80,7 @@ std::vector<vtkIdType> pointsOf(vtkUnstructuredGrid* grid, vtkIdType cell)
 std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
-  std::vector<std::pair<std::size_t, vtkIdType>> order; // by hash
+  std::vector<std::pair<std::size_t, vtkIdType>> order; // sorted by hash
   order.reserve(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -111,7 +111,7 @@ std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
 struct SolidCells
 {
   vtkNew<vtkIdList> all;
-  vtkIdType repeated = 0; ///< left out, since earlier cells have the same points
+  vtkIdType repeated = 0; ///< number of cells left out, since earlier cells have the same points
   vtkIdType positive = 0;
   vtkIdType firstPositive = -1;
   vtkIdType negative = 0;
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkPolyData> outerFaces(
     return surface->GetOutput();
   }
   // The six sides of a structured grid have separate points along the edges where they meet. A grid
-  // that closes around an axis meets itself.
+  // that closes around an axis also has separate points where it meets itself.
   vtkNew<vtkStaticCleanPolyData> clean;
   clean->SetInputData(surface->GetOutput());
   clean->ToleranceIsAbsoluteOn();

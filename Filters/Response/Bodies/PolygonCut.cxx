@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 /// Number of triangles of the polygons and strips of a surface.
 vtkIdType triangleCountOf(vtkPolyData* surface)
 {
-  // A polygon of n corners has n - 2 triangles. So has a strip.
+  // A polygon or a strip of n corners has n - 2 triangles.
   return surface->GetPolys()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfPolys() +
     surface->GetStrips()->GetNumberOfConnectivityIds() - 2 * surface->GetNumberOfStrips();
 }
@@ -113,7 +113,7 @@ void dropRepeatedCorners(vtkIdList* polygon)
   polygon->SetNumberOfIds(kept);
 }
 
-/// Whether a polygon has no area because parts of it cancel: its sides cross.
+/// Whether parts of a polygon's area cancel, since its sides cross.
 bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));

@@ -10,9 +10,9 @@
 
 namespace palpate
 {
-/// Cuts a surface into triangles. Changes and omissions are added to `notes`. A surface of
-/// triangles alone is returned itself. Returns null and a fault that names the polygon if a polygon
-/// cannot be cut, because its sides cross.
+/// Cuts a surface into triangles. Changes and omissions are added to `notes`. A surface that has
+/// only triangles is returned unchanged. Returns null and a fault that names the polygon if the
+/// sides of a polygon cross, so that it cannot be cut.
 vtkSmartPointer<vtkPolyData> cutPolygons(
   vtkPolyData* surface, std::vector<std::string>& notes, std::string& fault);
 } // namespace palpate

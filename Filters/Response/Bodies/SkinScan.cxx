@@ -42,8 +42,8 @@ struct Ball
 };
 
 /**
- * The scan with `margin` more voxels on every side, filled with `air`. A negative margin removes
- * voxels.
+ * Returns the scan with `margin` more voxels on every side, filled with `air`. A negative margin
+ * removes voxels.
  */
 SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float air)
 {
@@ -82,7 +82,7 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
   const vtkIdType X = scan.size[0];
   const vtkIdType Y = scan.size[1];
   const vtkIdType Z = scan.size[2];
-  std::vector<float> extrema = scan.values; // over [-w, w] along x
+  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x
   auto lengthen = [&extrema, pick, X](vtkIdType row, vtkIdType end)
   {
     std::vector<float> shorter(X);

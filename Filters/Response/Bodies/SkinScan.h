@@ -30,7 +30,7 @@ struct SkinScan
   /**
    * Flat grey-level closing (dilation, then erosion) with a ball of `radius` mm, as if the scan
    * were surrounded by air. Time grows with voxels times the square of the radius in voxels.
-   * Returns false if stopped; the values are then meaningless.
+   * Returns false if `progress` stopped it; the values are then meaningless.
    */
   bool closeOpenings(double radius, const Progress& progress);
 

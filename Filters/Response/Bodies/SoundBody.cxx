@@ -25,7 +25,8 @@ SoundMesh soundMesh(vtkPolyData* surface, SoundBody::Extent extent)
     extent == SoundBody::Extent::Piece);
 }
 
-/// The used triangles with their cell arrays. firstOf replaces their corners.
+/// Returns a surface of the given triangles with their cell arrays. Each corner is replaced by its
+/// firstOf.
 template <class First>
 vtkSmartPointer<vtkPolyData> withTriangles(
   vtkPolyData* surface, const std::vector<TriangleCorners>& triangles, const First& firstOf)

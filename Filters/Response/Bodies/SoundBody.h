@@ -27,7 +27,7 @@ public:
   enum class Extent
   {
     Whole,
-    Piece ///< of a body on several processes: the outside of a piece is unknown
+    Piece ///< part of a body on several processes; the outside of a piece is unknown
   };
 
   /// The input may have no points.
@@ -65,9 +65,9 @@ private:
 /// Whether this process has the whole body or a piece.
 SoundBody::Extent extentOn(const Ranks& ranks);
 
-/// The triangles of a surface in their order, outward, without repeats, on its own points. The
-/// surface itself if it has no such defect. `found`: the defects found. Returns "" or an error
-/// message.
+/// Turns the triangles of a surface outward and removes repeated ones. The remaining triangles keep
+/// their order, and all points remain. A surface without such defects is not replaced. `found`
+/// receives the defects. Returns "" or an error message.
 std::string orientSurface(
   vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found);
 

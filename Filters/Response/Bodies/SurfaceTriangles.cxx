@@ -86,7 +86,7 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
   return mergedPoints(all->GetOutput());
 }
 
-/** Moves points of the pieces that differ by rounding only to one place. */
+/** Moves points of the pieces whose places differ by rounding only to one common place. */
 void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
 {
   constexpr double rounding = 1e-5; // fraction of the diagonal
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   }
   joinRoundedPoints(pieces);
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // only has an effect if nothing is marked as a ghost
+  all->MergePointsOn(); // has an effect only if no cell or point is marked as a ghost
   for (vtkUnstructuredGrid* piece : pieces)
   {
     all->AddInputData(piece);
@@ -142,7 +142,8 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   return all->GetOutput();
 }
 
-/** Removes points that belong to no triangle. They need not be finite. */
+/** Removes points that belong to no triangle. The coordinates of such points may be infinite or
+ * NaN. */
 vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
 {
   vtkNew<vtkCleanPolyData> clean;
@@ -153,8 +154,8 @@ vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
   return clean->GetOutput();
 }
 
-/** Advises on data that have points but no triangles. */
-std::string withoutTriangles(const std::vector<vtkDataSet*>& pieces)
+/** Returns a message that advises how to get triangles from data that have none. */
+std::string triangleAdvice(const std::vector<vtkDataSet*>& pieces)
 {
   vtkIdType points = 0;
   bool lines = false;
@@ -234,7 +235,8 @@ void cutSurface(
       std::swap(lost.notFinite, found.notFinite);
       made.loss = describeDefects(lost);
     }
-    found.degenerate = found.nonManifoldEdges = 0; // unchanged, so not reported
+    found.degenerate = found.nonManifoldEdges = 0; // these remain unchanged, so they are not
+                                                   // reported
     const std::string changes = describeDefects(found);
     if (!changes.empty())
     {
@@ -243,7 +245,7 @@ void cutSurface(
   }
   if (made.fault.empty() && made.surface->GetNumberOfPolys() == 0)
   {
-    made.fault = withoutTriangles(pieces);
+    made.fault = triangleAdvice(pieces);
     made.isEmpty = true;
   }
   if (!made.fault.empty())

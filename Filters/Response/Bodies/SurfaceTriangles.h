@@ -32,8 +32,8 @@ struct SurfaceTriangles
 };
 
 /// Extracts the surface, still with polygons and strips. `wholeExtent`: extent of the pieces of all
-/// ranks of a structured grid; only its faces are surface. Null: the grid is whole. Pieces must
-/// have points.
+/// ranks of a structured grid; only the faces of this extent belong to the surface. Null: the grid
+/// is whole. Pieces must have points.
 SurfaceTriangles extractSurface(const std::vector<vtkDataSet*>& pieces, const int* wholeExtent);
 
 /// Cuts the surface into triangles and orients them (SoundMesh). Sets a fault if no triangles

@@ -31,7 +31,7 @@ struct SimplerBody
 constexpr std::size_t ThicknessArray = 1;
 constexpr std::size_t SecondArray = 4;
 
-/// Simplest body first. Empty for a half-space.
+/// The bodies to try, the simplest first. Empty for a half-space.
 std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMaterial& material)
 {
   std::vector<SimplerBody> simpler;
@@ -70,7 +70,7 @@ std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMate
   return simpler;
 }
 
-/// Removes terms while their changes stay within the tolerance.
+/// Removes terms while their changes are within the tolerance.
 class TermChooser
 {
 public:
@@ -78,7 +78,7 @@ public:
     : All(ranks)
     , Pressed(pressed)
     , HasPiece(hasPiece)
-    , Left(tolerance)
+    , RestOfTolerance(tolerance)
   {
   }
 
@@ -90,22 +90,25 @@ public:
   {
     return this->All.largest(this->HasPiece ? boundOfStrain(this->Pressed, model) : 0.0);
   }
-  bool canSpare(double change) const { return change <= this->Left; }
-  void leaveOut(double change) { this->Left -= change; }
-  void say(const std::string& words) { this->Words += (this->Words.empty() ? "" : "; ") + words; }
+  bool isNegligible(double change) const { return change <= this->RestOfTolerance; }
+  void leaveOut(double change) { this->RestOfTolerance -= change; }
+  void addReason(const std::string& words)
+  {
+    this->Reasons += (this->Reasons.empty() ? "" : "; ") + words;
+  }
   std::string reason() const
   {
-    return this->Words.empty() ? this->Words
-                               : joined(this->Words, " (down to ", this->Pressed.range, " mm, at ",
-                                   100.0 * this->Pressed.share, " % of the points)");
+    return this->Reasons.empty() ? this->Reasons
+                                 : joined(this->Reasons, " (down to ", this->Pressed.range,
+                                     " mm, at ", 100.0 * this->Pressed.share, " % of the points)");
   }
 
 private:
   const Ranks& All;
   const PressedBody& Pressed;
   bool HasPiece;
-  double Left;
-  std::string Words;
+  double RestOfTolerance;
+  std::string Reasons;
 };
 
 /// Chooses the simplest body that keeps the force.
@@ -125,10 +128,10 @@ std::string chooseBody(const Ranks& ranks, vtkPolyData* body, const LawRequest& 
     agreeOnRange(ranks, hasPiece, less);
     const double change =
       chooser.change({ material, request.terms.curvature }, { less, request.terms.curvature });
-    if (chooser.canSpare(change))
+    if (chooser.isNegligible(change))
     {
       chooser.leaveOut(change);
-      chooser.say(joined(simpler.name, " suffices: it is off by ", percentOf(change)));
+      chooser.addReason(joined(simpler.name, " suffices: it is off by ", percentOf(change)));
       material = std::move(less);
       return {};
     }
@@ -136,13 +139,14 @@ std::string chooseBody(const Ranks& ranks, vtkPolyData* body, const LawRequest& 
   }
   if (!nearest.empty())
   {
-    chooser.say(
+    chooser.addReason(
       joined(material.range().hasStack() ? "the stack of layers stays" : "the layer stays",
         ": the force would be off with ", nearest));
   }
   return {};
 }
-/// Chooses whether the law includes finite strain. The choice may need the correction itself.
+/// Chooses whether the law includes finite strain. The choice may need to compute the correction
+/// itself.
 std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrain,
   TermChooser& chooser, AutomaticTerms& chosen)
 {
@@ -152,14 +156,15 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
   const std::string name = describe(law);
   const bool curved = chosen.terms.curvature;
   const LawModel small{ material, curved, nullptr };
-  const double bound = chooser.bound(small); // of the error stated without finite strain
+  const double bound = chooser.bound(small); // upper bound of the error stated without finite
+                                             // strain
   if (law.model == StrainModel::NeoHooke)
   {
-    if (chooser.canSpare(bound))
+    if (chooser.isNegligible(bound))
     {
       chooser.leaveOut(bound);
       chosen.terms.strain = {};
-      chooser.say(joined(
+      chooser.addReason(joined(
         "small strain suffices: ", name, " changes the force by at most ", percentOf(bound)));
       return {};
     }
@@ -167,8 +172,8 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
       !isStrainTabulated(
         *request.tool->GetKernel(), material.range().strainBodies(), request.deflection))
     {
-      chooser.say(joined("small strain stays, off by up to ", percentOf(bound),
-        ": this tool has no table of ", name, ", which would have to be solved"));
+      chooser.addReason(joined("small strain is kept, with an error of up to ", percentOf(bound),
+        ": ", name, " is not tabulated for this tool and would have to be computed by the solver"));
       return {};
     }
   }
@@ -178,18 +183,18 @@ std::string chooseStrain(const LawRequest& request, const StrainMaker& makeStrai
     return fault;
   }
   const double change = chooser.change({ material, curved, chosen.strain.get() }, small);
-  if (chooser.canSpare(std::max(change, bound)))
+  if (chooser.isNegligible(std::max(change, bound)))
   {
     chooser.leaveOut(change);
     chosen.terms.strain = {};
     chosen.strain.reset();
-    chooser.say(
+    chooser.addReason(
       joined("small strain suffices: ", name, " changes the force by ", percentOf(change)));
     return {};
   }
   chosen.terms.strain = law;
-  chooser.say(joined(name, " is in the law: without it the force is off by ", percentOf(change),
-    ", and states an error of up to ", percentOf(bound)));
+  chooser.addReason(joined(name, " is in the law: without it the force is off by ",
+    percentOf(change), ", and states an error of up to ", percentOf(bound)));
   return {};
 }
 
@@ -200,16 +205,17 @@ void chooseCurvature(TermChooser& chooser, AutomaticTerms& chosen)
     return;
   }
   const double change = chooser.change({ chosen.material, true }, { chosen.material, false });
-  chosen.terms.curvature = !chooser.canSpare(change);
+  chosen.terms.curvature = !chooser.isNegligible(change);
   if (chosen.terms.curvature)
   {
-    chooser.say(
+    chooser.addReason(
       "the body's curvature is in the law: without it the force is off by " + percentOf(change));
   }
   else
   {
     chooser.leaveOut(change);
-    chooser.say("the body counts as flat: its curvature changes the force by " + percentOf(change));
+    chooser.addReason(
+      "the body counts as flat: its curvature changes the force by " + percentOf(change));
   }
 }
 
@@ -228,7 +234,7 @@ void chooseEdges(const Ranks& ranks, const PressedBody& pressed, bool hasPiece,
     areNear = pressed.shape.edge(i).distance < NearEdge::Far;
   }
   chosen.terms.edges = ranks.any(areNear);
-  chooser.say(chosen.terms.edges
+  chooser.addReason(chosen.terms.edges
       ? "sharp edges have an effect"
       : "no sharp edge is within reach of a contact: edges are left out");
 }

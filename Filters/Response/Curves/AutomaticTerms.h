@@ -20,7 +20,8 @@ struct AutomaticTerms
 {
   LawTerms terms;
   BodyMaterial material;
-  std::unique_ptr<StrainCorrection> strain = {}; ///< if the choice needed it
+  std::unique_ptr<StrainCorrection> strain = {}; ///< null if small strain was chosen without the
+                                                 ///< correction
   std::string reason = {};
 };
 

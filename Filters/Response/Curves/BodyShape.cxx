@@ -89,10 +89,10 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
 /// The input of a shape.
 struct ShapeKey
 {
-  std::array<std::size_t, 3> surface; ///< of this rank's piece
+  std::array<std::size_t, 3> surface; ///< hashes of this rank's piece
   double radius;
   bool hasEdges;
-  bool isOfFaces; ///< curvature of the faces, without that of sharp edges
+  bool isOfFaces; ///< whether the curvature is that of the faces, without sharp edges
 
   bool operator==(const ShapeKey& other) const
   {

@@ -18,10 +18,11 @@ namespace palpate
 class BodySeam;
 class Ranks;
 
-/// The shape of this rank's piece of a body, as it affects a contact. Null members: not requested.
+/// Curvature and edges of this rank's piece of a body. A member that was not requested is null.
 struct BodyShape
 {
-  std::unique_ptr<SurfaceCurvature> curvature; ///< of the whole body, like the edges
+  std::unique_ptr<SurfaceCurvature> curvature; ///< curvature of the whole body; null if not
+                                               ///< requested
   std::unique_ptr<EdgeDistance> edges;
   /// Indices of the piece's points in the whole body; empty: all points, in order.
   std::vector<std::int32_t> inWhole;
@@ -34,20 +35,20 @@ struct BodyShape
   }
 };
 
-/// Finds the curvature, for a law or an error, and the edges, for an error only, on the scale of a
-/// contact of radius `a` (mm). `normals`: three floats per point. Never null. Collective; each rank
-/// temporarily stores the whole body.
+/// Finds the curvature (needed by a law or its error) and the edges (needed by the error only) on
+/// the scale of a contact of radius `a` (mm). `normals`: three floats per point. Never returns
+/// null. Collective; each rank temporarily stores the whole body.
 ///
 /// A shape does not depend on the material, which changes more often. So the process caches the
 /// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Thread-safe.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
-/// Lengths of the sides of the whole body's box, mm.
+/// Lengths of the sides of the bounding box of the whole body, mm.
 struct BodyLengths
 {
   double least;  ///< smallest side: the body is nowhere deeper
-  double middle; ///< middle side: a circle much wider does not fit on the body
+  double middle; ///< middle side: a much wider circle does not fit on the body
 };
 /// Collective.
 BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks);

@@ -50,8 +50,8 @@ void addLaw(vtkPolyData* body, const std::string& name, const CouplingTerms& ter
   body->GetFieldData()->AddArray(array);
 }
 
-/// The law of the layers, for the mean of the smallest and the largest Poisson's ratio. The default
-/// law for a half-space.
+/// Returns the law of the layers, for the mean of the smallest and the largest Poisson's ratio. For
+/// a half-space, returns the default law.
 CouplingLaw lawOf(const MaterialRange& range)
 {
   if (!range.hasLayers())

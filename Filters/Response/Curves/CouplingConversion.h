@@ -29,7 +29,7 @@ std::string checkCouples(const BodyMaterial& material, vtkPolyData* body);
 /// Attaches the arrays to a body that has passed checkCouples. Replaces existing ones.
 void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 
-/// Attaches the arrays of these terms.
+/// Attaches the arrays that store `terms`.
 PALPATERESPONSE_EXPORT void describeCoupling(
   vtkPolyData* body, const std::string& name, const CouplingTerms& terms);
 

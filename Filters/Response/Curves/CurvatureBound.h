@@ -30,7 +30,7 @@ public:
   /// length, the same on all pieces at a seam. Collective.
   CurvatureBound(vtkPolyData* body, const BodySeam& seam, const float* normals);
 
-  /// Negative if the point has no triangle with an area.
+  /// The bound at a point, 1/mm; negative if the point has no triangle with an area.
   float at(vtkIdType point) const noexcept;
 
 private:

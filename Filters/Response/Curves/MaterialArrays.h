@@ -24,8 +24,8 @@ class Ranks;
 
 /// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness, 2
 /// global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. An array that is
-/// not requested has no name; an array that is requested but missing is null. For a compliance, an
-/// array named <its name>Error is its error, if present.
+/// not requested has no name; an array that is requested but missing is null. An array with the
+/// name of the compliance array followed by `Error`, if present, is the error of the compliance.
 struct MaterialArray
 {
   std::string name;
@@ -35,8 +35,8 @@ using MaterialArrays = std::array<MaterialArray, 5>;
 constexpr std::size_t ComplianceArrayIndex = 2;
 
 /// The material `first` with the layers that were added to a filter (each with thickness (mm),
-/// Young's modulus (MPa), Poisson's ratio and whether it slides), and with an elastic base instead
-/// of the rigid one if `isElasticBase`.
+/// Young's modulus (MPa), Poisson's ratio and whether the layer slips), and with an elastic base
+/// instead of the rigid one if `isElasticBase`.
 BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
   double baseRatio);
@@ -52,12 +52,12 @@ MaterialArrays arraysToProcess(
 PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
   vtkPolyData* body, const std::array<std::string, 5>& names);
 
-/// Checks that an array that is requested is there, with one value for each of so many points.
-/// `index`: that of the array to process. Returns "" or an error message.
+/// Checks that a requested array exists and has one value for each of `points` points. `index` is
+/// the index of the array to process. Returns "" or an error message.
 std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkIdType points);
 
-/// Gives `material` the values at the points of a body. Returns "" or an error that names property
-/// or array, point and value.
+/// Sets the values of `material` at the points of a body. Returns "" or an error that names
+/// property or array, point and value.
 std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material);
 
 /// Sets the range of `material` to that of the whole body, after readMaterial on the ranks that
@@ -66,8 +66,8 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material);
 
 /// Attaches <name>LayerThickness and <name>LayerBase if the material has layers. For a stack it
 /// also attaches <name>LayerStack as field data (double 4: thickness in mm, 0 for the half-space; E
-/// in MPa; ν; whether it slides below the layer above; one tuple per layer from the top, with the
-/// smallest thickness of varying layers), and <name>SecondThickness per point.
+/// in MPa; ν; 1 if it slips below the layer above, else 0; one tuple per layer from the top, with
+/// the smallest thickness of varying layers), and <name>SecondThickness per point.
 void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 } // namespace palpate
 

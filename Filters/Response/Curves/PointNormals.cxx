@@ -125,7 +125,7 @@ void computeNormals(vtkPolyData* body, float* normals, unsigned char* status)
   }
 }
 
-/// The same for a body with a seam. Returns an error if a closed surface is inside out.
+/// As computeNormals, for a body with a seam. Returns an error if a closed surface is inside out.
 std::string computeNormals(
   vtkPolyData* body, const BodySeam& seam, float* normals, unsigned char* status)
 {

@@ -29,9 +29,9 @@ PALPATERESPONSE_EXPORT void describeRelaxation(
   vtkPolyData* body, const std::string& name, const PronySeries& series);
 
 /// Fills arrays.relaxation; the rest of `arrays` must be set. Sets the series, views of the arrays
-/// and, from the text Tool, exponent and contact radius of the tool at the deepest range. If the
-/// tool cannot be read, or cannot be pressed that deep, the exponent is that of the curves and the
-/// radius is 0.
+/// and, from the text Tool, exponent and contact radius of the tool at the largest range. If the
+/// tool cannot be read, or cannot be pressed to that depth, the exponent is that of the curves and
+/// the radius is 0.
 bool viewRelaxation(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 } // namespace palpate

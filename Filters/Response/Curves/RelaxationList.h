@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Strength and seconds of each branch, as they are set on a filter one by one. Any number of
+/// Strength and time (s) of each branch. A filter's user sets them one by one. Any number of
 /// branches and any values are stored; fillSeries() checks them.
 class RelaxationList
 {
@@ -42,12 +42,12 @@ public:
   }
 
   int count() const { return static_cast<int>(this->Branches.size()); }
-  /// 0 if the branch does not exist.
+  /// Strength of a branch; 0 if the branch does not exist.
   double strength(int place) const { return this->has(place) ? this->at(place)[0] : 0.0; }
   double seconds(int place) const { return this->has(place) ? this->at(place)[1] : 0.0; }
 
   /// The branches whose strength is not 0.
-  RelaxationList felt() const
+  RelaxationList effectiveBranches() const
   {
     RelaxationList some;
     for (const auto& [strength, seconds] : this->Branches)

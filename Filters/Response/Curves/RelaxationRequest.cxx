@@ -16,8 +16,8 @@ namespace palpate
 {
 namespace
 {
-/// Whether the value is not negative and within the range of a float.
-bool isHeld(double value)
+/// Whether a value is not negative and can be stored as a float.
+bool isStorable(double value)
 {
   return value >= 0.0 && std::isfinite(static_cast<float>(value));
 }
@@ -48,7 +48,7 @@ std::string checkStrengths(
   {
     for (int c = 0; c < branches; ++c)
     {
-      if (!isHeld(array->GetComponent(i, c)))
+      if (!isStorable(array->GetComponent(i, c)))
       {
         return joined("Array '", name, "': strength of relaxation ", c + 1, " of point ", i,
           " must be finite and not negative, but is ", array->GetComponent(i, c));
@@ -63,7 +63,7 @@ std::string checkElastic(const MaterialArray& compliance)
   const auto& [name, array] = compliance;
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    if (!isHeld(array->GetComponent(i, 0)))
+    if (!isStorable(array->GetComponent(i, 0)))
     {
       return joined("Array '", name, "': global compliance of point ", i,
         " must not be negative (mm/N) with ComplianceRelaxes off, but is ",

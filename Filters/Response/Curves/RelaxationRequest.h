@@ -13,7 +13,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Index of the array to process with the strengths of each point.
+/// Index of the array to process that has the strengths at each point.
 constexpr int RelaxationArrayIndex = 5;
 
 /// The relaxation of a body. Without branches the body does not relax.
@@ -21,14 +21,15 @@ struct RelaxationRequest
 {
   PronySeries series;
   MaterialArray strength = {};   ///< one component per branch; replaces the strengths of the series
-  bool complianceRelaxes = true; ///< the global compliance belongs to the same material
+  bool complianceRelaxes = true; ///< whether the global compliance relaxes with the material
 };
 
 /// Checks the request and the arrays of a body that it names. Returns "" or an error message.
 std::string checkRelaxation(
   vtkPolyData* body, const RelaxationRequest& request, const MaterialArray& compliance);
 
-/// The relaxation as text, ", relaxing 0.5 in 0.1 s, 0.3 in 2 s"; "" without relaxation.
+/// The relaxation as text, for example ", relaxing 0.5 in 0.1 s, 0.3 in 2 s"; "" without
+/// relaxation.
 PALPATERESPONSE_EXPORT std::string relaxationInWords(
   const RelaxationRequest& request, const MaterialArray& compliance);
 

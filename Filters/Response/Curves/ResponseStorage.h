@@ -27,7 +27,7 @@ struct PALPATERESPONSE_EXPORT ResponseStorage
   vtkNew<vtkUnsignedCharArray> Status;
   vtkNew<vtkUnsignedCharArray> LimitReached;
 
-  vtkSmartPointer<vtkFloatArray> Error; ///< null: not kept
+  vtkSmartPointer<vtkFloatArray> Error; ///< null: the errors are not stored
 
   ResponseStorage(const std::string& name, vtkIdType points, int samples, bool keepsError);
   ResponseSpans spans();

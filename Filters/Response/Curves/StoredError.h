@@ -23,7 +23,7 @@ PALPATERESPONSE_EXPORT double errorBetween(
 class PALPATERESPONSE_EXPORT StoredError
 {
 public:
-  /// `body` must outlive this.
+  /// `body` must outlive this object.
   StoredError(vtkPolyData* body, const std::string& responseName);
 
   bool isKept() const { return this->Errors != nullptr; }
@@ -41,13 +41,13 @@ private:
 
 /// Adds the array RelativeError (double) to tips with contacts (ContactCell, ContactPoint,
 /// Deflection): the error of the force on each tip, 0 without contact, NaN if unknown. Adds nothing
-/// if the response stores no error. `others` (one number per tip, or empty) is added: the error of
-/// contacts that act on one another.
+/// if the response stores no error. `others` (one number per tip, or empty) is added to it: the
+/// error due to contacts that act on one another.
 PALPATERESPONSE_EXPORT void addContactErrors(vtkPolyData* body, const std::string& responseName,
   vtkPolyData* tips, const std::vector<double>& others = {});
 
-/// The error as a text that follows a force: " ± 4 %". From 100 % on, the text says that the force
-/// is unknown; "" for NaN.
+/// The error as a text that follows a force: " ± 4 %". At 100 % or more, the text says that the
+/// force is unknown; "" for NaN.
 PALPATERESPONSE_EXPORT std::string errorInWords(double relativeError);
 } // namespace palpate
 

@@ -19,8 +19,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Attaches the arrays. Replaces existing ones. `weights`: of each law at each point; empty for a
-/// table of one law.
+/// Attaches the arrays. Replaces existing ones. `weights`: the weight of each law at each point;
+/// empty for a table of one law.
 PALPATERESPONSE_EXPORT void describeTilts(vtkPolyData* body, const std::string& name,
   const TiltTable& table, const std::vector<float>& weights);
 

@@ -44,8 +44,8 @@ MaterialTilts tiltsIn(const TiltRequest& request, const BodyMaterial* material, 
 
 /// Includes the error of the tilts in validity and error. The arrays belong to the response that
 /// was just made.
-std::string limit(const TiltRequest& request, const BodyMaterial& material, double tolerance,
-  const std::string& name, vtkPolyData* output)
+std::string limitValidity(const TiltRequest& request, const BodyMaterial& material,
+  double tolerance, const std::string& name, vtkPolyData* output)
 {
   ResponseArrays arrays;
   std::string fault;
@@ -94,7 +94,7 @@ std::string attachTilts(const TiltRequest& request, const BodyMaterial* material
     return "MaximumTilt: " + tilts.fault;
   }
   describeTilts(output, name, tilts.table, tilts.weights);
-  return material && tolerance > 0.0 ? limit(request, *material, tolerance, name, output)
+  return material && tolerance > 0.0 ? limitValidity(request, *material, tolerance, name, output)
                                      : std::string();
 }
 } // namespace palpate

@@ -93,8 +93,8 @@ vtkSmartPointer<vtkPolyData> asPolyData(const FileMesh& mesh)
   return made;
 }
 
-/// Makes one point of corners at the same place. Triangles with two corners at the same place are
-/// left out.
+/// Merges corners at the same place into one point. Triangles with two corners at the same place
+/// are left out.
 vtkSmartPointer<vtkPolyData> mergedCorners(vtkPolyData* facets)
 {
   vtkNew<vtkPoints> points;
@@ -145,7 +145,8 @@ void readStlFile(const std::string& path, BodyData& result)
   }
 }
 
-/// Upper limit of the memory for the content of a file, bytes: DEFLATE compresses by 1032 at best.
+/// Upper limit of the memory for the content of a file, bytes: DEFLATE compresses by a factor of at
+/// most 1032.
 double memoryFor(const std::string& path)
 {
   constexpr double Least = 2.5e8;

@@ -42,7 +42,7 @@ std::string attributeFault(vtkDataSetAttributes* attributes, vtkIdType count, co
   return "";
 }
 
-/// Checks begin and end of the cells, and their point indices.
+/// Checks the offsets and the point indices of the cells.
 std::string cellsFault(vtkCellArray* cells, vtkIdType points)
 {
   if (!cells || cells->GetNumberOfCells() == 0)
@@ -75,7 +75,8 @@ vtkIdType pointsOf(int type, std::map<int, vtkIdType>& known)
   return known[type] = cell ? cell->GetNumberOfPoints() : -1;
 }
 
-/// Checks polyhedra and cells of any order, whose required content only their own classes know.
+/// Checks polyhedra and cells of higher order. Only the classes of these cells define the content
+/// that they need.
 std::string facesFault(vtkUnstructuredGrid* grid, double memory)
 {
   vtkNew<vtkDataSetSurfaceFilter> surface;

@@ -25,9 +25,10 @@ namespace palpate
 namespace
 {
 constexpr double MostDeflated = 1032.0; // bytes per byte of a gzip file
-constexpr double SmallestVolume = 1e-6; // volume of the three axes, as a fraction of a box's
+constexpr double SmallestVolume = 1e-6; // volume spanned by the three axes, as a fraction of that
+                                        // of a box with the same sides
 
-using Affine = Eigen::Matrix<double, 3, 4>; // from voxel indices to the coordinates of the file
+using Affine = Eigen::Matrix<double, 3, 4>; // maps voxel indices to the coordinates of the file
 
 bool isCompressed(const std::string& path)
 {
@@ -44,7 +45,7 @@ Affine sform(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// The lengths of a voxel along the axes; 1 if the header does not give them.
+/// The lengths of a voxel along the axes; 1 if the header does not state them.
 Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
 {
   Eigen::Vector3d sides;
@@ -214,7 +215,7 @@ std::string applyNiftiHeader(
   const double intercept = reader->GetRescaleIntercept();
   if (slope == 0.0 || (slope == 1.0 && intercept == 0.0))
   {
-    return ""; // slope 0: the header does not give them
+    return ""; // a slope of 0 means that the header has no scaling
   }
   if (!std::isfinite(slope) || !std::isfinite(intercept))
   {

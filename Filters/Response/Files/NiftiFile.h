@@ -11,8 +11,8 @@ class vtkImageData;
 namespace palpate
 {
 /// Checks that the header of a NIfTI file describes one three-dimensional image that can fit in the
-/// file. Returns "" or an error message. A compressed file can contain at most 1032 times its size,
-/// the maximum of DEFLATE.
+/// file. Returns "" or an error message. A compressed file can contain at most 1032 times its own
+/// size, the maximum of DEFLATE.
 std::string niftiFault(vtkNIFTIImageReader* reader);
 
 /// Applies the header to the image that was read: values times scl_slope plus scl_inter, and

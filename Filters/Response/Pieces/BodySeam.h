@@ -20,8 +20,8 @@ namespace palpate
  * (each piece may have computed it separately); and, if the body has point normals, the normals are
  * the same. Points of one piece are never merged.
  *
- * All ranks use the same numbers for the seam points. Collective to build. One rank has no seam, at
- * no cost. O(n) locally; each rank stores the seam points of all ranks.
+ * All ranks use the same numbers for the seam points. A single rank has no seam and no cost.
+ * Otherwise the cost is O(n) per rank, and each rank stores the seam points of all ranks.
  */
 class BodySeam
 {
@@ -37,18 +37,18 @@ public:
   struct Points
   {
     std::size_t size = 0;
-    std::vector<Place> places; ///< of this rank, in ascending order of the points
-    std::vector<std::vector<std::int32_t>> seams; ///< of the places of each rank
+    std::vector<Place> places; ///< seam points of this rank, in ascending order of the points
+    std::vector<std::vector<std::int32_t>> seams; ///< seam numbers of the places of each rank
     /// Border edges that coincide with an edge of another piece in the opposite direction.
     std::size_t joinedEdges = 0;
   };
 
   /// `body` is this rank's piece; it has triangles only and may be empty. With several ranks, call
-  /// missingPieces before.
+  /// missingPieces first. Collective.
   BodySeam(const Ranks& ranks, vtkPolyData* body);
 
   const Ranks& ranks() const noexcept { return this->Among; }
-  /// In ascending order of the points.
+  /// The seam points of this rank, in ascending order of the points.
   const std::vector<Place>& places() const noexcept { return this->Found.places; }
   /// Border edges of all ranks that coincide with an edge of another piece in the opposite
   /// direction.

@@ -15,7 +15,7 @@ class Ranks;
 /// The contact of a chosen tip among the tips of all ranks.
 struct ChosenTip
 {
-  FieldContact contact; ///< its cell is -1 without contact or without tips
+  FieldContact contact; ///< the contact; its cell is -1 without contact or without tips
   int rank = 0;         ///< rank that has the cell
 };
 

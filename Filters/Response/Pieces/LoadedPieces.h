@@ -33,7 +33,7 @@ struct PressedTips
 struct PieceTouch
 {
   Vector3 at = Vector3::Zero(); ///< position of the tip after the indentation
-  Contact contact;              ///< its triangle is the cell of the piece of `rank`
+  Contact contact;              ///< the contact; its triangle is a cell of the piece of `rank`
   int rank = -1;                ///< rank that has the touched cell; -1: no contact
 };
 

@@ -16,8 +16,8 @@ namespace palpate
 class Ranks;
 
 /**
- * The piece of a body on this rank. With one rank, the input itself. Otherwise the input without
- * ghost cells; a piece without points if there is no input. Never null.
+ * Returns the piece of a body on this rank: the input itself with one rank, otherwise the input
+ * without ghost cells. Without input the piece has no points. Never returns null.
  */
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> ownPiece(
   vtkPolyData* input, const Ranks& ranks);

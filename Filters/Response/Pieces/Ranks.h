@@ -17,7 +17,7 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * The processes among which a body is divided. Each has a piece of it.
+ * The processes among which a body is divided. Each process has a piece of the body.
  *
  * All calls except own, count and areAlone are collective: every rank must make them, in the same
  * order. With one rank, or without a controller, they return their argument at no cost.
@@ -25,7 +25,7 @@ namespace palpate
 class PALPATERESPONSE_EXPORT Ranks
 {
 public:
-  /// `controller` may be null: a single rank. It must outlive this.
+  /// `controller` may be null, which means a single rank. It must outlive this object.
   explicit Ranks(vtkMultiProcessController* controller = nullptr);
 
   bool areAlone() const noexcept { return this->Count == 1; }

@@ -11,8 +11,9 @@ namespace palpate
 class BodySeam;
 
 /// Unit angle-weighted normals at the places of a seam, over the triangles of all pieces. They
-/// equal those of the body in one piece except for the order in which triangles are summed. Zero if
-/// a point has no usable triangle. Collective; the bits are the same on all ranks.
+/// equal those of the body in one piece except for the order in which triangles are summed. The
+/// normal of a point without a usable triangle is zero. Collective; the bits are the same on all
+/// ranks.
 std::vector<Vector3> seamNormals(const BodyMesh& piece, const BodySeam& seam);
 
 /// Whether the surface of all pieces is closed, and the enclosed volume (mm³, negative if triangles

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Facets = 32;         // around the shaft
+constexpr int Facets = 32;         // number of facets around the shaft
 constexpr double HeadRadius = 1.4; // in shaft diameters
 constexpr double HeadLength = 3.5;
 constexpr double LargestHead = 0.4; // fraction of the arrow

@@ -115,7 +115,8 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
   return {};
 }
 
-/// Copies the results of tips that press at once to their places. -1: the tip is absent.
+/// Copies the results of tips that press at once to the rows of these tips. An index of -1 marks an
+/// absent tip.
 void storeCoupling(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness,
   std::vector<double>* errors)
 {

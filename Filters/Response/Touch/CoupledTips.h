@@ -20,18 +20,19 @@ namespace palpate
 std::string checkCoupledTips(vtkPolyData* tips);
 
 /**
- * As touchWithTips, but tips that press at the same time interact (CoupledContacts::settle). For
- * polylines these are the points of equal Time or, without Time, of equal index in their polylines.
- * For single points these are the points of equal Time, or all of them. Single points and polylines
- * do not interact. The tips have passed checkCoupledTips, and the body has a coupling.
+ * Touches a body as touchWithTips does, but tips that press at the same time interact
+ * (CoupledContacts::settle). For polylines these are the points of equal Time or, without Time, of
+ * equal index in their polylines. For single points these are the points of equal Time, or all of
+ * them. Single points and polylines do not interact. The tips must have passed checkCoupledTips,
+ * and the body must have a coupling.
  *
- * `errors`, unless null, receives the relative error of each tip's force because the others act on
- * it as point forces (CoupledContacts::pointForceError), 0 for a single tip.
+ * `errors`, unless null, receives the relative error of each tip's force that arises since the
+ * other tips act on it as point forces (CoupledContacts::pointForceError); 0 for a single tip.
  *
- * `stiffness`, unless null, receives a tuple per tip: the derivative of its slow normal force with
- * respect to the depth of each tip that presses at the same time, N/mm, in the order of the
- * polylines, or of the points. It has as many components as tips ever press at once; the others are
- * zero.
+ * `stiffness`, unless null, receives a tuple per tip: the derivative of the tip's slow normal force
+ * with respect to the depth of each tip that presses at the same time, N/mm, in the order of the
+ * polylines, or of the points. The number of components is the largest number of tips that press at
+ * once; unused components are zero.
  */
 void touchTogether(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,
   double indentation, const TipVisitor& visit, vtkDoubleArray* stiffness = nullptr,

@@ -21,8 +21,9 @@ namespace palpate
 {
 namespace
 {
-/// Ratio of the displacement to the length of an edge, below which a turn is invisible.
-constexpr double SeenTurn = 1e-3;
+/// Ratio of the displacement to the length of an edge, below which the rotation of a normal is
+/// invisible.
+constexpr double VisibleTurn = 1e-3;
 
 using FacetCorners = std::array<Vector3, 3>;
 
@@ -69,13 +70,13 @@ vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
   return sum;
 }
 
-/// Returns new normals, or null if none changes.
+/// Turns the normals with the facets. Returns the new normals; null if no normal changes.
 vtkSmartPointer<vtkDataArray> turnNormals(
   vtkPolyData* body, vtkDataArray* normals, vtkPoints* before, vtkFloatArray* displacement)
 {
   const auto moved = [displacement](vtkIdType id)
   { return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * id)); };
-  const auto seen = [&](const vtkIdType* ids)
+  const auto isTurnVisible = [&](const vtkIdType* ids)
   {
     const Eigen::Vector3f u = moved(ids[0]);
     const Eigen::Vector3f v = moved(ids[1]);
@@ -89,14 +90,14 @@ vtkSmartPointer<vtkDataArray> turnNormals(
     Vector3 b;
     before->GetPoint(ids[0], a.data());
     before->GetPoint(ids[1], b.data());
-    return static_cast<double>(turn) > SeenTurn * SeenTurn * (a - b).squaredNorm();
+    return static_cast<double>(turn) > VisibleTurn * VisibleTurn * (a - b).squaredNorm();
   };
   std::vector<char> turned(static_cast<std::size_t>(body->GetNumberOfPoints()), 0);
   bool any = false;
   forEachTriangle(body,
     [&](const vtkIdType* ids)
     {
-      if (seen(ids))
+      if (isTurnVisible(ids))
       {
         any = true;
         for (int k = 0; k < 3; ++k)

@@ -17,7 +17,7 @@ namespace palpate
 struct Dent
 {
   vtkSmartPointer<vtkFloatArray> displacement; ///< mm, one vector per point
-  Vector3 normal = Vector3::UnitZ();           ///< of the contact
+  Vector3 normal = Vector3::UnitZ();           ///< normal of the contact
 };
 
 /**

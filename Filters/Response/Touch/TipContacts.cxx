@@ -128,27 +128,27 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       ToolContact single(body, frictionless);
       TipPoses start(body, tips, indentation);
       TipOrder order;
-      // A result is first stored in one piece. It is copied from there to the many arrays of the
-      // visitor in the order of the tips.
-      struct Felt
+      // Results are stored here first, since the visitor writes to many arrays and is faster in the
+      // order of the tips.
+      struct TipResult
       {
         Contact contact;
         Vector3 pressed;
       };
-      std::vector<Felt> felt;
+      std::vector<TipResult> results;
       for (vtkIdType block = first; block < last; block += TipOrder::BlockSize)
       {
         order.sort(tips, block, std::min(block + TipOrder::BlockSize, last), inHistory.data());
-        felt.resize(order.tips().size());
+        results.resize(order.tips().size());
         order.forEach(
           [&](std::size_t k, std::size_t next)
           {
             __builtin_prefetch(order.tips().data() + next);
-            for (std::size_t line = 0; line < sizeof(Felt); line += 64)
+            for (std::size_t line = 0; line < sizeof(TipResult); line += 64)
             {
-              __builtin_prefetch(reinterpret_cast<const char*>(felt.data() + next) + line, 1);
+              __builtin_prefetch(reinterpret_cast<const char*>(results.data() + next) + line, 1);
             }
-            Felt& at = felt[k];
+            TipResult& at = results[k];
             const ToolPose pose = start.at(order.tips()[k].id, order.tips()[k].position);
             at.pressed = pose.tip;
             single.reset();
@@ -165,12 +165,13 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             }
             if (pose.hasAxis())
             {
-              at.contact = single.update(pose); // again, with the normal found by the first update
+              // This update uses the normal that the first update found.
+              at.contact = single.update(pose);
             }
           });
-        for (std::size_t k = 0; k < felt.size(); ++k)
+        for (std::size_t k = 0; k < results.size(); ++k)
         {
-          visit(order.tips()[k].id, felt[k].contact, felt[k].pressed);
+          visit(order.tips()[k].id, results[k].contact, results[k].pressed);
         }
       }
     });

@@ -23,8 +23,8 @@ namespace palpate
 class TipOrder
 {
 public:
-  /// Tips of one block. Enough for several tips in each part of a large body, and few enough for
-  /// their data to fit in a large cache.
+  /// Largest number of tips of one block: enough for several tips in each part of a large body, and
+  /// few enough for their data to fit in a large cache.
   static constexpr vtkIdType BlockSize = 1 << 18;
 
   struct Tip
@@ -33,7 +33,7 @@ public:
     Vector3 position;
   };
 
-  /// Takes the tips first..last-1, at most BlockSize, except those marked in `leftOut`.
+  /// Sorts the tips first..last-1, at most BlockSize, except those marked in `leftOut`.
   void sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const char* leftOut);
 
   /// The tips in their given order.

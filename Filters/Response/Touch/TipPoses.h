@@ -40,14 +40,14 @@ public:
   ToolPose at(vtkIdType tip, const Vector3& position);
 
   /// A pose just under the triangle of the closest point, away from its edges. A contact that
-  /// begins there and is led to at() is on the face that is pressed; one that begins at at() may be
-  /// on the face across a sharp edge, if that face is nearer. The tip itself without an
-  /// indentation.
+  /// begins there and moves to at() is on the face that is pressed. A contact that begins at at()
+  /// may be on the face across a sharp edge, if that face is nearer. Without an indentation the
+  /// pose is that of the tip itself.
   ToolPose onset(vtkIdType tip, const Vector3& position);
 
 private:
-  /// The closest point and the blended normal there, of any length. Returns the triangle, or -1
-  /// without an indentation, or if there is no normal.
+  /// Finds the closest point and the blended normal there, which is not normalised. Returns the
+  /// triangle; -1 without an indentation, or if no normal exists.
   std::int32_t findSite(const Vector3& tip, Vector3& point, Vector3& normal);
   ToolPose poseAt(vtkIdType tip, const Vector3& position);
 

@@ -11,7 +11,7 @@ namespace palpate
 /**
  * Sets the times of a filter with two inputs, body and tips. TIME_STEPS of the output are the steps
  * of both inputs, each once, in ascending order; TIME_RANGE spans both. Sets no times if neither
- * input has any. For RequestInformation.
+ * input has any. RequestInformation calls it.
  */
 void passTimes(vtkInformationVector** inputs, vtkInformation* output);
 

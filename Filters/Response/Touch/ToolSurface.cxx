@@ -26,7 +26,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int ProfilePoints = 48; // at most one more for each kink
+constexpr int ProfilePoints = 48; // without the kinks, each of which adds at most one point
 
 /// Radius at which the drawn profile ends: at its outer wall, or at `maximum` if it widens without
 /// end.

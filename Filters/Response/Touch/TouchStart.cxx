@@ -21,14 +21,16 @@ namespace palpate
 namespace
 {
 constexpr int PlacesPerSide = 25; // odd: one place is in the middle
-constexpr int Around = 8;
-constexpr double Surroundings = 2.0; // contact radii
+constexpr int NeighbourCount = 8;
+constexpr double NeighbourDistance = 2.0; // contact radii
 // Best direction of the normal: part upward divided by part towards the viewer.
-constexpr double Lean = 0.8;
+constexpr double BestLean = 0.8;
 // Cosine between normal and line of sight; below it a place is hard to see.
-constexpr double Grazing = 0.5;
-constexpr int Flatness = 8;    // power: 10 % of disagreement counts as much as the far corner
-constexpr double Least = 1e-3; // if no place is within validity, the other factors decide
+constexpr double ClearCosine = 0.5;
+constexpr int FlatnessExponent = 8; // exponent: 10 % of disagreement lowers the rating as much as
+                                    // the far corner of the picture
+constexpr double SmallestValidity = 1e-3; // smallest factor of validity: if no place is within
+                                          // validity, the other factors decide
 
 struct Rectangle
 {
@@ -49,7 +51,8 @@ Vector3 rightOf(const Vector3& up, const Vector3& towards)
   return right.norm() > 1e-6 * up.norm() ? Vector3(right.normalized()) : towards.unitOrthogonal();
 }
 
-/// Lines of sight through the picture of a body. Positions are in the units of `Sight`'s halves.
+/// Lines of sight through the picture of a body. Positions have the units of halfWidth and
+/// halfHeight of `Sight`.
 class Picture
 {
 public:
@@ -89,14 +92,14 @@ public:
   }
 
   /// The part of the picture that the body fills.
-  const Rectangle& seen() const { return this->Body; }
+  const Rectangle& visiblePart() const { return this->Body; }
   bool isEmpty() const
   {
     return this->Body.isEmpty() || (this->View.isNear && !(this->Farthest > this->Nearest));
   }
 
   /// The visible place at a position in the picture.
-  TouchedPlace look(TouchedBody& body, double x, double y) const
+  TouchedPlace findVisible(TouchedBody& body, double x, double y) const
   {
     const Vector3 aside = x * this->Right + y * this->Up;
     const auto point = [&](double depth) -> Vector3
@@ -104,11 +107,11 @@ public:
     return body.hit(point(this->Nearest), point(this->Farthest));
   }
   /// The visible place along the line of sight through a point.
-  TouchedPlace lookAt(TouchedBody& body, const Vector3& point) const
+  TouchedPlace findTowards(TouchedBody& body, const Vector3& point) const
   {
     const Vector3 off = point - this->View.eye;
     const double scale = this->View.isNear ? -off.dot(this->Towards) : 1.0;
-    return this->look(body, off.dot(this->Right) / scale, off.dot(this->Up) / scale);
+    return this->findVisible(body, off.dot(this->Right) / scale, off.dot(this->Up) / scale);
   }
   Vector3 towards(const Vector3& point) const
   {
@@ -137,30 +140,31 @@ std::array<Vector3, 8> cornersOf(const double bounds[6])
   return corners;
 }
 
-/// The mean of the normals at a place and around it. Its length, at most 1, measures flatness.
-Vector3 groundAt(
+/// The mean of the normals at a place and at the places around it. Its length, at most 1, measures
+/// flatness.
+Vector3 meanNormalAt(
   TouchedBody& body, const Picture& picture, const TouchedPlace& place, double distance)
 {
   const Vector3 normal = body.normal(place);
   const Vector3 first = normal.unitOrthogonal();
   const Vector3 second = normal.cross(first);
   Vector3 sum = normal;
-  for (int i = 0; i < Around; ++i)
+  for (int i = 0; i < NeighbourCount; ++i)
   {
-    const double angle = 2.0 * EIGEN_PI * i / Around;
-    const Vector3 beside =
+    const double angle = 2.0 * EIGEN_PI * i / NeighbourCount;
+    const Vector3 neighbour =
       place.point + distance * (std::cos(angle) * first + std::sin(angle) * second);
-    const TouchedPlace ground = picture.lookAt(body, beside);
+    const TouchedPlace ground = picture.findTowards(body, neighbour);
     if (ground.cell >= 0 && std::abs((ground.point - place.point).dot(normal)) < distance)
     {
       sum += body.normal(ground);
     }
   }
-  return sum / (Around + 1);
+  return sum / (NeighbourCount + 1);
 }
 
 /// Rates a place as the start of a touch; 0: unsuitable.
-double judge(
+double rate(
   TouchedBody& body, vtkContactTool* tool, const Picture& picture, const TouchedPlace& place)
 {
   if (place.cell < 0 || !body.isValid(place))
@@ -178,13 +182,16 @@ double judge(
   {
     return 0.0;
   }
-  const Vector3 ground = groundAt(body, picture, place, Surroundings * std::max(radius, depth));
-  const double flatness = std::pow(ground.norm(), Flatness);
+  const Vector3 ground =
+    meanNormalAt(body, picture, place, NeighbourDistance * std::max(radius, depth));
+  const double flatness = std::pow(ground.norm(), FlatnessExponent);
   const Vector3 normal = ground.normalized();
-  const double facing = std::max(0.0, normal.dot((towards + Lean * picture.up()).normalized())) *
-    std::clamp(normal.dot(towards) / Grazing, 0.0, 1.0);
+  const double facing =
+    std::max(0.0, normal.dot((towards + BestLean * picture.up()).normalized())) *
+    std::clamp(normal.dot(towards) / ClearCosine, 0.0, 1.0);
   const PlaceValidity validity = body.validity(place, depth);
-  const double within = validity.known ? std::clamp(validity.depth / depth, Least, 1.0) : 1.0;
+  const double within =
+    validity.known ? std::clamp(validity.depth / depth, SmallestValidity, 1.0) : 1.0;
   return flatness * facing * within;
 }
 
@@ -219,9 +226,9 @@ TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
     {
       break; // no later place can be better, since no factor exceeds 1
     }
-    const TouchedPlace place =
-      picture.look(body, picture.seen().at(0, share.x()), picture.seen().at(1, share.y()));
-    const double merit = middle * judge(body, tool, picture, place);
+    const TouchedPlace place = picture.findVisible(
+      body, picture.visiblePart().at(0, share.x()), picture.visiblePart().at(1, share.y()));
+    const double merit = middle * rate(body, tool, picture, place);
     if (merit > most)
     {
       most = merit;

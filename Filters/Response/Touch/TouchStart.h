@@ -19,12 +19,12 @@ class TouchedBody;
 /// along +z, y up.
 struct Sight
 {
-  Vector3 towards = Vector3::UnitZ(); ///< from the body to the viewer, not zero
+  Vector3 towards = Vector3::UnitZ(); ///< direction from the body to the viewer, not zero
   /// Upward direction in the picture; its part along `towards` is ignored.
   Vector3 up = Vector3::UnitY();
   /// Position of the viewer, mm; for a far viewer any point of the axis.
   Vector3 eye = Vector3::Zero();
-  bool isNear = false; ///< perspective: lines of sight meet in the eye
+  bool isNear = false; ///< perspective: the lines of sight meet at the eye
   /// Half of the picture's size: mm for a far viewer, tangents of the angles for a near one. 0: the
   /// whole body is in the picture.
   double halfWidth = 0.0;
@@ -44,13 +44,13 @@ struct Sight
  *   the triangles nor a thin tail determines the place.
  *
  * If nothing with a response is in the picture, the whole body is viewed from the same direction,
- * then along the axes. Cell -1 if the body has no response anywhere.
+ * then along the axes. The cell is -1 if the body has no response anywhere.
  *
  * Cost: 0.17 s on one processor for a ball of 28 thousand triangles, including the locator.
  */
 TouchedPlace findTouchStart(TouchedBody& body, vtkContactTool* tool, const Sight& sight);
 
-/// The same for a body with the response `name` and the tool that it names. Cell -1 also if the
+/// As above, for a body with the response `name`, whose tool is used. The cell is -1 also if the
 /// body has no such response.
 PALPATERESPONSE_EXPORT TouchedPlace findTouchStart(
   vtkPolyData* body, const std::string& name, const Sight& sight);

@@ -13,14 +13,14 @@ namespace palpate
 /// One touch, as vtkToolTouch displays it. Body frame; mm, N.
 struct Touch
 {
-  Vector3 tip = Vector3::Zero(); ///< after snap and indentation
+  Vector3 tip = Vector3::Zero(); ///< tip after snap and indentation
   TouchedPlace nearest;          ///< nearest place to the given tip
   TouchedPlace place;            ///< place of the contact; cell -1: no contact
-  /// Without contact its normal points away from the surface.
+  /// Without contact, contact.normal points away from the surface.
   Contact contact;
-  double stiffness = 0.0; ///< of the stored curve, N/mm
+  double stiffness = 0.0; ///< slope of the stored curve, N/mm
   double range = 0.0;     ///< Range of the response at the place
-  double scale = 0.0;     ///< mm/N of the arrow
+  double scale = 0.0;     ///< length of the arrow per force, mm/N
   PlaceValidity validity;
   double sunk = 0.0;    ///< distance by which another tool lowers the surface here, mm
   bool isAlone = false; ///< another tool presses, but the response has no coupling

@@ -16,10 +16,10 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// The law's validity at a place: the smallest of the corners.
+/// The law's validity at a place: that of the triangle's corner with the smallest depth.
 struct PlaceValidity
 {
-  bool known = false; ///< whether the response has the arrays
+  bool known = false; ///< whether the response has the arrays Validity and Limit
   double depth = 0.0; ///< depth at which the first assumption fails, mm
   std::string limit;  ///< name of that assumption; "" if none fails
   /// Estimated relative error of the force; NaN if the response stores none.

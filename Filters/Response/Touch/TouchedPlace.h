@@ -14,10 +14,10 @@ namespace palpate
 /// A place on the surface of a body.
 struct TouchedPlace
 {
-  vtkIdType cell = -1;               ///< of the body; -1: no place
+  vtkIdType cell = -1;               ///< cell of the body; -1: no place
   Vector3 point = Vector3::Zero();   ///< mm
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
-  double distance = 0.0;             ///< to the projected point, mm
+  double distance = 0.0;             ///< distance to the projected point, mm
 };
 } // namespace palpate
 

@@ -27,7 +27,7 @@ public:
 
 private:
   int Along;
-  std::vector<double> Weights; ///< of a cell's points
+  std::vector<double> Weights; ///< weights of a cell's points
 };
 } // namespace palpate
 

@@ -151,7 +151,7 @@ vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const
   MeshTopology topology;
   if (!convertVolume(body, mesh).empty() || !topology.build(mesh).empty())
   {
-    return fixed; // what solves the body reports the fault
+    return fixed; // the solver of the body reports the fault
   }
   const BodySurface surface(mesh, topology);
   for (std::int32_t t = 0; t < surface.triangleTotal(); ++t)

@@ -17,8 +17,8 @@ struct ClosestPlace
   vtkIdType cell = -1;
 };
 
-/// The place of the data set closest to a finite place. Without such a place it returns the given
-/// place and no cell. Safe from any number of threads.
+/// Finds the place of the data set that is closest to `place`, which must be finite. If none is
+/// found, returns the given place without a cell. Safe from any number of threads.
 ClosestPlace closestPlace(vtkStaticCellLocator* locator, const Eigen::Vector3d& place);
 } // namespace palpate
 

@@ -8,9 +8,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The outside of a closed surface without detail below `voxel` (mm): closed, of even triangles,
-/// nowhere crossing itself, whatever the input. A place is inside if a ray from it crosses the
-/// surface an odd number of times.
+/// Makes the outside of a body without detail below `voxel` (mm). The result is closed, has
+/// triangles of similar size, and never intersects itself, whatever the input. A place counts as
+/// inside if a ray from it crosses the surface an odd number of times.
 vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData* body, double voxel);
 } // namespace palpate
 

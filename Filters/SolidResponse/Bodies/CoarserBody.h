@@ -14,15 +14,15 @@ namespace palpate
 /// the input.
 std::string checkCoarser(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser);
 
-/// A body in coarser cells, solved in addition to another body to find the error of the latter's
-/// elements. It is kept from one tool to the next, like the other body.
+/// A body in coarser cells. It is solved in addition to the body in finer cells, to find the error
+/// due to the finer elements. Both bodies are kept for the next tool.
 class CoarserBody
 {
 public:
   /// Solves the missing parts of the request for the coarser body and compares it with `body`,
   /// which must be solved for the same request. The memory limit is reduced by the memory of
-  /// `body`. Adds to the cost; the number of solutions on entry shows whether `body` is new.
-  /// Returns "", or a message about the fault.
+  /// `body`. Adds its cost to `cost`. On entry cost.solutions is the number of solutions of `body`;
+  /// it shows whether `body` is new. Returns "", or a message about the fault.
   std::string compare(vtkUnstructuredGrid* coarser, const SolveRequest& request, SolvedBody& body,
     const FilterStage& stage, SolveCost& cost);
 

@@ -17,17 +17,19 @@ namespace
 {
 constexpr double InteriorRatio = 4.0;
 constexpr double Growth = 0.5;
-/// Deviation from the surface, in spacings of the cells away from the tool. Fine cells follow the
-/// surface closer anyway. A smaller value would need many cells at the edges of the box.
+/// Deviation from the surface, in spacings of the cells away from the tool. Fine cells under the
+/// tool follow the surface more closely. A smaller value would need many cells at the edges of the
+/// box.
 constexpr double DeviationRatio = 0.15;
 /// Distance from the side of the box, in spacings, within which a node counts as on the cut. Cells
 /// do not follow the edges of the box, because that would need many cells.
 constexpr double NearSide = 0.1;
-/// Edge of the smallest part that is kept, over half the box's side.
+/// Edge length of the smallest part that is kept, relative to half the side of the box.
 constexpr double LeastPart = 0.02;
 constexpr double ExpectedCells = 1e4; ///< only used to detect a surface that is too rough
 
-/// The sides of a box that cut something off. Sides that leave less of the surface come first.
+/// The sides of a box that cut off a part of the surface. Sides that leave less of the surface come
+/// first.
 std::vector<CutPlane> sidesOf(const MeshedSurface& body, const Eigen::Vector3d& place, double half)
 {
   std::vector<CutPlane> planes;
@@ -88,10 +90,10 @@ void takeCells(
   }
 }
 
-/// Keeps only elements that are connected to a held face. Drops crumbs that the cut leaves of a
-/// thin flap, and parts that are connected only by an edge and could turn about it. Returns "", or
-/// a message about the fault.
-std::string dropLoose(CutOutPart& part)
+/// Keeps only elements that are connected, face by face, to a face that is held or on the cut.
+/// Removes fragments that the cut leaves of a thin flap, and parts that are connected only by an
+/// edge and could rotate about it. Returns "", or a message about the fault.
+std::string removeLoose(CutOutPart& part)
 {
   MeshTopology topology;
   std::string fault = topology.build(part.mesh);
@@ -112,7 +114,7 @@ std::string dropLoose(CutOutPart& part)
   return part.mesh.elements.empty() ? "nothing holds it" : "";
 }
 
-/// Keeps only the rims of the held part for the cells to follow.
+/// Removes all rims except those of the held part, so that cells follow no other rim.
 void keepHeldRims(PreparedSurface& surface)
 {
   MeshedSurface& wanted = surface.wanted;
@@ -167,6 +169,6 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
     return fault.empty() ? "it has no cells" : fault;
   }
   takeCells(curved, part, NearSide * cells.spacing, filled);
-  return dropLoose(filled);
+  return removeLoose(filled);
 }
 } // namespace palpate

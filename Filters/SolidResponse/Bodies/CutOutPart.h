@@ -14,10 +14,10 @@ namespace palpate
 struct CutOutSurface
 {
   PreparedSurface surface;
-  std::vector<CutPlane> sides; ///< the sides of the box that cut something off
+  std::vector<CutPlane> sides; ///< the sides of the box that cut off a part of the surface
 };
 
-/// The same part filled with cells that are fine at the place.
+/// The part of a CutOutSurface, filled with cells that are fine at the place.
 struct CutOutPart
 {
   VolumeMesh mesh;
@@ -28,20 +28,21 @@ struct CutOutPart
 /// Lengths of a part's cells.
 struct PartCells
 {
-  double spacing = 0.0; ///< at the surface outside the balls, mm
+  double spacing = 0.0; ///< spacing at the surface outside the balls, mm
   std::vector<FineBall> balls;
 };
 
 /**
  * Cuts the part in a box with half side `half` (mm) around a place out of a mended and cut surface.
  * Returns "", or a message about the fault. This function and fillPart() are safe from any number
- * of threads. Cost: some tenths of a second for 100 thousand triangles.
+ * of threads. Cost: a few tenths of a second for 100 thousand triangles.
  */
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part);
 
-/// Fills the part with quadratic tetrahedra, without crumbs that are not held. Returns "", or a
-/// message about the fault. Cost: 60 µs per cell.
+/// Fills the part with quadratic tetrahedra. Elements that are not connected, face by face, to a
+/// face that is held or on the cut are left out. Returns "", or a message about the fault. Cost: 60
+/// µs per cell.
 std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPart& filled);
 } // namespace palpate
 

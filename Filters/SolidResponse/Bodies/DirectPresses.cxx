@@ -14,21 +14,23 @@ namespace palpate
 namespace
 {
 // Lengths in contact radii.
-constexpr double Reach = 5.0;  ///< half side of the part's box
-constexpr double Around = 1.4; ///< radius of the fine ball under the tool
-constexpr double Facets = 0.3; ///< length of its facets: the force at a ball's pole is within 1 %
-constexpr double Rim = 0.12;   ///< radius and facets of the balls at a flat end's rim: within 2 %
-constexpr double Far = 0.8;    ///< length of the facets away from the tool
-constexpr double Longer = 1.5; ///< factor on all lengths for the second mesh
+constexpr double BoxHalfSide = 5.0;      ///< half side of the part's box
+constexpr double FineBallRadius = 1.4;   ///< radius of the fine ball under the tool
+constexpr double FacetLength = 0.3;      ///< length of the facets in that ball, for an error of the
+                                         ///< force of 1 % at the pole of a sphere
+constexpr double RimBallRadius = 0.12;   ///< radius and facet length of the balls at the rim of a
+                                         ///< flat end, for an error of 2 %
+constexpr double FarFacetLength = 0.8;   ///< length of the facets away from the tool
+constexpr double SecondMeshFactor = 1.5; ///< factor on the cell lengths for the second mesh
 constexpr int RimBalls = 32;
 constexpr int MostBoxes = 4;
-constexpr double Larger = 1.07; ///< factor on the box if the last one cannot be cut
+constexpr double NextBoxFactor = 1.07; ///< factor on the box if the last one cannot be cut
 /// Factor on the box and its cells if the first result is not good enough. A larger part depends
 /// less on the coarse cells around it.
-constexpr double Wider = 1.6;
-constexpr double Inside = 0.1; ///< depth of the loads in the body's coarse cells
+constexpr double WiderBoxFactor = 1.6;
+constexpr double LoadDepth = 0.1; ///< depth at which the coarse cells are loaded
 /// Smallest half side of the box, in spacings of the coarse cells.
-constexpr double CoarseReach = 2.5;
+constexpr double CoarseBoxHalfSide = 2.5;
 } // namespace
 
 DirectPresses::DirectPresses(const PreparedSurface& surface, const RestOfBody& body,
@@ -46,8 +48,8 @@ PartCells DirectPresses::cells(const DirectPlace& place, const Lengths& lengths)
 {
   const double unit = lengths.near * this->Radius;
   PartCells made;
-  made.spacing = Far * lengths.far * this->Radius;
-  made.balls.push_back({ place.place, Around * this->Radius, Facets * unit });
+  made.spacing = FarFacetLength * lengths.far * this->Radius;
+  made.balls.push_back({ place.place, FineBallRadius * this->Radius, FacetLength * unit });
   if (this->Tool.smallestContactRadius() >= this->Radius)
   {
     const Eigen::Matrix3d frame = SurfaceGap::frame(-place.inward);
@@ -56,7 +58,7 @@ PartCells DirectPresses::cells(const DirectPlace& place, const Lengths& lengths)
       const double angle = 2.0 * Pi * i / RimBalls;
       const Eigen::Vector3d rim = place.place +
         this->Radius * (std::cos(angle) * frame.col(0) + std::sin(angle) * frame.col(1));
-      made.balls.push_back({ rim, Rim * this->Radius, Rim * unit });
+      made.balls.push_back({ rim, RimBallRadius * this->Radius, RimBallRadius * unit });
     }
   }
   return made;
@@ -72,7 +74,7 @@ std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& c
     return fault;
   }
   const UnitMotion ofCut = rest.motionAt(
-    place.place, Inside * this->Radius * place.inward, filled.mesh.nodes, filled.onCut);
+    place.place, LoadDepth * this->Radius * place.inward, filled.mesh.nodes, filled.onCut);
   if (ofCut.nodes.front().size() == 0)
   {
     return "there is not enough memory for the body around it";
@@ -117,24 +119,25 @@ DirectPress DirectPresses::press(const DirectPlace& place, const Part& part) con
 std::string DirectPresses::pressIn(
   double wider, const DirectPlace& place, Contacts& contacts, bool& isBeyond) const
 {
-  const std::int32_t point = this->Body.pointBeside(place.place, -place.inward);
+  const std::int32_t point = this->Body.nearestPoint(place.place, -place.inward);
   if (point < 0)
   {
     return "no point of the solid's surface faces the same way";
   }
   double half = wider *
-    std::max(Reach * this->Radius, CoarseReach * this->Body.body().surface().spacing(point));
+    std::max(
+      BoxHalfSide * this->Radius, CoarseBoxHalfSide * this->Body.body().surface().spacing(point));
   std::string fault = "it has no part";
-  for (int i = 0; i < MostBoxes && !fault.empty(); ++i, half *= Larger)
+  for (int i = 0; i < MostBoxes && !fault.empty(); ++i, half *= NextBoxFactor)
   {
     CutOutSurface cut;
     Part finer;
     Part coarser;
     fault = cutOutAround(this->Surface, place.place, half, cut);
     fault = fault.empty() ? this->make(place, cut, { 1.0, wider }, this->Body, finer) : fault;
-    fault = fault.empty()
-      ? this->make(place, cut, { Longer, Longer * wider }, this->Coarser, coarser)
-      : fault;
+    fault = fault.empty() ? this->make(place, cut, { SecondMeshFactor, SecondMeshFactor * wider },
+                              this->Coarser, coarser)
+                          : fault;
     if (!fault.empty())
     {
       continue;
@@ -162,7 +165,7 @@ std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) cons
   const bool isOpen =
     fault.empty() ? !meshesAgree(contacts.finer, contacts.coarser, this->Terms) : isBeyond;
   Contacts again;
-  if (isOpen && this->pressIn(Wider, place, again, isBeyond).empty())
+  if (isOpen && this->pressIn(WiderBoxFactor, place, again, isBeyond).empty())
   {
     contacts = std::move(again);
     return "";

@@ -11,28 +11,29 @@
 namespace palpate
 {
 /**
- * Presses a tool at places of a body. Each place has a part of its own that is cut out around it
- * and has fine cells under the tool. The surrounding body moves as its coarse cells do. Safe from
- * any number of threads.
+ * Presses a tool at places of a body. For each place a part of the body is cut out around it and
+ * filled with cells that are fine under the tool. The surrounding body moves as its coarse cells
+ * do. Safe from any number of threads.
  *
- * The part extends five contact radii from the place. On a half-space the body beyond it has an
- * eighth of the compliance, and coarse cells miss some hundredths of that. The part is enlarged to
- * eight contact radii if the two meshes differ too much or the tool extends farther.
+ * The part extends five contact radii from the place. On a half-space the body beyond that distance
+ * contributes an eighth of the compliance, and the error of coarse cells is a few hundredths of
+ * that part. The part is enlarged to eight contact radii if the two meshes differ too much or the
+ * tool extends farther.
  */
 class DirectPresses
 {
 public:
   /// The surface, the bodies and the tool must outlive this object. `coarser`: `body` in longer
-  /// cells. `terms`: tool, material, depth, and whether at finite strain.
+  /// cells. `terms`: tool, material, depth, and whether finite strain is solved.
   DirectPresses(const PreparedSurface& surface, const RestOfBody& body, const RestOfBody& coarser,
     const DirectTerms& terms);
 
   struct Contacts
   {
     DirectPress finer;
-    DirectPress coarser; ///< on cells 1.5 times as long
+    DirectPress coarser; ///< the contact on cells 1.5 times as long
   };
-  /// Returns "", or a message about the fault at this place.
+  /// Presses the tool at a place. Returns "", or a message about the fault there.
   std::string at(const DirectPlace& place, Contacts& contacts) const;
 
 private:
@@ -41,10 +42,10 @@ private:
   {
     ElasticBody body;
     UnitMotion moved;                 ///< motion due to the surrounding body
-    std::vector<unsigned char> onCut; ///< per node
+    std::vector<unsigned char> onCut; ///< per node: whether it is on the cut
     std::vector<unsigned char> held;
   };
-  /// Factors on the lengths of the cells; 1 for the finest.
+  /// Factors on the lengths of the cells; 1 for the finest mesh.
   struct Lengths
   {
     double near = 1.0;
@@ -64,7 +65,7 @@ private:
   const RestOfBody& Coarser;
   const AxisymmetricTool& Tool;
   DirectTerms Terms;
-  double Radius; ///< of the contact on a half-space, mm
+  double Radius; ///< contact radius on a half-space, mm
 };
 } // namespace palpate
 

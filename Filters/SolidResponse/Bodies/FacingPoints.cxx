@@ -17,11 +17,11 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Wanted = 6;   ///< points per value
-constexpr int FirstSearch = 24;     ///< number of nearest points in the first search
-constexpr int WiderSearch = 8;      ///< factor on that number for the second search
-constexpr std::size_t Enough = 3;   ///< points that determine a plane
-constexpr double LargestTurn = 0.5; ///< cos 60°
+constexpr std::size_t PointsPerValue = 6; ///< points per value
+constexpr int FirstSearch = 24;           ///< number of nearest points in the first search
+constexpr int WiderSearch = 8;            ///< factor on that number for the second search
+constexpr std::size_t PointsOfPlane = 3;  ///< points that determine a plane
+constexpr double LargestTurn = 0.5;       ///< cos 60°
 } // namespace
 
 FacingPoints::FacingPoints(vtkPolyData* surface, const std::function<bool(vtkIdType)>& isTaken)
@@ -56,7 +56,7 @@ FacingPoints::Weights FacingPoints::find(int search, const double place[3], cons
   vtkNew<vtkIdList> nearest;
   double sum = 0.0;
   this->Locator->FindClosestNPoints(search, place, nearest);
-  for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && found.size() < Wanted; ++k)
+  for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && found.size() < PointsPerValue; ++k)
   {
     const auto index = static_cast<std::size_t>(nearest->GetId(k));
     if (this->Normals[index].dot(normal) >= LargestTurn &&
@@ -81,7 +81,7 @@ std::vector<std::pair<vtkIdType, double>> FacingPoints::around(
 {
   const auto all = static_cast<int>(this->Ids.size());
   Weights found;
-  for (int search = std::min(FirstSearch, all); search > 0 && found.size() < Wanted;
+  for (int search = std::min(FirstSearch, all); search > 0 && found.size() < PointsPerValue;
        search = search < all ? std::min(WiderSearch * search, all) : 0)
   {
     found = this->find(search, place, normal, {});
@@ -98,7 +98,7 @@ std::vector<std::pair<vtkIdType, double>> FacingPoints::nearBy(const double plac
     return {};
   }
   Weights found = this->find(std::min(FirstSearch, all), place, normal, isWanted);
-  return found.size() >= Enough
+  return found.size() >= PointsOfPlane
     ? found
     : this->find(std::min(WiderSearch * FirstSearch, all), place, normal, isWanted);
 }

@@ -29,13 +29,13 @@ public:
   bool isEmpty() const { return this->Ids.empty(); }
 
   /// Ids and weights (sum 1) of the six nearest points whose normals are within 60° of `normal`,
-  /// weighted by 1/distance², the nearest first. Fewer if there are no more, none if no point faces
-  /// that way. Safe from any number of threads.
+  /// weighted by 1/distance², the nearest first. Returns fewer points if the surface has fewer, and
+  /// none if no point faces that way. Safe from any number of threads.
   std::vector<std::pair<vtkIdType, double>> around(
     const double place[3], const Vector3& normal) const;
 
-  /// The same for wanted points only (empty function: all). Searches the 24 nearest points. If
-  /// these hold fewer than three wanted points, the 192 nearest points are searched.
+  /// As around(), but for wanted points only (empty function: all points). Searches the 24 nearest
+  /// points. If these include fewer than three wanted points, the 192 nearest points are searched.
   std::vector<std::pair<vtkIdType, double>> nearBy(const double place[3], const Vector3& normal,
     const std::function<bool(vtkIdType)>& isWanted = {}) const;
 

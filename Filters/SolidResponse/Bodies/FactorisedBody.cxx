@@ -20,8 +20,8 @@ namespace palpate
 {
 namespace
 {
-/// Fraction of the available memory for the factorisation. The rest is left for the solutions and
-/// for other programs.
+/// Fraction of the available memory for the factorisation. The remaining memory is for the
+/// solutions and for other programs.
 constexpr double MemoryShare = 0.9;
 
 std::string refusal(vtkIdType unknowns, double memoryLimit, double memory)

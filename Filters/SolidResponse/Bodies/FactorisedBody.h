@@ -16,9 +16,9 @@ namespace palpate
 /// Material and solver of a filter for elastic bodies.
 struct FactorRequest
 {
-  ElasticMaterial material;        ///< of cells without an array
-  vtkDataArray* young = nullptr;   ///< per cell, MPa; null: the constant
-  vtkDataArray* poisson = nullptr; ///< per cell; null: the constant
+  ElasticMaterial material;        ///< material of cells without an array
+  vtkDataArray* young = nullptr;   ///< Young's modulus per cell, MPa; null: the constant
+  vtkDataArray* poisson = nullptr; ///< Poisson's ratio per cell; null: the constant
   int solver = 0;                  ///< a StiffnessFactor::Kind
   double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of the available memory
 };
@@ -29,7 +29,8 @@ bool isElementRatio(double ratio);
 /// Returns "", or a message that names the wrong property of a request.
 std::string checkFactorRequest(const FactorRequest& request);
 
-/// Bytes that may be used: from a limit in MiB, or from the memory available now if the limit is 0.
+/// Number of bytes that may be used: the limit (given in MiB), or nine tenths of the memory
+/// available now if the limit is 0.
 double allowedMemory(double memoryLimit);
 
 /// Finds the cell array that is set as the filter's array to process; null if none is set. `find`
@@ -37,7 +38,7 @@ double allowedMemory(double memoryLimit);
 std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
-/// The same for a point array.
+/// As findCellArray, for a point array.
 std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 

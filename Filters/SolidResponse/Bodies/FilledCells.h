@@ -23,7 +23,7 @@ struct BodyBall
 };
 
 /// The fraction of a cell's volume that each of several balls fills, counted at n³ points of the
-/// cell (CellPlaces). A point in several balls belongs to the last.
+/// cell (CellPlaces). A point in several balls belongs to the last of them.
 class FilledCells
 {
 public:

@@ -20,13 +20,13 @@ FinerSurface::FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyDa
   , Mesh(makeBodyMesh(surface))
   , Reach(SurfaceGap::reachFor(a))
   , OnSurface(surface, [](vtkIdType) { return true; })
-  , Around(this->Mesh.pointCount())
-  , Turns(this->Around.size(), 0.0F)
+  , NearbyLandmarks(this->Mesh.pointCount())
+  , Turns(this->NearbyLandmarks.size(), 0.0F)
 {
   const NearLandmarks near(solid, landmarks);
-  shareWork(this->Around.size(),
+  shareWork(this->NearbyLandmarks.size(),
     [this, &near](std::size_t i)
-    { this->Around[i] = near.around(this->Mesh.coordinates() + 3 * i, this->normal(i)); });
+    { this->NearbyLandmarks[i] = near.around(this->Mesh.coordinates() + 3 * i, this->normal(i)); });
   this->findTurns();
 }
 
@@ -69,7 +69,7 @@ LandmarkSpot FinerSurface::spot(std::size_t i) const
   made.surface.normal = this->normal(i);
   made.surface.gap =
     gapOfSurface(this->Mesh, this->Normals, static_cast<std::int32_t>(i), this->Reach);
-  made.around = this->Around[i];
+  made.around = this->NearbyLandmarks[i];
   return made;
 }
 
@@ -96,7 +96,7 @@ LandmarkSurface FinerSurface::view() const
   made.edges.points = this->Mesh.pointCount();
   made.edges.materialAt = [this](std::int32_t i)
   {
-    const std::vector<std::size_t>& around = this->Around[static_cast<std::size_t>(i)];
+    const std::vector<std::size_t>& around = this->NearbyLandmarks[static_cast<std::size_t>(i)];
     return around.empty() ? ElasticMaterial{} : this->Landmarks.material(around.front());
   };
   made.edges.around = [this](std::int32_t i, const std::function<bool(std::int32_t)>& isValid)

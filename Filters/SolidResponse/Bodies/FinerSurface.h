@@ -12,8 +12,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The scanned surface of a body whose solid is coarser. Each point takes its response from the
-/// landmarks around it on the solid that face the same way, with the curvature at the point itself.
+/// The scanned surface of a body, finer than the surface of its solid. The response of each point
+/// follows from the nearby landmarks of the solid that face the same way, and from the curvature at
+/// the point itself.
 class FinerSurface
 {
 public:
@@ -36,10 +37,10 @@ private:
   const LandmarkKernels& Landmarks;
   const float* Normals;
   BodyMesh Mesh;
-  double Reach;                                 ///< radius to which a contact needs the surface, mm
-  FacingPoints OnSurface;                       ///< all points
-  std::vector<std::vector<std::size_t>> Around; ///< landmarks around each point
-  std::vector<float> Turns;                     ///< turn of the surface at each point, rad
+  double Reach;           ///< radius to which a contact needs the surface, mm
+  FacingPoints OnSurface; ///< all points
+  std::vector<std::vector<std::size_t>> NearbyLandmarks; ///< landmarks around each point
+  std::vector<float> Turns; ///< angle by which the surface turns at each point, rad
 };
 } // namespace palpate
 

@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastShare = 1e-6; ///< a smaller share of a corner is a rounding error
+constexpr double LeastShare = 1e-6; ///< a smaller weight of a corner is a rounding error
 }
 
 HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld)
@@ -35,7 +35,7 @@ bool HeldPlaces::contain(const double place[3]) const
   const Eigen::Vector3d from(place);
   if (!from.allFinite())
   {
-    return false; // VTK finds no closest place for it
+    return false; // VTK finds no closest place for NaN or infinity
   }
   const ClosestPlace closest = closestPlace(this->Locator, from);
   if (closest.cell < 0)
@@ -50,7 +50,8 @@ bool HeldPlaces::contain(const double place[3]) const
     this->Surface->GetPoint(corners->GetId(static_cast<vtkIdType>(k)), away[k].data());
     away[k] -= closest.at;
   }
-  // The share of a corner is the area of the triangle of the place and the other two corners.
+  // The weight of a corner is the area of the triangle formed by the place and the other two
+  // corners.
   const Eigen::Vector3d shares(
     away[1].cross(away[2]).norm(), away[2].cross(away[0]).norm(), away[0].cross(away[1]).norm());
   for (Eigen::Index k = 0; k < 3; ++k)

@@ -17,7 +17,7 @@ namespace palpate
 class HeldPlaces
 {
 public:
-  /// `surface` must consist of triangles. `isHeld`: whether a point of it is held.
+  /// `surface` must consist of triangles. `isHeld`: whether a point of `surface` is held.
   HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld);
 
   /// Whether the closest place of the surface is a held point or between held points. False for a

@@ -24,7 +24,8 @@ namespace palpate
 {
 namespace
 {
-/// The points of the solid, with weights, from which a point of the surface takes its values.
+/// Returns the points of the solid, with weights, from which the values at a point of the surface
+/// are interpolated.
 using PartsOf = std::function<std::vector<std::pair<vtkIdType, double>>(std::size_t)>;
 
 /// Adds a point array of zeros. It replaces an array of the same name.
@@ -49,7 +50,8 @@ void fillModes(const GlobalModes& modes, const PartsOf& partsOf, vtkPolyData* su
   for (std::size_t k = modes.fields.size();
        surface->GetPointData()->HasArray(modeName(k).c_str()) != 0; ++k)
   {
-    surface->GetPointData()->RemoveArray(modeName(k).c_str()); // left from another body
+    // The array may belong to another body.
+    surface->GetPointData()->RemoveArray(modeName(k).c_str());
   }
   std::vector<float*> to;
   vtkNew<vtkSignedCharArray> signs;

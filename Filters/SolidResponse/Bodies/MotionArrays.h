@@ -13,8 +13,8 @@ namespace palpate
 /// `NearField`, in the form that BodyField reads.
 void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid);
 
-/// The same for another surface of the body with these point `normals`. Each point takes the values
-/// of nearby points of `solid` that face the same way.
+/// As above, for another surface of the body, which has these point `normals`. The values at each
+/// point are interpolated from nearby points of `solid` that face the same way.
 void attachMotion(
   const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 } // namespace palpate

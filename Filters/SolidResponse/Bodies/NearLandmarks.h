@@ -22,8 +22,8 @@ public:
   /// this object.
   NearLandmarks(vtkPolyData* solid, const LandmarkKernels& landmarks);
 
-  /// Indices in LandmarkKernels::points() of the landmarks that face the same way, nearest first.
-  /// None if the place is in the held part of the solid. Safe from any number of threads.
+  /// Indices in LandmarkKernels::points() of the landmarks that face the same way, the nearest
+  /// first. Empty if the place is in the held part of the solid. Safe from any number of threads.
   std::vector<std::size_t> around(const double place[3], const Vector3& normal) const;
 
 private:

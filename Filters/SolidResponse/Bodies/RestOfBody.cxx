@@ -28,7 +28,7 @@ double RestOfBody::spacing() const
   return sum;
 }
 
-std::int32_t RestOfBody::pointBeside(
+std::int32_t RestOfBody::nearestPoint(
   const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const
 {
   const BodySurface& surface = this->Body.surface();

@@ -16,8 +16,8 @@ class vtkGenericCell;
 
 namespace palpate
 {
-/// A body in coarse cells. A part is cut out of it on which a tool is pressed. This class gives the
-/// motion of the body's places under loads on that part.
+/// A body in coarse cells, from which the part under a tool is cut out. This class computes the
+/// motion of the body under loads on that part.
 class RestOfBody
 {
 public:
@@ -31,8 +31,9 @@ public:
   /// Mean distance of the surface's points, mm. This is half the length of quadratic cells.
   double spacing() const;
 
-  /// The nearest point of the surface that faces the same way as an outward normal; -1 without one.
-  std::int32_t pointBeside(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
+  /// The nearest point of the surface whose normal is within 90° of the given outward `normal`; -1
+  /// if there is no such point.
+  std::int32_t nearestPoint(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
   /// Motion of `places` under unit loads at a place of the surface. Only places with `asked` set
   /// are computed; the others do not move. `inward` (mm): a small step into the body at the place.

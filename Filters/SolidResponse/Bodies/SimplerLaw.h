@@ -18,10 +18,10 @@ namespace palpate
 struct SimplerLaw
 {
   vtkContactTool* tool = nullptr;
-  double deflection = 0.0; ///< of the last sample, mm
+  double deflection = 0.0; ///< depth of the last sample, mm
   double thickness = 0.0;  ///< mm; 0: a half-space
   std::string thicknesses; ///< point array of the surface with thicknesses; "": none
-  double tolerance = 0.01; ///< of the force, relative
+  double tolerance = 0.01; ///< largest relative change of the force
 };
 
 /**

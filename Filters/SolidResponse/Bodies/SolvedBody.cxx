@@ -31,8 +31,8 @@ constexpr double FactorisedShare = 0.17;    // fraction of the progress
 constexpr double FittedShare = 0.5;         // fraction for a response on a finer surface
 constexpr double WiderThanHalfSpace = 1.42; // √2 on a thin layer that can expand sideways
 
-/// Finds the points of the surface to press: all, or those where the grid's point array `Pressed`
-/// is not 0. Returns "", or a message about the fault of that array.
+/// Finds the points of the surface that are pressed: all points, or those where the grid's point
+/// array `Pressed` is not 0. Returns "", or a message about the fault of that array.
 std::string findPressed(
   vtkUnstructuredGrid* grid, const BodySurface& surface, std::vector<std::int32_t>& points)
 {
@@ -64,14 +64,14 @@ struct SolvedBody::Kept
   ElasticBody Body;
   RegularGreen Green{ Body };
   std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not requested
-  SurfaceMotion Motion;                       ///< without points: not requested
-  double Spacing = 0.0;                       ///< of sources, mm
+  SurfaceMotion Motion;                       ///< has no points if it was not requested
+  double Spacing = 0.0;                       ///< distance of the sources, mm
   bool IsEven = false;
-  double Radius = 0.0;       ///< mm; 0: nothing solved yet
+  double Radius = 0.0;       ///< solved contact radius, mm; 0: nothing is solved yet
   double FactorMemory = 0.0; ///< MiB
   double GreenMemory = 0.0;  ///< MiB
-  vtkSmartPointer<vtkUnstructuredGrid>
-    Grid; ///< holds its arrays, so that no new one can have the address of a freed one
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< a copy that keeps the arrays alive, so that no new
+                                             ///< array can have the address of a freed one
   vtkMTimeType GridTime = 0;
   FactorRequest Factor;
 
@@ -110,9 +110,9 @@ std::string checkLength(const char* property, double length)
 std::string SolvedBody::solve(
   vtkUnstructuredGrid* grid, const SolveRequest& request, const FilterStage& stage, SolveCost& cost)
 {
-  const bool isSame = this->Now && this->Now->isOf(grid, request.factor);
-  if (isSame && this->Now->Radius >= request.radius && this->Now->Spacing == request.spacing &&
-    this->Now->IsEven == request.isEven)
+  const bool isSame = this->Current && this->Current->isOf(grid, request.factor);
+  if (isSame && this->Current->Radius >= request.radius &&
+    this->Current->Spacing == request.spacing && this->Current->IsEven == request.isEven)
   {
     return {};
   }
@@ -120,21 +120,21 @@ std::string SolvedBody::solve(
   std::string fault;
   if (!isSame)
   {
-    this->Now = std::make_unique<Kept>(); // frees the former factor first
+    this->Current = std::make_unique<Kept>(); // frees the former factor first
     fault = factoriseBody(grid, request.factor, FilterStage{ stage.filter, stage.from, middle },
-      this->Now->Body, cost.memory, cost.ended);
+      this->Current->Body, cost.memory, cost.ended);
     if (!fault.empty() || cost.ended)
     {
-      this->Now.reset();
+      this->Current.reset();
       return fault;
     }
-    this->Now->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    this->Now->Grid->ShallowCopy(grid);
-    this->Now->GridTime = grid->GetMTime();
-    this->Now->Factor = request.factor;
-    this->Now->FactorMemory = cost.memory;
+    this->Current->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Current->Grid->ShallowCopy(grid);
+    this->Current->GridTime = grid->GetMTime();
+    this->Current->Factor = request.factor;
+    this->Current->FactorMemory = cost.memory;
   }
-  Kept& kept = *this->Now;
+  Kept& kept = *this->Current;
   std::vector<std::int32_t> points;
   fault = findPressed(grid, kept.Body.surface(), points);
   if (!fault.empty())
@@ -173,20 +173,20 @@ std::string SolvedBody::solve(
 
 const RegularGreen& SolvedBody::green() const
 {
-  return this->Now->Green;
+  return this->Current->Green;
 }
 
 double SolvedBody::memory() const
 {
-  return this->Now->FactorMemory + this->Now->GreenMemory;
+  return this->Current->FactorMemory + this->Current->GreenMemory;
 }
 
 const LandmarkKernels* SolvedBody::landmarks(const FilterStage& stage)
 {
-  std::unique_ptr<LandmarkKernels>& kept = this->Now->Landmarks;
+  std::unique_ptr<LandmarkKernels>& kept = this->Current->Landmarks;
   if (!kept)
   {
-    kept = std::make_unique<LandmarkKernels>(this->Now->Green, stage);
+    kept = std::make_unique<LandmarkKernels>(this->Current->Green, stage);
     if (!kept->isComplete())
     {
       kept.reset();
@@ -198,7 +198,7 @@ const LandmarkKernels* SolvedBody::landmarks(const FilterStage& stage)
 vtkSmartPointer<vtkPolyData> SolvedBody::surface(vtkUnstructuredGrid* grid) const
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
-  convertSurface(this->Now->Body.surface(), grid, surface);
+  convertSurface(this->Current->Body.surface(), grid, surface);
   return surface;
 }
 
@@ -213,12 +213,12 @@ std::string SolvedBody::respond(vtkPolyData* surface, vtkContactTool* tool,
   }
   for (vtkIdType i = 0; i < storage.Status->GetNumberOfValues(); ++i)
   {
-    if (!this->Now->Green.disc(static_cast<std::int32_t>(i)))
+    if (!this->Current->Green.disc(static_cast<std::int32_t>(i)))
     {
       storage.Status->SetValue(i, static_cast<unsigned char>(ResponseStatus::OutOfReach));
     }
   }
-  made = shapedResponse(*tool->GetKernel(), this->Now->Green, terms, storage.spans(), stage);
+  made = shapedResponse(*tool->GetKernel(), this->Current->Green, terms, storage.spans(), stage);
   return {};
 }
 
@@ -232,7 +232,7 @@ std::string SolvedBody::respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid,
     return "Wrong input: Surface: " + fault;
   }
   const double fitted =
-    this->Now->Landmarks ? stage.from : stage.from + FittedShare * (stage.to - stage.from);
+    this->Current->Landmarks ? stage.from : stage.from + FittedShare * (stage.to - stage.from);
   const LandmarkKernels* known = this->landmarks(FilterStage{ stage.filter, stage.from, fitted });
   if (!known)
   {
@@ -254,7 +254,7 @@ std::string SolvedBody::findStrain(vtkContactTool* tool, const StrainLaw& law, d
   {
     return fault;
   }
-  const ElasticBody& body = this->Now->Body;
+  const ElasticBody& body = this->Current->Body;
   StrainBodies bodies{ body.material(0).poissonRatio, body.material(0).poissonRatio };
   for (std::int32_t e = 1; e < body.mesh().elementTotal(); ++e)
   {
@@ -266,11 +266,11 @@ std::string SolvedBody::findStrain(vtkContactTool* tool, const StrainLaw& law, d
 
 const SurfaceMotion& SolvedBody::motion(const FilterStage& stage)
 {
-  if (this->Now->Motion.points.empty())
+  if (this->Current->Motion.points.empty())
   {
-    this->Now->Motion = surfaceMotion(this->Now->Green, MostGlobalModes, stage);
+    this->Current->Motion = surfaceMotion(this->Current->Green, MostGlobalModes, stage);
   }
-  return this->Now->Motion;
+  return this->Current->Motion;
 }
 
 void SolvedBody::attachMotionTo(vtkPolyData* surface, const FilterStage& stage)

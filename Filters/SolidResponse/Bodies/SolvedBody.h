@@ -29,9 +29,9 @@ struct StrainLaw;
 struct SolveRequest
 {
   FactorRequest factor;
-  double radius = 0.0;  ///< of the widest contact, mm
-  double spacing = 0.0; ///< of the solved points, mm; 0: all points
-  bool isEven = false;  ///< they are no closer near edges (RegularGreen::solve)
+  double radius = 0.0;  ///< radius of the widest contact, mm
+  double spacing = 0.0; ///< distance of the solved points, mm; 0: all points
+  bool isEven = false; ///< whether the solved points are no closer near edges (RegularGreen::solve)
 };
 
 /// The cost of a solution.
@@ -39,23 +39,25 @@ struct SolveCost
 {
   double memory = 0.0;     ///< MiB, also set if the solution was refused
   vtkIdType solutions = 0; ///< 0: nothing had to be solved
-  bool ended = false;      ///< by an abort
+  bool ended = false;      ///< whether an abort ended the work
 };
 
-/// The contact radius to solve for, for a tool at a depth (mm) on any body.
+/// The contact radius for which a body must be solved, for a tool at a depth (mm).
 double neededRadius(vtkContactTool* tool, double deflection);
 
-/// Returns "", or a message about the fault in the settings of a response of true shape, including
-/// tool and depth.
+/// Checks the settings of a response of true shape, including tool and depth. Returns "", or a
+/// message about the fault.
 std::string checkShapedRequest(const LawRequest& request);
 
-/// Returns "", or a message if a length (mm) is negative or not finite. `property`: its name.
+/// Checks a length (mm). Returns "", or a message with the name `property` if the length is
+/// negative or not finite.
 std::string checkLength(const char* property, double length);
 
 /**
- * A body and its H (RegularGreen), which filters keep from one tool to the next. It is factorised
- * and solved again only if the grid, its material or the solver changes, or if a contact is wider.
- * If the grid has a point array `Pressed`, only contacts where it is not 0 are solved for.
+ * A body and its H (RegularGreen), which filters keep from one tool to the next. The body is
+ * factorised and solved again only if the grid, its material or the solver changes, or if a contact
+ * is wider than all contacts before. If the grid has a point array `Pressed`, only points where it
+ * is not 0 are solved for.
  */
 class SolvedBody
 {
@@ -71,25 +73,25 @@ public:
   const RegularGreen& green() const;
   double memory() const; ///< estimate for the stored data, MiB
 
-  /// The kernels at the sources, fitted once for all tools; null after an abort.
+  /// Returns the kernels at the sources, which are fitted once for all tools; null after an abort.
   const LandmarkKernels* landmarks(const FilterStage& stage);
 
   /// The surface, with the grid's point arrays and `OriginalPointIds`.
   vtkSmartPointer<vtkPolyData> surface(vtkUnstructuredGrid* grid) const;
 
   /// Fills `storage`, which has as many points as `surface`, with the tool's response. Returns "",
-  /// or a message about the fault. Incomplete after an abort.
+  /// or a message about the fault. After an abort `storage` is incomplete.
   std::string respond(vtkPolyData* surface, vtkContactTool* tool, const ShapedTerms& terms,
     const FilterStage& stage, ResponseStorage& storage, MadeResponse& made) const;
 
-  /// The same at the points of another surface of the body. It must have passed checkTriangles and
-  /// may be finer (FinerSurface).
+  /// As respond(), at the points of another surface of the body. This surface must have passed
+  /// checkTriangles and may be finer (FinerSurface).
   std::string respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid, vtkContactTool* tool,
     const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);
 
   /// Finds the correction for finite strain for a contact of the tool with the body's materials.
-  /// Returns "", or a message about the fault. Null after an abort.
+  /// Returns "", or a message about the fault. `strain` is null after an abort.
   std::string findStrain(vtkContactTool* tool, const StrainLaw& law, double deflection,
     const FilterStage& stage, std::unique_ptr<StrainCorrection>& strain) const;
 
@@ -102,7 +104,7 @@ public:
 private:
   struct Kept;
   const SurfaceMotion& motion(const FilterStage& stage);
-  std::unique_ptr<Kept> Now;
+  std::unique_ptr<Kept> Current;
 };
 } // namespace palpate
 

@@ -14,18 +14,19 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// Nodes and elements of a grid. Returns "", or a message with id and type of a cell that is not a
-/// hexahedron, voxel, linear or quadratic tetrahedron.
+/// Copies nodes and elements of a grid to `mesh`. Returns "", or a message with id and type of a
+/// cell that is not a hexahedron, voxel, linear or quadratic tetrahedron.
 std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh);
 
-/// Reads the point array `Fixed`. Returns "", or a message about its fault.
+/// Reads the point array `Fixed`. Returns "", or a message about the fault of the array.
 std::string convertFixed(vtkUnstructuredGrid* grid, std::vector<unsigned char>& fixed);
 
-/// E and ν per cell; a null array means the constant.
+/// Returns E and ν per cell. Without an array (null) the constant is used.
 std::vector<ElasticMaterial> convertMaterials(
   vtkIdType cells, vtkDataArray* young, vtkDataArray* poisson, const ElasticMaterial& constant);
 
-/// The surface's points and triangles, with the grid's point arrays and `OriginalPointIds`.
+/// Copies the points and triangles of the surface to `output`, with the grid's point arrays and
+/// `OriginalPointIds`.
 void convertSurface(const BodySurface& surface, vtkUnstructuredGrid* grid, vtkPolyData* output);
 } // namespace palpate
 

@@ -13,9 +13,9 @@ namespace
 {
 /// Smallest Jacobian of a hexahedron, as a fraction of the voxel's.
 constexpr double SmallestShare = 0.05;
-/// Largest number of times a node is moved back, each time a quarter of the way.
-constexpr int Drawings = 12;
-constexpr double SmallestStep = 0.1; ///< as a fraction of the way to the surface
+/// Largest number of times that a node is moved back, each time by a quarter of the remaining way.
+constexpr int MostPullbacks = 12;
+constexpr double SmallestStep = 0.1; ///< fraction of the way to the surface
 
 using Index = std::array<int, 3>;
 
@@ -273,7 +273,7 @@ void coverWithLayer(VolumeMesh& mesh, const VoxelGrid& grid,
   }
   std::vector<double> share(nearOf.size(), 1.0);
   const double floor = SmallestShare * grid.spacing.prod() / 8.0;
-  for (int drawing = 0; drawing <= Drawings; ++drawing)
+  for (int pullback = 0; pullback <= MostPullbacks; ++pullback)
   {
     for (Eigen::Index i = 0; i < step.cols(); ++i)
     {

@@ -18,7 +18,7 @@ struct VoxelGrid
   Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
   std::vector<unsigned char> inside; ///< x varies fastest
 
-  /// Index of a voxel, and of a node.
+  /// Index of a voxel.
   std::size_t voxel(int i, int j, int k) const;
   std::size_t node(int i, int j, int k) const;
   std::size_t nodeTotal() const { return this->node(0, 0, this->size[2] + 1); }
@@ -36,14 +36,14 @@ void openPinches(VoxelGrid& grid);
 /// Keeps the largest part connected by faces. Returns the number of removed voxels.
 std::size_t keepLargestPart(VoxelGrid& grid);
 
-/// The inside voxels as hexahedra.
+/// Makes a hexahedron of each inside voxel.
 VolumeMesh makeVoxelMesh(const VoxelGrid& grid);
 
 /**
  * Adds a layer of hexahedra between the mesh and a surface around it, one on each outer face.
- * `reach` gives the place of a far node from the position of the near node and the mean outward
- * normal of the core's faces there. If a hexahedron would be spoiled, with a Jacobian below a
- * twentieth of the voxel's, its far nodes are moved back towards it.
+ * `reach` returns the place of a far node for the position of the near node and the mean outward
+ * normal of the core's faces there. If the Jacobian of a hexahedron would be below a twentieth of
+ * that of a voxel, the far nodes of the hexahedron are moved back towards its near nodes.
  */
 void coverWithLayer(VolumeMesh& mesh, const VoxelGrid& grid,
   const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reach);

@@ -48,7 +48,7 @@ std::vector<Edge> outerEdges(const TetrahedralMesh& mesh)
   {
     if (i + 1 < faces.size() && faces[i] == faces[i + 1])
     {
-      ++i; // the face has a tetrahedron on both sides
+      ++i; // the face belongs to two tetrahedra
       continue;
     }
     edges.push_back({ faces[i][0], faces[i][1] });
@@ -149,8 +149,8 @@ CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& r
     }
     made.cells.push_back(ids);
   }
-  // Straightening an edge can spoil a neighbour that needs the curved edge: repeat until nothing
-  // changes.
+  // Straightening an edge can spoil a neighbour that needs the curved edge, so the loop is repeated
+  // until nothing changes.
   for (bool isChanged = true; isChanged;)
   {
     isChanged = false;

@@ -13,7 +13,7 @@ struct CurvedTetrahedra
 {
   Eigen::Matrix3Xd nodes;
   std::vector<std::array<std::int32_t, 10>> cells;
-  std::size_t straightened = 0; ///< outer edges that stay on their chord
+  std::size_t straightened = 0; ///< number of outer edges that are left straight
 };
 
 /// Moves a place to the true surface or, if the edge is sharp, to the true edge.
@@ -21,14 +21,14 @@ using EdgeReach = std::function<Eigen::Vector3d(const Eigen::Vector3d& middle, b
 
 /**
  * Adds a node in the middle of each edge. Nodes on outer edges are moved by `reach`. The edges of a
- * tetrahedron stay straight if its Jacobian could fall below a tenth of the Jacobian with straight
- * edges. The Jacobian is a cubic and is bounded by its 20 Bézier coefficients (Johnen, Remacle and
- * Geuzaine 2013).
+ * tetrahedron are left straight if its Jacobian could fall below a tenth of the Jacobian with
+ * straight edges. The Jacobian is a cubic and is bounded by its 20 Bézier coefficients (Johnen,
+ * Remacle and Geuzaine 2013).
  */
 CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& reach);
 
-/// Smallest Bézier coefficient of a tetrahedron's Jacobian over six times its volume with straight
-/// edges: 1 if the edges are straight.
+/// Smallest Bézier coefficient of a tetrahedron's Jacobian, divided by six times its volume with
+/// straight edges; 1 if the edges are straight.
 double leastJacobian(const Eigen::Matrix3Xd& nodes, const std::array<std::int32_t, 10>& cell);
 } // namespace palpate
 

@@ -16,7 +16,7 @@ namespace palpate
 /// The cells that fill a closed surface, as the properties of vtkGradedBody describe them.
 struct GradedCells
 {
-  double spacing = 2.0;         ///< at the surface, mm
+  double spacing = 2.0;         ///< spacing at the surface, mm
   double interiorSpacing = 0.0; ///< mm; 0: four times `spacing`
   double growth = 0.5;
   double deviation = 0.0; ///< mm; 0: a twentieth of `spacing`
@@ -24,7 +24,7 @@ struct GradedCells
   std::string fixedFaces = "z-";
 };
 
-/// Number of cells that were expected, also if they are too many, and repairs of the surface.
+/// Expected number of cells, also set if they are too many, and the repairs of the surface.
 struct GradedReport
 {
   double cells = 0.0;
@@ -32,7 +32,7 @@ struct GradedReport
 };
 
 /// Fills the surface with quadratic tetrahedra and the point array `Fixed`. Returns "", or a
-/// message about the fault. `grid` stays empty if the observer stopped the work.
+/// message about the fault. `grid` is empty if the observer stopped the work.
 std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkObserver& observer,
   vtkUnstructuredGrid* grid, GradedReport& report);
 } // namespace palpate

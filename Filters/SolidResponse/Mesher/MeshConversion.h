@@ -12,7 +12,7 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// Points and triangles only.
+/// Conversion between vtkPolyData and MeshedSurface. Only points and triangles are converted.
 MeshedSurface convertSurfaceToMesh(vtkPolyData* surface);
 vtkSmartPointer<vtkPolyData> convertMeshToSurface(const MeshedSurface& mesh);
 

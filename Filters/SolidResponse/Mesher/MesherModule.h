@@ -22,11 +22,11 @@ struct MesherModule : ModuleTable
   decltype(&closeSurface) close;
 };
 
-/// The loaded module, or the reason why it is missing, in words.
+/// The loaded module, or the reason why it is missing as text.
 struct LoadedMesher
 {
   const MesherModule* module = nullptr;
-  std::string fault; ///< empty if there is a module
+  std::string fault; ///< empty if the module is loaded
 };
 
 /// Loads the module at the first call. Later calls return the same result. Safe from any thread.

@@ -21,7 +21,8 @@ namespace
 /// Largest relative loss of volume. Facets cut off about a hundredth of the volume; a larger loss
 /// means that a part of the body is lost.
 constexpr double LostVolume = 0.1;
-/// Parts that a cut leaves are dropped if their volume is below the cube of this, in spacings.
+/// Parts that remain after a cut are removed if their volume is below that of a cube of this side
+/// length, in spacings.
 constexpr double LeastLeft = 0.5;
 constexpr double NearCut = 1e-6;  // in spacings
 constexpr double RoughStep = 3.0; // factor on the deviation if a surface is too rough
@@ -41,8 +42,8 @@ double volumeOf(const TetrahedralMesh& mesh)
   }
   return volume;
 }
-/// Planes at the depths of the held faces: of all faces with a depth, or only of those with a given
-/// depth.
+/// Planes at the depths of the held faces: planes of all held faces, or only of those with a depth
+/// given by the user.
 std::vector<CutPlane> planesOf(
   const MeshedSurface& surface, const HeldFaces& faces, bool givenAlone)
 {

@@ -22,20 +22,21 @@ struct PreparedSurface
   std::vector<std::string> warnings;
 };
 
-/// Takes a surface and closes it if it is nearly closed. Returns "", or a message about the fault.
+/// Copies a surface, and closes it if it is nearly closed. Returns "", or a message about the
+/// fault.
 std::string takeSurface(vtkPolyData* body, PreparedSurface& prepared);
 
-/// Mends the surface where it intersects itself, and cuts off the part that is held to a given
-/// depth, so that the body ends there and not at the next cell. The depth of such a face is then
-/// nearly 0. If the surface cannot be cut, the part is held to whole cells and a warning is added.
-/// `spacing` of the cells, mm. Returns "", or a message about the fault.
+/// Mends the surface where it intersects itself, and cuts off the part that is held within a given
+/// depth. The body then ends exactly at that depth, not at the next cell, and the depth of the face
+/// is set to nearly 0. If the surface cannot be cut, whole cells are held instead and a warning is
+/// added. `spacing`: length of the cells, mm. Returns "", or a message about the fault.
 std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepared);
 
 /**
  * Fills the surface with quadratic tetrahedra as given by prepared.wanted. Their outside is on the
- * surface or on `cuts`. The deviation is increased if the surface is too rough for it. `cells`:
- * expected number. Returns "", or a message about the fault. Empty if the observer stopped the
- * work.
+ * surface or on prepared.cuts. The deviation is increased if the surface is too rough for it.
+ * `cells`: expected number of cells. Returns "", or a message about the fault. `curved` is empty if
+ * the observer stopped the work.
  */
 std::string fillPrepared(PreparedSurface& prepared, double spacing, double cells,
   const WorkObserver& observer, CurvedTetrahedra& curved);

@@ -23,29 +23,30 @@ struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
   std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise as seen from outside
-  /// Edges of triangles that cells must follow, even if the surface hardly turns there.
+  /// Edges of triangles that cells must follow, even if the surface is nearly flat there.
   std::vector<std::array<std::int32_t, 2>> rims;
-  std::vector<double> spacing;  ///< of the cells at each point
+  std::vector<double> spacing;  ///< spacing of the cells at each point
   std::vector<FineBall> balls;  ///< balls with finer cells, anywhere
   double interiorSpacing = 0.0; ///< the largest spacing
   double growth = 0.0;          ///< increase of the spacing per distance from the surface inwards
   double deviation = 0.0;       ///< largest distance of a facet from the surface
-  double sharpAngle = 45.0;     ///< edges at which the surface turns by more are kept, degrees
-  /// Whether the outside must be a manifold. Where the surface nearly touches itself this may need
-  /// an unlimited number of cells.
+  double sharpAngle = 45.0;     ///< edges at which the surface turns by a larger angle are kept,
+                                ///< degrees
+  /// Whether the outside must be a manifold. Where the surface nearly touches itself, a manifold
+  /// may need an unlimited number of cells.
   bool isManifold = true;
 };
 
 /**
- * Spacing of the cells at points in and on a surface, from a grid over its box. It is the smallest
- * value, over all points of the surface and the finer balls, of the spacing there plus growth times
- * the distance. Hence there is no jump around a fine part. It is linear between nodes. Distances
- * are measured along the grid's sides and diagonals; they are up to a tenth too long, and one step
- * of the grid is subtracted.
+ * Spacing of the cells at points in and on a surface, from a grid over its box. The spacing at a
+ * place is the smallest value, over all points of the surface and the finer balls, of the spacing
+ * there plus growth times the distance. Hence the spacing has no jump around a fine part. It is
+ * interpolated linearly between nodes. Distances are measured along the grid's sides and diagonals;
+ * they are up to a tenth too long, and one step of the grid is subtracted.
  *
  * Cost: two sweeps, one second and 16 MiB for the largest grid of two million nodes. A lookup takes
- * some ten nanoseconds. Finding the closest point of a surface of 20 thousand triangles instead
- * takes a thousand times as long from the centre of a ball.
+ * a few tens of nanoseconds. Finding the closest point of a surface of 20 thousand triangles
+ * instead takes a thousand times as long from the centre of a ball.
  */
 class SpacingGrid
 {

@@ -18,10 +18,11 @@ struct CutPlane
 
 /**
  * Cuts off the parts beyond planes of a closed surface that does not intersect itself, and closes
- * it along the planes (CGAL's Polygon Mesh Processing). Points there are on the plane to the bit.
- * Parts smaller than `least` (mm³) are left out. `rims` is set to the edges between the planes and
- * the rest, and those of `before`, the planes of earlier cuts. Returns "", or a message about the
- * fault (nothing is left, the cut touches itself, no module Mesher); the surface is then unchanged.
+ * it along the planes (CGAL's Polygon Mesh Processing). Points on the planes have exactly the
+ * coordinate of the plane. Parts smaller than `least` (mm³) are left out. surface.rims is set to
+ * the edges between the cut faces and the rest of the surface, including the cut faces of `before`,
+ * the planes of earlier cuts. Returns "", or a message about the fault (nothing is left, the cut
+ * touches itself, no module Mesher); the surface is then unchanged.
  *
  * Points and triangles are sorted, in the same order on every run. Cost: 1 s per 100 thousand
  * triangles.

@@ -10,12 +10,12 @@ namespace palpate
 {
 /**
  * Repairs a closed surface that intersects itself, as scans do at some triangles. Crossing
- * triangles are smoothed or removed, and the hole is closed again (CGAL's Polygon Mesh Processing).
- * `mended` is set to the number of crossing pairs; if it is 0 the surface is unchanged to the bit.
- * Returns "", or a message with the triangles if more than a hundredth of them cross or the repair
- * failed.
+ * triangles are smoothed, or removed and the resulting holes closed (CGAL's Polygon Mesh
+ * Processing). `mended` is set to the number of crossing pairs; if it is 0 the surface is unchanged
+ * bit for bit. Returns "", or a message with the triangles if more than a hundredth of them cross
+ * or the repair failed.
  *
- * Cost: 1 s per 100 thousand triangles, 2 s more if some cross.
+ * Cost: 1 s per 100 thousand triangles, and 2 s more if triangles cross.
  */
 std::string mendSurface(MeshedSurface& surface, std::size_t& mended);
 
@@ -24,7 +24,7 @@ struct ClosedUp
 {
   std::size_t points = 0; ///< points where the surface touched itself and its sheets were separated
   std::size_t holes = 0;  ///< number of filled holes
-  double widest = 0.0;    ///< diagonal of the box of the widest hole, mm
+  double widest = 0.0;    ///< diagonal of the bounding box of the widest hole, mm
 };
 
 /**

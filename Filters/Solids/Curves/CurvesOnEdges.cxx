@@ -16,7 +16,7 @@ namespace palpate
 namespace
 {
 constexpr std::size_t CurvesAround = 6;
-constexpr double RelativeStep = 1e-3; ///< of the depth, for dF/dδ
+constexpr double RelativeStep = 1e-3; ///< step for dF/dδ, as a fraction of the depth
 
 /// Largest angle between the triangles at a point if the surface is convex there, rad; 0 in a
 /// hollow.
@@ -55,7 +55,7 @@ public:
   {
     const auto i = static_cast<std::size_t>(point);
     const auto n = static_cast<std::size_t>(this->Spans.samples);
-    Around around;
+    Neighbours around;
     const EdgeSurroundings there = this->Surface.around(
       point, [this](std::int32_t other) { return this->isValid(static_cast<std::size_t>(other)); });
     around.found = there.found;
@@ -89,7 +89,7 @@ public:
 
 private:
   /// The valid points around a point on an edge.
-  struct Around
+  struct Neighbours
   {
     std::vector<AlongSurface> found;
     std::vector<double> weights;
@@ -103,7 +103,7 @@ private:
   }
   bool isValid(std::size_t i) const { return this->is(i, ResponseStatus::Valid); }
 
-  double force(const Around& around, double depth) const
+  double force(const Neighbours& around, double depth) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
     double sum = 0.0;

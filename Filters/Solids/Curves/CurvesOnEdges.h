@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// The points from which a point on an edge takes its curve.
+/// The points from whose curves the curve of a point on an edge is averaged.
 struct EdgeSurroundings
 {
   std::vector<AlongSurface> found; ///< points with a curve, and their distances
@@ -24,24 +24,25 @@ struct EdgedSurface
 {
   std::size_t points = 0;
   std::function<ElasticMaterial(std::int32_t)> materialAt;
-  /// The valid points around a point, at most six.
+  /// Returns the valid points around a point, at most six.
   std::function<EdgeSurroundings(std::int32_t, const std::function<bool(std::int32_t)>& isValid)>
     around;
 };
 
-/// The outer surface of a body, with the nearest points along it. The body must outlive the result.
+/// The outer surface of a body; the points around a point are the nearest ones along the surface.
+/// The body must outlive the result.
 EdgedSurface edgesOf(const ElasticBody& body);
 
 /**
- * Gives curves to the points of a surface with the status Edge, where a contact has no law. A curve
- * is the mean of the curves of the valid points around it, weighted by 1/distance², so that the
- * force is continuous across an edge. Each of these curves is first softened by the factor of the
- * edge, Φ(0)/Φ(d/a) (edgeFactor), with its distance d and its contact radius a = K/2E*. The range
- * is the mean of the ranges, the error 1, the validity 0.
+ * Fills the curves of the points with the status Edge, where a contact has no law. A curve is the
+ * mean of the curves of the valid points around it, weighted by 1/distance², so that the force is
+ * continuous across an edge. Each of these curves is first softened by the factor of the edge,
+ * Φ(0)/Φ(d/a) (edgeFactor), with its distance d and its contact radius a = K/2E*. The range is the
+ * mean of the ranges, the error 1, the validity 0.
  *
  * Near a right-angled edge the curve is that of a tool along the face's normal within about 15 %.
- * Points without a valid point around them stay without a curve and with range 0. `sampling`: of
- * the spans.
+ * Points without a valid point around them keep the range 0 and have no curve. `sampling`: sampling
+ * of the spans.
  */
 void fillEdges(
   const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans);

@@ -14,13 +14,13 @@ namespace palpate
 {
 namespace
 {
-/// Error of a force on which two meshes agree, with four facets over the contact radius and a rim
-/// in facets of an eighth of it (DirectContactTest).
-constexpr double OwnError = 0.01;
-/// Step for the stiffness, as a fraction of the depth. A contact grows corner by corner, and the
-/// slope of the force jumps at each corner. The largest depth must stay within the reach of
+/// Error of a force on which two meshes agree, with four facets over the contact radius, and facets
+/// of an eighth of the radius at a rim (DirectContactTest).
+constexpr double ErrorOfAgreement = 0.01;
+/// Step for the stiffness, as a fraction of the depth. A contact grows corner by corner,
+/// and the slope of the force jumps at each corner. The largest depth must stay within the reach of
 /// DirectContact.
-constexpr double Step = 0.08;
+constexpr double StiffnessStep = 0.08;
 
 /// Force and stiffness at one depth with their errors.
 struct DirectSample
@@ -31,10 +31,10 @@ struct DirectSample
   double error = 1.0;
 };
 
-/// Mean of the contacts with the two ways of pushing, corrected for finite strain.
-struct BetweenWays
+/// Mean of the two contacts of Pushed, corrected for finite strain.
+struct MeanOfPushes
 {
-  BetweenWays(const DirectContact& contact, const DirectTerms& terms, double depth)
+  MeanOfPushes(const DirectContact& contact, const DirectTerms& terms, double depth)
   {
     const DirectForce mean = contact.at(depth, Pushed::TogetherAlongTheMean);
     const DirectForce own = contact.at(depth, Pushed::EachAlongItsOwn);
@@ -51,7 +51,7 @@ struct BetweenWays
     this->strain = share.error;
   }
   double small = 0.0;  ///< the force at small strain, N
-  double open = 0.0;   ///< half of the difference of the two ways, relative
+  double open = 0.0;   ///< half of the relative difference of the two forces
   double force = 0.0;  ///< N; 0 without a contact
   double strain = 0.0; ///< relative error of the correction for finite strain
 };
@@ -74,7 +74,7 @@ public:
   double forceAt(double depth) const
   {
     return this->IsFinite ? this->Finer.finite.evaluate(depth).force
-                          : BetweenWays(*this->Finer.small, this->Terms, depth).force;
+                          : MeanOfPushes(*this->Finer.small, this->Terms, depth).force;
   }
 
   /// Relative difference of the forces of the two meshes, before the correction for finite strain.
@@ -101,7 +101,7 @@ private:
   double solvedOn(const DirectPress& press, double depth) const
   {
     return this->IsFinite ? press.finite.evaluate(depth).force
-                          : BetweenWays(*press.small, this->Terms, depth).small;
+                          : MeanOfPushes(*press.small, this->Terms, depth).small;
   }
 
   DirectSample atFiniteStrain(double depth) const
@@ -110,27 +110,27 @@ private:
     DirectSample made;
     made.force = found.force;
     made.stiffness = found.stiffness;
-    made.parts[ResponseLimit::Elements] = std::hypot(this->differenceAt(depth), OwnError);
+    made.parts[ResponseLimit::Elements] = std::hypot(this->differenceAt(depth), ErrorOfAgreement);
     made.parts[ResponseLimit::Strain] = this->Finer.finite.errorsAt(depth).strain;
     return made;
   }
 
   DirectSample atSmallStrain(double depth) const
   {
-    const BetweenWays found(*this->Finer.small, this->Terms, depth);
+    const MeanOfPushes found(*this->Finer.small, this->Terms, depth);
     const double difference = this->differenceAt(depth);
     DirectSample made;
     if (!(found.force > 0.0 && std::isfinite(difference)))
     {
       return made;
     }
-    const double less = this->forceAt(depth * (1.0 - Step));
-    const double more = this->forceAt(depth * (1.0 + Step));
+    const double less = this->forceAt(depth * (1.0 - StiffnessStep));
+    const double more = this->forceAt(depth * (1.0 + StiffnessStep));
     made.force = found.force;
-    made.stiffness = (more - less) / (2.0 * Step * depth);
+    made.stiffness = (more - less) / (2.0 * StiffnessStep * depth);
     made.parts[ResponseLimit::Strain] = found.strain;
     made.parts[ResponseLimit::Curvature] = found.open;
-    made.parts[ResponseLimit::Elements] = std::hypot(difference, OwnError);
+    made.parts[ResponseLimit::Elements] = std::hypot(difference, ErrorOfAgreement);
     return made;
   }
 
@@ -168,8 +168,8 @@ public:
       FloatCurve{ this->Force.data(), this->Stiffness.data() }, this->Range, depth);
   }
 
-  /// The stored error, or the difference from a better known force if that is larger.
-  double errorBeside(double force, double depth) const
+  /// The stored error, or the relative difference from a more accurate force if that is larger.
+  double errorAgainst(double force, double depth) const
   {
     return std::max(this->errorAt(depth), std::abs(this->at(depth).force / force - 1.0));
   }
@@ -199,9 +199,10 @@ private:
   std::vector<float> Error;
 };
 
-/// The former curve, scaled such that it meets the first sample of the direct curve.
-void leadTo(const DirectSample& first, double depthOfFirst, const FormerCurve& former, double depth,
-  DirectSample& sample)
+/// Makes a sample of the former curve, scaled such that the curve meets the first sample of the
+/// direct curve.
+void scaleFormer(const DirectSample& first, double depthOfFirst, const FormerCurve& former,
+  double depth, DirectSample& sample)
 {
   const ResponseValue was = former.at(depth);
   const ResponseValue wasThere = former.at(depthOfFirst);
@@ -226,7 +227,7 @@ bool meshesAgree(const DirectPress& finer, const DirectPress& coarser, const Dir
 {
   const TwoMeshes contacts(finer, coarser, terms);
   return contacts.areFound() &&
-    contacts.differenceAt(terms.depth) <= std::max(terms.errorTolerance, OwnError);
+    contacts.differenceAt(terms.depth) <= std::max(terms.errorTolerance, ErrorOfAgreement);
 }
 
 DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
@@ -248,7 +249,7 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
     samples[k] = contacts.at(depth);
     addUp(samples[k]);
     if (samples[k].error >= 1.0 ||
-      samples[k].error >= former.errorBeside(samples[k].force, depth) ||
+      samples[k].error >= former.errorAgainst(samples[k].force, depth) ||
       (first < n && samples[k].force >= samples[first].force))
     {
       break;
@@ -268,8 +269,8 @@ DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
   {
     if (k < first)
     {
-      leadTo(samples[first], depthOfFirst, former, sampling.depth(static_cast<int>(k), terms.depth),
-        samples[k]);
+      scaleFormer(samples[first], depthOfFirst, former,
+        sampling.depth(static_cast<int>(k), terms.depth), samples[k]);
       samples[k].parts = {};
       samples[k].parts[formerLimit] = samples[k].error;
     }

@@ -23,20 +23,21 @@ struct DirectTerms
   ElasticMaterial material;
   double depth = 1.0;                       ///< depth at the end of the curves, mm
   double errorTolerance = 0.05;             ///< error that limits Validity, > 0
-  const StrainCorrection* strain = nullptr; ///< for half-spaces; null: small strain
-  bool solvesFiniteStrain = false;          ///< solve at finite strain, with the Neo-Hookean law
+  const StrainCorrection* strain = nullptr; ///< the correction for half-spaces; null: small strain
+  bool solvesFiniteStrain = false; ///< whether the contact is solved at finite strain, with the
+                                   ///< Neo-Hookean law
 };
 
-/// A contact on one mesh: the solution at finite strain, or the one at small strain that is
-/// corrected for finite strain.
+/// A contact on one mesh: the solution at finite strain, or the solution at small strain, which is
+/// later corrected for finite strain.
 struct DirectPress
 {
   ContactCurve finite;
   std::unique_ptr<DirectContact> small;
 };
 
-/// Whether the forces on two meshes agree at the depth `terms.depth`, within the tolerance or the
-/// error of a single mesh.
+/// Whether the forces on two meshes agree at the depth `terms.depth`, within the tolerance or, if
+/// that is larger, the error of a single mesh.
 PALPATE_EXPORT bool meshesAgree(
   const DirectPress& finer, const DirectPress& coarser, const DirectTerms& terms);
 
@@ -58,16 +59,18 @@ enum class DirectOutcome : unsigned char
  * sum of the squares of: the difference of the two meshes and 0.01 (Elements); the small-strain
  * motion of the surrounding body (Strain, pressAtFiniteStrain); storage.
  *
- * Otherwise the force is the mean of two: with pressures along the mean normal and with each
- * pressure along its own normal, corrected for finite strain. Its error has these parts: half of
- * the difference of these two, which small displacements cannot decide (Curvature); Elements; the
- * error of finite strain or of its correction (Strain); storage.
+ * Otherwise the force is the mean of two forces, corrected for finite strain: one for pressures
+ * along the mean normal, and one for each pressure along its own normal. Its error has these parts:
+ * half of the difference of the two forces, since the theory of small displacements cannot decide
+ * between them (Curvature); Elements; the error of finite strain or of its correction (Strain);
+ * storage.
  *
- * Failed: one of the meshes has no contact to that depth, or, at small strain, touches elsewhere
- * more than that depth before the place.
+ * The result is Failed if one of the meshes has no contact to that depth, or if, at small strain,
+ * the tool touches elsewhere before it reaches the place, by more than that depth.
  *
- * At small depths the contact is as small as its facets. There the curve approaches the former one
- * by √δ, below the sample from which direct contact has the smaller error.
+ * At small depths the contact is no larger than a facet. Below the first sample at which direct
+ * contact has the smaller error, the curve therefore approaches the former curve in proportion to
+ * √δ.
  */
 PALPATE_EXPORT DirectOutcome takeDirectCurve(std::size_t point, const DirectPress& finer,
   const DirectPress& coarser, const DirectTerms& terms, const ResponseSampling& sampling,

@@ -16,12 +16,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double Facing = 0.5; ///< cosine to the normal: 60°
-/// Lower limit of area coordinates, so that no place is lost between two triangles.
-constexpr double OnTriangle = -1e-9;
-constexpr double OverTheSide = 1e-6; ///< relative to the size of a triangle
+constexpr double LeastFacingCosine = 0.5; ///< cosine to the normal: 60°
+/// Lower limit of area coordinates. It is slightly negative, so that no place falls between two
+/// triangles.
+constexpr double LeastAreaCoordinate = -1e-9;
+constexpr double RadiusTolerance = 1e-6; ///< tolerance relative to the largest radius
 
-/// One point's walk over the surface.
+/// Walks over the surface from one point, triangle by triangle, and stores the heights.
 class GapWalk
 {
 public:
@@ -93,7 +94,8 @@ private:
     return this->Frame.transpose() * (place - this->Origin);
   }
 
-  /// Sets the heights at the places on a triangle. False if it is out of reach or turns away.
+  /// Sets the heights at the places on a triangle. Returns false if the triangle is beyond the
+  /// radius or turns away.
   bool take(std::int32_t triangle)
   {
     const TriangleCorners& corners = this->Mesh.corners(triangle);
@@ -103,7 +105,7 @@ private:
       at[i] = this->inFrame(this->Mesh.point(corners[i]));
     }
     const Vector3 across = (at[1] - at[0]).cross(at[2] - at[0]);
-    if (!(-across[2] > Facing * across.norm()))
+    if (!(-across[2] > LeastFacingCosine * across.norm()))
     {
       return false; // the z axis of the frame points inwards
     }
@@ -116,7 +118,7 @@ private:
     }
     // Nearest and farthest point of the bounding box of the corners.
     const Eigen::Vector2d nearest = low.cwiseMax(Eigen::Vector2d::Zero().cwiseMin(high));
-    const double from = nearest.norm() - OverTheSide * this->Radius;
+    const double from = nearest.norm() - RadiusTolerance * this->Radius;
     const double to = low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm();
     if (from > this->Radius)
     {
@@ -136,7 +138,7 @@ private:
       {
         const Eigen::Vector2d place = this->Rings[k] * this->Directions.col(j);
         const Vector3 area = areaCoordinates(at, across[2], place);
-        if (area.minCoeff() < OnTriangle)
+        if (area.minCoeff() < LeastAreaCoordinate)
         {
           continue;
         }
@@ -181,8 +183,8 @@ private:
     return std::sqrt(sum / 3.0);
   }
 
-  /// Depth of the patch below the plane at a place: from the patch point with these area
-  /// coordinates, extrapolated along its tangent plane.
+  /// Depth of the patch below the plane at a place. It is extrapolated along the tangent plane from
+  /// the patch point with these area coordinates.
   static double heightOn(
     const SmoothTriangle& patch, const Vector3& area, const Eigen::Vector2d& place)
   {
@@ -198,7 +200,7 @@ private:
     const double flat = area[0] * at[0][2] + area[1] * at[1][2] + area[2] * at[2][2];
     const double height = std::isfinite(smooth) ? smooth : flat;
     double& known = this->Found.surface(k, j);
-    if (!(known <= height)) // in a fold the outermost part counts
+    if (!(known <= height)) // in a fold the outermost part is used
     {
       known = height;
       this->Found.facets(k, j) = flat;

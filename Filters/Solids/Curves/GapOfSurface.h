@@ -11,13 +11,13 @@
 namespace palpate
 {
 /**
- * Shape of a surface around one of its points, up to a radius (mm). It is the part connected to the
- * point whose normals are within 60° of the point's normal. The surface is smooth between its
- * points (SmoothTriangle), except at creases, where the facets are used. `normals`: three floats
- * per point, unit length.
+ * Finds the shape of a surface around one of its points, up to a radius (mm). Only the part counts
+ * that is connected to the point and whose normals are within 60° of the point's normal. The
+ * surface is smooth between its points (SmoothTriangle), except at creases, where the facets are
+ * used. `normals`: three floats per point, unit length.
  *
- * The surface is not known beyond an incomplete ring, as at a border or an edge. Safe from any
- * number of threads. Cost: 50 µs, plus 1 µs per triangle within the radius.
+ * At a border or an edge a ring is incomplete; the shape is then not known beyond that ring. Safe
+ * from any number of threads. Cost: 50 µs, plus 1 µs per triangle within the radius.
  */
 PALPATE_EXPORT SurfaceGap gapOfSurface(
   const BodyMesh& mesh, const float* normals, std::int32_t point, double radius);

@@ -20,14 +20,15 @@ namespace palpate
 namespace
 {
 constexpr auto ValidPoint = static_cast<unsigned char>(ResponseStatus::Valid);
-constexpr double Exponent = 1.0; // a body may harden or soften any tool's law
-constexpr double LeftOfTilt = 0.2;
-constexpr double LeastRange = 1e-3; // of the requested range: a shorter curve is discarded
-constexpr double FromTouch = 1e-3;  // of the depth of the first sample
+// The exponent is not the tool's: the shape of the body may stiffen or soften the law of any tool.
+constexpr double Exponent = 1.0;
+constexpr double TiltErrorFactor = 0.2;
+constexpr double LeastRange = 1e-3; // fraction of the requested range; a shorter curve is discarded
+constexpr double FirstSampleFraction = 1e-3; // fraction of the depth of the first sample
 
 using KernelsAt = std::function<std::unique_ptr<ContactKernels>(std::size_t)>;
 
-/// Computes one point; shared by all threads.
+/// Computes the points one by one; one object is shared by all threads.
 class ShapedFiller
 {
 public:
@@ -92,12 +93,12 @@ public:
       this->Terms.surfaceError[i] =
         static_cast<float>(curve.errorsAt(static_cast<double>(range)).surface);
     }
-    this->judge(i, curve);
+    this->findValidity(i, curve);
   }
 
 private:
-  /// Error and validity of a point whose curve is stored.
-  void judge(std::size_t i, const ContactCurve& curve) const
+  /// Finds error and validity of a point whose curve is stored.
+  void findValidity(std::size_t i, const ContactCurve& curve) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
     const auto range = static_cast<double>(this->Spans.range[i]);
@@ -111,16 +112,16 @@ private:
     for (std::size_t k = n + 1; k-- > 0;)
     {
       const double depth = k > 0 ? this->Sampling.depth(static_cast<int>(k) - 1, range)
-                                 : FromTouch * this->Sampling.depth(0, range);
+                                 : FirstSampleFraction * this->Sampling.depth(0, range);
       const IndentationPoint point = curve.evaluate(depth);
       const ContactSample errors = curve.errorsAt(depth);
       ErrorParts parts;
       parts[ResponseLimit::Strain] = errors.strain;
       parts[ResponseLimit::Curvature] = std::hypot(errors.gap, errors.direction);
       parts[ResponseLimit::Edge] =
-        LeftOfTilt * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
+        TiltErrorFactor * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = errors.elements();
-      parts[ResponseLimit::None] = k > 0 ? this->storedWrong(i, k - 1, curve) : 0.0;
+      parts[ResponseLimit::None] = k > 0 ? this->storageError(i, k - 1, curve) : 0.0;
       double error = parts.norm(); // each part is a bound in 19 of 20 cases
       error = std::isfinite(error) ? error : 1.0;
       if (k > 0 && this->Spans.error)
@@ -134,7 +135,7 @@ private:
   }
 
   /// Relative error of the stored curve half-way to a sample.
-  double storedWrong(std::size_t i, std::size_t k, const ContactCurve& curve) const
+  double storageError(std::size_t i, std::size_t k, const ContactCurve& curve) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
     const auto range = static_cast<double>(this->Spans.range[i]);
@@ -152,7 +153,7 @@ private:
   ResponseSampling Sampling;
 };
 
-/// Fills all points except those on edges. Not complete if it was stopped.
+/// Fills all points except those on edges. The result is incomplete if `goOn` stopped the work.
 MadeResponse fillAll(const AxisymmetricTool& tool, std::size_t points, const KernelsAt& kernelsAt,
   const ShapedTerms& terms, const ResponseSpans& spans, const std::function<bool(double)>& goOn)
 {

@@ -2,10 +2,10 @@
 /** @file
  * The outer surface of a volume mesh as triangles.
  *
- * Quadrilaterals are split along the diagonal from their first corner, quadratic triangles into
- * four. A point of the surface is a node of the mesh; points are numbered in the order of the
- * nodes. Point normals are weighted by the angles of the triangles, outward, unit (zero:
- * degenerate).
+ * Quadrilaterals are split along the diagonal from their first corner; quadratic triangles are
+ * split into four. A point of the surface is a node of the mesh; points are numbered in the order
+ * of the nodes. Point normals are outward unit vectors, weighted by the angles of the triangles;
+ * zero at a degenerate point.
  */
 #ifndef palpate_BodySurface_h
 #define palpate_BodySurface_h
@@ -37,7 +37,7 @@ public:
   std::int32_t pointTotal() const { return static_cast<std::int32_t>(this->Nodes.size()); }
   std::int32_t triangleTotal() const { return static_cast<std::int32_t>(this->Triangles.size()); }
 
-  /// The mesh node of a point; the point of a mesh node, or -1.
+  /// The mesh node of a point.
   std::int32_t node(std::int32_t point) const
   {
     return this->Nodes[static_cast<std::size_t>(point)];
@@ -70,7 +70,7 @@ public:
   {
     return this->Faces[static_cast<std::size_t>(t)];
   }
-  /// The triangles of a face are firstTriangle(face) .. firstTriangle(face + 1), the last excluded.
+  /// The triangles of a face are firstTriangle(face) to firstTriangle(face + 1) - 1.
   std::int32_t firstTriangle(std::int32_t face) const
   {
     return this->FirstTriangle[static_cast<std::size_t>(face)];
@@ -89,8 +89,8 @@ public:
   /// face.
   SurfacePlace place(std::int32_t triangle, const Eigen::Vector3d& barycentric) const;
 
-  /// Distance of neighbouring nodes at a point, mm: the side of a square of the mean area of the
-  /// pairs of triangles there.
+  /// Distance of neighbouring nodes at a point, mm: the side of a square whose area is the mean
+  /// area of two triangles there.
   double spacing(std::int32_t point) const;
 
 private:

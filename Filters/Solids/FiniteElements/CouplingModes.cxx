@@ -14,7 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// The softest valid point, then always the valid point farthest from all before.
+/// Chooses the valid point with the largest compliance, then repeatedly the valid point farthest
+/// from all points chosen before.
 std::vector<std::int32_t> landmarksOf(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -37,7 +38,7 @@ std::vector<std::int32_t> landmarksOf(
 }
 
 /// Root mean square error of the modes between different landmarks, relative to the exact values.
-double missedBetween(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& modes)
+double neglectedBetween(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& modes)
 {
   Eigen::MatrixXd whole = exact;
   whole.diagonal().setZero();
@@ -101,7 +102,7 @@ CouplingModes couplingModes(const ElasticBody& body, const PatchCompliances& com
   {
     there.col(i) = modes.values.col(landmarks[static_cast<std::size_t>(i)]);
   }
-  modes.neglected = missedBetween(symmetric, there);
+  modes.neglected = neglectedBetween(symmetric, there);
   return modes;
 }
 } // namespace palpate

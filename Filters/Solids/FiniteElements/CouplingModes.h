@@ -12,13 +12,14 @@ namespace palpate
 constexpr int MostCouplingModes = 16;
 
 /**
- * Compliance of a body at one place of its surface under a force at another, both along their
- * normals, without the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and positive semi-definite.
+ * Compliance of a body: motion at one place of its surface under a force at another place, both
+ * along the normals of their places, without the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and
+ * positive semi-definite.
  *
  * The modes follow from the fields of landmarks (RegularField) by Nyström's method, as in
  * GlobalModes, but only from the normal parts and with positive eigenvalues, so that the sum is an
  * energy. Together with the half-space's 1/(πE*r) between places that face the same way
- * (BodyCoupling) it is the whole compliance.
+ * (BodyCoupling) the sum is the whole compliance.
  */
 struct CouplingModes
 {

@@ -20,22 +20,22 @@ struct ElasticBodyInput
 /**
  * A linear elastic body under small loads: mesh, surface, stiffness and its factor.
  *
- * Call take(), assemble(), analyse() and factorise() in this order, then any other function any
- * number of times. After an error the body must not be used further.
+ * Call take(), assemble(), analyse() and factorise() in this order. The other functions may then be
+ * called any number of times. After an error the body must not be used further.
  */
 class PALPATE_EXPORT ElasticBody
 {
 public:
-  /// Takes the input; memoryForecast() is valid after it. Returns "", or a message about the fault
-  /// (a floating part, E or ν out of range) with the index of the element or node.
+  /// Stores the input; memoryForecast() is then valid. Returns "", or a message about the fault (a
+  /// floating part, E or ν out of range) with the index of the element or node.
   std::string take(ElasticBodyInput input);
   MemoryForecast memoryForecast() const;
-  /// Assembles the stiffness. Returns "", or a message about the fault (inverted elements).
+  /// Assembles the stiffness. Returns "", or a message about inverted elements.
   std::string assemble();
-  /// take() and assemble().
+  /// Calls take() and assemble().
   std::string assemble(ElasticBodyInput input);
 
-  /// Chooses the order of elimination. memoryEstimate() is then that of factorise().
+  /// Chooses the order of elimination. memoryEstimate() is then the memory that factorise() needs.
   std::string analyse(StiffnessFactor::Kind kind);
   double memoryEstimate() const; ///< bytes
   std::string factorise();
@@ -52,7 +52,7 @@ public:
     return this->Stiffness.dof[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(axis)];
   }
 
-  /// Whether a node is fixed in all directions.
+  /// Whether a node is fixed in all three directions.
   bool isHeld(std::int32_t node) const
   {
     return this->unknown(node, 0) < 0 && this->unknown(node, 1) < 0 && this->unknown(node, 2) < 0;

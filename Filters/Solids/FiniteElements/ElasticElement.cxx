@@ -26,8 +26,8 @@ struct Lame
 
 /**
  * Sums the stiffness of vector-valued shape functions from their gradients g_i. With A_ij = ∫ g_i
- * g_jᵀ dV it is λ A_ij + μ A_ijᵀ + μ tr(A_ij) 1 between functions i and j. This takes a fifth of
- * the work of Bᵀ D B.
+ * g_jᵀ dV the stiffness between functions i and j is λ A_ij + μ A_ijᵀ + μ tr(A_ij) 1. This takes a
+ * fifth of the work of Bᵀ D B.
  */
 template <int Count>
 class GradientSum
@@ -104,7 +104,7 @@ double hexahedronGradients(const Eigen::Matrix<double, 3, 8>& x,
   return determinant;
 }
 
-/// The stiffness of nodes and modes together. False if the element is inverted.
+/// Computes the stiffness of nodes and modes together. Returns false if the element is inverted.
 bool hexahedronWithModes(
   const Eigen::Matrix<double, 3, 8>& x, const Lame& lame, Eigen::Matrix<double, 33, 33>& all)
 {
@@ -163,7 +163,7 @@ bool tetrahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMa
   return true;
 }
 
-/// The two corners next to each mid-edge node.
+/// The two corners at the ends of the edge of each mid-edge node.
 constexpr std::array<std::array<int, 2>, 6> TetrahedronEdge = { { { 0, 1 }, { 1, 2 }, { 0, 2 },
   { 0, 3 }, { 1, 3 }, { 2, 3 } } };
 
@@ -323,7 +323,7 @@ double smallestJacobian(ElementKind kind, const ElementNodes& nodes)
 {
   double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&smallest](double determinant)
-  { smallest = determinant > smallest ? smallest : determinant; }; // keeps a NaN
+  { smallest = determinant > smallest ? smallest : determinant; }; // a NaN determinant gives NaN
   switch (kind)
   {
     case ElementKind::Hexahedron:

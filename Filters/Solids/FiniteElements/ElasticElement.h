@@ -4,10 +4,10 @@
  *
  * Hexahedron: trilinear with nine incompatible modes 1-ξ², 1-η², 1-ζ², condensed inside the element
  * (Wilson et al. 1973). The Jacobian is taken at the centre (Taylor, Beresford and Wilson 1976), so
- * that the element passes the patch test. It bends without shear locking and does not lock as ν →
- * 0.5. Quadratic tetrahedron: four Gauss points, exact for straight edges; it does not lock either.
- * Linear tetrahedron: constant strain. It locks: it is far too stiff as ν → 0.5 and in bending. It
- * is supported for meshes without better elements.
+ * that the element passes the patch test. The element bends without shear locking and does not lock
+ * as ν → 0.5. Quadratic tetrahedron: four Gauss points, exact for straight edges. This element does
+ * not lock either. Linear tetrahedron: constant strain. This element locks: it is far too stiff as
+ * ν → 0.5 and in bending. It is supported for meshes without better elements.
  */
 #ifndef palpate_ElasticElement_h
 #define palpate_ElasticElement_h
@@ -40,8 +40,8 @@ using ElementMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3
 /// The positions of an element's nodes, 3 × n.
 PALPATE_EXPORT ElementNodes elementNodes(const VolumeMesh& mesh, const VolumeElement& element);
 
-/// Stiffness, 3n × 3n, node by node (x, y, z). False if the element is inverted, which means that
-/// the Jacobian is not positive at an integration point.
+/// Computes the stiffness, 3n × 3n, node by node (x, y, z). Returns false if the element is
+/// inverted: its Jacobian is not positive at an integration point.
 PALPATE_EXPORT bool elementStiffness(
   ElementKind kind, const ElementNodes& nodes, const ElasticMaterial& material, ElementMatrix& k);
 
@@ -49,8 +49,8 @@ PALPATE_EXPORT bool elementStiffness(
 /// hexahedron.
 using ElementGradients = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
 
-/// Gradients in space at the element's own coordinates `xi` ([-1, 1]³, or the corner tetrahedron of
-/// the unit cube); returns the determinant of the Jacobian.
+/// Computes the gradients in space at the element's own coordinates `xi` ([-1, 1]³, or the corner
+/// tetrahedron of the unit cube). Returns the determinant of the Jacobian.
 PALPATE_EXPORT double elementGradients(ElementKind kind, const ElementNodes& nodes,
   const Eigen::Vector3d& xi, ElementGradients& gradients);
 
@@ -64,9 +64,10 @@ PALPATE_EXPORT Eigen::Vector3d quadraticPoint(int i);
 /// The corners at the ends of the edge whose middle is node 4 .. 9 of a quadratic tetrahedron.
 PALPATE_EXPORT std::array<int, 2> edgeOfMiddle(int node);
 
-/// The matrix that gives a hexahedron's modes (three amplitudes for each of x, y, z: mode by mode)
-/// from the motion of its nodes if no forces act on the modes. Forces f on the modes act on the
-/// nodes as the transpose of this matrix times f. The element must not be inverted.
+/// The matrix that maps the motion of a hexahedron's nodes to the amplitudes of its modes (mode by
+/// mode, three amplitudes along x, y, z), if no forces act on the modes. Forces f on the modes are
+/// equivalent to forces on the nodes, the transpose of this matrix times f. The element must not be
+/// inverted.
 PALPATE_EXPORT Eigen::Matrix<double, 9, 24> modesOfNodes(
   const ElementNodes& nodes, const ElasticMaterial& material);
 

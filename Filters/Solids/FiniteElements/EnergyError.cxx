@@ -14,13 +14,13 @@ namespace
 /// Moduli within this ratio count as one material with continuous stress at its nodes.
 constexpr double SameModulus = 1.25;
 
-/// xx, yy, zz, yz, xz, xy; at an element's nodes or at one point.
+/// Stress components xx, yy, zz, yz, xz, xy, at one point or at an element's nodes.
 using Stress = Eigen::Matrix<double, 6, 1>;
 using NodalStress = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, LargestNodeCount>;
 
 using Places = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, LargestNodeCount>;
 
-/// Coordinates of an element's nodes in the element.
+/// The element's own coordinates of its nodes.
 Places nodePlaces(ElementKind kind)
 {
   Places places(3, nodeCount(kind));
@@ -40,7 +40,7 @@ Places nodePlaces(ElementKind kind)
   return places;
 }
 
-/// Points of equal weight; exact for polynomials of second degree.
+/// Quadrature points of equal weight, exact for polynomials of second degree.
 struct Quadrature
 {
   Places places;
@@ -59,7 +59,7 @@ Quadrature quadratureOf(ElementKind kind)
   return { places, 1.0 / 24.0 };
 }
 
-using Gradient = Eigen::Matrix3d; ///< of a displacement in space
+using Gradient = Eigen::Matrix3d; ///< gradient of a displacement in space
 
 /// Stress of an element for any displacement.
 class ElementStress

@@ -19,7 +19,8 @@ std::size_t modeTotal(int count)
   return static_cast<std::size_t>(std::clamp(count, 0, MostGlobalModes));
 }
 
-/// The valid point of largest |C_g|, then always the valid point farthest from all before.
+/// Chooses the valid point with the largest |C_g|, then repeatedly the valid point farthest from
+/// all points chosen before.
 std::vector<std::int32_t> spreadLandmarks(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -61,7 +62,7 @@ struct EigenPair
 /**
  * Eigenpairs of the blocks of a symmetric matrix, the largest |value| first. The blocks are solved
  * one by one, because equal eigenvalues of two parts of the body would mix their modes. The sign of
- * a vector is such that its largest entry is positive.
+ * each vector makes its entry of largest magnitude positive.
  */
 std::vector<EigenPair> eigenPairs(
   const Eigen::MatrixXd& matrix, const std::map<std::int32_t, std::vector<Eigen::Index>>& blocks)
@@ -131,7 +132,7 @@ std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
     }
     if (away[farthest] == 0.0)
     {
-      break; // the others coincide with earlier ones
+      break; // the remaining points coincide with chosen ones
     }
     chosen.push_back(points[farthest]);
   }

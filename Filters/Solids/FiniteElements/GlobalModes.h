@@ -11,8 +11,8 @@
  * The modes follow from the fields g_j(x) = H(x,X_j) n_j of landmarks spread over the surface
  * (farthest point sampling; Nyström 1930; Williams and Seeger 2001): G_ij = n_i·g_j(X_i) = Σ_k V_ik
  * L_k V_jk and φ_k = Σ_j g_j V_jk / √|L_k|, the largest |L_k| first. With all modes the fields of
- * the landmarks are reproduced exactly. L_k is negative where a near support holds the surface more
- * than a half-space does.
+ * the landmarks are reproduced exactly. L_k is negative where a near support makes the surface
+ * stiffer than that of a half-space.
  */
 #ifndef palpate_GlobalModes_h
 #define palpate_GlobalModes_h
@@ -22,27 +22,30 @@
 
 namespace palpate
 {
-/// Limited by the graphics card, which reads three numbers per point and mode.
+/// Largest number of modes. It is limited by the graphics card, which reads three numbers per point
+/// and mode.
 constexpr int MostGlobalModes = 6;
 /// Landmarks per mode.
 constexpr int LandmarksPerMode = 8;
-/// Smaller eigenvalues, relative to the largest, are rounding errors.
+/// Eigenvalues below this fraction of the largest are rounding errors.
 constexpr double ModeRounding = 1e-10;
 
-/// A few modes that approximate the motion of the whole surface under a force anywhere.
+/// A few modes that approximate the motion of the whole surface under a force at any point.
 struct GlobalModes
 {
-  /// φ_k by mode: 3 × surface points, sqrt(mm/N). Zero if the body has fewer modes.
+  /// φ_k, one matrix per mode: 3 × surface points, sqrt(mm/N). The last modes are zero if the body
+  /// has fewer.
   std::vector<Eigen::Matrix3Xd> fields;
   std::vector<int> signs;              ///< s_k: 1 or -1
   std::vector<std::int32_t> landmarks; ///< points of the surface
-  /// |G - Gᵀ| / |G + Gᵀ|, which is 0 by Betti: the error of the fields.
+  /// Error of the fields: |G - Gᵀ| / |G + Gᵀ|, which is 0 for exact fields (Betti).
   double asymmetry = 0.0;
   /// Root mean square of C_g - Σ_k s_k (n·φ_k)² over the valid points, relative to that of C_g.
   double neglected = 0.0;
 };
 
-/// Farthest point sampling: `first`, then always the point of `points` farthest from all before.
+/// Farthest point sampling: starts with `first`, then repeatedly adds the point of `points` that is
+/// farthest from all points chosen before.
 std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
   const std::vector<std::int32_t>& points, std::int32_t first, std::size_t wanted);
 
@@ -54,7 +57,8 @@ GlobalModes modesOf(const ElasticBody& body, const std::vector<std::int32_t>& la
 /**
  * The `count` largest modes of a factorised body, from LandmarksPerMode times as many landmarks
  * among the points with a valid compliance. Without such points every mode is zero. `radius` as in
- * patchCompliances(). Costs one solution per landmark. No fields if the observer stopped the work.
+ * patchCompliances(). Costs one solution per landmark. The result has no fields if the observer
+ * stopped the work.
  */
 PALPATE_EXPORT GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances,
   double radius, int count, const WorkObserver& observer);

@@ -8,9 +8,9 @@ namespace palpate
 {
 /**
  * Displacement of a half-space z >= 0 with Young's modulus 1 MPa under a normal force of 1 N along
- * +z at the origin of its surface (Boussinesq 1885; Johnson 1985, eq. 3.18). `at` and the result in
- * mm; divide by E for another modulus. A place above the surface has the value of the surface below
- * it. Infinite at the origin.
+ * +z at the origin of its surface (Boussinesq 1885; Johnson 1985, eq. 3.18). `at` and the result
+ * are in mm; for another modulus the result must be divided by E. At a place above the surface, the
+ * value is that of the surface point below it. The displacement is infinite at the origin.
  */
 Eigen::Vector3d boussinesqDisplacement(const Eigen::Vector3d& at, double poissonRatio);
 } // namespace palpate

@@ -11,18 +11,18 @@ namespace palpate
  * assembled. Accurate to a factor of ForecastError.
  *
  * With nested dissection the number of entries in a column of the factor is proportional to the
- * body's thickness. With n nodes, b of them on the surface, the thickness is 6 n/b, the side of a
- * cube. The factor then takes c n · 6 n/b bytes, which is c n^(4/3) for a cube. Measured with
- * CHOLMOD and METIS on blocks of hexahedra and of tetrahedra, c is 490 to 940 and grows slowly with
- * n: 611 for 10³ elements, 889 for 40³, 942 for 60³, 661 for 60 × 60 × 6, 913 for 200 × 200 × 10,
- * 615 for 6 × 6 × 300. It is smallest for small bodies with many held nodes. The exact number is
- * known after the symbolic analysis (StiffnessFactor::memoryEstimate), which itself takes hours on
- * some bodies.
+ * body's thickness. With n nodes, b of which are on the surface, the thickness is taken as 6 n/b,
+ * in nodes; for a cube this is its side. The factor then takes c n · 6 n/b bytes, which is c
+ * n^(4/3) for a cube. Measured with CHOLMOD and METIS on blocks of hexahedra and of tetrahedra, c
+ * is 490 to 940 and grows slowly with n: 611 for 10³ elements, 889 for 40³, 942 for 60³, 661 for 60
+ * × 60 × 6, 913 for 200 × 200 × 10, 615 for 6 × 6 × 300. It is smallest for small bodies with many
+ * held nodes. The exact number is known after the symbolic analysis
+ * (StiffnessFactor::memoryEstimate), which itself takes hours on some bodies.
  */
 struct MemoryForecast
 {
   double matrix = 0.0; ///< the stiffness and its symbolic analysis
-  double factor = 0.0; ///< its Cholesky factor
+  double factor = 0.0; ///< the Cholesky factor of the stiffness
 
   static constexpr double ForecastError = 2.0;
 

@@ -26,7 +26,7 @@ std::vector<AlongSurface> nearestAlong(const BodySurface& surface, std::int32_t 
     if (isWanted(at))
     {
       found.push_back({ at, away });
-      continue; // no paths through a found point
+      continue; // paths must not pass through a found point
     }
     for (const std::int32_t* t = surface.trianglesBegin(at); t != surface.trianglesEnd(at); ++t)
     {

@@ -16,9 +16,9 @@ struct AlongSurface
   double distance;
 };
 
-/// The `count` wanted points nearest to `point` along the edges of the surface, nearest first.
-/// Paths do not pass through another wanted point. Fewer if the connected part of the surface has
-/// no more.
+/// Finds the `count` wanted points nearest to `point` along the edges of the surface, the nearest
+/// first. Paths do not pass through another wanted point. Returns fewer points if the connected
+/// part of the surface has fewer.
 PALPATE_EXPORT std::vector<AlongSurface> nearestAlong(const BodySurface& surface,
   std::int32_t point, std::size_t count, const std::function<bool(std::int32_t)>& isWanted);
 

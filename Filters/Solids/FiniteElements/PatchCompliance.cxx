@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// Fraction of the work that is done after the patches and cut-outs, and after the self-terms.
+/// Fractions of the work that are done after the patches and cut-outs, and after the self-terms.
 constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;
 
@@ -39,18 +39,18 @@ bool forAll(std::size_t count, const WorkObserver& observer, double from, double
   return true;
 }
 
-/// Centres and sizes of a body's elements, for the missed energy beyond a cut.
+/// Centres and sizes of a body's elements, for the error of the energy beyond a cut.
 class MissedEnergy
 {
 public:
   explicit MissedEnergy(const VolumeMesh& mesh);
 
-  /// The fraction of (outer - inner) to add to the self-term of the outer cut; 0 for quadratic
-  /// elements.
+  /// The fraction of the difference (outer - inner) that is added to the self-term of the outer
+  /// cut; 0 for quadratic elements.
   double fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const;
 
 private:
-  double of(const Eigen::Vector3d& point, std::size_t element) const;
+  double missedAt(const Eigen::Vector3d& point, std::size_t element) const;
 
   Eigen::Matrix3Xd Middles;
   std::vector<double> Weights; ///< V h², 0 for quadratic elements
@@ -72,7 +72,7 @@ MissedEnergy::MissedEnergy(const VolumeMesh& mesh)
   }
 }
 
-double MissedEnergy::of(const Eigen::Vector3d& point, std::size_t element) const
+double MissedEnergy::missedAt(const Eigen::Vector3d& point, std::size_t element) const
 {
   const double square =
     (this->Middles.col(static_cast<Eigen::Index>(element)) - point).squaredNorm();
@@ -85,14 +85,14 @@ double MissedEnergy::fraction(const Eigen::Vector3d& point, const LocalPatch& pa
   double outer = 0.0;
   for (std::size_t i = 0; i < patch.elements.size(); ++i)
   {
-    const double energy = this->of(point, static_cast<std::size_t>(patch.elements[i]));
+    const double energy = this->missedAt(point, static_cast<std::size_t>(patch.elements[i]));
     outer += energy;
     inner += patch.inner[i] ? energy : 0.0;
   }
   double all = 0.0;
   for (std::size_t e = 0; e < this->Weights.size(); ++e)
   {
-    all += this->of(point, e);
+    all += this->missedAt(point, e);
   }
   const double between = outer - inner;
   return between > 1e-9 * outer ? std::max(all - outer, 0.0) / between : 0.0;
@@ -167,7 +167,7 @@ SparseLoad sparseLoad(
 
 using TermsByKey = std::map<PatchKey, SelfTerms>;
 
-/// Computes the self-terms of all cut-outs, equal ones once.
+/// Computes the self-terms of all cut-outs; equal cut-outs are computed only once.
 bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& points, double radius,
   std::vector<Site>& sites, const WorkObserver& observer, TermsByKey& terms)
 {
@@ -188,7 +188,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
     return false;
   }
   std::vector<std::pair<std::size_t, SelfTerms*>>
-    jobs; // the first site of each kind represents all
+    jobs; // the first site with each key represents all sites with that key
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     if (sites[i].status == PatchStatus::Valid)

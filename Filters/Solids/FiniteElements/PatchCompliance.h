@@ -10,7 +10,7 @@
  *
  * E* is that of the point: the mean E and ν of the elements at it. Where the material changes, C_g
  * is the effect of the other material on a half-space of this one. It is accurate only if the
- * change is some elements away from the point.
+ * material is constant within a few elements of the point.
  */
 #ifndef palpate_PatchCompliance_h
 #define palpate_PatchCompliance_h
@@ -26,7 +26,7 @@ enum class PatchStatus : std::uint8_t
   Valid = 0,
   Degenerate = 1, ///< no normal, or elements too distorted to be flattened
   OutOfReach = 4, ///< the patch covers points that are fixed
-  Edge = 5        ///< the patch wraps an edge: the surface turns by more than 30° under it
+  Edge = 5 ///< the patch extends over an edge: the surface turns by more than 30° under the patch
 };
 
 /// The global compliance of each point.
@@ -37,18 +37,18 @@ struct PatchCompliances
 };
 
 /**
- * The compliances of the given surface points of a factorised body; the other points stay NaN and
- * Degenerate. `radius` (mm) of the smaller patch; 0: PatchSpacings (PatchSite) times the spacing at
- * each point. The larger patch has twice the radius.
+ * Computes the compliances at the given surface points of a factorised body; the other points are
+ * NaN and Degenerate. `radius` (mm) of the smaller patch; 0: PatchSpacings (PatchSite) times the
+ * spacing at each point. The larger patch has twice the radius.
  *
- * Local parts are computed by threadCount() threads; the bits do not depend on their number. Empty
- * if the observer stopped the work.
+ * Local parts are computed by threadCount() threads; the bits do not depend on their number. The
+ * result is empty if the observer stopped the work.
  */
 PALPATE_EXPORT PatchCompliances patchCompliances(const ElasticBody& body,
   const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
 
-/// The patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch wraps an
-/// edge, the whole force is at the point.
+/// The patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch extends
+/// over an edge, the whole force acts at the point.
 PALPATE_EXPORT Eigen::Matrix3Xd patchForces(
   const ElasticBody& body, std::int32_t point, double radius);
 

@@ -46,7 +46,7 @@ Place wholePlace(const Eigen::Vector3d& x, double grain)
   return { std::llround(x[0] / grain), std::llround(x[1] / grain), std::llround(x[2] / grain) };
 }
 
-/// Sorts by position.
+/// Sorts indices by the position of what they number.
 template <class PlaceOf>
 void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
 {
@@ -63,8 +63,8 @@ void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
   }
 }
 
-/// Boundary faces of the given elements that are connected to a point without a triangle that turns
-/// by more than 30°.
+/// Boundary faces of the given elements that are connected to a point by triangles whose normals
+/// are within 30° of the point's normal.
 std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySurface& surface,
   std::int32_t point, const std::unordered_set<std::int32_t>& elements)
 {
@@ -157,14 +157,15 @@ void flatten(VolumeMesh& mesh, const std::vector<unsigned char>& onTop, double s
   }
 }
 
-/// Role of the nodes in a cut with the elements `kept`. Nodes are prescribed on all faces at which
-/// the cut ends, except on top.
+/// Marks the role of each node in a cut that consists of the elements `kept`. Nodes are prescribed
+/// on all faces at which the cut ends, except on top.
 std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topology,
   const std::unordered_set<std::int32_t>& topFaces, const std::unordered_set<std::int32_t>& kept,
   std::size_t nodeTotal)
 {
   std::vector<CutNode> marks(nodeTotal, CutNode::Outside);
-  for (const bool prescribing : { false, true }) // the role Prescribed prevails
+  for (const bool prescribing : { false, true }) // the second pass sets Prescribed, which has
+                                                 // priority
   {
     for (std::size_t i = 0; i < patch.elements.size(); ++i)
     {
@@ -340,7 +341,8 @@ PatchKey patchKey(const LocalPatch& patch)
   }
   for (const VolumeElement& element : patch.mesh.elements)
   {
-    // The sorted nodes are used, because equal elements may be numbered from another corner.
+    // The sorted nodes are used, because the numbering of equal elements may start at different
+    // corners.
     auto nodes = element.nodes;
     const int count = nodeCount(element.kind);
     std::sort(nodes.begin(), nodes.begin() + count);

@@ -15,17 +15,17 @@ constexpr std::array<double, 2> CutReach = { 4.0, 5.5 };
 enum class CutNode : std::uint8_t
 {
   Free,
-  Prescribed, ///< moves as in the half-space
-  Outside     ///< not part of any element of this cut
+  Prescribed, ///< the node moves as in the half-space
+  Outside     ///< the node is not part of any element of this cut
 };
 
-/// The elements around a point and their loads: the complete input of a self-term.
+/// The elements around a point and the loads on them: the complete input of a self-term.
 struct LocalPatch
 {
   VolumeMesh mesh;                           ///< in the tangent frame of the point, flattened
   std::vector<unsigned char> inner;          ///< per element: 1 if it is also in the inner cut
-  std::array<std::vector<CutNode>, 2> nodes; ///< per node, for the inner and the outer cut
-  std::array<PatchLoad, 2> loads;            ///< on the nodes, in the frame of this mesh
+  std::array<std::vector<CutNode>, 2> nodes; ///< role per node, for the inner and the outer cut
+  std::array<PatchLoad, 2> loads;            ///< loads on the nodes, in the frame of this mesh
   double poissonRatio = 0.3;
   double spacing = 1.0;               ///< mm
   std::vector<std::int32_t> elements; ///< elements of the body that were cut out
@@ -37,7 +37,8 @@ LocalPatch cutOut(const VolumeMesh& mesh, const MeshTopology& topology, const Bo
   std::int32_t point, const std::array<PatchLoad, 2>& loads, const std::array<double, 2>& reach,
   double poissonRatio);
 
-/// A hash, equal for equal cut-outs. With 128 bits, different cut-outs do not collide.
+/// A hash that is equal for equal cut-outs. Since it has 128 bits, a collision of different
+/// cut-outs is practically impossible.
 using PatchKey = std::array<std::uint64_t, 2>;
 PatchKey patchKey(const LocalPatch& patch);
 } // namespace palpate

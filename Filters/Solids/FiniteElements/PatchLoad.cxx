@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// The triangles around `point` that a disc of this radius may touch, without crossing an edge.
+/// The triangles around `point` that a disc of this radius may cover, up to the nearest edges.
 std::vector<std::int32_t> trianglesUnder(
   const BodySurface& surface, std::int32_t point, const Eigen::Matrix3d& frame, double radius)
 {
@@ -81,7 +81,8 @@ const DiscRule& DiscRule::standard()
   static const DiscRule rule = []
   {
     DiscRule made;
-    // Gauss-Legendre in the square of the radius, eight angles; the middle ring is turned.
+    // The rule is Gauss-Legendre in the square of the radius, with eight angles per ring; the
+    // middle ring is rotated.
     const std::array<double, 3> square = { 0.5 - 0.5 * std::sqrt(0.6), 0.5,
       0.5 + 0.5 * std::sqrt(0.6) };
     const std::array<double, 3> ofRing = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
@@ -130,8 +131,8 @@ PatchLoad makePatchLoad(
   const DiscRule& rule = DiscRule::standard();
   for (std::size_t q = 0; q < DiscRule::Count; ++q)
   {
-    // Finds the triangle that contains the point. On a common edge this is the one with the largest
-    // smallest coordinate, within rounding.
+    // Finds the triangle that contains the point. For a point on a common edge, the triangle is
+    // chosen in which the smallest coordinate is largest.
     double deepest = -1e-9;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::int32_t in = -1;

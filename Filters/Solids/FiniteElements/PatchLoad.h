@@ -5,8 +5,9 @@
  * The disc is in the tangent plane at the point; its total force is 1 N along -n. It is represented
  * by the 24 points of a quadrature rule (three rings of eight; moments exact to the fifth degree).
  * Each point is projected along n onto the surface and distributed to the nodes of its face by the
- * face's shape functions. Only the surface that is connected to the point by triangles with normals
- * within 30° of n counts. A disc that reaches beyond it wraps an edge.
+ * face's shape functions. Only that part of the surface is used that is connected to the point by
+ * triangles with normals within 30° of n. A disc that reaches beyond this part extends over an
+ * edge.
  */
 #ifndef palpate_PatchLoad_h
 #define palpate_PatchLoad_h
@@ -36,7 +37,7 @@ Eigen::Matrix3d tangentFrame(const Eigen::Vector3d& outwardNormal);
 /// A unit force, spread over a disc around a point of the surface.
 struct PatchLoad
 {
-  /// False if the disc wraps an edge or leaves the surface.
+  /// False if the disc extends over an edge or beyond the surface.
   bool complete = false;
   /// Nodes (ascending) and their weights, with sum 1.
   std::vector<std::pair<std::int32_t, double>> nodes;

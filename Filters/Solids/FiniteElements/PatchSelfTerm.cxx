@@ -86,8 +86,8 @@ std::vector<std::int32_t> orderNodes(const LocalPatch& patch, const std::vector<
   return ordered;
 }
 
-/// Motion of one cut under the two loads. Prescribed nodes move as in the half-space. NaN if the
-/// stiffness of the cut is singular.
+/// Motion of one cut under the two loads. Prescribed nodes move as in the half-space. The result is
+/// NaN if the stiffness of the cut is singular.
 TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   const std::vector<ElementMatrix>& stiffness, const TwoColumns& motion)
 {
@@ -159,7 +159,7 @@ TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   return moved;
 }
 
-/// False if flattening has inverted an element.
+/// Computes the stiffness of all elements. Returns false if flattening has inverted an element.
 bool stiffnessOf(const LocalPatch& patch, std::vector<ElementMatrix>& stiffness)
 {
   stiffness.resize(patch.mesh.elements.size());

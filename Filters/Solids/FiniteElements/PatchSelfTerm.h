@@ -4,17 +4,18 @@
  *
  * The energy of a patch on a body is that of the patch on a half-space (16/(3π²E*c) for a disc of
  * radius c) plus the effect of the body's shape and supports. The first part is large; the second
- * is the wanted one. With elements of the size of the patch the error of the large part is some per
- * cent, more than the whole effect. The large part is therefore computed with the same elements.
- * Those within `reach` of the point are cut out and flattened so that their free surface is the
- * plane z = 0 (the effect of curvature stays in the body's energy). They get one material and the
- * same nodal forces. Wherever they were cut or the body ends they get the exact displacement of the
- * half-space (Boussinesq 1885, summed over the load). The missing energy is then the same in both
- * computations and cancels.
+ * part is the one that is needed. With elements of the size of the patch, the error of the first
+ * part is a few per cent, which is more than the second part. The first part is therefore computed
+ * with the same elements. The elements within `reach` of the point are cut out and flattened so
+ * that their free surface is the plane z = 0 (the effect of curvature stays in the body's energy).
+ * All get the same material, and the nodal forces are those of the body. At the cut, and where the
+ * body ends, the nodes have the exact displacement of the half-space (Boussinesq 1885, summed over
+ * the load). The discretisation error of the energy is then the same in both computations and
+ * cancels.
  *
  * The error of linear elements beyond the cut is proportional to h² ∫ r⁻⁶ dV (the square of the
- * second derivative of the strain of 1/r). Two cuts, one inside the other, give the factor. The
- * elements of the body beyond the cut give the integral.
+ * second derivative of the strain of 1/r). The factor is found from two cuts, one inside the other;
+ * the integral is taken over the elements of the body beyond the cut.
  *
  * On regular grids most cut-outs are equal (to 1e-7 of the spacing); equal ones are computed once.
  */

@@ -11,10 +11,10 @@ namespace palpate
 constexpr double PatchSpacings = 0.75;
 
 /// The radius (mm) of the smaller patch at a surface point: `radius`, or, if that is 0,
-/// PatchSpacings times the spacing there.
+/// PatchSpacings times the spacing at the point.
 double patchRadiusAt(const ElasticBody& body, std::int32_t point, double radius);
 
-/// The load of that patch, and of the patch with twice its radius.
+/// The loads of the patch of patchRadiusAt() and of the patch with twice that radius.
 std::array<PatchLoad, 2> patchLoadsAt(const ElasticBody& body, std::int32_t point, double radius);
 
 /// The elements around the point, cut out for its self-term. `loads`: result of patchLoadsAt().

@@ -7,15 +7,15 @@
 namespace palpate
 {
 /**
- * Displacement of a body's surface under 1 N pressed into it at a point X, without the dent: the
- * field whose normal part at X itself is -C_g (PatchCompliance).
+ * Displacement of a body's surface under a force of 1 N into the body at a point X, without the
+ * dent. The normal part of this field at X itself is -C_g (PatchCompliance).
  *
- * The whole field is solved for under the combination (4 p(c) - p(2c)) / 3 of the two patches of X,
+ * The whole field is computed under the combination (4 p(c) - p(2c)) / 3 of the two patches of X,
  * which eliminates the bias in c² and acts as a point force. The dent is that of the same patches
  * on a half-space. Within the cut around X it is computed with the same elements (PatchSelfTerm),
  * beyond the cut it is Boussinesq's surface, u_n = 1/(πE*r) and u_r = -(1-2ν)(1+ν)/(2πEr) with the
- * straight distance r. It is subtracted on the surface that is connected to X and faces the same
- * way: fully within 50° of the normal at X, fading to zero at 60°.
+ * straight distance r. The dent is subtracted on the surface that is connected to X and faces the
+ * same way: fully where the normal is within 50° of the normal at X, fading to zero at 60°.
  */
 class RegularField
 {
@@ -28,7 +28,8 @@ public:
   {
   }
 
-  /// 3 × surface points, mm/N. The patches of the point must be valid (PatchStatus::Valid).
+  /// The field of a point: 3 × surface points, mm/N. The patches of the point must be valid
+  /// (PatchStatus::Valid).
   Eigen::Matrix3Xd at(std::int32_t point) const;
 
 private:

@@ -14,7 +14,7 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(BlockSize), 
 
 double SimplicialFactor::Cholesky::predictedNonZeros() const
 {
-  // The starts of columns are ints that may overflow. The differences do not.
+  // The starts of columns are ints that may overflow. Their unsigned differences are still correct.
   const int* starts = this->m_matrix.outerIndexPtr();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < this->m_matrix.outerSize(); ++i)
@@ -28,7 +28,7 @@ bool SimplicialFactor::analyse(const SymmetricSparse& lower)
 {
   this->Solver.analyzePattern(lower);
   const double perEntry = sizeof(double) + sizeof(int);
-  // L, the permuted copy of K, and the vectors of the ordering.
+  // The memory is that of L, of the permuted copy of K, and of the vectors of the ordering.
   this->Bytes =
     perEntry * (this->Solver.predictedNonZeros() + static_cast<double>(lower.nonZeros())) +
     64.0 * static_cast<double>(lower.rows());

@@ -6,11 +6,11 @@
 
 extern "C"
 {
-  // Functions of OpenBLAS if that is the BLAS, else null.
+  // Functions of OpenBLAS; null if another BLAS is used.
   __attribute__((weak)) int openblas_get_num_threads();
   __attribute__((weak)) void openblas_set_num_threads(int count);
 
-  // Functions of OpenMP if it is loaded, for example by CHOLMOD.
+  // Functions of OpenMP; null unless OpenMP is loaded, for example by CHOLMOD.
   __attribute__((weak)) int omp_get_max_active_levels();
   __attribute__((weak)) void omp_set_max_active_levels(int count);
 }
@@ -18,8 +18,8 @@ extern "C"
 namespace palpate
 {
 /// While an object of this class exists, OpenBLAS uses only the calling thread. Several threads
-/// would sum in another order, and the blocks are already distributed to threads. The setting
-/// applies to the whole process; the last object restores it.
+/// would sum in another order. They are not needed, since the blocks are already distributed to
+/// threads. The setting applies to the whole process; the last object restores it.
 class SingleThreadedBlas
 {
 public:
@@ -28,7 +28,7 @@ public:
     const std::lock_guard<std::mutex> lock(Guard);
     if (isThere() && Living++ == 0)
     {
-      Before = openblas_get_num_threads();
+      ThreadsBefore = openblas_get_num_threads();
       openblas_set_num_threads(1);
     }
   }
@@ -37,7 +37,7 @@ public:
     const std::lock_guard<std::mutex> lock(Guard);
     if (isThere() && --Living == 0)
     {
-      openblas_set_num_threads(Before);
+      openblas_set_num_threads(ThreadsBefore);
     }
   }
   SingleThreadedBlas(const SingleThreadedBlas&) = delete;
@@ -51,7 +51,7 @@ private:
 
   inline static std::mutex Guard;
   inline static int Living = 0;
-  inline static int Before = 0;
+  inline static int ThreadsBefore = 0;
 };
 
 /// While an object of this class exists, CHOLMOD starts no threads of its own from this thread.
@@ -64,7 +64,7 @@ public:
   {
     if (isThere())
     {
-      this->Was = omp_get_max_active_levels();
+      this->LevelsBefore = omp_get_max_active_levels();
       omp_set_max_active_levels(0);
     }
   }
@@ -72,7 +72,7 @@ public:
   {
     if (isThere())
     {
-      omp_set_max_active_levels(this->Was > 0 ? this->Was : AtFirst);
+      omp_set_max_active_levels(this->LevelsBefore > 0 ? this->LevelsBefore : LevelsAtStart);
     }
   }
   WithoutOpenMp(const WithoutOpenMp&) = delete;
@@ -84,9 +84,10 @@ private:
     return omp_get_max_active_levels != nullptr && omp_set_max_active_levels != nullptr;
   }
 
-  int Was = 0;
-  // The runtime may keep one setting for all threads. `Was` is then 0 while another object exists.
-  inline static const int AtFirst = isThere() ? omp_get_max_active_levels() : 0;
+  int LevelsBefore = 0;
+  // The runtime may keep one setting for all threads. `LevelsBefore` is then 0 while another object
+  // exists.
+  inline static const int LevelsAtStart = isThere() ? omp_get_max_active_levels() : 0;
 };
 
 /// While an object of this class exists, BLAS and CHOLMOD use only the calling thread: the work is

@@ -53,7 +53,8 @@ void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
 }
 
-/// Sets up the pattern of the lower triangle with zeros. False: more entries than an int can count.
+/// Sets up the pattern of the lower triangle with zeros. Returns false if an int cannot count the
+/// entries.
 bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<int>& dof,
   int unknowns, SymmetricSparse& lower)
 {

@@ -44,8 +44,8 @@ PALPATE_EXPORT void addElement(
  *
  * A part is connected by shared nodes. Its fixed directions must prevent its six rigid motions.
  * Mechanisms inside a part (two halves that share only an edge) are not searched, because the
- * factorisation fails on them. Returns "", or a sentence that names the part by its first element
- * and the number of free motions.
+ * factorisation fails on them. Returns "", or a sentence with the first element of the part and the
+ * number of its free motions.
  */
 PALPATE_EXPORT std::string findFloatingPart(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& fixed);

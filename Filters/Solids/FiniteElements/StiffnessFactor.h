@@ -4,15 +4,16 @@
  *
  * A compliance needs only the forward half of the solution, bᵀK⁻¹b = |L⁻¹Pb|², and only the columns
  * of L on the paths from the load's unknowns to the root of the elimination tree. Loads are
- * processed in blocks of neighbours in that tree, which share most of their path.
+ * processed in blocks. The loads of a block are neighbours in that tree and share most of their
+ * paths.
  *
  * Supernodal: CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008), ordered by METIS; its supernodes
- * are processed with BLAS. CHOLMOD's own forward solution of blocks of as many loads reads all of L
- * each time. It takes 2.9 times as long for one load and 6.6 times as long for the 900 loads of a
- * face (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's factor, ordered by
- * minimum degree. It needs no other library and is some hundred times slower on large bodies. Both
- * agree within 1e-9. The bits do not depend on the number of threads. This includes the threads of
- * BLAS if it is OpenBLAS: it is limited to one thread meanwhile, because several would sum in
+ * are processed with BLAS. CHOLMOD's own forward solution reads all of L for each block of loads.
+ * With blocks of the same size it takes 2.9 times as long for one load and 6.6 times as long for
+ * the 900 loads of a face (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's
+ * factor, ordered by minimum degree. It needs no other library and is about a hundred times slower
+ * on large bodies. Both agree within 1e-9. The bits do not depend on the number of threads. If BLAS
+ * is OpenBLAS, it is limited to one thread during the work, because several threads would sum in
  * another order.
  */
 #ifndef palpate_StiffnessFactor_h
@@ -42,7 +43,7 @@ public:
     Simplicial
   };
 
-  /// Null if this build does not have this kind.
+  /// Makes a factor; returns null if this build does not have this kind.
   static std::unique_ptr<StiffnessFactor> make(Kind kind);
 
   StiffnessFactor() = default;
@@ -50,16 +51,18 @@ public:
   StiffnessFactor& operator=(const StiffnessFactor&) = delete;
   virtual ~StiffnessFactor() = default;
 
-  /// Chooses the order of elimination. False: not enough memory.
+  /// Chooses the order of elimination. Returns false if there is not enough memory.
   virtual bool analyse(const SymmetricSparse& lower) = 0;
   /// Peak memory of the factorisation, bytes, known after analyse().
   virtual double memoryEstimate() const = 0;
-  /// Computes L of the analysed matrix. False: not positive definite, or not enough memory.
+  /// Computes L of the analysed matrix. Returns false if the matrix is not positive definite, or if
+  /// there is not enough memory.
   virtual bool factorise(const SymmetricSparse& lower) = 0;
-  /// x = K⁻¹ b.
+  /// Returns x = K⁻¹ b.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& load) const = 0;
-  /// x = K⁻¹ b for each column. Safe from any number of threads. Empty: not enough memory. The bits
-  /// of a column depend on the number of columns but not on the number of threads.
+  /// Returns x = K⁻¹ b for each column; empty if there is not enough memory. Safe from any number
+  /// of threads. The bits of a column depend on the number of columns but not on the number of
+  /// threads.
   virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const = 0;
   /// The compliances of all loads, in their order. Empty if the observer stopped the work.
   virtual std::vector<double> compliances(

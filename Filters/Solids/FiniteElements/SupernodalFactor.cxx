@@ -36,11 +36,13 @@ namespace palpate
 {
 namespace
 {
-/// Right-hand sides per block. Measured on a body of 95 000 unknowns, see the benchmark.
+/// Right-hand sides per block. The number was found by measurements on a body of 95 000 unknowns
+/// (StiffnessFactorBenchmark.cxx).
 constexpr std::size_t SupernodalBlock = 64;
 
-/// L by supernodes, in CHOLMOD's storage. Columns super[s] .. super[s+1] share the rows rows[pi[s]]
-/// .. rows[pi[s+1]]; the first of these rows are the columns themselves. Dense, column-major.
+/// L by supernodes, in CHOLMOD's storage. The columns super[s] to super[s+1] - 1 share the rows
+/// rows[pi[s]] to rows[pi[s+1] - 1]; the first of these rows are the columns themselves. Each
+/// supernode is dense and column-major.
 struct Supernodes
 {
   explicit Supernodes(const cholmod_factor* factor)
@@ -230,22 +232,22 @@ public:
   bool analyse(const SymmetricSparse& lower) override
   {
     cholmod_free_factor(&this->Factor, &this->Common);
-    // METIS uses the C library's rand() and seeds it each time. Two orderings at the same time
-    // would mix their random numbers, and rounding would differ from run to run.
+    // METIS seeds and uses the C library's rand(). Two orderings at the same time would mix their
+    // random numbers, and rounding would differ from run to run.
     static std::mutex ordering;
     const std::lock_guard<std::mutex> lock(ordering);
     cholmod_sparse matrix = view(lower);
     this->Factor = cholmod_analyze(&matrix, &this->Common);
     if (this->Factor == nullptr && this->Common.status == CHOLMOD_NOT_INSTALLED)
     {
-      this->Common.method[0].ordering = CHOLMOD_AMD; // a SuiteSparse without METIS
+      this->Common.method[0].ordering = CHOLMOD_AMD; // this SuiteSparse has no METIS
       this->Factor = cholmod_analyze(&matrix, &this->Common);
     }
     if (this->Factor == nullptr)
     {
       return false;
     }
-    // L, its pattern, the permuted copy of K, and the largest front.
+    // The memory is that of L, its pattern, the permuted copy of K, and the largest front.
     this->Bytes = 8.0 * static_cast<double>(this->Factor->xsize) +
       4.0 * static_cast<double>(this->Factor->ssize) +
       12.0 * static_cast<double>(lower.nonZeros()) +
@@ -279,7 +281,7 @@ public:
     right.nrow = right.d = static_cast<std::size_t>(loads.rows());
     right.ncol = static_cast<std::size_t>(loads.cols());
     right.nzmax = right.nrow * right.ncol;
-    right.x = const_cast<double*>(loads.data()); // read only
+    right.x = const_cast<double*>(loads.data()); // the cast is safe: CHOLMOD only reads the loads
     right.xtype = CHOLMOD_REAL;
     Eigen::MatrixXd x;
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, this->Factor, &right, &common);
@@ -327,7 +329,8 @@ private:
     cholmod_sparse matrix{};
     matrix.nrow = matrix.ncol = static_cast<std::size_t>(lower.rows());
     matrix.nzmax = static_cast<std::size_t>(lower.nonZeros());
-    matrix.p = const_cast<int*>(lower.outerIndexPtr()); // CHOLMOD does not write to its input
+    // The cast is safe: CHOLMOD does not write to its input.
+    matrix.p = const_cast<int*>(lower.outerIndexPtr());
     matrix.i = const_cast<int*>(lower.innerIndexPtr());
     matrix.x = const_cast<double*>(lower.valuePtr());
     matrix.stype = -1; // the lower triangle is stored

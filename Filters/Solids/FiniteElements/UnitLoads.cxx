@@ -10,8 +10,9 @@ namespace palpate
 {
 namespace
 {
-/// Columns: loads on the unknowns for forces and moments about the place. A force is distributed to
-/// the nodes of the element by the shape functions, a moment M by half of M × their gradients.
+/// Returns loads on the unknowns, one column for each force and moment about the place. A force is
+/// distributed to the nodes of the element by the shape functions; a moment M is distributed as
+/// half of M × the gradients of the shape functions.
 Eigen::MatrixXd unitLoads(
   const ElasticBody& body, const Eigen::Vector3d& place, const ElementPlace& beside)
 {

@@ -24,17 +24,18 @@ struct ElementPlace
 };
 
 /**
- * Motion of a body's nodes. The loads act on the nodes of one element near the place: at a distance
- * of some elements only their resultant matters (St. Venant). Loads on held nodes have no effect.
- * Empty if there is not enough memory. Cost: six solutions.
+ * Computes the motion of a body's nodes. The loads act on the nodes of the element `beside`, near
+ * the place: at a distance of a few elements only their resultant matters (St. Venant). Loads on
+ * held nodes have no effect. The result is empty if there is not enough memory. Cost: six
+ * solutions.
  */
 PALPATE_EXPORT UnitMotion unitMotion(
   const ElasticBody& body, const Eigen::Vector3d& place, const ElementPlace& beside);
 
 /**
- * Motion of a part that was cut out of a larger body and is held on the cut. All loads are on the
- * part. `cut`: motion of the nodes on the cut in the larger body; its other nodes are not used.
- * Empty if there is not enough memory. Cost: six solutions.
+ * Computes the motion of a part that was cut out of a larger body and is held on the cut. All loads
+ * act on the part. `cut`: motion of the nodes on the cut in the larger body; the values of other
+ * nodes are not used. The result is empty if there is not enough memory. Cost: six solutions.
  */
 PALPATE_EXPORT UnitMotion motionFromCut(const ElasticBody& part, UnitMotion cut);
 } // namespace palpate

@@ -48,7 +48,8 @@ Eigen::Vector3d dentAt(const BodySurface& surface, std::int32_t point, std::int3
 {
   const Eigen::Vector3d chord = surface.position(at) - surface.position(point);
   const Eigen::Vector3d& normal = surface.normal(at);
-  const Eigen::Vector3d away = (chord - chord.dot(normal) * normal).normalized(); // 0 stays 0
+  // The zero vector remains zero.
+  const Eigen::Vector3d away = (chord - chord.dot(normal) * normal).normalized();
   const Eigen::Vector3d flat = boussinesqDisplacement(
     Eigen::Vector3d(std::max(chord.norm(), nearest), 0.0, 0.0), poissonRatio);
   return flat[0] * away - flat[2] * surface.normal(point);

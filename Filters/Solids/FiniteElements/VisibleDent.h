@@ -9,9 +9,9 @@
 namespace palpate
 {
 /**
- * Fraction of the dent under a force at `point` that each point of the surface shows, 0 to 1. The
- * surface must be connected to `point` and face the same way: 1 within 50° of the normal at
- * `point`, fading to 0 at 60°.
+ * Fraction of the dent under a force at `point` that is included at each point of the surface. It
+ * is 1 where the surface is connected to `point` and its normal is within 50° of the normal at
+ * `point`, fades to 0 at 60°, and is 0 elsewhere.
  */
 std::vector<double> dentFades(const BodySurface& surface, std::int32_t point);
 

@@ -109,8 +109,8 @@ std::string MeshTopology::build(const VolumeMesh& mesh)
       ++this->NodeOffset[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]) + 1];
     }
   }
-  // Sorts equal faces next to each other. Each pair and the boundary are in the order of the
-  // elements.
+  // After sorting, equal faces are adjacent. The faces of a pair, and the boundary faces, are in
+  // the order of the elements.
   std::vector<std::size_t> order(faces.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {

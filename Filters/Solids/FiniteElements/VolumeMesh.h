@@ -26,8 +26,9 @@ constexpr int LargestNodeCount = 10;
 PALPATE_EXPORT int nodeCount(ElementKind kind);
 PALPATE_EXPORT int faceCount(ElementKind kind);
 
-/// One side of an element, in the element's node numbers: corners counter-clockwise as seen from
-/// outside, then mid-edge nodes, the first one between the first two corners.
+/// One side of an element, in the element's node numbers: first the corners, counter-clockwise as
+/// seen from outside, then the mid-edge nodes. The first mid-edge node is between the first two
+/// corners.
 struct ElementFace
 {
   int corners = 0; ///< 3 or 4
@@ -36,7 +37,7 @@ struct ElementFace
 };
 PALPATE_EXPORT const ElementFace& elementFace(ElementKind kind, int face);
 
-/// One element: its kind and as many nodes as the kind has.
+/// One element: its kind and its nodes.
 struct VolumeElement
 {
   ElementKind kind = ElementKind::Hexahedron;
@@ -75,7 +76,7 @@ struct BoundaryFace
 class PALPATE_EXPORT MeshTopology
 {
 public:
-  /// Returns "", or a message about the fault.
+  /// Finds the neighbours of all elements. Returns "", or a message about the fault.
   std::string build(const VolumeMesh& mesh);
 
   /// The neighbour across a face (>= 0), or -1 - b with the index b of the boundary face.
@@ -85,7 +86,7 @@ public:
   }
   const std::vector<BoundaryFace>& boundary() const { return this->Boundary; }
 
-  /// The elements that meet at a node: first and one past the last.
+  /// The elements that meet at a node: pointers to the first one and past the last one.
   const std::int32_t* elementsBegin(std::int32_t node) const
   {
     return this->NodeElements.data() + this->NodeOffset[static_cast<std::size_t>(node)];
@@ -103,7 +104,8 @@ private:
 };
 
 /// Elements that are connected, face by face, to an element with a whole held face, ascending. An
-/// element that is connected only by an edge or a corner could turn about it. `held`: per node.
+/// element that is connected only by an edge or a corner could rotate about that edge or corner.
+/// `held`: per node.
 PALPATE_EXPORT std::vector<std::int32_t> elementsHeldByFaces(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& held);
 } // namespace palpate

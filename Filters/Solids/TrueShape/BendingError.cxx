@@ -12,11 +12,11 @@ namespace palpate
 namespace
 {
 constexpr std::size_t SampledBlocks = 12;
-constexpr std::size_t OfBlock = 16; ///< sources taken from each sampled block
+constexpr std::size_t SourcesPerBlock = 16; ///< number of sources used from each sampled block
 
-/// The nearest samples that get the same weight in the median around a place.
-constexpr std::size_t OfMedian = 8;
-constexpr double MostOfMedian = 3.0;
+/// Number of nearest samples that have the same weight in the median around a place.
+constexpr std::size_t NearestOfMedian = 8;
+constexpr double LargestOverMedian = 3.0;
 } // namespace
 
 std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body,
@@ -38,7 +38,7 @@ std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body,
     }
   }
   std::vector<Eigen::Matrix3Xd> moved;
-  const std::size_t most = choice.isCoarse ? OfBlock / 4 : OfBlock;
+  const std::size_t most = choice.isCoarse ? SourcesPerBlock / 4 : SourcesPerBlock;
   const std::size_t step = std::max<std::size_t>(1, bent.size() / most);
   for (std::size_t k = 0; k < bent.size() && moved.size() < most; k += step)
   {
@@ -49,7 +49,7 @@ std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body,
   }
   if (samples.empty())
   {
-    return samples; // energyErrors() would still visit every element
+    return samples; // without this return, energyErrors() would still visit every element
   }
   const std::vector<double> energies = energyErrors(body, moved);
   for (std::size_t k = 0; k < samples.size(); ++k)
@@ -64,12 +64,12 @@ BendingError::BendingError(std::vector<Sample> samples)
 {
 }
 
-/// Weighted median of e over bending. The weight is the bending over the squared distance; the
-/// OfMedian nearest samples count as equally near.
+/// Weighted median of e over bending. The weight is the bending divided by the squared distance;
+/// the nearest samples (NearestOfMedian) have the same distance in the weight.
 double BendingError::medianAround(const std::vector<double>& squares) const
 {
   std::vector<double> nearest = squares;
-  const auto last = static_cast<std::ptrdiff_t>(std::min(OfMedian, nearest.size())) - 1;
+  const auto last = static_cast<std::ptrdiff_t>(std::min(NearestOfMedian, nearest.size())) - 1;
   std::nth_element(nearest.begin(), nearest.begin() + last, nearest.end());
   const double alike = nearest[static_cast<std::size_t>(last)];
   std::vector<std::pair<double, double>> weighted; // a ratio and its weight
@@ -107,7 +107,7 @@ double BendingError::at(const Eigen::Vector3d& place) const
   {
     squares.push_back(std::max((sample.place - place).squaredNorm(), 1e-300));
   }
-  const double most = MostOfMedian * this->medianAround(squares);
+  const double most = LargestOverMedian * this->medianAround(squares);
   double bends = 0.0;
   double missed = 0.0;
   for (std::size_t i = 0; i < squares.size(); ++i)
@@ -121,7 +121,8 @@ double BendingError::at(const Eigen::Vector3d& place) const
     bends += weight * sample.bending;
     missed += weight * BoundOfEnergy * sample.energy;
   }
-  // The smooth stresses miss the same fraction x of the missed part, and so on: x + x² + ...
+  // The smoothed stresses miss the same fraction x of the missed part, and so on. The total is x +
+  // x² + ...
   return missed < bends ? std::clamp(missed / (bends - missed), Least, Most) : Most;
 }
 } // namespace palpate

@@ -10,13 +10,13 @@
 namespace palpate
 {
 /**
- * Fraction of a body's bending that its elements miss, measured at some of the sources that are
- * solved anyway. The fraction is x/(1 - x), with x = 4 e over the bending part of H. Here e is the
- * energy of the difference between the elements' stresses and smoothed ones (energyErrors). At
- * other places the weighted mean of the samples is used. The weight is the inverse square of the
- * distance times the bending at the sample: a sample where the body hardly bends carries no
- * information about bending. Near a crease or a held part the source's own field makes e up to a
- * hundred times larger. Samples above three times the weighted median of their neighbourhood
+ * Fraction of a body's bending that its elements miss, measured at some of the sources for which
+ * the body is solved. The fraction is x/(1 - x), where x is 4 e divided by the bending part of H.
+ * Here e is the energy of the difference between the elements' stresses and smoothed ones
+ * (energyErrors). At other places the weighted mean of the samples is used. The weight is the
+ * bending at the sample divided by the square of the distance: a sample where the body hardly bends
+ * has no information about bending. Near a crease or a held part the source's own field makes e up
+ * to a hundred times larger. Samples above three times the weighted median of their neighbourhood
  * therefore do not count.
  *
  * The factor 4 is the one of complianceErrors(). BendingErrorTest and ShapedErrorTest check how
@@ -25,7 +25,7 @@ namespace palpate
 class BendingError
 {
 public:
-  /// Value without any measurement, and the smallest and largest value that is returned.
+  /// The value without any measurement, and the smallest and the largest value that are returned.
   static constexpr double Assumed = 0.1;
   static constexpr double Least = 0.005;
   static constexpr double Most = 0.5;
@@ -43,13 +43,13 @@ public:
   {
     std::size_t block = 0;
     std::size_t blocks = 1;
-    bool isCoarse = false; ///< takes a quarter of the samples
+    bool isCoarse = false; ///< whether only a quarter of the samples is used
   };
 
-  /// Samples of a block. Only some blocks are sampled, so that there are about two hundred samples
-  /// in all. `sources`: surface points of the block. `smooth`: w at the
-  /// unknowns, one column per source. `bendingOf`: bending part of H by index in `sources` (see
-  /// Sample), NaN if unknown. Cost: 50 µs per element of the body.
+  /// Takes the samples of a block. Only some blocks are sampled, so that there are about two
+  /// hundred samples in all. `sources`: surface points of the block. `smooth`: w at the unknowns,
+  /// one column per source. `bendingOf`: bending part of H by index in `sources` (see Sample), NaN
+  /// if unknown. Cost: 50 µs per element of the body.
   using BendingOf = std::function<double(std::size_t)>;
   static std::vector<Sample> sample(const ElasticBody& body, const Choice& choice,
     const std::vector<std::int32_t>& sources, const Eigen::MatrixXd& smooth,
@@ -60,7 +60,8 @@ public:
   double at(const Eigen::Vector3d& place) const;
 
 private:
-  /// `squares`: squared distances to all samples, at least one.
+  /// Median of the samples around a place. `squares`: squared distances to all samples, at least
+  /// one.
   double medianAround(const std::vector<double>& squares) const;
 
   std::vector<Sample> Samples;

@@ -17,11 +17,11 @@ namespace palpate
 namespace
 {
 constexpr double SampleCount = 10.0; ///< approximate number of sample points
-/// Number of sources whose whole displacement fields are in memory together.
-constexpr std::size_t AtATime = 4;
-constexpr double OfDifference = 2.0;
+/// Number of sources whose displacement fields are in memory at the same time.
+constexpr std::size_t SourcesPerBatch = 4;
+constexpr double DifferenceFactor = 2.0;
 
-/// Points with a compliance, about SampleCount of them, spread over the surface.
+/// Returns about SampleCount points that have a compliance, spread over the surface.
 std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompliances& compliances)
 {
   const BodySurface& surface = body.surface();
@@ -54,8 +54,8 @@ std::vector<double> complianceErrors(
   const SubtractedLoad loads(body);
   const auto estimate = [&](std::size_t block)
   {
-    const std::size_t first = block * AtATime;
-    const std::size_t last = std::min(samples.size(), first + AtATime);
+    const std::size_t first = block * SourcesPerBatch;
+    const std::size_t last = std::min(samples.size(), first + SourcesPerBatch);
     Eigen::MatrixXd right(body.unknowns(), static_cast<Eigen::Index>(last - first));
     for (std::size_t s = first; s < last; ++s)
     {
@@ -65,7 +65,7 @@ std::vector<double> complianceErrors(
     const Eigen::MatrixXd smooth = body.factor().solveAll(right);
     if (smooth.size() == 0)
     {
-      return; // not enough memory: no estimate
+      return; // without enough memory there is no estimate
     }
     std::vector<Eigen::Matrix3Xd> moved;
     for (std::size_t s = first; s < last; ++s)
@@ -78,12 +78,12 @@ std::vector<double> complianceErrors(
     {
       const std::int32_t point = samples[s];
       const double otherWay = -surface.normal(point).dot(moved[s - first].col(surface.node(point)));
-      atSamples[s] = OfDifference *
+      atSamples[s] = DifferenceFactor *
           std::abs(otherWay - compliances.compliance[static_cast<std::size_t>(point)]) +
         BoundOfEnergy * energies[s - first];
     }
   };
-  if (!shareWork((samples.size() + AtATime - 1) / AtATime, estimate, observer))
+  if (!shareWork((samples.size() + SourcesPerBatch - 1) / SourcesPerBatch, estimate, observer))
   {
     return {};
   }

@@ -11,7 +11,7 @@ namespace palpate
  * Error of the compliances of a body's surface due to its elements, mm/N, >= 0, one per surface
  * point. It is estimated at about ten well separated points. At the other points it is proportional
  * to the error that ElementError predicts for the place. The factor is interpolated by the inverse
- * square of the distance. All values are NaN if none of those points can be pressed.
+ * square of the distance. All values are NaN if none of the ten points can be pressed.
  *
  * The error at a sample point is 2 |C - C'| + 4 e. C' is a second compliance on the same elements,
  * found with the singular field subtracted (SubtractedLoad); the difference shows the error of the
@@ -23,7 +23,7 @@ namespace palpate
  *
  * `compliances`: result of patchCompliances() for all points of a factorised body. Cost: ten times
  * one solution plus 100 µs per element, on threadCount() threads. The result does not depend on the
- * number of threads. Empty if the observer stopped the work.
+ * number of threads. The result is empty if the observer stopped the work.
  */
 PALPATE_EXPORT std::vector<double> complianceErrors(
   const ElasticBody& body, const PatchCompliances& compliances, const WorkObserver& observer);

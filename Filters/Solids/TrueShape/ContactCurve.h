@@ -15,20 +15,20 @@ struct PALPATE_EXPORT ContactSample
   double radius = 0.0;     ///< a, mm
   double deflection = 0.0; ///< δ, mm
   double force = 0.0;      ///< N
-  double truncation = 0.0; ///< relative change of the force with one order less
+  double truncation = 0.0; ///< relative change of the force if the kernel has one order less
   double harmonics = 0.0;  ///< correction of δ for the tilt, as a fraction of δ
   double gap = 0.0;        ///< error of the treatment of the surface shape
-  double direction = 0.0;  ///< error due to the leaning force
+  double direction = 0.0;  ///< error due to a force that is not normal to the surface
   double surface = 0.0;    ///< error due to the shape of the surface between its points
   double strain = 0.0;     ///< error of small strain, or of its correction
   double mesh = 0.0;       ///< error expected from the element size
 
-  double beside = 0.0; ///< element size over the distance to the limit of contacts, up to 1
+  double beside = 0.0; ///< element size over the distance to the limit of contacts, at most 1
 
   /// Error of the elements and of the kernels made from them, as a fraction of the force. The first
-  /// part (`mesh`) comes from the cells, the second (`truncation`) from the places that are solved
-  /// for. The two are independent except near an edge, where both come from too few elements up to
-  /// the edge.
+  /// part (`mesh`) is due to the cells, the second (`truncation`) to the finite number of solved
+  /// places. The two are independent except near an edge, where both are due to too few elements
+  /// between the contact and the edge.
   double elements() const;
 };
 
@@ -38,7 +38,7 @@ enum class CurveEnd : unsigned char
   Patch,    ///< the contact reaches the radius that was solved for
   Edge,     ///< the contact reaches an edge or another material
   Held,     ///< the contact reaches held points
-  Unstable, ///< the kernel lets the contact grow no further: δ does not rise
+  Unstable, ///< with this kernel the contact cannot grow further: δ does not rise
   None ///< the contact is at the tool's wall: the force rises along a straight line without end
 };
 
@@ -54,10 +54,10 @@ class PALPATE_EXPORT ContactCurve
 {
 public:
   ContactCurve() = default;
-  /// `samples`: with rising δ and F. `exponent`: m in F ∝ δ^m at first touch. `flatEnd`: the tool
-  /// begins with a flat; the first sample is then δ = F = 0 and `stiffness` is dF/dδ there. A
-  /// single sample with `flatEnd` gives a straight line. `tail`: dF/dδ beyond the last sample at
-  /// the tool's wall, N/mm.
+  /// `samples` have rising δ and F. `exponent`: m in F ∝ δ^m at first touch. `flatEnd`: whether the
+  /// tool begins with a flat end; the first sample is then δ = F = 0 and `stiffness` is dF/dδ
+  /// there. A single sample with `flatEnd` gives a straight line. `tail`: slope dF/dδ beyond the
+  /// last sample, where the contact is at the tool's wall, N/mm.
   ContactCurve(std::vector<ContactSample> samples, double exponent, bool flatEnd, double stiffness,
     CurveEnd end, double tail);
 
@@ -84,7 +84,7 @@ private:
   double Exponent = 1.0;
   bool FlatEnd = false;
   CurveEnd End = CurveEnd::Patch;
-  double Tail = 0.0; ///< dF/dδ beyond the last sample at the wall
+  double Tail = 0.0; ///< slope dF/dδ beyond the last sample, at the wall
 };
 } // namespace palpate
 

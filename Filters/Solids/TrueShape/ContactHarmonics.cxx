@@ -20,29 +20,29 @@ double growth(const std::vector<ContactSample>& samples, std::size_t i)
     std::log(samples[high].radius / samples[low].radius);
 }
 
-/// Error of third order over the correction of second order for the shape of the surface. Measured
-/// on random waves against contacts solved without an angle mean (SurfaceGapTest).
-constexpr double LeftOfGap = 0.4;
-/// Error as a fraction of the force up to which the second order is enough. Above it the contact is
-/// solved (UnevenContact).
-constexpr double Enough = 0.01;
+/// Ratio of the third-order error to the second-order correction for the shape of the surface.
+/// Measured on random waves against contacts solved without an angle mean (SurfaceGapTest).
+constexpr double GapErrorFactor = 0.4;
+/// If the relative error of the second order is at most this value, the second order is enough.
+/// Otherwise the contact is solved (UnevenContact).
+constexpr double SufficientError = 0.01;
 /// Error of the cells of a solved contact: a fraction of its difference from the mean contact, and
 /// a fraction of the force. Measured in the same way.
-constexpr double LeftOfUneven = 0.05;
-constexpr double LeftOfCells = 0.002;
-/// Error of small slopes as a fraction of the force, over the mean square slope. A ball's contact
-/// with a/R = 0.4 has a mean square slope of 0.08; its error is up to 1 % (ShapedContactTest).
-constexpr double LeftOfSlope = 0.25;
-/// One of this many growing contacts is solved.
+constexpr double UnevenErrorFactor = 0.05;
+constexpr double CellError = 0.002;
+/// Ratio of the relative error of the force, due to the assumption of small slopes, to the mean
+/// square slope. A ball's contact with a/R = 0.4 has a mean square slope of 0.08; its error is up
+/// to 1 % (ShapedContactTest).
+constexpr double SlopeErrorFactor = 0.25;
+/// Of the growing contacts, one in this number is solved.
 constexpr std::size_t ContactsPerSolution = 3;
-/// Distance between smooth patches and the body with the same points, over the geometric mean of
-/// two lengths: the distance of the facets from the patches and the unevenness of the facets'
-/// edges. Measured on bumps that the points resolve and on bumps that they do not
-/// (GapOfSurfaceTest), and on scans of a bunny and a dragon thinned to a third, a tenth or a
-/// twentieth of the points.
-constexpr double LeftOfFacets = 1.0 / 3.0;
-/// g² of the residual of a gap, over its mean square.
-constexpr double OfRoughness = 30.0;
+/// Ratio of the distance between the smooth patches and the true body to the geometric mean of two
+/// lengths: the distance of the facets from the patches and the unevenness of the facets' edges.
+/// Measured on bumps that the points resolve and on bumps that they do not (GapOfSurfaceTest), and
+/// on scans of a bunny and a dragon thinned to a third, a tenth or a twentieth of the points.
+constexpr double FacetErrorFactor = 1.0 / 3.0;
+/// Ratio of g² of the residual of a gap to the mean square of the residual.
+constexpr double RoughnessFactor = 30.0;
 /// Mean square slope of the angle mean of the surface under a contact.
 double meanSlope(const Eigen::Vector4d& drop, double radius)
 {
@@ -57,9 +57,10 @@ double meanSlope(const Eigen::Vector4d& drop, double radius)
   return sum / (radius * radius);
 }
 
-/// Difference of the compliance, mm/N, between a force that leans by the slope and a force along
-/// the normal: the difference of n·Γn. The signs are chosen such that both terms add up.
-double yieldsOtherwise(const Eigen::Matrix3d& directed, const Eigen::Vector2d& slope)
+/// Difference of the compliance n·Γn, mm/N, between a force that is inclined by the slope and a
+/// force along the normal. The magnitude of the first term is used, so that the result is an upper
+/// bound.
+double changeOfCompliance(const Eigen::Matrix3d& directed, const Eigen::Vector2d& slope)
 {
   return 2.0 * slope.norm() * directed.col(2).head<2>().norm() +
     slope.dot(directed.topLeftCorner<2, 2>() * slope);
@@ -74,9 +75,9 @@ struct Unevenness
   double cells = 0.0; ///< error of the cells, as a fraction of the force
 };
 
-/// Solves one in ContactsPerSolution contacts while the contact grows and the last one of these,
-/// then every contact at the wall. The others are interpolated. A contact that extends beyond the
-/// known surface gets the larger error LeftOfGap.
+/// While the contact grows, solves one in ContactsPerSolution contacts and the last one; at the
+/// wall, solves every contact. The effects on the other contacts are interpolated. A contact that
+/// extends beyond the known surface gets the larger error (GapErrorFactor).
 void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing, double modulus,
   UnevenContact& uneven, std::vector<Unevenness>& shape)
 {
@@ -90,13 +91,13 @@ void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing,
       continue;
     }
     const UnevenContact::Change change = uneven.at(s.radius, s.force / modulus);
-    const double left = change.isInside ? LeftOfUneven : LeftOfGap;
+    const double left = change.isInside ? UnevenErrorFactor : GapErrorFactor;
     shape[i] = { -change.deflection, left * std::abs(change.deflection), change.steepness,
-      LeftOfCells };
+      CellError };
     for (std::size_t k = before + 1; k < i; ++k)
     {
-      // On a leaning plane the value is the same at all radii. With unequal curvatures it grows as
-      // a².
+      // On an inclined plane the value is the same at all radii. With unequal curvatures it grows
+      // as a².
       const double t = static_cast<double>(k - before) / static_cast<double>(i - before);
       const auto between = [&](double Unevenness::*part)
       {
@@ -105,7 +106,7 @@ void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing,
         return low * high > 0.0 ? low * std::pow(high / low, t) : low + t * (high - low);
       };
       shape[k] = { between(&Unevenness::depth), between(&Unevenness::left),
-        between(&Unevenness::slope), LeftOfCells };
+        between(&Unevenness::slope), CellError };
     }
     before = i;
   }
@@ -138,12 +139,12 @@ void addHarmonics(CurveSamples& curve, const ContactKernels& at, const Axisymmet
     tilts[i] = kernel.tilt.dot(turned) * torque + leaning(turned) - leaning(kernel.gap.lean);
     s.harmonics = tilts[i] / s.deflection;
     const double gap = leaning(kernel.gap.lean) + 0.5 * modulus * kernel.gap.waves * widens;
-    const double rough = 0.5 * modulus * OfRoughness * kernel.gap.left * widens;
-    shape[i] = { gap, LeftOfGap * gap + rough, 0.0, 0.0 };
-    isEnough = isEnough && curve.stiffness[i] / s.force * shape[i].left < Enough;
-    const double open = LeftOfFacets * std::sqrt(kernel.gap.facets * kernel.gap.uneven);
+    const double rough = 0.5 * modulus * RoughnessFactor * kernel.gap.left * widens;
+    shape[i] = { gap, GapErrorFactor * gap + rough, 0.0, 0.0 };
+    isEnough = isEnough && curve.stiffness[i] / s.force * shape[i].left < SufficientError;
+    const double open = FacetErrorFactor * std::sqrt(kernel.gap.facets * kernel.gap.uneven);
     s.surface = curve.stiffness[i] / s.force * open;
-    s.direction = curve.stiffness[i] * yieldsOtherwise(at.site().directed, turned);
+    s.direction = curve.stiffness[i] * changeOfCompliance(at.site().directed, turned);
   }
   if (surface != nullptr && !isEnough)
   {
@@ -156,7 +157,7 @@ void addHarmonics(CurveSamples& curve, const ContactKernels& at, const Axisymmet
     if (s.force > 0.0)
     {
       s.gap += curve.stiffness[i] / s.force * shape[i].left + shape[i].cells +
-        LeftOfSlope * (shape[i].slope + meanSlope(curve.kernels[i].gap.drop, s.radius));
+        SlopeErrorFactor * (shape[i].slope + meanSlope(curve.kernels[i].gap.drop, s.radius));
       s.deflection -= tilts[i] + shape[i].depth;
     }
   }

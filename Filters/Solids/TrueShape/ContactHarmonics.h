@@ -12,22 +12,22 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A curve under construction: its samples, and the kernel and the stiffness of each.
+/// A curve under construction: its samples, and the kernel and the stiffness of each sample.
 struct CurveSamples
 {
   std::vector<ContactSample> samples;
   std::vector<ContactKernel> kernels;
   std::vector<double> stiffness; ///< N/mm
-  /// Number of samples, from the first, with a growing contact radius. The others keep their
-  /// radius.
+  /// The contact radius grows up to this number of samples. It is constant for the later samples.
   std::size_t growing = 0;
 };
 
-/// Corrects the deflections of a curve's samples for the parts that the angle mean leaves out, to
-/// second order (ShapedContact.h). If that is not enough and the surface is known, the contact of
-/// `tool` with the surface is solved (UnevenContact). Adds three errors to the samples: the
-/// residual of this correction, the effect of the surface between its points, and the different
-/// compliance in the direction of the force, which leans with the surface.
+/// Corrects the deflections of a curve's samples, to second order, for the parts of the shape that
+/// the angle mean omits (ShapedContact.h). If the second order is not enough and the surface is
+/// known, the contact of `tool` with the surface is solved (UnevenContact). Adds three errors to
+/// the samples: the residual of this correction, the effect of the surface between its points, and
+/// the change of the compliance due to the direction of the force, which follows the slope of the
+/// surface.
 void addHarmonics(CurveSamples& curve, const ContactKernels& at, const AxisymmetricTool& tool);
 } // namespace palpate
 

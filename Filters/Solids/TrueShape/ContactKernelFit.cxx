@@ -48,7 +48,7 @@ double angleMean(int i, int j)
   return mean;
 }
 
-/// 1 up to t = 1, then falling to 0 at DiscRatio.
+/// Weight of a point at t radii: 1 up to t = 1, then falling to 0 at DiscRatio.
 double fade(double t)
 {
   const double s =
@@ -57,9 +57,9 @@ double fade(double t)
 }
 
 /// Matrix that maps values at points to fitted terms: the even terms of the angle mean (`order`
-/// rows), then the two slopes, for the disc scaled to radius 1. The points under the contact itself
-/// weigh as much as all points of the disc together, if the disc is larger: near an edge H varies
-/// over a disc of few elements.
+/// rows), then the two slopes, for the disc scaled to radius 1. If the disc is larger than the
+/// contact, the points under the contact have as much weight as all points of the disc together:
+/// near an edge H varies over a disc of few elements.
 Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index count, double radius,
   double contact, int order, bool& good)
 {
@@ -98,7 +98,8 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
   {
     taken(order, 1) = taken(order + 1, 2) = 1.0;
   }
-  // taken · A⁺ from the right with A Π = Q R: solves a few rows instead of one system per point.
+  // Computes taken · A⁺ with A Π = Q R from the right, which solves a few rows instead of one
+  // system per point.
   Eigen::MatrixXd rows = (taken * qr.colsPermutation()).transpose();
   qr.matrixQR()
     .topLeftCorner(terms, terms)
@@ -139,7 +140,8 @@ struct DiscFit
   }
 };
 
-/// Fit around a contact of this radius, with the largest order that the points support.
+/// Makes the fit around a contact of this radius, with the largest order for which there are enough
+/// points.
 DiscFit fitDisc(const std::vector<DiscPoint>& points, double radius, int largestOrder)
 {
   const std::size_t ring = std::min(PointsOfOrder[1], points.size()) - 1;
@@ -193,7 +195,7 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
     if (green.isSource(at.point))
     {
       this->Points.push_back(at);
-      // A thinned set is evenly spread: all its points weigh the same.
+      // The points of a thinned set are evenly spread, so all have the same weight.
       this->Points.back().area = green.spacing() > 0.0 ? 1.0 : at.area;
     }
   }

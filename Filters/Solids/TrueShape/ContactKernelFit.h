@@ -9,26 +9,27 @@ namespace palpate
 {
 /**
  * Kernels at one point of a body, from least-squares fits of polynomials in the tangent plane in
- * both arguments. The disc follows the contact. Points up to a radius a count in full; their weight
- * falls to zero at 1.3 a (mean about 1.15 a), so that a growing contact takes in new points without
- * a step. The degree is 2(N-1): N = 2 from 9 points, 3 from 21, 4 from 37, and less if these points
- * do not determine the terms. A small contact uses the disc of the 9 nearest points, with more
- * weight on the points under the contact. The points are sources of the Green function. If not all
- * surface points are sources, the drop is still fitted to all of them.
+ * both arguments. The fitted disc grows with the contact. Points up to the contact radius a have
+ * full weight; the weight falls to zero at 1.3 a (mean about 1.15 a), so that a growing contact
+ * includes new points without a jump. The degree is 2(N-1): N = 2 from 9 points, 3 from 21, 4 from
+ * 37, and N is smaller if these points do not determine the terms. A small contact uses the disc of
+ * the 9 nearest points, with more weight on the points under the contact. The points are sources of
+ * the Green function. If not all surface points are sources, the drop is still fitted to all of
+ * them.
  */
 class PALPATE_EXPORT ContactKernelFit : public ContactKernels
 {
 public:
-  /// `green` must be solved for `point`; no reference is kept.
+  /// `green` must be solved for `point`. The object keeps no reference to it.
   ContactKernelFit(const RegularGreen& green, std::int32_t point);
 
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
 
-  /// H between points(), symmetric. For checks against other methods.
+  /// H between points(), symmetric; used to check H against other methods.
   const Eigen::MatrixXd& values() const { return this->Values; }
   const std::vector<DiscPoint>& points() const { return this->Points; }
-  /// Largest |H(x,y) - H(y,x)| of the disc over the largest |H|. A large value indicates too coarse
-  /// elements near an edge. It is not an estimate of the error.
+  /// Largest |H(x,y) - H(y,x)| of the disc, divided by the largest |H|. A large value indicates too
+  /// coarse elements near an edge. The asymmetry is not an estimate of the error.
   double asymmetry() const { return this->Asymmetry; }
 
 private:

@@ -26,25 +26,27 @@ struct ContactKernel
   Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
   /// β = ∇_s H₀ at X, 1/N, in the tangent frame: the tilt of the surface under 1 N.
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
-  /// Mean of the outward surface normals for which c₀₀ holds. Shorter than 1 on a curved surface.
+  /// Mean of the outward surface normals to which c₀₀ refers. It is shorter than 1 on a curved
+  /// surface.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double spread = 0.0; ///< uncertainty of c₀₀ from the interpolation between known places, mm/N
   GapTerms gap;
 };
 
-/// Error of c₀₀ due to the elements, mm/N, over the contact radius, known from a second mesh
-/// (MeshDifference).
+/// Error of c₀₀ due to the elements, mm/N, as a function of the contact radius, estimated from a
+/// second mesh (MeshDifference).
 struct PALPATE_EXPORT MissedCompliance
 {
   std::vector<double> radii;  ///< ascending, mm
   std::vector<double> values; ///< one per radius; empty: unknown
 
   bool isKnown() const { return !this->values.empty(); }
-  /// Linear in ln a. Outside the radii the value at the nearest one.
+  /// The value at a radius, linear in ln a. Beyond the radii it is the value of the nearest radius.
   double at(double radius) const;
   /// This error combined with another, independent estimate `expected` >= 0: the root of the
   /// harmonic mean of the two squares. The smaller estimate dominates, and the result is at most √2
-  /// times the smaller: either estimate may be zero by chance, or far too large.
+  /// times the smaller one. This is used because either estimate may be zero by chance, or far too
+  /// large.
   double beside(double expected, double radius) const;
 };
 
@@ -55,9 +57,9 @@ struct KernelSite
   ElasticMaterial material;
   double reducedModulus = 0.0; ///< MPa
   double limit = Infinity;     ///< distance to the nearest edge, held point or other material, mm
-  PatchStatus limitedBy = PatchStatus::Valid; ///< the kind of that limit, if it ends contacts
+  PatchStatus limitedBy = PatchStatus::Valid; ///< the kind of `limit`, if it ends contacts
   double toHeld = Infinity; ///< distance to the edge of the held surface, mm (HeldRim)
-  /// Largest contact radius, mm: the radius that was solved for, or `limit` if smaller.
+  /// Largest contact radius, mm: the radius that was solved for, or `limit` if that is smaller.
   double largestRadius = 0.0;
   double nearestSource = 0.0; ///< distance to the nearest source, mm
   double spacing = 0.0;       ///< spacing of the elements' nodes, mm
@@ -65,7 +67,7 @@ struct KernelSite
   /// (DirectedCompliance), without Boussinesq's field.
   Eigen::Matrix3d directed = Eigen::Matrix3d::Zero();
   ExpectedError elements;
-  MissedCompliance missed; ///< if known, in addition to `elements`
+  MissedCompliance missed; ///< error from a second mesh, if known, in addition to `elements`
 };
 
 /// Kernels of contacts at one point, of any radius.
@@ -74,15 +76,15 @@ class PALPATE_EXPORT ContactKernels
 public:
   virtual ~ContactKernels() = default;
 
-  /// Radius of the first contact of a pointed tool's curve over the largest contact radius. Below
-  /// it the law is a power.
+  /// Ratio of the radius of the first contact on the curve of a pointed tool to the largest contact
+  /// radius. Below that radius the law is a power of δ.
   static constexpr double FirstRadius = 1.0 / 40.0;
 
   const KernelSite& site() const { return this->Site; }
   void setMissed(MissedCompliance missed) { this->Site.missed = std::move(missed); }
 
-  /// The kernel of the largest order that is known, but at most `largestOrder` >= 1. The order is 0
-  /// if the site or the radius is not valid.
+  /// The kernel of the largest known order, limited to `largestOrder` >= 1. The order is 0 if the
+  /// site or the radius is not valid.
   virtual ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const = 0;
 
   /// The surface around the point if its shape is known beyond the angle mean, else null.

@@ -16,9 +16,9 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t LoadsAtATime = 96;
+constexpr std::size_t LoadsPerBlock = 96;
 /// Number of iterations for the mean direction, starting with the axis.
-constexpr int Turns = 2;
+constexpr int MostDirectionUpdates = 2;
 /// Smallest covered area of a corner, as a fraction of the mean over all corners. Corners below it
 /// are left out.
 constexpr double LeastCovered = 0.02;
@@ -53,7 +53,7 @@ void DirectContact::pushAlongMean(const Eigen::MatrixXd& compliance, double deep
   Eigen::Matrix3Xd pushes(3, this->corners());
   pushes.colwise() = Eigen::Vector3d::UnitZ();
   along = this->along(compliance, pushes);
-  for (int turn = 0; turn < Turns; ++turn)
+  for (int turn = 0; turn < MostDirectionUpdates; ++turn)
   {
     Eigen::VectorXd forces;
     std::vector<int> active;
@@ -146,7 +146,7 @@ double DirectContact::touchesBefore() const
   return before;
 }
 
-/// Between all corners, in the three directions of the tool's frame each.
+/// Compliance between all corners, with the three directions of the tool's frame for each corner.
 Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
 {
   const std::size_t count = this->Corners.size();
@@ -168,8 +168,8 @@ Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
   };
   const auto solve = [&](std::size_t block)
   {
-    const std::size_t first = block * LoadsAtATime;
-    const std::size_t last = std::min(3 * count, first + LoadsAtATime);
+    const std::size_t first = block * LoadsPerBlock;
+    const std::size_t last = std::min(3 * count, first + LoadsPerBlock);
     Eigen::MatrixXd loads =
       Eigen::MatrixXd::Zero(body.unknowns(), static_cast<Eigen::Index>(last - first));
     for (std::size_t i = first; i < last; ++i)
@@ -186,7 +186,7 @@ Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
         sum;
     }
   };
-  shareWork((3 * count + LoadsAtATime - 1) / LoadsAtATime, solve);
+  shareWork((3 * count + LoadsPerBlock - 1) / LoadsPerBlock, solve);
   return made;
 }
 

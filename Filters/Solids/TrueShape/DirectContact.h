@@ -24,29 +24,30 @@ enum class Pushed
 /// Force, stiffness and contact radius at one depth.
 struct DirectForce
 {
-  /// Along the direction of the press, N. NaN if no converged contact was found.
+  /// Force along the direction of the press, N; NaN if no converged contact was found.
   double force = 0.0;
   double stiffness = 0.0; ///< N/mm
-  double radius = 0.0;    ///< of the circle with the same area as the contact, mm
+  double radius = 0.0;    ///< radius of the circle with the same area as the contact, mm
 };
 
 /**
- * A tool pressed straight into an elastic body of hexahedra or tetrahedra: no Green function, no
- * half-space, no law of contact.
+ * A tool pressed straight into an elastic body of hexahedra or tetrahedra: the solution uses
+ * neither a Green function nor a half-space nor a law of contact.
  *
  * The pressures are linear on the body's facets between their corners. The condition of no
- * penetration holds in the mean: each corner uses the weighted mean of the gap over the facets
- * around it. Gaps are measured along the tool's axis. The model is linear in displacements and
- * gaps, unilateral and without friction. The mesh must be fine under the tool: with four quadratic
- * facets over the contact radius the force of a sphere is within 1 % (DirectContactTest).
+ * penetration is satisfied on average: at each corner it applies to the weighted mean of the gap
+ * over the facets around that corner. Gaps are measured along the tool's axis. The model is linear
+ * in displacements and gaps, unilateral and without friction. The mesh must be fine under the tool:
+ * with four quadratic facets over the contact radius the force of a sphere is within 1 %
+ * (DirectContactTest).
  *
  * Without friction the pressures act along the normal, which turns from the body's normal to the
- * tool's normal during the press. Finite strain gives the effect of this and of all other terms of
- * second order. On balls and in cavities down to three contact radii the force at finite strain is
- * within 1 % of the one with pressures along the mean normal, and up to 4 % above the one with each
- * pressure along its own normal. If walls on several sides are touched, either variant may be
- * closer to the truth: their difference is a measure of the error, and pressAtFiniteStrain()
- * decides.
+ * tool's normal during the press. A solution at finite strain includes this effect and all other
+ * terms of second order. On balls and in cavities with radii down to three contact radii, the force
+ * at finite strain is within 1 % of the force with pressures along the mean normal, and up to 4 %
+ * above the force with each pressure along its own normal. If the tool touches walls on several
+ * sides, either variant may be closer to the truth: their difference is a measure of the error, and
+ * only pressAtFiniteStrain() shows which is right.
  *
  * The body may be a part that was cut out of a larger one and is held on the cut. `rest` then gives
  * the motion of the part with the surrounding body.
@@ -61,12 +62,12 @@ public:
   DirectContact(const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at,
     double deepest, const UnitMotion* rest = nullptr);
 
-  /// How many corners may touch.
+  /// Number of corners that may touch.
   int corners() const { return static_cast<int>(this->Corners.size()); }
 
   /// Distance (mm) by which the tool touches the body elsewhere before it reaches the place, as in
-  /// a hollow that is too narrow for it. If this exceeds the depth, the displacements of the walls
-  /// are too large for the assumption of small displacements.
+  /// a hollow that is too narrow for it. If the distance exceeds the depth, the displacements of
+  /// the walls are too large for the assumption of small displacements.
   double touchesBefore() const;
 
   DirectForce at(double deflection, Pushed pushed = Pushed::TogetherAlongTheMean) const;
@@ -75,15 +76,15 @@ private:
   /// A piece of the surface, in coordinates of the tool.
   struct Piece
   {
-    double depth;  ///< along the tool's axis, inwards, mm
+    double depth;  ///< position along the tool's axis, inwards, mm
     double away;   ///< distance from the tool's axis, mm
-    double weight; ///< share in the mean of the corner
+    double weight; ///< weight in the mean of the corner
   };
-  /// A part of the surface that moves and carries pressure as one.
+  /// A part of the surface with one displacement and one pressure.
   struct Corner
   {
     std::vector<Piece> pieces;
-    std::vector<std::pair<std::int32_t, double>> nodes; ///< nodes and their shares
+    std::vector<std::pair<std::int32_t, double>> nodes; ///< nodes and their weights
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< inwards, with component 1 along the axis
     double area = 0.0;                                ///< projected along the axis, mm²
   };
@@ -91,11 +92,12 @@ private:
   void takeCorners(const std::vector<ToolFacet>& facets);
   Eigen::MatrixXd compliance(const ElasticBody& body) const;
   void addRest(const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const;
-  /// Compliance of unit forces along `pushes`, measured along `pushes`, one column per corner.
+  /// Compliance between the corners: displacements along `pushes` under unit forces along `pushes`.
+  /// `pushes` has one column per corner.
   Eigen::MatrixXd along(const Eigen::MatrixXd& compliance, const Eigen::Matrix3Xd& pushes) const;
   void pushAlongMean(const Eigen::MatrixXd& compliance, double deepest);
-  /// Forces on the corners along the axis (N) and the corners that touch. False if the iteration
-  /// does not converge.
+  /// Finds the forces on the corners along the axis (N) and the corners that touch. Returns false
+  /// if the iteration does not converge.
   bool solve(double deflection, const Eigen::MatrixXd& compliance, Eigen::VectorXd& forces,
     std::vector<int>& active) const;
 

@@ -10,13 +10,12 @@ namespace palpate
 {
 /**
  * Compliance of a region of a surface by direction: the symmetric matrix Γ, mm/N. A force f moves
- * the region by Γ f, so that its compliance along a normal n is n·Γn. An ear is soft across and
- * stiff along its surface. The normals of neighbouring places differ, and the compliances along
- * them differ far more than Γ itself does between the places.
+ * the region by Γ f, so that its compliance along a normal n is n·Γn. An ear, for example, is
+ * compliant normal to its surface and stiff along it. The normals of neighbouring places differ,
+ * and the compliances along them differ far more than Γ itself does between the places.
  *
- * Γ is a least-squares fit to motions g = Γ n under 1 N along normals n at places near each other.
- * The body is assumed to be the same at these places. Components of Γ that no normal determines are
- * zero.
+ * Γ is a least-squares fit to motions g = Γ n under 1 N along the normals n of neighbouring places.
+ * Γ is assumed to be the same at these places. Components of Γ that no normal determines are zero.
  */
 class PALPATE_EXPORT DirectedCompliance
 {
@@ -26,7 +25,7 @@ public:
   DirectedCompliance(const Eigen::Matrix3Xd& normals, const Eigen::Matrix3Xd& motions,
     const Eigen::VectorXd& weights);
 
-  /// n·Γn for a normal, or for a mean of several normals.
+  /// Returns n·Γn for a normal n, or for a mean of several normals.
   double along(const Eigen::Vector3d& normal) const { return normal.dot(this->Matrix * normal); }
   const Eigen::Matrix3d& matrix() const { return this->Matrix; }
   /// Γ in the coordinates of a frame, given by its columns.

@@ -8,12 +8,13 @@ namespace palpate
 {
 namespace
 {
-/// Factor on the second-order estimate; 2 of 100 errors exceed the result.
-constexpr double Missed = 1.5;
-constexpr double MissedByLinear = 7.5; ///< the same for linear tetrahedra, which lock
+/// Factor on the second-order estimate. With it, 2 of 100 errors exceed the estimate.
+constexpr double MissedFactor = 1.5;
+constexpr double LinearMissedFactor = 7.5; ///< the same factor for linear tetrahedra, which lock
 /// Reduction at held faces, where elements have the exact displacement.
-constexpr double OfHeld = 0.5;
-constexpr double QuadraticGain = 1.25; ///< a quadratic tetrahedron counts as smaller by this factor
+constexpr double HeldFactor = 0.5;
+constexpr double QuadraticGain = 1.25; ///< the spacing of quadratic tetrahedra is divided by this
+                                       ///< factor
 
 double gainOf(ElementKind kind)
 {
@@ -24,9 +25,10 @@ double gainOf(ElementKind kind)
 /// turned by no more than 30°.
 constexpr double SmoothTurn = 0.866;
 constexpr double SmoothSlope = 0.3;
-/// Factor on the missed part there, times the turn of the surface over one element: where a surface
-/// is smooth, the effect of its curvature on H is smooth too. Measured on balls and bumps.
-constexpr double OfSmooth = 2.0;
+/// On the smooth surface the missed part is multiplied by this factor times the angle by which the
+/// surface turns over one element: where a surface is smooth, the effect of its curvature on H is
+/// smooth too. Measured on balls and bumps.
+constexpr double SmoothFactor = 2.0;
 
 /// (h/r)², at most 1.
 double missedPart(double spacing, double distance)
@@ -44,7 +46,7 @@ double smoothPart(const Eigen::Vector3d& area, const Eigen::Vector3d& at, double
     return 1.0;
   }
   return std::min(
-    1.0, OfSmooth * std::acos(std::min(1.0, level)) * spacing / std::max(away, spacing));
+    1.0, SmoothFactor * std::acos(std::min(1.0, level)) * spacing / std::max(away, spacing));
 }
 } // namespace
 
@@ -53,7 +55,7 @@ ElementError::ElementError(const ElasticBody& body)
   const VolumeMesh& mesh = body.mesh();
   const bool locks = std::any_of(mesh.elements.begin(), mesh.elements.end(),
     [](const VolumeElement& element) { return element.kind == ElementKind::Tetrahedron; });
-  this->Part = locks ? MissedByLinear : Missed;
+  this->Part = locks ? LinearMissedFactor : MissedFactor;
   for (const BoundaryFace& boundary : body.topology().boundary())
   {
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(boundary.element)];
@@ -103,7 +105,7 @@ ExpectedError ElementError::at(const SingularSource& source) const
     {
       return at;
     }
-    // A part that overhangs the source uses the field at the edge of its cone, at the same
+    // For a part that overhangs the source, the field at the edge of the cone is used, at the same
     // distance.
     constexpr double level =
       1.0 - SingularSource::LargestOverhang * SingularSource::LargestOverhang;
@@ -123,7 +125,7 @@ ExpectedError ElementError::at(const SingularSource& source) const
                                      : (stress * (source.frame.transpose() * side.area)).norm();
     const double missed = missedPart(side.spacing, distance);
     add(force * field.displacement(at).norm(),
-      side.isHeld ? OfHeld * missed
+      side.isHeld ? HeldFactor * missed
                   : missed * smoothPart(source.frame.transpose() * side.area, at, side.spacing));
   }
   for (const Cell& cell : this->Cells)

@@ -15,12 +15,12 @@ namespace palpate
  * element of another material. The field changes over an element of size h at a distance r from the
  * source; the element misses a fraction of second order, (h/r)², of its contribution. The absolute
  * values are summed: where the softening by an edge and the stiffening by a base cancel, H is zero
- * but its error is not. On the smooth surface around the source the elements miss less, in
- * proportion to the turn of the surface over an element. The error of bending is not included.
- * ShapedErrorTest checks how often the estimate holds.
+ * but its error is not. On the smooth surface around the source the missed fraction is smaller, in
+ * proportion to the angle by which the surface turns over one element. The error of bending is not
+ * included. ShapedErrorTest checks how often the estimate holds.
  *
- * One object serves a body; at() may be called from any number of threads. Cost: 0.1 µs per outer
- * face and per element of another material.
+ * One object is used for one body; at() may be called from any number of threads. Cost: 0.1 µs per
+ * outer face and per element of another material.
  */
 class ElementError
 {
@@ -36,7 +36,7 @@ private:
   {
     Eigen::Vector3d middle;
     Eigen::Vector3d area; ///< outward normal times area, mm²
-    double spacing;       ///< of its nodes, mm
+    double spacing;       ///< spacing of its nodes, mm
     bool isHeld;
   };
   /// One element, used if there are several materials.

@@ -2,11 +2,12 @@
 /** @file
  * Quadrature over one face of an element of a field that is singular at the origin.
  *
- * A face without the origin uses Gauss points; a nearer face uses more. A face with a node at the
- * origin is cut into triangles with that corner, and the surface between its nodes is assumed to be
- * smooth: along each ray from the origin its height over the plane z = 0 grows with the square of
- * the distance. Boussinesq's tractions then stay as weak as on the body that the facets represent.
- * On flat facets they would not be integrable.
+ * On a face that does not contain the origin, Gauss points are used, more of them the nearer the
+ * face is. A face with a node at the origin is cut into triangles with that corner, and the surface
+ * between its nodes is assumed to be smooth: along each ray from the origin its height over the
+ * plane z = 0 grows with the square of the distance. Boussinesq's tractions are then as weakly
+ * singular as on the smooth body that the facets represent. On flat facets they would not be
+ * integrable.
  */
 #ifndef palpate_FaceRule_h
 #define palpate_FaceRule_h
@@ -35,12 +36,12 @@ struct FacePoint
   Eigen::Vector3d area; ///< outward normal times weight, mm²
 };
 
-/// The points of one face; `points` is overwritten.
+/// Computes the points of one face; `points` is overwritten.
 void facePoints(const LocalFace& face, std::vector<FacePoint>& points);
 
 /// Number of Gauss points in each direction for a cell whose middle is `distance` away and whose
-/// farthest corner is `size` from the middle. The error of Boussinesq's stress stays near 1e-3 of
-/// the cell's contribution.
+/// farthest corner is `size` from the middle. The error of Boussinesq's stress is about 1e-3 of the
+/// cell's contribution.
 int pointsAlong(double distance, double size);
 constexpr int MostPoints = 6; ///< largest result of pointsAlong()
 } // namespace palpate

@@ -14,31 +14,33 @@ namespace palpate
 {
 namespace
 {
-/// Depths of the solution, as fractions of the deepest.
+/// Depths of the solution, as fractions of the largest depth.
 constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.0 };
-/// The tool goes deeper by this factor times the last penetration, because the penetration grows up
-/// to the next depth.
-constexpr double MakeUp = 1.6;
-constexpr int MostMadeUp = 4;
-/// Largest way from first touch to the place, in contact radii. Beyond it nearly all of a ball
-/// would be in the hollow, and parts of the body over the place would touch it too.
-constexpr double LongestWay = 3.0;
-/// Largest step, as fractions of the deepest depth and of the way to the place.
+/// The depth is increased by this factor times the last penetration, because the penetration grows
+/// until the next depth is reached.
+constexpr double PenetrationFactor = 1.6;
+constexpr int MostCorrections = 4;
+/// Largest distance from first touch to the place, in contact radii. With a larger distance nearly
+/// a whole ball would be inside the hollow, and parts of the body above the place would touch the
+/// tool, too.
+constexpr double LongestApproach = 3.0;
+/// Largest step, as fractions of the largest depth and of the distance to the place.
 constexpr double LongestStep = 0.3;
-constexpr double LongestShare = 0.2;
+constexpr double LongestApproachStep = 0.2;
 constexpr int MostFailed = 4;      ///< failed steps in depth; each halves the step
-constexpr int MostIterations = 40; ///< of Newton's method
-constexpr int MostHalvings = 8;    ///< of one Newton step
+constexpr int MostIterations = 40; ///< largest number of iterations of Newton's method
+constexpr int MostHalvings = 8;    ///< largest number of halvings of one Newton step
 /// Fraction of the stiffness at rest that is added to a tangent that is not positive definite.
-constexpr std::array<double, 5> Stiffened = { 0.0, 0.05, 0.3, 2.0, 10.0 };
-/// Energy gain of an iteration, relative to the energy, below which it is the last one: the gain of
-/// the next would be about the square of it.
-constexpr double Converged = 1e-7;
-constexpr double Fillet = 0.05;        ///< of the tool's apex, in contact radii
+constexpr std::array<double, 5> AddedStiffness = { 0.0, 0.05, 0.3, 2.0, 10.0 };
+/// The iteration ends when the relative decrease of the energy is below this value: the next
+/// decrease would be about its square.
+constexpr double LastDecrease = 1e-7;
+constexpr double Fillet = 0.05; ///< radius of the fillet of the tool's apex, in contact radii
 constexpr double ReachOfOutline = 3.0; ///< contact radii
 
-/// Error of the force over the square of the angle by which the surrounding body turns the place.
-constexpr double LeftOfTurning = 2.5;
+/// Ratio of the relative error of the force to the square of the angle by which the motion of the
+/// surrounding body rotates the place.
+constexpr double RotationErrorFactor = 2.5;
 
 /// Newton's method on the potential at successive depths.
 class FinitePress
@@ -48,8 +50,8 @@ public:
   explicit FinitePress(FinitePart& part)
     : Part(part)
     , Factor(StiffnessFactor::make(StiffnessFactor::Kind::Automatic))
-    , Now(Eigen::VectorXd::Zero(part.unknowns()))
-    , Motion(Now)
+    , Solution(Eigen::VectorXd::Zero(part.unknowns()))
+    , Motion(Solution)
     , Depth(part.firstTouch())
   {
     this->IsReady = this->Factor->analyse(part.stiffness());
@@ -59,9 +61,9 @@ public:
   double deflection() const { return this->Depth - this->Contact.penetration; }
   const FinitePart::Pressed& pressed() const { return this->Contact; }
 
-  /// Goes to `depth` from the last depth in steps of at most `longest`, mm. False if it is not
-  /// reached.
-  bool to(double depth, double longest)
+  /// Continues from the last depth to `depth` in steps of at most `longest`, mm. Returns false if
+  /// `depth` is not reached.
+  bool pressTo(double depth, double longest)
   {
     double step = longest;
     while (this->Depth < depth && this->Failed <= MostFailed)
@@ -76,18 +78,18 @@ public:
   }
 
 private:
-  /// Without an equilibrium the state stays as it was.
+  /// Takes one step to `depth`. If no equilibrium is found, the state is restored.
   bool stepTo(double depth)
   {
-    const Eigen::VectorXd before = this->Now;
-    this->Now += (depth - this->Depth) * this->Motion;
+    const Eigen::VectorXd before = this->Solution;
+    this->Solution += (depth - this->Depth) * this->Motion;
     if (!this->IsReady || !this->solve(depth))
     {
-      this->Now = before;
+      this->Solution = before;
       return false;
     }
     this->Depth = depth;
-    this->Contact = this->Part.pressed(this->Now, depth);
+    this->Contact = this->Part.pressed(this->Solution, depth);
     if (!this->newton(this->Contact.gradient, this->Motion))
     {
       this->Motion.setZero();
@@ -95,8 +97,8 @@ private:
     return true;
   }
 
-  /// Newton step, minus the inverse of the tangent times the gradient. False if the tangent is not
-  /// positive definite.
+  /// Computes the Newton step: minus the inverse of the tangent times the gradient. Returns false
+  /// if the tangent is not positive definite.
   bool newton(const Eigen::VectorXd& gradient, Eigen::VectorXd& found) const
   {
     const Eigen::MatrixXd& border = this->Part.border();
@@ -122,22 +124,23 @@ private:
     return true;
   }
 
-  /// One Newton step. If the tangent is not positive definite, a fraction of the tangent at rest is
-  /// added, so that the potential still falls along the step. Returns that fraction; < 0: no step
-  /// found.
+  /// Finds one Newton step. If the tangent is not positive definite, a fraction of the tangent of
+  /// the undeformed state is added, so that the potential decreases along the step. Returns that
+  /// fraction; < 0 if no step is found.
   double step(double depth, Eigen::VectorXd& found)
   {
     const auto isFound = [&]() {
       return this->Factor->factorise(this->Part.stiffness()) && this->newton(this->Gradient, found);
     };
-    this->Part.linearize(this->Now, depth, FinitePart::Bending::AsItDoes, this->Gradient);
+    this->Part.linearize(
+      this->Solution, depth, FinitePart::ToolCurvature::Included, this->Gradient);
     if (isFound())
     {
       return 0.0;
     }
-    this->Part.linearize(this->Now, depth, FinitePart::Bending::LeftOut, this->Gradient);
+    this->Part.linearize(this->Solution, depth, FinitePart::ToolCurvature::Omitted, this->Gradient);
     double stiffened = 0.0;
-    for (const double more : Stiffened)
+    for (const double more : AddedStiffness)
     {
       this->Part.stiffen(more - stiffened);
       stiffened = more;
@@ -151,7 +154,7 @@ private:
 
   bool solve(double depth)
   {
-    double energy = this->Part.energy(this->Now, depth);
+    double energy = this->Part.energy(this->Solution, depth);
     for (int i = 0; i < MostIterations && std::isfinite(energy); ++i)
     {
       Eigen::VectorXd step;
@@ -160,18 +163,18 @@ private:
       {
         return false;
       }
-      const bool isLast = stiffened == 0.0 && -this->Gradient.dot(step) <= Converged * energy;
-      double next = this->Part.energy(this->Now + step, depth);
+      const bool isLast = stiffened == 0.0 && -this->Gradient.dot(step) <= LastDecrease * energy;
+      double next = this->Part.energy(this->Solution + step, depth);
       for (int k = 0; k < MostHalvings && !(next < energy); ++k)
       {
         step *= 0.5;
-        next = this->Part.energy(this->Now + step, depth);
+        next = this->Part.energy(this->Solution + step, depth);
       }
       if (!(next < energy))
       {
         return isLast;
       }
-      this->Now += step;
+      this->Solution += step;
       if (isLast)
       {
         return true;
@@ -184,16 +187,16 @@ private:
   FinitePart& Part;
   std::unique_ptr<StiffnessFactor> Factor;
   bool IsReady = false;
-  Eigen::VectorXd Now;
-  Eigen::VectorXd Motion; ///< per mm of depth
+  Eigen::VectorXd Solution;
+  Eigen::VectorXd Motion; ///< change of the displacements per mm of depth
   Eigen::VectorXd Gradient;
   FinitePart::Pressed Contact;
   double Depth; ///< mm
   int Failed = 0;
 };
 
-/// Whether the body is of one material in quadratic tetrahedra.
-bool isKnown(const ElasticBody& body)
+/// Whether the body has one material and consists of quadratic tetrahedra.
+bool isSupported(const ElasticBody& body)
 {
   const auto& elements = body.mesh().elements;
   return body.isUniform() &&
@@ -220,7 +223,7 @@ ContactCurve curveOf(const std::vector<ContactSample>& samples)
 ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool& tool,
   const DirectPlace& at, double deepest, const UnitMotion* rest)
 {
-  if (!isKnown(body) || !isForFiniteStrain(tool) || !(deepest > 0.0))
+  if (!isSupported(body) || !isForFiniteStrain(tool) || !(deepest > 0.0))
   {
     return {};
   }
@@ -233,20 +236,21 @@ ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool
   }
   FinitePress press(part);
   const double way = -press.depth();
-  if (way > LongestWay * radius)
+  if (way > LongestApproach * radius)
   {
     return {};
   }
-  const double longest = LongestStep * deepest + LongestShare * way;
+  const double longest = LongestStep * deepest + LongestApproachStep * way;
   std::vector<ContactSample> samples;
   for (const double fraction : Fractions)
   {
-    // The penalty reduces the deflection more when the force is larger.
+    // Because of the penalty the deflection is smaller than the depth; the difference grows with
+    // the force.
     const double wanted = fraction * deepest;
     bool isThere = true;
-    for (int i = 0; i < MostMadeUp && isThere && !(press.deflection() >= wanted); ++i)
+    for (int i = 0; i < MostCorrections && isThere && !(press.deflection() >= wanted); ++i)
     {
-      isThere = press.to(wanted + MakeUp * press.pressed().penetration, longest);
+      isThere = press.pressTo(wanted + PenetrationFactor * press.pressed().penetration, longest);
     }
     const FinitePart::Pressed& pressed = press.pressed();
     if (!isThere || (!samples.empty() && !(pressed.force > samples.back().force)))
@@ -259,7 +263,7 @@ ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool
       sample.radius = pressed.radius;
       sample.deflection = press.deflection();
       sample.force = pressed.force;
-      sample.strain = LeftOfTurning * pressed.turned * pressed.turned;
+      sample.strain = RotationErrorFactor * pressed.turned * pressed.turned;
     }
   }
   return curveOf(samples);

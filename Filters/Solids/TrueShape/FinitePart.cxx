@@ -11,12 +11,12 @@ namespace palpate
 {
 namespace
 {
-/// Penalty in units of E* per contact radius. The tool stays some hundredths of its depth inside
-/// the body; the depth is corrected for this.
+/// Penalty in units of E* per contact radius. The tool penetrates the body by a few hundredths of
+/// its depth; the depth is corrected for this.
 constexpr double PenaltyFactor = 100.0;
 /// Factor on the depth for the set of facets that may touch at finite strain, where the surface
 /// also moves aside.
-constexpr double Farther = 1.2;
+constexpr double FacetDepthFactor = 1.2;
 } // namespace
 
 FinitePart::FinitePart(const ElasticBody& body, const AxisymmetricTool& tool,
@@ -34,7 +34,7 @@ FinitePart::FinitePart(const ElasticBody& body, const AxisymmetricTool& tool,
   {
     this->Elements.emplace_back(elementNodes(body.mesh(), element));
   }
-  this->takeSurface(facetsUnder(body, tool, at, Farther * deepest));
+  this->takeSurface(facetsUnder(body, tool, at, FacetDepthFactor * deepest));
   if (rest != nullptr && this->isTouched())
   {
     this->Rest = restAround(body, this->Surface, *rest, tool.contactRadius(deepest));
@@ -207,11 +207,11 @@ double FinitePart::energy(const Vector& u, double depth) const
   return this->loads() > 0 ? sum + 0.5 * load.dot(this->Rest.energy * load) : sum;
 }
 
-void FinitePart::linearize(const Vector& u, double depth, Bending bending, Vector& gradient)
+void FinitePart::linearize(const Vector& u, double depth, ToolCurvature curvature, Vector& gradient)
 {
   this->linearizeBody(u, gradient);
   this->visitTouched(u, depth,
-    [&](const Piece& piece, const Gap& gap) { this->addContact(piece, gap, bending, gradient); });
+    [&](const Piece& piece, const Gap& gap) { this->addContact(piece, gap, curvature, gradient); });
 }
 
 void FinitePart::linearizeBody(const Vector& u, Vector& gradient)
@@ -251,11 +251,12 @@ void FinitePart::visitTouched(const Vector& u, double depth, const Visit& visit)
   }
 }
 
-void FinitePart::addContact(const Piece& piece, const Gap& gap, Bending bending, Vector& gradient)
+void FinitePart::addContact(
+  const Piece& piece, const Gap& gap, ToolCurvature curvature, Vector& gradient)
 {
   const double scale = this->Penalty * piece.weight;
   Eigen::Matrix3d bend = scale * gap.gradient * gap.gradient.transpose();
-  if (bending == Bending::AsItDoes)
+  if (curvature == ToolCurvature::Included)
   {
     bend += scale * gap.value * gap.hessian;
   }
@@ -304,7 +305,7 @@ double FinitePart::firstTouch() const
 
 FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const
 {
-  // A deeper tool is equivalent to a higher body.
+  // A deeper tool is equivalent to a body that is raised by the same distance.
   const Eigen::Vector3d deeper = -this->Frame.col(2);
   Pressed made;
   made.gradient = Vector::Zero(this->unknowns());

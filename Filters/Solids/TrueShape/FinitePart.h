@@ -13,13 +13,14 @@
 namespace palpate
 {
 /**
- * The potential of a body of quadratic tetrahedra and a tool in it, as a function of the
- * displacements of the body's nodes. It is the sum of the energies of FiniteTetrahedron and of
- * ½ε⟨-g⟩² over the undeformed surface, with the signed distance g from the tool. Without friction.
+ * The potential of a body of quadratic tetrahedra and of a tool that is pressed into it, as a
+ * function of the displacements of the body's nodes. It is the sum of the energies of
+ * FiniteTetrahedron and of ½ε⟨-g⟩² over the undeformed surface, with the signed distance g from the
+ * tool. Friction is not included.
  *
- * If the body is a part cut out of a larger one, the nodes on the cut move together, as those of
- * the larger body do under a load. The sizes of these loads are the last unknowns. The surrounding
- * body stores their energy (PartRest). At small strain these unknowns are equal to the load.
+ * If the body is a part cut out of a larger one, the nodes on the cut move as those of the larger
+ * body do under loads. The magnitudes of these loads are the last unknowns. The surrounding body
+ * stores their energy (PartRest). At small strain these unknowns are equal to the load of the tool.
  */
 class FinitePart
 {
@@ -37,19 +38,19 @@ public:
   /// that is too narrow for the tool.
   double firstTouch() const;
 
-  /// Potential, N mm, with the tool's tip at `depth` (mm). +inf if an element is inverted.
+  /// The potential, N mm, with the tool's tip at `depth` (mm); +inf if an element is inverted.
   double energy(const Vector& u, double depth) const;
 
-  /// Treatment of the curvature of the tool's surface in the tangent while the tool is far too
-  /// deep.
-  enum class Bending
+  /// Whether the tangent includes the curvature of the tool's surface. It matters while the tool
+  /// penetrates too deeply.
+  enum class ToolCurvature
   {
-    AsItDoes,
-    LeftOut ///< needed if the tangent with it is not positive definite
+    Included,
+    Omitted ///< used if the tangent with the curvature is not positive definite
   };
   /// Gradient of the potential. stiffness(), border() and corner() are then its second derivatives.
-  void linearize(const Vector& u, double depth, Bending bending, Vector& gradient);
-  /// Adds a fraction of the second derivatives at rest.
+  void linearize(const Vector& u, double depth, ToolCurvature curvature, Vector& gradient);
+  /// Adds a fraction of the second derivatives of the undeformed state.
   void stiffen(double share);
   const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< nodes × nodes
   const Eigen::MatrixXd& border() const { return this->Border; }             ///< nodes × load
@@ -57,11 +58,12 @@ public:
 
   struct Pressed
   {
-    double force = 0.0;       ///< on the tool, along the direction of the press, N
-    double radius = 0.0;      ///< of the circle with the same undeformed area as the contact, mm
-    double penetration = 0.0; ///< due to the penalty, mean weighted by pressure, mm
-    double turned = 0.0;      ///< angle by which the surrounding body turns the place, rad
-    Vector gradient;          ///< derivative of the potential's gradient with respect to depth
+    double force = 0.0;  ///< force on the tool, along the direction of the press, N
+    double radius = 0.0; ///< radius of the circle with the same undeformed area as the contact, mm
+    double penetration = 0.0; ///< penetration due to the penalty, mean weighted by pressure, mm
+    double turned = 0.0; ///< angle by which the motion of the surrounding body rotates the place,
+                         ///< rad
+    Vector gradient;     ///< derivative of the potential's gradient with respect to depth
   };
   Pressed pressed(const Vector& u, double depth) const;
 
@@ -70,7 +72,7 @@ private:
   struct Gap
   {
     double value;             ///< mm, > 0 outside
-    Eigen::Vector3d gradient; ///< with respect to the displacement
+    Eigen::Vector3d gradient; ///< gradient with respect to the displacement
     Eigen::Matrix3d hessian;
   };
 
@@ -79,7 +81,7 @@ private:
   void takeSurface(const std::vector<ToolFacet>& facets);
   FiniteTetrahedron::Vector gather(const VolumeElement& element, const Vector& u) const;
   double displacement(std::int32_t node, int axis, const Vector& u) const;
-  /// Motion of an element's held nodes per unit of load.
+  /// Motion of an element's held nodes per unit load.
   Eigen::MatrixXd restOf(const VolumeElement& element) const;
   /// Adds a force on a node to a gradient.
   void addForce(std::int32_t node, const Eigen::Vector3d& force, Vector& gradient) const;
@@ -91,7 +93,7 @@ private:
   template <class Visit>
   void visitTouched(const Vector& u, double depth, const Visit& visit) const;
   void linearizeBody(const Vector& u, Vector& gradient);
-  void addContact(const Piece& piece, const Gap& gap, Bending bending, Vector& gradient);
+  void addContact(const Piece& piece, const Gap& gap, ToolCurvature curvature, Vector& gradient);
 
   const ElasticBody& Body;
   const ToolOutline& Tool;

@@ -12,8 +12,8 @@ namespace palpate
 {
 /**
  * A tetrahedron of ten nodes at finite strain, with the Neo-Hookean energy μ/2 (J^(-2/3) I₁ - 3) +
- * K/2 (J-1)² per undeformed volume, as in StrainEnergy.h for bodies of revolution. Four Gauss
- * points. At small strain it is equal to the element of ElasticElement.h.
+ * K/2 (J-1)² per undeformed volume, as in StrainEnergy.h for bodies of revolution. It has four
+ * Gauss points. At small strain it is equal to the element of ElasticElement.h.
  */
 class FiniteTetrahedron
 {
@@ -33,7 +33,7 @@ public:
 private:
   struct Point
   {
-    Eigen::Matrix<double, 3, 10> gradients; ///< of the shape functions, 1/mm
+    Eigen::Matrix<double, 3, 10> gradients; ///< gradients of the shape functions, 1/mm
     double weight;                          ///< mm³
   };
   std::array<Point, 4> Points;

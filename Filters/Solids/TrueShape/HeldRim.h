@@ -10,19 +10,20 @@
 namespace palpate
 {
 /**
- * The edges of a body's surface where its held part ends, each with the adjacent free triangle.
- * They limit how near a contact may come, at any place of the surface and not only at its points.
+ * The edges of a body's surface where its held part ends, each with the adjacent free triangle. A
+ * contact at any place of the surface, also between its points, must keep a distance from these
+ * edges.
  */
 class PALPATE_EXPORT HeldRim
 {
 public:
   HeldRim() = default; ///< no part is held
-  /// The body must be taken and assembled; no reference is kept.
+  /// The body must be assembled. The object keeps no reference to it.
   explicit HeldRim(const ElasticBody& body);
 
-  /// Distance from a place of the surface with this outward normal to the nearest edge, mm; +inf
-  /// without one. Only edges whose triangle faces the same way count: within 40°, as everywhere
-  /// under a contact (SurfaceDisc). Safe from any number of threads. Cost: some ns per edge.
+  /// Distance from a place of the surface with this outward normal to the nearest edge, mm; +inf if
+  /// there is no edge. Only edges are used whose triangle faces the same way, within 40°, the limit
+  /// under a contact (SurfaceDisc). Safe from any number of threads. Cost: a few ns per edge.
   double distance(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
 private:
@@ -30,7 +31,7 @@ private:
   {
     Eigen::Vector3d from;
     Eigen::Vector3d to;
-    Eigen::Vector3d normal; ///< of the free triangle
+    Eigen::Vector3d normal; ///< normal of the free triangle
   };
   std::vector<Edge> Edges;
 };

@@ -8,23 +8,25 @@ namespace palpate
 {
 namespace
 {
-/// Error over the part of H that is not bending, times the square of the turn from facet to facet.
-constexpr double OfFacets = 0.8;
+/// The error is this factor times the part of H that is not bending, times the square of the angle
+/// between neighbouring facets.
+constexpr double FacetFactor = 0.8;
 
-/// Error of a contact of radius a at a distance d from held points, over the compliance of a
-/// half-space and (a/d)^4. It is the same in any mesh with nodes at least CoarseBesideHeld d apart;
-/// for closer nodes it falls with the square of their distance. Measured on the underside of a
-/// bunny, a/d from 0.6 to 1, nodes 2.3 mm apart, each contact compared with a fine mesh of its own:
-/// 42 of 45 errors are within the estimate and the median is 0.2. On elements of a sixth of the
-/// length it is 0.06.
-constexpr double BesideHeld = 0.5;
-constexpr double CoarseBesideHeld = 0.75;
+/// The error of a contact of radius a at a distance d from held points is this factor times the
+/// compliance of a half-space times (a/d)^4. The factor is the same for all meshes whose nodes are
+/// at least CoarseHeldSpacing d apart; for closer nodes it falls with the square of their distance.
+/// Measured on the underside of a bunny, a/d from 0.6 to 1, nodes 2.3 mm apart, each contact
+/// compared with a fine mesh of its own: 42 of 45 errors are within the estimate and the median is
+/// 0.2. For elements of a sixth of the length the median is 0.06.
+constexpr double HeldErrorFactor = 0.5;
+constexpr double CoarseHeldSpacing = 0.75;
 
-double missedBesideHeld(const KernelSite& site, double radius)
+double errorNearHeld(const KernelSite& site, double radius)
 {
   const double under = std::min(1.0, radius / site.toHeld);
-  const double coarse = std::min(1.0, site.spacing / (CoarseBesideHeld * site.toHeld));
-  return BesideHeld * std::pow(under, 4) * coarse * coarse / (2.0 * site.reducedModulus * radius);
+  const double coarse = std::min(1.0, site.spacing / (CoarseHeldSpacing * site.toHeld));
+  return HeldErrorFactor * std::pow(under, 4) * coarse * coarse /
+    (2.0 * site.reducedModulus * radius);
 }
 } // namespace
 
@@ -34,12 +36,12 @@ double meshError(const ContactKernel& kernel, const KernelSite& site, double rad
   const double turn = 2.0 * kernel.gap.drop[1] / (radius * radius) * site.spacing;
   const double direct = std::min(self, site.elements.direct);
   const Eigen::Vector4d parts(site.elements.error * site.spacing / (site.spacing + radius),
-    site.elements.bending * (self - direct), direct * OfFacets * std::min(1.0, turn * turn),
+    site.elements.bending * (self - direct), direct * FacetFactor * std::min(1.0, turn * turn),
     kernel.spread);
   const double elements = site.missed.isKnown()
     ? std::hypot(site.missed.beside(parts.head<3>().norm(), radius), kernel.spread)
     : parts.norm();
-  return std::hypot(elements, missedBesideHeld(site, radius));
+  return std::hypot(elements, errorNearHeld(site, radius));
 }
 
 double missedByOne(const ContactKernel& kernel, const KernelSite& site, double radius)

@@ -11,16 +11,16 @@ namespace palpate
 {
 /**
  * The kernels of a body at its landmarks, the sources of its H, for contacts at any place between
- * them, as on a surface that is finer than the elements. They hold for any tool.
+ * landmarks, for example on a surface that is finer than the elements. They are valid for any tool.
  *
- * They are fitted once (ContactKernelFit) at radii whose ratio is about 5/4. Between radii and
- * between landmarks they are interpolated linearly.
+ * The kernels are fitted once (ContactKernelFit), at radii that increase by a factor of about 5/4.
+ * Between radii and between landmarks they are interpolated linearly.
  */
 class PALPATE_EXPORT LandmarkKernels
 {
 public:
-  /// `green` must be solved and must outlive this object. Complete unless the observer stopped the
-  /// work.
+  /// `green` must be solved and must outlive this object. isComplete() is false if the observer
+  /// stopped the work.
   explicit LandmarkKernels(const RegularGreen& green, const WorkObserver& observer = {});
   bool isComplete() const { return this->Complete; }
 
@@ -35,12 +35,13 @@ public:
 private:
   friend class BlendedKernels;
 
-  /// Kernel at one radius: of the largest order, and of one order less.
+  /// The kernels at one radius: that of the largest order, and that of one order less.
   struct Entry
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
-    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< of the kernel, along the axes of the body
+    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< tilt of the kernel, along the axes of the
+                                                      ///< body
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `full`
     Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `coarse`
     int order = 0;
@@ -67,23 +68,25 @@ struct SurfaceSpot
 };
 
 /**
- * Kernels at a place between landmarks. A plane in the tangent plane is fitted to the values at the
- * landmarks by least squares, weighted by the inverse square distance. The residual of the fit is
- * the kernel's `spread`. If the landmarks are on a line, or all on one side, their mean is used.
- * First the c₀₀ of each landmark is converted from its own normal to the normal of the place
- * (DirectedCompliance). The drop of the surface comes from the gap of the spot. The distance to the
- * held part comes from HeldRim, because landmarks may miss it.
+ * Kernels at a place between landmarks. The values at the landmarks are fitted by a linear function
+ * of the position in the tangent plane, by least squares weighted by the inverse square of the
+ * distance. The residual of the fit is the kernel's `spread`. If the landmarks are on a line, or
+ * all on one side, their mean is used. First the c₀₀ of each landmark is converted from its own
+ * normal to the normal of the place (DirectedCompliance). The drop of the surface is that of the
+ * spot's gap. The distance to the held part is that of HeldRim, because there may be no landmark
+ * near the edge of that part.
  */
 class PALPATE_EXPORT BlendedKernels : public ContactKernels
 {
 public:
-  /// `around`: indices in LandmarkKernels::points(), nearest first. Landmarks of another material
-  /// than the first one are left out. Without any landmark the site is out of reach.
+  /// `around`: indices in LandmarkKernels::points(), nearest first. Landmarks whose material
+  /// differs from that of the first one are left out. Without any landmark the site is out of
+  /// reach.
   BlendedKernels(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
     const std::vector<std::size_t>& around);
 
-  /// `largestOrder`: at least the known order for the full kernel; any smaller value gives one
-  /// order less.
+  /// `largestOrder`: the known order or more gives the full kernel; any smaller value gives the
+  /// kernel of one order less.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
   const SurfaceGap* surface() const override
   {
@@ -91,12 +94,12 @@ public:
   }
 
 private:
-  /// How the values at the landmarks are combined to one at the place.
+  /// Weights that combine the values at the landmarks to a value at the place.
   struct Weights
   {
-    Eigen::VectorXd near;       ///< by distance alone, with sum 1
+    Eigen::VectorXd near;       ///< weights by distance alone, with sum 1
     Eigen::Matrix3Xd plane;     ///< value at the place and slopes, per value at a landmark
-    Eigen::Matrix2Xd positions; ///< of the landmarks, relative to the place, mm
+    Eigen::Matrix2Xd positions; ///< positions of the landmarks, relative to the place, mm
   };
   struct Blend
   {
@@ -111,7 +114,7 @@ private:
   void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
-  const std::vector<double>* Radii = nullptr; ///< of the landmarks
+  const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels
   std::vector<Blend> Blends;                  ///< one per radius
   SurfaceGap Gap;
   Eigen::Matrix<double, 3, 2> Tangents;

@@ -18,9 +18,10 @@ constexpr double FacingCosine = 0.5; ///< facing the same way: within 60°
 
 /// Radius around a place for landmarks of the coarser mesh, in spacings of its nodes.
 constexpr double ReachOfMean = 2.0;
-constexpr std::size_t LeastOfMean = 6; ///< a larger radius is used if it holds fewer landmarks
+constexpr std::size_t LeastOfMean = 6; ///< a larger radius is used if there are fewer landmarks
+                                       ///< within it
 /// Factor on the squared distance of the last of these landmarks, so that its weight is not zero.
-constexpr double BeyondLeast = 2.0;
+constexpr double LastDistanceFactor = 2.0;
 /// Smallest ratio k of the spacings. A smaller one makes the difference of the meshes unreliable.
 constexpr double LeastRatio = 1.25;
 constexpr double LeastPart = 5e-4; ///< smallest error, as a fraction of c₀₀
@@ -100,7 +101,8 @@ MeshDifference::MeshDifference(const LandmarkKernels& body, const LandmarkKernel
     [](const Sample& sample) { return !sample.missed.empty(); });
 }
 
-/// Sample at a landmark of the coarser mesh. Empty unless both meshes have a kernel there.
+/// Makes the sample at a landmark of the coarser mesh. It is empty unless both meshes have a kernel
+/// there.
 MeshDifference::Sample MeshDifference::sample(
   const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const
 {
@@ -145,7 +147,7 @@ MissedCompliance MeshDifference::at(
   }
   const std::size_t least = std::min(LeastOfMean, facing.size());
   const double reach = ReachOfMean * this->Samples[facing.front().second].spacing;
-  const double square = std::max(reach * reach, BeyondLeast * facing[least - 1].first);
+  const double square = std::max(reach * reach, LastDistanceFactor * facing[least - 1].first);
   told.radii = this->Radii;
   told.values.assign(this->Radii.size(), 0.0);
   double weights = 0.0;

@@ -14,7 +14,8 @@ constexpr double LeastMotion = 0.005;
 
 using Loads = Eigen::Matrix<double, 6, 6>; ///< rows: forces and moments, or motions; columns: loads
 
-/// Translation and rotation of a place under loads: the rigid motion nearest to that of its pieces.
+/// Translation and rotation of a place under loads: the rigid motion that best fits the motions of
+/// its pieces.
 Loads motionOfPlace(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const Eigen::MatrixXd& motion, const Eigen::Vector3d& about)
 {
@@ -57,7 +58,7 @@ Loads storedInPart(const ElasticBody& part, const Eigen::MatrixXd& motion)
   return stored;
 }
 
-/// Loads, as columns, that move the place by enough.
+/// Returns, as columns, the loads under which the motion of the place is large enough.
 Eigen::Matrix<double, 6, Eigen::Dynamic> loadsThatMove(
   const Loads& place, const ElasticMaterial& material, double radius)
 {

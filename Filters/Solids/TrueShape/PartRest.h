@@ -21,9 +21,9 @@ struct SurfacePiece
 
 /**
  * The body around a part that was cut out of it: the motion of the part under loads L on a place of
- * its surface, and the energy ½ Lᵀ W L that the surrounding body stores. W follows from the motions
- * by Betti's theorem: the motion of the place under the loads, less the energy that the part itself
- * stores.
+ * its surface, and the energy ½ Lᵀ W L that the surrounding body stores. By Betti's theorem W
+ * follows from the motions: it is the compliance of the place minus the part that is due to the
+ * energy stored in the part itself.
  */
 struct PartRest
 {
@@ -33,10 +33,11 @@ struct PartRest
 };
 
 /**
- * `part`: of one material, at small strain. `moved`: its motions under forces and moments. `place`:
- * in pieces. Of the six kinds of load only those are kept that move the place by more than 1/200 of
- * the indentation of a half-space by a contact of `radius` (mm). On coarse cells the stored energy
- * of the other loads is not reliable and may come out negative.
+ * Computes the data of the surrounding body. `part`: the part, of one material, at small strain.
+ * `moved`: its motions under forces and moments. `place`: the pieces of the place. Of the six kinds
+ * of load only those are used that move the place by more than 1/200 of the indentation of a
+ * half-space by a contact of `radius` (mm). On coarse cells the stored energy of the other loads is
+ * not reliable and may be negative.
  */
 PartRest restAround(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const UnitMotion& moved, double radius);

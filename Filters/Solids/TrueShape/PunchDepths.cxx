@@ -7,15 +7,17 @@ namespace palpate
 {
 namespace
 {
-/// Depths over the radius: for the line of the curve and the effect of strain on it.
+/// Depths relative to the radius, which resolve the effect of strain on the straight line of the
+/// curve.
 constexpr std::array Depths = { 0.05, 0.2, 0.4, 0.7, 1.0, 1.4 };
 
-/// Depths over the depth of full contact, and the error of the force there due to the unsolved
-/// shape of the contact at smaller depths. Measured like LeftOfGap (ContactHarmonics).
+/// Depths relative to the depth of full contact, and the error of the force at each depth due to
+/// the unsolved shape of the contact at smaller depths. Measured like GapErrorFactor
+/// (ContactHarmonics).
 constexpr std::array<PunchDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
   { 1.5, 0.01 }, { 5.0, 0.003 } } };
 
-/// Forces over the force at full contact.
+/// Forces relative to the force at full contact.
 constexpr std::array PartsOfClosing = { 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0 };
 } // namespace
 

@@ -6,14 +6,14 @@
 
 namespace palpate
 {
-/// How a flat punch comes into full contact with a surface that bulges, is hollow or leans under
-/// it.
+/// The depth at which a flat punch comes into full contact with a surface that bulges, is hollow or
+/// is inclined under it.
 struct PunchClosing
 {
   double depth = 0.0;    ///< depth of full contact, mm; 0: full contact from the first touch
-  double sink = 0.0;     ///< F over dF/dδ at that depth, mm
+  double sink = 0.0;     ///< F divided by dF/dδ at that depth, mm
   double carried = 0.0;  ///< fraction of that force at which the growing contact reaches the wall
-  bool isSolved = false; ///< the uneven contact is solved at each depth (UnevenContact)
+  bool isSolved = false; ///< whether the uneven contact is solved at each depth (UnevenContact)
 };
 
 /// A depth of a flat punch. Full contact is assumed.
@@ -24,7 +24,7 @@ struct PunchDepth
                       ///< depth, as a fraction
 };
 
-/// The depths of a flat punch's curve, ascending. `radius` of the punch, mm.
+/// The depths of a flat punch's curve, ascending. `radius`: that of the punch, mm.
 std::vector<PunchDepth> punchDepths(double radius, const PunchClosing& closing);
 } // namespace palpate
 

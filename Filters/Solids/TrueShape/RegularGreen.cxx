@@ -19,11 +19,11 @@ namespace
 /// Right-hand sides per solution, which reads the factor once for all of them.
 constexpr std::size_t GreenBlock = 32;
 
-/// Radius in spacings that holds enough sources for the smallest fit.
+/// Radius, in spacings, within which there are enough sources for the smallest fit.
 constexpr double RingOfSources = 2.9;
 
-/// Smallest spacing of sources over the largest contact radius. Without it a surface full of edges
-/// would have a source everywhere.
+/// Smallest ratio of the spacing of sources to the largest contact radius. Without it a surface
+/// full of edges would have a source everywhere.
 constexpr double ClosestSources = 2.0 / 3.0;
 
 /// Mean curvature at the middle of a disc, 1/mm, > 0 if convex, from the nearest points.
@@ -36,7 +36,7 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
   {
     if (at.distance > 0.0)
     {
-      // The weight is roughly the angle that the point covers: its area over its distance.
+      // The weight is roughly the angle that the point covers: its area divided by its distance.
       const double weight = at.area / at.distance;
       sum += weight * 2.0 * at.drop / (at.distance * at.distance);
       weights += weight;
@@ -46,7 +46,7 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
 }
 } // namespace
 
-/// Index in Points; the size of Points if the point is not one of them.
+/// Index of a point in Points; the size of Points if it is not one of them.
 std::size_t RegularGreen::placeOf(std::int32_t point) const
 {
   const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
@@ -67,7 +67,7 @@ ExpectedError RegularGreen::elementError(std::int32_t point) const
   return place < this->Points.size() ? this->Errors.at(place) : ExpectedError{};
 }
 
-/// Null if the point is not a source.
+/// The row of a source; null if the point is not a source.
 const RegularGreen::Row* RegularGreen::row(std::int32_t source) const
 {
   const auto at = std::lower_bound(this->Sources.begin(), this->Sources.end(), source);
@@ -141,7 +141,7 @@ double RegularGreen::discRadius(std::int32_t point) const
 double RegularGreen::memoryForecast(
   const std::vector<std::int32_t>& points, double radius, double spacing) const
 {
-  // Mean size of some discs, spread over the points. A row reaches twice as far as a disc.
+  // The mean size of a sample of discs is used. A row reaches twice as far as a disc.
   constexpr std::size_t samples = 64;
   double inDisc = 0.0;
   double apart = 0.0;
@@ -163,13 +163,13 @@ double RegularGreen::memoryForecast(
   const double rows =
     sources * kept * std::min(total, 4.0 * disc) * (sizeof(double) + sizeof(std::int32_t));
   const double discs = static_cast<double>(points.size()) * disc * sizeof(DiscPoint);
-  // Loads, solution and the permuted copies of CHOLMOD.
+  // The blocks hold the loads, the solution and the permuted copies of CHOLMOD.
   const double blocks = static_cast<double>(threadCount()) * GreenBlock *
     static_cast<double>(this->Body.unknowns()) * 4.0 * sizeof(double);
   return rows + discs + blocks;
 }
 
-/// Takes the points of all discs, or a thinned set of them.
+/// Chooses as sources the points of all discs, or a thinned set of them.
 void RegularGreen::chooseSources()
 {
   this->Sources.clear();
@@ -359,7 +359,7 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
   this->Bending.assign(blocks, {});
-  // The blocks, and so the results, do not depend on the number of threads.
+  // The blocks, and therefore the results, do not depend on the number of threads.
   if (!shareWork(
         blocks, [&](std::size_t block) { this->solveBlock(loads, block); }, observer))
   {

@@ -6,11 +6,10 @@
  * first term is Boussinesq's.
  *
  * The singular field is subtracted before the elements are used (SubtractedLoad), so that they
- * solve for a smooth field. Elements of half the distance to the source of H (a base, an edge, the
- * top of an inclusion) give H within 1 %, however small the contact. On a curved surface H has a
- * limit at X only for ν = 0.5; for other ν the term (1-2ν)/(2(1-ν)) κ/(πE*), κ the mean curvature,
- * remains, since
- * 1/|x-X| uses the length of the chord.
+ * solve for a smooth field. If the elements are no larger than half the distance to the cause of H
+ * (a base, an edge, the top of an inclusion), H is exact within 1 %, however small the contact. On
+ * a curved surface H has a limit at X only for ν = 0.5; for other ν the term (1-2ν)/(2(1-ν))
+ * κ/(πE*) with the mean curvature κ remains, since 1/|x-X| uses the length of the chord.
  *
  * Sources are solved in blocks of 32 with the one factor of the body. The blocks are shared among
  * threadCount() threads; the bits of the result do not depend on their number.
@@ -26,7 +25,7 @@
 
 namespace palpate
 {
-/// H between surface points that share a contact, and the surface around each of them.
+/// H between surface points that can be under one contact, and the surface around each point.
 class PALPATE_EXPORT RegularGreen
 {
 public:
@@ -41,21 +40,21 @@ public:
     const std::vector<std::int32_t>& points, double radius, double spacing = 0.0) const;
 
   /**
-   * Solves for all sources that contacts at `points` of up to `radius` (mm) need. Returns "" on
-   * success, a message if no point can be pressed or the radius is not valid, or "stopped" if the
-   * observer stopped it.
+   * Solves for all sources that are needed by contacts at `points` with radii up to `radius` (mm).
+   * Returns "" on success, a message if no point can be pressed or the radius is not valid, or
+   * "stopped" if the observer stopped the work.
    *
-   * `spacing` (mm) > 0: only some surface points are sources, at least that far apart. Near an edge
-   * their distance is half the distance to the edge if that is less, but at least two thirds of
-   * `radius`. Contacts at the other points take H from the sources around them: kernels are fits,
-   * whose middle need not be a source. A spacing of half the distance to the source of H (a base,
-   * an inclusion) is enough. `isEven`: the sources are no closer near edges, and the missed bending
-   * is measured at a quarter of the places, for a faster and coarser estimate.
+   * If `spacing` (mm) is > 0, only some surface points are sources, at least `spacing` apart. Near
+   * an edge their distance is reduced to half the distance to the edge, but not below two thirds of
+   * `radius`. For contacts at the other points H follows from the surrounding sources: kernels are
+   * fits, whose middle need not be a source. A spacing of half the distance to the cause of H (a
+   * base, an inclusion) is enough. If `isEven`, the sources are no closer near edges, and the error
+   * of bending is measured at a quarter of the places; this is faster but less accurate.
    */
   std::string solve(const std::vector<std::int32_t>& points, double radius,
     const WorkObserver& observer, double spacing = 0.0, bool isEven = false);
 
-  /// Radius of the disc that a kernel is fitted to, in contact radii.
+  /// Radius of the disc to which a kernel is fitted, in contact radii.
   static constexpr double DiscRatio = 1.3;
 
   const ElasticBody& body() const { return this->Body; }
@@ -64,7 +63,7 @@ public:
   bool isSource(std::int32_t point) const;
   /// The sources among `points` that can be pressed, ascending.
   std::vector<std::int32_t> pressedSources() const;
-  /// The surface around one of `points`; null for any other.
+  /// The surface around one of `points`; null for any other point.
   const SurfaceDisc* disc(std::int32_t point) const;
   /// The edge of the held part of the body.
   const HeldRim& held() const { return this->Held; }
@@ -76,13 +75,15 @@ public:
   /// reversed: motion into the body is along the outward normal. mm/N, along the axes of the body.
   const Eigen::Vector3d& motion(std::int32_t source) const;
   /// Expected error of H due to the elements at one of the points given to solve() (ElementError),
-  /// mm/N. A point that is not a source takes it from the nearest sources. NaN for any other point.
+  /// mm/N. The error of a point that is not a source is that of the nearest sources. Returns NaN
+  /// for points that were not given to solve().
   ExpectedError elementError(std::int32_t point) const;
   /// Number of solved sources.
   std::size_t sources() const { return this->Sources.size(); }
 
 private:
-  /// Surface points (ascending), H there, and the motion of the source itself.
+  /// One source: surface points (ascending), H at these points, and the motion of the source
+  /// itself.
   struct Row
   {
     std::vector<std::int32_t> points;

@@ -89,7 +89,7 @@ bool isFlat(const AxisymmetricTool& tool)
 struct FlatTouch
 {
   Touch touch = Touch::Pointed;
-  double closed = 0.0; ///< depth from which a flat punch is in full contact, mm
+  double closed = 0.0; ///< depth at and beyond which a flat punch is in full contact, mm
 };
 
 FlatTouch touchOf(
@@ -104,7 +104,8 @@ FlatTouch touchOf(
   const ContactKernel kernel = kernels.at(radius);
   const double rise = law.at(radius, kernel, kernels.site().reducedModulus).deflection;
   const double least = LeastBulge * smallest;
-  // The pressure at the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere below 0 from this depth.
+  // At this depth and beyond, the pressure near the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere
+  // negative.
   const double uneven = 2.0 * radius * kernel.gap.lean.norm() + std::sqrt(2.0 * kernel.gap.waves);
   FlatTouch found{ Touch::Flat, (rise < 0.0 ? -2.0 * rise : rise) + uneven };
   if (rise > std::max(least, isFlat(tool) ? uneven : 0.0))
@@ -118,9 +119,9 @@ FlatTouch touchOf(
   return found;
 }
 
-/// Removes samples that do not rise above those before them, or above zero. Returns true if the
-/// last sample is removed.
-bool leaveRising(std::vector<ContactSample>& samples, bool beginsFlat)
+/// Removes samples whose deflection or force is not above that of the previous sample, or above
+/// zero. Returns true if the last sample is removed.
+bool keepRising(std::vector<ContactSample>& samples, bool beginsFlat)
 {
   std::size_t kept = beginsFlat ? std::min<std::size_t>(samples.size(), 1) : 0;
   bool left = false;
@@ -150,7 +151,7 @@ ShapedContact::ShapedContact(
 ShapedContact::Contact ShapedContact::at(double radius, const ContactKernel& kernel,
   double reducedModulus, std::optional<double> deflection) const
 {
-  // In t = x/a: moments of φ_m φ_n, of φ_m, and of φ_m g, each over a.
+  // With t = x/a: moments of φ_m φ_n, of φ_m, and of φ_m g, each divided by a.
   Eigen::Matrix4d products;
   Eigen::Vector4d ones;
   for (int m = 0; m < 4; ++m)
@@ -189,8 +190,8 @@ struct ShapedContact::Course : CurveSamples
   Touch touch = Touch::Pointed;
 };
 
-/// Adds the contact of a radius, or of the tool's wall at a given deflection. False if the kernel
-/// lets no contact grow to it.
+/// Adds the contact of a given radius, or the contact at the tool's wall for a given deflection.
+/// Returns false if no contact can grow to it with this kernel.
 bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
   const ContactKernels& kernels, int largestOrder, Course& course) const
 {
@@ -215,7 +216,7 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
     const double forceBefore = isFirst ? 0.0 : course.samples.back().force;
     if (!(sample.deflection > depthBefore && sample.force > forceBefore))
     {
-      // Due to the surface, not the kernel: the contact grows on at once.
+      // The cause is the surface, not the kernel: the contact can grow further.
       return !kernel.gap.drop.isZero();
     }
     if (kernel.order > 1)
@@ -309,7 +310,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   addHarmonics(course, kernels, this->Tool);
   this->addStrain(kernels, course);
   const bool beginsFlat = touch.touch == Touch::Flat && !isPunch;
-  end = leaveRising(samples, beginsFlat) || !grows || !isTaken ? CurveEnd::Unstable : end;
+  end = keepRising(samples, beginsFlat) || !grows || !isTaken ? CurveEnd::Unstable : end;
   const double first = course.stiffness.empty() ? 0.0 : course.stiffness.front();
   double tail = course.stiffness.empty() ? 0.0 : course.stiffness.back();
   if (isPunch && samples.size() > 1)

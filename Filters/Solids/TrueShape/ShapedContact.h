@@ -11,17 +11,16 @@
  *   Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth.
  * g is the reduced profile of the tool plus the angle mean of the surface's drop.
  *
- * The remaining effects of the shape are added afterwards. The surface leans by s and has waves
- * (SurfaceGap), and next to an edge it turns by βF under the force. To second order U*(F) decreases
- * by
+ * The remaining effects of the shape are added afterwards. The surface has a slope s and waves
+ * (SurfaceGap), and next to an edge the force tilts it by βF. To second order U*(F) decreases by
  *   ½ E* ∫_0^a (|2x(s + βF)|² + Σ g_m²) dx
  * and δ decreases by
- *   ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T,  T = (4/3) E* a³.
- * If the second order is not enough, the effect of the shape is solved for (UnevenContact).
+ *   ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T, T = (4/3) E* a³. If the second order is not
+ * enough, the effect of the shape is computed by solving the uneven contact (UnevenContact).
  *
- * Linear elasticity at small strain. Finite strain multiplies the local part of a contact, as on a
- * half-space under the same force (StrainCorrection). The remaining deflection of the body grows
- * with the force.
+ * The equations are those of linear elasticity at small strain. Finite strain multiplies the local
+ * part of a contact, as on a half-space under the same force (StrainCorrection). The remaining
+ * deflection of the body grows with the force.
  */
 #ifndef palpate_ShapedContact_h
 #define palpate_ShapedContact_h
@@ -47,8 +46,9 @@ public:
   explicit ShapedContact(
     const AxisymmetricTool& tool, const StrainCorrection* strain = nullptr, int samples = 24);
 
-  /// The curve at a point. It is empty if the site is not valid or the tool begins wider than the
-  /// reach of the kernels; end() then gives the reason. Safe from any number of threads.
+  /// The curve at a point. The curve is empty if the site is not valid, or if the flat end of the
+  /// tool is wider than the largest radius of the kernels; end() then gives the reason. Safe from
+  /// any number of threads.
   ContactCurve curve(
     const ContactKernels& kernels, int largestOrder = ContactKernel::LargestOrder) const;
 
@@ -57,10 +57,10 @@ public:
   {
     double deflection = 0.0; ///< mm
     double force = 0.0;      ///< N
-    double stiffness = 0.0;  ///< 2E* Y₀ of a flat of depth 1: dF/dδ at constant kernel, N/mm
-    bool stable = false;     ///< δ rises with the radius for this kernel
+    double stiffness = 0.0; ///< 2E* Y₀ of a flat end at depth 1: dF/dδ for a constant kernel, N/mm
+    bool stable = false;    ///< whether δ rises with the radius for this kernel
   };
-  /// `deflection`: given for a flat or for a contact at the tool's wall.
+  /// `deflection`: given for a flat end or for a contact at the tool's wall.
   Contact at(double radius, const ContactKernel& kernel, double reducedModulus,
     std::optional<double> deflection = {}) const;
 

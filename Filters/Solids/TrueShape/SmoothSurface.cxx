@@ -9,8 +9,9 @@ namespace palpate
 {
 namespace
 {
-/// Distance of a node from its chord, over the lift, below which the node is on the chord.
-constexpr double OnTheChord = 0.25;
+/// A node counts as on its chord if its distance from the chord is less than this fraction of the
+/// lift.
+constexpr double ChordTolerance = 0.25;
 } // namespace
 
 Eigen::Vector3d smoothPosition(const ElasticBody& body, std::int32_t point)
@@ -38,6 +39,6 @@ Eigen::Vector3d smoothPosition(const ElasticBody& body, std::int32_t point)
     (surface.normal(b).dot(edge) * surface.normal(b) -
       surface.normal(a).dot(edge) * surface.normal(a));
   const Eigen::Vector3d chord = 0.5 * (surface.position(a) + surface.position(b));
-  return (at - chord).norm() < OnTheChord * lift.norm() ? Eigen::Vector3d(chord + lift) : at;
+  return (at - chord).norm() < ChordTolerance * lift.norm() ? Eigen::Vector3d(chord + lift) : at;
 }
 } // namespace palpate

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Number of sources whose expected error a point takes if it is not a source itself.
+/// Number of sources whose expected errors are averaged for a point that is not a source.
 constexpr std::size_t ErrorSources = 3;
 
 struct NearSource
@@ -20,8 +20,8 @@ struct NearSource
   double weight;
 };
 
-/// Sources that give the expected error of a disc's middle: itself if it is a source, else the
-/// nearest.
+/// Sources that determine the expected error at the middle of a disc: the middle itself if it is a
+/// source, otherwise the nearest sources.
 std::vector<NearSource> nearestSources(const SurfaceDisc& disc,
   const std::vector<std::int32_t>& points, const std::vector<std::int32_t>& sources)
 {
@@ -54,8 +54,8 @@ SourceErrors::SourceErrors(const ElasticBody& body, const std::vector<std::int32
     [&](std::size_t i)
     {
       const std::vector<NearSource> near = nearestSources(discs[i], points, sources);
-      const bool isToldByOthers = !near.empty() && near.back().place != i;
-      if (!isToldByOthers && discs[i].status == PatchStatus::Valid)
+      const bool usesOtherSources = !near.empty() && near.back().place != i;
+      if (!usesOtherSources && discs[i].status == PatchStatus::Valid)
       {
         own[i] = elements.at(SingularSource(body, points[i]));
       }

@@ -15,12 +15,12 @@ namespace palpate
 struct ExpectedError
 {
   double error = NotANumber;
-  double direct = NotANumber;             ///< the part of H beyond this is bending
+  double direct = NotANumber;             ///< the part of H that exceeds this value is bending
   double bending = BendingError::Assumed; ///< missed fraction of the bending
 };
 
-/// Expected errors of the points of a RegularGreen. A source has its own error; another point takes
-/// the errors of the nearest sources of its disc.
+/// Expected errors of the points of a RegularGreen. A source has its own error; the error of
+/// another point is that of the nearest sources of its disc.
 class SourceErrors
 {
 public:

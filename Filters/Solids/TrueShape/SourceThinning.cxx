@@ -26,7 +26,7 @@ std::vector<std::int32_t> thinnedSources(const BodySurface& surface,
     return candidates;
   }
   using Box = std::array<long, 3>;
-  std::map<Box, std::vector<std::size_t>> kept; // at most as many as candidates
+  std::map<Box, std::vector<std::size_t>> kept; // indices of the kept candidates, by box
   std::vector<std::int32_t> sources;
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
@@ -42,16 +42,16 @@ std::vector<std::int32_t> thinnedSources(const BodySurface& surface,
       return (surface.position(candidates[other]) - at).norm() < near &&
         surface.normal(candidates[other]).dot(surface.normal(candidates[i])) > SameSide;
     };
-    bool stoodFor = false;
-    for (int neighbour = 0; neighbour < 27 && !stoodFor; ++neighbour)
+    bool isReplaced = false;
+    for (int neighbour = 0; neighbour < 27 && !isReplaced; ++neighbour)
     {
-      const Box beside = { box[0] + neighbour % 3 - 1, box[1] + neighbour / 3 % 3 - 1,
+      const Box adjacent = { box[0] + neighbour % 3 - 1, box[1] + neighbour / 3 % 3 - 1,
         box[2] + neighbour / 9 - 1 };
-      const auto found = kept.find(beside);
-      stoodFor =
+      const auto found = kept.find(adjacent);
+      isReplaced =
         found != kept.end() && std::any_of(found->second.begin(), found->second.end(), stands);
     }
-    if (!stoodFor)
+    if (!isReplaced)
     {
       kept[box].push_back(i);
       sources.push_back(candidates[i]);

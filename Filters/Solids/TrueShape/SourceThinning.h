@@ -7,10 +7,10 @@
 namespace palpate
 {
 /**
- * Thinned set of surface points. Two kept points on the same side are at least the smaller of their
- * two spacings apart (mm; one spacing per candidate), and each removed point has a kept point
- * nearer than that. Points on opposite sides of a thin part do not replace each other. The
- * candidates are visited in order; earlier ones have priority.
+ * Returns a thinned set of the surface points `candidates`. The distance of two kept points on the
+ * same side is at least the smaller of their spacings (mm; one spacing per candidate), and each
+ * removed point is nearer than that to a kept point. Points on opposite sides of a thin part do not
+ * replace each other. The candidates are visited in order; earlier ones have priority.
  */
 std::vector<std::int32_t> thinnedSources(const BodySurface& surface,
   const std::vector<std::int32_t>& candidates, const std::vector<double>& spacings);

@@ -15,9 +15,9 @@ namespace
 {
 /// Error as a fraction of the effect of finite strain, for the part of the contact that differs
 /// from a half-space under the same force.
-constexpr double LeftOfStrain = 0.3;
+constexpr double StrainErrorFactor = 0.3;
 
-/// Depth of the tool in a half-space under that force, mm.
+/// Depth of the tool in a half-space under `force`, mm.
 double depthUnder(const AxisymmetricTool& tool, double force, double radius, double modulus)
 {
   double depth = radius < tool.largestContactRadius() && radius > tool.smallestContactRadius()
@@ -48,6 +48,6 @@ StrainShare strainShare(const AxisymmetricTool& tool, const StrainCorrection* st
   const StrainFactor found = strain->at(depth, material.poissonRatio, 0.0);
   const double more = (found.factor - 1.0) * contact.force;
   return { more, (1.0 / contact.stiffness - 1.0 / alone) * more,
-    local * found.error + LeftOfStrain * std::abs((found.factor - 1.0) * (1.0 - local)) };
+    local * found.error + StrainErrorFactor * std::abs((found.factor - 1.0) * (1.0 - local)) };
 }
 } // namespace palpate

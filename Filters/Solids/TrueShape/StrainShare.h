@@ -18,7 +18,7 @@ struct SmallStrainContact
   double radius = 0.0;    ///< mm
 };
 
-/// Correction of such a contact for finite strain, and its error.
+/// Correction of a SmallStrainContact for finite strain, and the error of the corrected force.
 struct StrainShare
 {
   double force = 0.0;      ///< N
@@ -28,8 +28,8 @@ struct StrainShare
 
 /**
  * Finite strain multiplies the local part of a contact, as on a half-space under the same force.
- * The remaining deflection of the body grows with the force. `strain` null: small strain, with the
- * neglected effect as the error. Cost: microseconds.
+ * The remaining deflection of the body grows with the force. Without `strain` (null) there is no
+ * correction, and the error is the neglected effect of finite strain. Cost: microseconds.
  */
 PALPATE_EXPORT StrainShare strainShare(const AxisymmetricTool& tool, const StrainCorrection* strain,
   const ElasticMaterial& material, const SmallStrainContact& contact);

@@ -15,7 +15,7 @@ struct SingularSource
   std::int32_t point = 0;   ///< surface point
   Eigen::Matrix3d frame;    ///< columns: two tangents and the inward normal at X
   Eigen::Vector3d origin;   ///< X, mm
-  ElasticMaterial material; ///< at X
+  ElasticMaterial material; ///< material at X
 
   SingularSource(const ElasticBody& body, std::int32_t surfacePoint);
   Eigen::Vector3d inFrame(const Eigen::Vector3d& place) const
@@ -34,8 +34,8 @@ struct SingularSource
  * singular field is subtracted: u = u_B + w, where u_B is Boussinesq's field at X along the inward
  * normal, with the material at X.
  *
- * w is smooth and solves K w = b, with
- *   b(v) = -∮ v·(σ_B n) dA - ∫ ε(v) : (D - D₀) : ε_B dV,   w = -u_B where the body is held.
+ * The remaining field w is smooth and solves K w = b, with b(v) = -∮ v·(σ_B n) dA - ∫ ε(v) : (D -
+ *   D₀) : ε_B dV, w = -u_B where the body is held.
  * The first integral is over the outer faces (zero on the plane through X), the second over the
  * elements of another material. The incompatible modes of hexahedra contribute to the second
  * integral and are condensed as in the stiffness; they have no part in the first.
@@ -44,7 +44,7 @@ struct SingularSource
  * outside a cone around that line. In the elements that cross the cone it is interpolated between
  * the nodes, with zero inside the cone.
  *
- * One object serves a body; load() may be called from any number of threads.
+ * One object is used for one body; load() may be called from any number of threads.
  */
 class SubtractedLoad
 {
@@ -65,8 +65,8 @@ private:
   void addFace(std::int32_t element, int face, Work& work) const;
 
   const ElasticBody& Body;
-  bool Uniform;                                   ///< one material
-  std::vector<std::int32_t> LoadedFaces;          ///< outer faces; the others are held as a whole
+  bool Uniform;                                   ///< whether the body has one material
+  std::vector<std::int32_t> LoadedFaces;          ///< outer faces that are not held as a whole
   std::vector<std::pair<std::int32_t, int>> Held; ///< node and axis of each column of Coupling
   Eigen::SparseMatrix<double> Coupling;           ///< unknowns × held directions
 };

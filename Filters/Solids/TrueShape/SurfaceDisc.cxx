@@ -76,7 +76,8 @@ public:
         {
           continue;
         }
-        if (this->isHeld(*t)) // begins at its edge, which may be nearer than its corners
+        if (this->isHeld(*t)) // the held triangle begins at its edge, which may be nearer than its
+                              // corners
         {
           limit(disc, away, PatchStatus::OutOfReach);
           continue;
@@ -142,7 +143,7 @@ private:
     if (away > this->Radius ||
       this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < ContactTurn)
     {
-      return; // on an edge; its other side limits the disc
+      return; // the point is beyond the radius, or on an edge, whose other side limits the disc
     }
     if (isHeldAlongNormal(this->Body, point))
     {
@@ -168,7 +169,7 @@ private:
   std::int32_t Centre;
   double Radius;
   Eigen::Matrix3d Frame;
-  Eigen::Vector3d Origin; ///< on the smooth surface
+  Eigen::Vector3d Origin; ///< place of the point on the smooth surface
   ElasticMaterial Material;
 };
 } // namespace

@@ -21,19 +21,19 @@ struct DiscPoint
 {
   std::int32_t point = 0;
   Eigen::Vector2d at;    ///< mm
-  double drop = 0.0;     ///< distance below that plane, mm (SmoothSurface)
+  double drop = 0.0;     ///< distance below the tangent plane, mm (SmoothSurface)
   double area = 0.0;     ///< a third of the area of its triangles, mm²
   double distance = 0.0; ///< |at|
 };
 
 /**
- * The surface points around a point X, up to a radius, as far as the surface is fit for a contact.
- * The points are connected to X without a triangle that turns by more than 40° from the normal at X
- * (30° at X itself). They are free to move along their normal. Their material is that of X: E
- * within 5 % and ν within 0.01 of the mean of the elements at X.
+ * The surface points around a point X, up to a radius, that can be under one contact with X. They
+ * satisfy three conditions: they are connected to X by triangles whose normals are within 40° of
+ * the normal at X (30° at X itself); they are free to move along their normals; and their material
+ * is that of X, with E within 5 % and ν within 0.01 of the mean of the elements at X.
  *
- * `status`: why X itself cannot be pressed. `limit`: distance from X to the first edge, held point
- * or other material. `limitedBy`: which of these it is.
+ * `status`: the reason why X itself cannot be pressed, or Valid. `limit`: distance from X to the
+ * first edge, held point or other material. `limitedBy`: the kind of that limit.
  */
 struct SurfaceDisc
 {
@@ -43,11 +43,12 @@ struct SurfaceDisc
   PatchStatus limitedBy = PatchStatus::Valid;
 };
 
-/// `body` must be taken and assembled; `point` is a point of its surface.
+/// Finds the disc of a point. `body` must be assembled; `point` is a point of its surface.
 PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius);
 
-/// Whether there is no border between two materials: E within 5 % of the second one's, ν within
-/// 0.01. Graded bodies and bodies from images have no borders.
+/// Whether the border between two elements is neglected: E differs by at most 5 % of the second
+/// material's E, and ν by at most 0.01. Graded bodies and bodies from images therefore have no
+/// borders.
 bool isNearlyAlike(const ElasticMaterial& other, const ElasticMaterial& material);
 
 /// Whether the elements at a surface point are of one material, within the tolerances of a disc.

@@ -15,14 +15,16 @@ namespace palpate
 namespace
 {
 constexpr double RingRatio = 0.82;
-/// Rings outside the largest contact. The inner rings go down to a twentieth of it.
+/// Number of rings outside the largest contact. The innermost ring has a twentieth of the radius of
+/// that contact.
 constexpr int RingsBeyond = 3;
 
-/// Fewest rings for the gap of a contact. A smaller contact takes the gap of these rings.
+/// Smallest number of rings for the gap of a contact. For a smaller contact the gap of these rings
+/// is used.
 constexpr int LeastRings = 5;
 
-/// n times ∫_0^1 t^n / √(1 - t²) dt =: n I_n. A power r^k in a harmonic of order m has n = m + 1 +
-/// k and gives g = n I_n a^k.
+/// n times ∫_0^1 t^n / √(1 - t²) dt =: n I_n. For a power r^k in a harmonic of order m, n = m + 1 +
+/// k and g = n I_n a^k.
 double powerUnderContact(int n)
 {
   double integral = n % 2 == 0 ? 0.5 * Pi : 1.0;
@@ -171,7 +173,7 @@ GapTerms SurfaceGap::at(double a) const
   {
     return terms;
   }
-  // Rings represent the annuli between their middles, weighted by their share of the force.
+  // Each ring represents an annulus and is weighted by the fraction of the force on it.
   const double least = this->Radius * ring(LeastRings - 1);
   const double disc = std::clamp(a, least, this->reach());
   Eigen::VectorXd weights(this->Known);

@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// Shape of a surface under a contact of radius a, in the tangent plane: r from the point, θ around
-/// it.
+/// Shape of a surface under a contact of radius a, in polar coordinates r, θ of the tangent plane
+/// at the point.
 struct GapTerms
 {
   /// Angle mean of the distance below the plane, Σ d_m (r/a)^{2m}, mm.
@@ -32,14 +32,14 @@ struct GapTerms
 };
 
 /**
- * Shape of a surface of any kind around a point: its heights on rings, as harmonics of the angle.
+ * Shape of any surface around a point: its heights on rings, as harmonics of the angle.
  *
  * To first order a contact of radius a depends on the mean of the gap weighted by 1/√(a² - r²), to
  * second order on its harmonics. A gap h_m(r) cos mθ that is closed over the contact has the energy
- *   ½ E* ∫_0^a g_m(x)² dx,  g_m(x) = x^{-m} d/dx ∫_0^x r^{m+1} h_m / √(x² - r²) dr
- * (Copson 1947). The pressure ends smoothly, so there is no other term of second order: the force
- * at a depth grows by ½ E* Σ g_m(a)² da/dδ. This is exact for a leaning plane (h = s r, g = 2 s x)
- * and for unequal curvatures (Hertz 1882: the force of the mean curvature times 1 + Δ²R²/12).
+ *   ½ E* ∫_0^a g_m(x)² dx, g_m(x) = x^{-m} d/dx ∫_0^x r^{m+1} h_m / √(x² - r²) dr (Copson 1947).
+ * Since the pressure falls smoothly to zero, there is no other term of second order: the force at a
+ * depth grows by ½ E* Σ g_m(a)² da/dδ. This is exact for an inclined plane (h = s r, g = 2 s x) and
+ * for unequal curvatures (Hertz 1882: the force of the mean curvature times 1 + Δ²R²/12).
  */
 class PALPATE_EXPORT SurfaceGap
 {
@@ -67,20 +67,21 @@ public:
     int known = Rings;
   };
 
-  /// A plane.
+  /// The shape of a plane.
   SurfaceGap() = default;
-  /// `radius` of the last ring, mm.
+  /// `radius`: that of the last ring, mm.
   SurfaceGap(double radius, const Heights& heights);
 
-  /// Radius to which the surface is known, mm, and whether that is as far as requested.
+  /// Radius to which the surface is known, mm. isWhole(): whether that is the requested radius.
   double reach() const;
   bool isWhole() const { return this->Known == Rings || this->Radius == 0.0; }
 
-  /// Terms under a contact of radius a, mm. Beyond reach() the known part of the surface is used.
+  /// The terms of a contact of radius a, mm. If a exceeds reach(), the known part of the surface is
+  /// used.
   GapTerms at(double a) const;
 
-  /// Heights below the tangent plane within reach(), mm: as harmonics of the angle, linear in r²
-  /// from ring to ring.
+  /// Heights below the tangent plane within reach(), mm, as harmonics of the angle that are linear
+  /// in r² between the rings.
   class PALPATE_EXPORT Spectrum
   {
   public:
@@ -93,7 +94,7 @@ public:
   private:
     struct Between
     {
-      int low; ///< inside the first ring the same as `high`
+      int low; ///< the lower ring; inside the first ring equal to `high`
       int high;
       double part;
     };
@@ -115,9 +116,9 @@ private:
   int Known = 0;
   Eigen::Matrix<double, Rings, Angles> Surface = Eigen::Matrix<double, Rings, Angles>::Zero();
   std::array<double, Rings> Mean{};
-  std::array<double, Rings> Between{}; ///< mean square of surface minus facets
+  std::array<double, Rings> Between{}; ///< mean square of the distance between surface and facets
   std::array<double, Rings> Uneven{};  ///< mean square
-  std::array<double, Rings> Left{};    ///< mean square of the harmonics above these
+  std::array<double, Rings> Left{};    ///< mean square of the harmonics above those of Waves
   /// Cosine and sine amplitudes of harmonics 1, 2, ...
   std::array<std::array<Eigen::Vector2d, Rings>, Harmonics> Waves;
 };

@@ -15,11 +15,11 @@ namespace palpate
 {
 namespace
 {
-/// Fewest sources around another one for a quadratic and for a plane.
+/// Smallest number of surrounding sources for a quadratic fit and for a linear fit.
 constexpr std::size_t LeastForBend = 5;
 constexpr std::size_t LeastForSlope = 2;
 
-/// Share of the modes in the work that is reported to the observer.
+/// Fraction of the work that is for the modes, as reported to the observer.
 constexpr double ModesShare = 0.8;
 
 /// Motion of the surface under 1 N pressed into it at a source, without the visible dent.
@@ -53,7 +53,7 @@ Eigen::Matrix3Xd motionLessDent(
     }
     field.col(i) = moved;
   }
-  // u_B is infinite here. H takes the limit that the sources give.
+  // u_B is infinite at the source. The known H at the source is used instead.
   const Eigen::Vector3d& normal = surface.normal(source.point);
   const double depth = green.at(source.point, source.point);
   auto itself = field.col(source.point);
@@ -61,8 +61,8 @@ Eigen::Matrix3Xd motionLessDent(
   return field;
 }
 
-/// H(x, X) minus the part of the modes, mm/N.
-double leftByModes(
+/// H(x, X) without the part that the modes represent, mm/N.
+double residualOfModes(
   const RegularGreen& green, const GlobalModes& modes, std::int32_t x, std::int32_t source)
 {
   const BodySurface& surface = green.body().surface();
@@ -82,7 +82,7 @@ NearField nearFieldAt(const RegularGreen& green, const GlobalModes& modes, std::
   NearField near;
   const SingularSource frame(green.body(), source);
   near.reducedModulus = reducedModulus(frame.material.youngsModulus, frame.material.poissonRatio);
-  near.depth = leftByModes(green, modes, source, source);
+  near.depth = residualOfModes(green, modes, source, source);
   std::vector<const DiscPoint*> known;
   for (const DiscPoint& at : disc.points)
   {
@@ -109,7 +109,7 @@ NearField nearFieldAt(const RegularGreen& green, const GlobalModes& modes, std::
     {
       system.row(i).tail<3>() << d[0] * d[0], 2.0 * d[0] * d[1], d[1] * d[1];
     }
-    left[i] = leftByModes(green, modes, at.point, source) - near.depth;
+    left[i] = residualOfModes(green, modes, at.point, source) - near.depth;
   }
   const Eigen::VectorXd found = system.completeOrthogonalDecomposition().solve(left);
   const Eigen::Matrix<double, 3, 2> tangents = frame.frame.leftCols<2>();

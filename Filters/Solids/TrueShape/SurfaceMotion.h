@@ -20,10 +20,10 @@ struct SurfaceMotion
 };
 
 /**
- * Motion of a body that has been solved for. The modes are those of the displayed H, see
- * GlobalModes: of the whole motion without the half-space's dent on the surface that faces the same
- * way as X (VisibleDent.h). The near fields are least-squares quadratics through the known H around
- * each source.
+ * Computes the motion of a solved body. The modes (GlobalModes) are those of the displayed H: the
+ * whole motion minus the half-space's dent, which is subtracted on the surface that faces the same
+ * way as X (VisibleDent.h). The near fields are quadratic functions, fitted by least squares to the
+ * known H around each source.
  *
  * Costs one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
  * it, the result is incomplete and has no points. The bits do not depend on the number of threads.

@@ -13,8 +13,8 @@ namespace palpate
 {
 namespace
 {
-/// Largest distance from the pressed-in tool, as a fraction of its depth, of a facet that may
-/// touch.
+/// Largest distance of a facet that may touch from the tool at its largest depth, as a fraction of
+/// the depth.
 constexpr double TouchMargin = 0.1;
 /// Smallest cosine between the tool's axis and a facet that may touch.
 constexpr double LeastFacing = 0.1;

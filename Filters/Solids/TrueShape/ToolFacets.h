@@ -25,7 +25,7 @@ struct ToolFacet
 {
   int corners = 0;
   std::vector<std::int32_t> nodes; ///< the corners first
-  Eigen::Matrix3Xd places;         ///< of the nodes, mm
+  Eigen::Matrix3Xd places;         ///< places of the nodes, mm
   Eigen::Vector3d area;            ///< outwards, mm²
 };
 
@@ -44,12 +44,12 @@ PALPATE_EXPORT std::vector<ToolFacet> facetsUnder(
 PALPATE_EXPORT double depthOfMarked(const std::vector<ToolFacet>& facets,
   const std::vector<unsigned char>& marked, const AxisymmetricTool& tool);
 
-/// Radius beyond which the tool cannot touch from above, mm. It is slightly less than the wall of a
-/// round tool, which is vertical there.
+/// Radius beyond which the tool cannot touch from above, mm. It is slightly less than the radius of
+/// the wall of a round tool, since the wall is vertical.
 double reachedRadius(const AxisymmetricTool& tool);
 
-/// Calls visit() with the middles of equal parts of a facet, in the coordinates of faceShapes(),
-/// and gives the number of parts.
+/// Calls visit() with the middle of each of the FacetParts equal parts of a facet, in the
+/// coordinates of faceShapes().
 constexpr int FacetDivisions = 5;
 constexpr int FacetParts = FacetDivisions * FacetDivisions;
 template <class Visit>

@@ -10,22 +10,22 @@ namespace palpate
 {
 namespace
 {
-// Lengths over the contact radius, pressures over E*.
-constexpr double HalfWidth = 1.6; ///< of the disc of cells
+// Lengths are relative to the contact radius, pressures to E*.
+constexpr double HalfWidth = 1.6; ///< half width of the disc of cells
 constexpr int CellsAcross = 16;
 constexpr double CellSide = 2.0 * HalfWidth / CellsAcross;
 constexpr auto CellArea = static_cast<float>(CellSide * CellSide);
 
-/// Number of attempts. A contact that is off-centre is solved again around its middle, a contact
-/// that is wider than the cells on wider cells.
-constexpr int MostTurns = 5;
-constexpr double Wider = 1.4;
+/// Largest number of attempts. If a contact is off-centre, it is solved again around its middle; if
+/// it is wider than the cells, it is solved again on wider cells.
+constexpr int MostAttempts = 5;
+constexpr double WideningFactor = 1.4;
 
 constexpr int MostSteps = 60;
-constexpr float Settled = 1e-4F; ///< part of the load that a step still moves
+constexpr float LoadTolerance = 1e-4F; ///< fraction of the load that the last step redistributes
 
 /// Gap where no contact is possible: beyond the tool's wall or where the surface is not known.
-constexpr float Away = 1e6F;
+constexpr float NoContactGap = 1e6F;
 
 /// Displacement of the surface under a cell of pressure 1 (Love 1929; Johnson 1985, 3.25).
 double sinkOfCell(const Eigen::Vector2d& at)
@@ -38,7 +38,7 @@ double sinkOfCell(const Eigen::Vector2d& at)
     Pi;
 }
 
-/// The cells, the same for all contacts.
+/// The cells, which are the same for all contacts.
 struct ContactCells
 {
   Eigen::Matrix2Xd places;
@@ -89,13 +89,13 @@ const ContactCells& contactCells()
   return cells;
 }
 
-/// Mean over the cells with pressure.
+/// Mean of the values over the cells in contact.
 float meanUnder(const Eigen::ArrayXf& touching, const Eigen::VectorXf& values)
 {
   return (touching * values.array()).sum() / touching.sum();
 }
 
-/// Displacement of the cells under pressures, most of which are 0.
+/// Displacement of the cells under the given pressures, most of which are 0.
 Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
 {
   const ContactCells& cells = contactCells();
@@ -115,10 +115,10 @@ Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
 double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressures)
 {
   const float total = static_cast<float>(load) / CellArea;
-  pressures = (gap.array() < Away).select(pressures, 0.0F);
+  pressures = (gap.array() < NoContactGap).select(pressures, 0.0F);
   if (!(pressures.sum() > 0.0F)) // the cells that touched before cannot touch now
   {
-    pressures = (gap.array() < Away).cast<float>();
+    pressures = (gap.array() < NoContactGap).cast<float>();
   }
   pressures *= total / pressures.sum();
   Eigen::VectorXf direction = Eigen::VectorXf::Zero(gap.size());
@@ -140,7 +140,7 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     const Eigen::VectorXf rise = raw.array() - meanUnder(touching, raw);
     const float along = open.dot(direction);
     const float against = rise.dot(direction);
-    const bool isBalanced = !(along > 0.0F && against > 0.0F); // always true of a single cell
+    const bool isBalanced = !(along > 0.0F && against > 0.0F); // always true for a single cell
     // Cells with tension are released; cells that the surface has penetrated join the contact.
     const auto enters = touching == 0.0F && open.array() < 0.0F;
     if (isBalanced && !enters.any())
@@ -159,7 +159,7 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     const float carried = total / pressures.sum();
     pressures *= carried;
     sink = isSame ? Eigen::VectorXf(carried * (sink - length * raw)) : sinkUnder(pressures);
-    if ((pressures - before).lpNorm<1>() < Settled * total)
+    if ((pressures - before).lpNorm<1>() < LoadTolerance * total)
     {
       break;
     }
@@ -201,7 +201,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const double mean = this->meanGap(radius * cells.places.col(i).norm());
-    gap[i] = mean < Infinity ? static_cast<float>(mean / radius) : Away;
+    gap[i] = mean < Infinity ? static_cast<float>(mean / radius) : NoContactGap;
   }
   const double onMean = radius * settle(gap, load / (radius * radius), this->OnMean);
   if (this->Tool.largestContactRadius() < HalfWidth * radius)
@@ -212,7 +212,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
   change.isInside = false;
   Eigen::VectorXf around(count);
   double scale = radius;
-  for (int turn = 0; turn < MostTurns && !change.isInside; ++turn)
+  for (int turn = 0; turn < MostAttempts && !change.isInside; ++turn)
   {
     if (turn > 0)
     {
@@ -220,18 +220,18 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
         cells.places * this->OnShape.cast<double>() / static_cast<double>(this->OnShape.sum());
       this->OnShape = cells.ofHertz;
       this->Middle += scale * aside;
-      scale *= aside.norm() < CellSide ? Wider : 1.0;
+      scale *= aside.norm() < CellSide ? WideningFactor : 1.0;
     }
     for (Eigen::Index i = 0; i < count; ++i)
     {
       const Eigen::Vector2d at = this->Middle + scale * cells.places.col(i);
       const double mean = this->meanGap(at.norm());
       around[i] = mean < Infinity ? static_cast<float>(this->Heights.around(at) / scale) : 0.0F;
-      gap[i] = mean < Infinity ? static_cast<float>(mean / scale) + around[i] : Away;
+      gap[i] = mean < Infinity ? static_cast<float>(mean / scale) + around[i] : NoContactGap;
     }
     change.deflection = scale * settle(gap, load / (scale * scale), this->OnShape) - onMean;
     change.isInside = true;
-    bool isAtEnd = false; // of the known surface
+    bool isAtEnd = false; // whether the contact is at the end of the known surface
     for (Eigen::Index i = 0; i < count; ++i)
     {
       if (this->OnShape[i] > 0.0F)
@@ -254,7 +254,8 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
     if (this->OnShape[i] > 0.0F && this->OnShape[j] > 0.0F)
     {
       const double slope = static_cast<double>(around[i] - around[j]) / CellSide;
-      squares += 2.0 * slope * slope; // factor 2: the slope is in one of two directions
+      // The factor 2 is needed since a pair of cells gives the slope in only one of two directions.
+      squares += 2.0 * slope * slope;
       steps += 1.0;
     }
   }

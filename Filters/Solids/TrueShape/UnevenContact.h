@@ -11,18 +11,19 @@ namespace palpate
 /**
  * Contacts of an axisymmetric tool with a half-space whose surface has any shape around the axis.
  * The pressure is uniform on square cells (Love 1929). For a given force it is found by conjugate
- * gradients on the cells in contact (Polonsky and Keer 1999). Frictionless, small slopes.
+ * gradients on the cells in contact (Polonsky and Keer 1999). Friction is not included, and slopes
+ * are assumed to be small.
  *
  * The result is the difference from the contact with the angle mean of the surface. The same cells
  * solve both contacts, so most of the error of the cells cancels.
  *
- * One object serves one tool at one place. Each contact starts with the pressures of the one
- * before. Not safe from several threads. Cost: 0.1 ms per contact.
+ * One object is used for one tool at one place. The solution of each contact starts with the
+ * pressures of the previous contact. Not safe from several threads. Cost: 0.1 ms per contact.
  */
 class PALPATE_EXPORT UnevenContact
 {
 public:
-  /// Both must outlive this object.
+  /// Tool and gap must outlive this object.
   UnevenContact(const AxisymmetricTool& tool, const SurfaceGap& gap);
 
   struct Change
@@ -31,10 +32,11 @@ public:
     double deflection = 0.0;
     /// Mean square slope, under the contact, of the deviation from the mean surface.
     double steepness = 0.0;
-    bool isInside = true; ///< the surface is known all around the contact
+    bool isInside = true; ///< whether the surface is known all around the contact
   };
 
-  /// Contact under `load`, F/E* in mm², > 0. `radius`: contact radius on the mean surface, mm.
+  /// Solves the contact under `load`, F/E* in mm², > 0. `radius`: contact radius on the mean
+  /// surface, mm.
   Change at(double radius, double load);
 
 private:
@@ -44,7 +46,7 @@ private:
   const AxisymmetricTool& Tool;
   double Reach;
   SurfaceGap::Spectrum Heights;
-  Eigen::Vector2d Middle = Eigen::Vector2d::Zero(); ///< of the previous contact, mm
+  Eigen::Vector2d Middle = Eigen::Vector2d::Zero(); ///< middle of the previous contact, mm
   Eigen::VectorXf OnShape;                          ///< pressures of the previous contact
   Eigen::VectorXf OnMean;
 };

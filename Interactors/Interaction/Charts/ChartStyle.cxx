@@ -23,7 +23,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double TitleGap = 0.4; // of a line's height, between the title and the frame
+// Gap between the title and the frame, as a fraction of a line's height.
+constexpr double TitleGap = 0.4;
 
 /// The smallest of 1, 2, 5 times a power of ten that divides `span` into at most `steps` steps.
 double niceStep(double span, int steps)

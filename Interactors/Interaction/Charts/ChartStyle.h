@@ -25,7 +25,7 @@ void fitAxisBefore(vtkAxis* axis, double span, int steps);
 /// It begins `below` before `first`.
 void fitLogAxis(vtkAxis* axis, int first, int last, double below = 0.0);
 
-/// Title, title size and label size in points.
+/// Sets the title of an axis, and the sizes of title and labels in points.
 void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize);
 
 /// Sets the size of the title in points, and its text ("" for none). VTK alone would put the text

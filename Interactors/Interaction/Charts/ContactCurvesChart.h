@@ -12,12 +12,12 @@
 
 namespace palpate
 {
-/// Force (N) over deflection (mm) of some curves at a contact. They are dotted beyond validity; a
-/// curve may have a band of its error. A running point shows the present force.
+/// Chart of force (N) over deflection (mm) for several curves at a contact. The curves are dotted
+/// beyond validity, and a curve may have an error band. A running point shows the present force.
 class ContactCurvesChart : public LiveChart
 {
 public:
-  static constexpr int Steps = 60; ///< per curve
+  static constexpr int Steps = 60; ///< number of steps of a curve
 
   /// The style of a curve.
   struct Style
@@ -37,16 +37,17 @@ public:
   struct Curve
   {
     std::function<double(double)> force;      ///< N, at a deflection in mm; NaN: no value
-    double end = 0.0;                         ///< last deflection, mm
+    double end = 0.0;                         ///< largest deflection, mm
     double validity = 0.0;                    ///< mm
-    std::function<double(double)> error = {}; ///< relative, at a deflection in mm; null: no band
+    std::function<double(double)> error = {}; ///< relative error, at a deflection in mm; null: no
+                                              ///< band
   };
 
   ContactCurvesChart();
 
-  /// Sets the curves. No effect if they are the same as before.
+  /// Sets the styles, one per curve. Has no effect if the styles are unchanged.
   void choose(const std::vector<Style>& styles);
-  /// One curve per style.
+  /// Shows one curve per style.
   void show(const std::vector<Curve>& curves);
   /// Places or hides the running point.
   void showPoint(double deflection, double force);
@@ -58,7 +59,7 @@ private:
     explicit Line(const std::string& label);
     void show(const Curve& curve);
 
-    PlotTable trusted; ///< up to validity
+    PlotTable trusted; ///< the part up to validity
     PlotTable beyond;
     BandTable band;
   };

@@ -24,8 +24,9 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// A point is taken to be on the smooth surface if it is farther than this from the plane of its
-/// triangle, in edge lengths. The limit allows for the single precision of the tick's coordinates.
+/// A point is assumed to be on the smooth surface if its distance from the plane of its triangle
+/// exceeds this value, in edge lengths. The limit allows for the single precision of the tick's
+/// coordinates.
 constexpr double OffPlane = 1e-5;
 
 /// Area coordinates of a point of the patch, found by Gauss-Newton steps from those of its
@@ -33,7 +34,7 @@ constexpr double OffPlane = 1e-5;
 Vector3 weightsOnPatch(
   const Corners& corners, const Corners& normals, const Vector3& point, const Vector3& foot)
 {
-  constexpr int Steps = 5; // converges quadratically; an offset is a few percent at first
+  constexpr int Steps = 5; // convergence is quadratic, and the first error is a few per cent
   SmoothTriangle patch;
   if (!patch.build(corners, normals))
   {
@@ -53,7 +54,8 @@ Vector3 weightsOnPatch(
   return weights.allFinite() ? Vector3(weights / weights.sum()) : foot;
 }
 
-/// The values of three points from an array with `count` values per point. Empty without an array.
+/// Copies the values of three points from an array with `count` values per point. Empty without an
+/// array.
 template <class Value>
 std::vector<Value> ofCorners(
   const Value* values, const std::array<vtkIdType, 3>& corners, std::size_t count)

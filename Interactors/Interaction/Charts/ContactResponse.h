@@ -22,9 +22,9 @@ struct ContactTriangle
   std::array<vtkIdType, 3> corners{};
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
 
-  /// Fills this from triangle `index` of the body's polygons and a point, mm. The point is on the
-  /// triangle, or on the smooth surface that the normals of the response `name` define over it.
-  /// Returns false if there is no such triangle.
+  /// Sets corners and weights from triangle `index` of the body's polygons and a point, mm. The
+  /// point is on the triangle, or on the smooth surface that the normals of the response `name`
+  /// define over it. Returns false if there is no such triangle.
   bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
 };
 
@@ -61,9 +61,10 @@ private:
   bool isSound() const;
   BlendedResponse blend() const { return { this->Field, { 0, 1, 2 }, this->Weights }; }
 
-  ResponseField Field; ///< of the three corners
+  ResponseField Field; ///< response of the three corners
   Vector3 Weights;
-  std::vector<float> Errors; ///< of the samples of the three corners; empty: not stored
+  std::vector<float> Errors; ///< errors at the samples of the three corners; empty: no errors are
+                             ///< stored
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

@@ -32,7 +32,7 @@ bool ForceDeflectionChart::isNear(const Point& one, const Point& other) const
   const double up = Resolution * this->endUp();
   return std::abs(one.deflection - other.deflection) < across &&
     std::abs(one.ideal - other.ideal) < up &&
-    !(std::abs(one.applied - other.applied) >= up); // NaN: no force is applied
+    !(std::abs(one.applied - other.applied) >= up); // NaN means that no force is applied
 }
 
 void ForceDeflectionChart::add(
@@ -40,7 +40,7 @@ void ForceDeflectionChart::add(
 {
   if (touches && !this->Touches)
   {
-    this->Way.clear();
+    this->Path.clear();
   }
   this->Touches = touches;
   if (std::isfinite(applied))
@@ -56,18 +56,18 @@ void ForceDeflectionChart::add(
     this->SlowPlot->SetVisible(true);
   }
   const Point point{ deflection, ideal, applied, slow };
-  const std::size_t count = this->Way.size();
-  if (count > 1 && this->isNear(this->Way[count - 2], point))
+  const std::size_t count = this->Path.size();
+  if (count > 1 && this->isNear(this->Path[count - 2], point))
   {
-    this->Way.back() = point;
+    this->Path.back() = point;
   }
   else
   {
-    this->Way.push_back(point);
+    this->Path.push_back(point);
   }
-  if (this->Way.size() > LargestCount)
+  if (this->Path.size() > LargestCount)
   {
-    this->Way.pop_front();
+    this->Path.pop_front();
   }
   this->LargestDeflection = std::max(this->LargestDeflection, deflection);
   this->LargestForce = std::max({ this->LargestForce, ideal, applied, slow });
@@ -75,7 +75,7 @@ void ForceDeflectionChart::add(
 
 void ForceDeflectionChart::clear()
 {
-  this->Way.clear();
+  this->Path.clear();
   this->Touches = false;
   this->AppliedPlot->SetVisible(false);
   this->SlowPlot->SetVisible(false);
@@ -90,7 +90,7 @@ void ForceDeflectionChart::show()
   this->Slow.begin();
   this->Ideal.begin();
   this->Applied.begin();
-  for (const Point& point : this->Way)
+  for (const Point& point : this->Path)
   {
     this->Slow.add(point.deflection, point.slow);
     this->Ideal.add(point.deflection, point.ideal);
@@ -100,9 +100,9 @@ void ForceDeflectionChart::show()
   this->Ideal.end();
   this->Applied.end();
   this->Now.begin();
-  if (this->Touches && !this->Way.empty())
+  if (this->Touches && !this->Path.empty())
   {
-    this->Now.add(this->Way.back().deflection, this->Way.back().ideal);
+    this->Now.add(this->Path.back().deflection, this->Path.back().ideal);
   }
   this->Now.end();
 }

@@ -10,11 +10,12 @@
 namespace palpate
 {
 /**
- * Ideal and applied force (N) over the deflection (mm) since the contact last began. If the body
- * relaxes, the slow force at these depths is shown, too; the ideal force makes a loop around it.
+ * Chart of the ideal and the applied force (N) over the deflection (mm) since the contact last
+ * began. If the body relaxes, the slow force at these depths is shown, too; the curve of the ideal
+ * force is a loop around it.
  *
- * The path is stored as points that differ by Resolution of an axis, in deflection or in a force.
- * At most the last LargestCount points are stored.
+ * Successive stored points differ in deflection or in a force by at least the fraction Resolution
+ * of the axis. At most the last LargestCount points are stored.
  */
 class ForceDeflectionChart : public LiveChart
 {
@@ -43,10 +44,10 @@ private:
   PlotTable Applied;
   PlotTable Slow;
   PlotTable Now;
-  vtkPlot* AppliedPlot;  ///< visible if a force is applied
-  vtkPlot* SlowPlot;     ///< visible if it differs from the ideal one
-  std::deque<Point> Way; ///< the last point is the newest tick, at any distance from the point
-                         ///< before
+  vtkPlot* AppliedPlot;   ///< visible if a force is applied
+  vtkPlot* SlowPlot;      ///< visible if the slow force differs from the ideal force
+  std::deque<Point> Path; ///< the last point is the newest tick; its distance from the previous
+                          ///< point may be smaller than Resolution
   bool Touches = false;
   double LargestDeflection = 0.0;
   double LargestForce = 0.0;

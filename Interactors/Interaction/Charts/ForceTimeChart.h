@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Ideal, applied, friction and memory force (N) over the last seconds. The last three are shown
-/// once they occur. Negative memory is below the axis.
+/// Chart of the ideal force, applied force, friction and memory force (N) over the last seconds.
+/// The last three are shown as soon as they occur. A negative memory force is drawn below the axis.
 class ForceTimeChart : public LiveChart
 {
 public:
@@ -19,7 +19,7 @@ public:
   double seconds() const { return this->Ideal.signal.seconds(); }
   void add(double time, double ideal, double applied, double friction, double memory);
   void clear();
-  /// Plots the values added; the title shows `lostTicks`.
+  /// Plots the values that were added; the title shows `lostTicks`.
   void show(long long lostTicks);
 
 private:

@@ -21,9 +21,9 @@ namespace
 constexpr int TitleSize = 15;
 constexpr int AxisTitleSize = 14;
 constexpr int LabelSize = 13;
-constexpr int Steps = 5; // of an axis, at most, since a chart may be small
+constexpr int Steps = 5; // largest number of steps of an axis; a chart may be small
 
-constexpr double Shape = 1.35; // width over height
+constexpr double Shape = 1.35; // ratio of width to height
 constexpr float Margin = 6.0F; // pixels around a chart
 
 int rowsOf(int count, int columns)

@@ -11,7 +11,7 @@ class vtkChartXY;
 
 namespace palpate
 {
-/// Common base of the charts of a live window: title, two axes, a legend. The end of an axis grows
+/// Base class of the charts of a live window: title, two axes, a legend. The end of an axis grows
 /// with the values; it shrinks only after reset().
 class LiveChart
 {
@@ -27,10 +27,10 @@ public:
   /// Extends an axis, from 0, if it ends before `largest`.
   void growAcross(double largest) { this->grow(AxisAcross, this->EndAcross, largest); }
   void growUp(double largest) { this->grow(AxisUp, this->EndUp, largest); }
-  /// Ends of the axes; 0 before the first grow.
+  /// Ends of the axes; 0 before the first call of growAcross() or growUp().
   double endAcross() const { return this->EndAcross; }
   double endUp() const { return this->EndUp; }
-  /// The next grow starts from 0.
+  /// Resets both ends to 0, from where the axes grow again.
   void reset() { this->EndAcross = this->EndUp = 0.0; }
 
 private:

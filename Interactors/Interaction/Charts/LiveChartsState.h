@@ -47,7 +47,7 @@ struct vtkLiveCharts::Parts
   vtkMTimeType knownTime = 0;
   std::string knownName;
 
-  // How far the run of a session, or a recording, has been read.
+  // Position up to which the run of a session, or a recording, has been read.
   vtkIdType run = 0;
   std::uint64_t seen = 0;
   vtkSmartPointer<vtkPolyData> probed;
@@ -65,7 +65,7 @@ struct vtkLiveCharts::Parts
 
   /// Clears the forces; keeps the ranges of the axes.
   void forget();
-  /// Changes to the responses of a body, if they differ from the present ones.
+  /// Uses the responses of a body from now on, if they differ from the present ones.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
   void add(const palpate::Tick& felt);

@@ -17,7 +17,8 @@
 
 namespace palpate
 {
-/// Two columns that are filled repeatedly, and their line or marker. A row of NaN is a gap.
+/// A table of two columns that is filled again for each picture, and its line or marker. A row of
+/// NaN makes a gap in the line.
 class PlotTable
 {
 public:
@@ -46,7 +47,8 @@ public:
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     this->add(none, none);
   }
-  /// Without rows a gap is added, so that the entry in the legend remains.
+  /// Ends the filling. A table without rows gets a row of NaN, so that the entry in the legend
+  /// remains.
   void end()
   {
     if (this->X->GetNumberOfValues() == 0)
@@ -92,8 +94,8 @@ private:
   vtkNew<vtkDoubleArray> Y;
 };
 
-/// Three columns that are filled repeatedly, with the area between the second and the third
-/// (addBand). Nothing is drawn without rows.
+/// A table of three columns that is filled again for each picture, with the area between the second
+/// and the third column (addBand). Without rows nothing is drawn.
 class BandTable
 {
 public:
@@ -123,7 +125,7 @@ public:
     this->Least->InsertNextValue(least);
     this->Most->InsertNextValue(most);
   }
-  /// An area needs two rows.
+  /// Ends the filling. An area needs at least two rows.
   void end()
   {
     while (this->X->GetNumberOfValues() < 2)

@@ -115,10 +115,11 @@ private:
   const Bin& binOf(std::int64_t number) const { return this->Bins[this->slotOf(number)]; }
 
   double Seconds;
-  double Width; ///< of a bin, s
+  double Width; ///< width of a bin, s
   std::vector<Bin> Bins;
   double Newest = -std::numeric_limits<double>::infinity();
-  double Interval = std::numeric_limits<double>::infinity(); ///< between the newest two, s
+  double Interval = std::numeric_limits<double>::infinity(); ///< time between the newest two
+                                                             ///< values, s
 };
 } // namespace palpate
 

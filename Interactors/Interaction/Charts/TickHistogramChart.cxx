@@ -18,12 +18,13 @@ constexpr const char* Labels[3] = { "Period", "Wake-up after deadline", "Tick" }
 constexpr float Widths[3] = { 4.0F, 2.0F, 2.0F };
 constexpr int Classes = TickHistogramChart::ClassesPerDecade *
   (TickHistogramChart::LastDecade - TickHistogramChart::FirstDecade);
-constexpr double Below = 0.3; // of a decade: where empty classes are drawn
+constexpr double EmptyClassDepth =
+  0.3; // empty classes are drawn this fraction of a decade below the axis
 
 using Counts = std::array<double, Classes>;
 
-/// Index of the class that contains a duration. The first and the last class include all durations
-/// beyond them.
+/// Index of the class that contains a duration. The first class includes all shorter durations, the
+/// last class all longer ones.
 int classOf(double microseconds)
 {
   const double decades = std::log10(microseconds) - TickHistogramChart::FirstDecade;
@@ -51,7 +52,7 @@ Counts countsOf(vtkTable* histogram, const char* name)
 
 double heightOf(double count)
 {
-  return count > 0.0 ? std::log10(count) : -2.0 * Below;
+  return count > 0.0 ? std::log10(count) : -2.0 * EmptyClassDepth;
 }
 } // namespace
 
@@ -79,7 +80,7 @@ void TickHistogramChart::fitAxes(int decades, double largestCount)
   if (high > this->DecadesUp)
   {
     this->DecadesUp = high;
-    fitLogAxis(this->chart()->GetAxis(vtkAxis::LEFT), 0, high, Below);
+    fitLogAxis(this->chart()->GetAxis(vtkAxis::LEFT), 0, high, EmptyClassDepth);
   }
 }
 

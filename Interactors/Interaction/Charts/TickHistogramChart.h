@@ -10,12 +10,12 @@
 namespace palpate
 {
 /// Histograms of the period, wake-up and duration of ticks. Both axes are logarithmic, with
-/// ClassesPerDecade classes per decade from 0.1 us on.
+/// ClassesPerDecade classes per decade beginning at 0.1 us.
 class TickHistogramChart : public LiveChart
 {
 public:
   static constexpr int ClassesPerDecade = 10;
-  static constexpr int FirstDecade = -1; ///< of a microsecond
+  static constexpr int FirstDecade = -1; ///< exponent of the first decade, in microseconds
   static constexpr int LastDecade = 6;
 
   TickHistogramChart();

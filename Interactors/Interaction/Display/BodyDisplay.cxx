@@ -56,7 +56,7 @@ FieldContact fieldContact(const ShownContact& shown)
   const Contact& felt = shown.tick.contact;
   FieldContact contact{ shown.cell, felt.deflection,
     (shown.tick.idealForce - felt.friction).dot(felt.normal), felt.contactPoint, felt.normal };
-  if (shown.isLetDown())
+  if (shown.isLowered())
   {
     contact.depth = shown.tipDepth();
   }
@@ -70,7 +70,7 @@ struct BodyDisplay::Dent
   double circleRadius = 0.0;
   double circleDepth = 0.0;
   double edge = 1.0;                    ///< mean length of the edges of the triangle in contact, mm
-  vtkSmartPointer<vtkContactTool> tool; ///< of the last field, which references it
+  vtkSmartPointer<vtkContactTool> tool; ///< tool of the last field, which has a reference to it
   std::shared_ptr<const LayerKernel> kernel;
   std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
 };
@@ -104,7 +104,7 @@ void BodyDisplay::setBody(vtkPolyData* body)
   this->Body = body;
   for (Dent& dent : this->Dents)
   {
-    dent.contact.cell = -1; // it was a contact with the former body
+    dent.contact.cell = -1; // the contact was with the former body
   }
   this->BodyTime = 0;
   this->refresh();
@@ -125,7 +125,7 @@ void BodyDisplay::setPoissonRatio(double ratio)
 void BodyDisplay::setResponseName(const std::string& name)
 {
   this->ResponseName = name;
-  this->BodyTime = 0; // the modes differ: read the body again
+  this->BodyTime = 0; // the modes differ, so the body is read again
   this->refresh();
 }
 
@@ -336,7 +336,7 @@ void BodyDisplay::showByPoints()
   const bool isNew = this->BodyTime != this->Body->GetMTime();
   if (!this->touches() && !this->IsDented && !isNew)
   {
-    return; // there was no dent and there is none: the body need not be redrawn
+    return; // there was no dent and there is none, so the body need not be drawn again
   }
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;

@@ -27,18 +27,19 @@ class DentMapper;
  * Draws the body with the dents of its contacts. The dents add up; the length of the displacement
  * gives the colour.
  *
- * By shader (the default) a frame costs the same for any size of the mesh. Otherwise each point is
- * computed in each frame (BodyField). Both draw the same field, see ContactField; for the limits of
- * the shader see DeflectionShader. Pickers that draw (vtkHardwareSelector) always see the displaced
- * surface. Pickers that intersect the data of the actor (vtkCellPicker) see the displaced surface
- * if points are computed, and the undeformed body with the shader.
+ * With the shader (default) the cost of a frame does not depend on the size of the mesh. Otherwise
+ * the displacement of each point is computed in each frame (BodyField). Both draw the same field,
+ * see ContactField; for the limits of the shader see DeflectionShader. Pickers that draw
+ * (vtkHardwareSelector) always see the displaced surface. Pickers that intersect the data of the
+ * actor (vtkCellPicker) see the displaced surface if points are computed, and the undeformed body
+ * with the shader.
  *
  * Setters take effect in the next frame. show() notices a changed body.
  */
 class BodyDisplay
 {
 public:
-  /// `colors` gives the colours and the range of the displacement, mm.
+  /// `colors` holds the colours and the range of the displacement, mm.
   explicit BodyDisplay(vtkLookupTable* colors);
   ~BodyDisplay();
   BodyDisplay(const BodyDisplay&) = delete;
@@ -49,10 +50,10 @@ public:
   void setPoissonRatio(double ratio);
   /// Prefix of the response in use. Default "Response".
   void setResponseName(const std::string& name);
-  /// Distance from the contact at which the field ends, mm; it fades over its last quarter. 0
-  /// (default): DeflectionShader::FieldRadii contact radii.
+  /// Distance from the contact at which the field ends, mm. The field fades over its last quarter.
+  /// 0 (default): DeflectionShader::FieldRadii contact radii.
   void setFieldRadius(double radius);
-  /// Factor by which the dent is drawn deeper.
+  /// Factor by which the drawn dent is deeper than the computed one.
   void setExaggeration(double factor);
   double exaggeration() const;
   void setByShader(bool on);
@@ -79,8 +80,8 @@ private:
   void refresh();
   void showByShader();
   void showByPoints();
-  /// Makes the field of a dent as drawn. If the body does not allow one, returns an empty field and
-  /// sets `fault`.
+  /// Makes the field of a dent for drawing. If the body does not allow a field, returns an empty
+  /// field and sets `fault`.
   ContactField makeField(Dent& dent, std::string& fault);
   bool touches() const;
   /// Displacement of each point by one dent.
@@ -88,15 +89,16 @@ private:
   void complain(const std::string& fault);
 
   vtkSmartPointer<vtkActor> Actor;
-  std::vector<Dent> Dents; ///< at least one
+  std::vector<Dent> Dents; ///< one per contact, at least one
   double FieldRadius = 0.0;
   bool ByShader = true;
 
   vtkSmartPointer<vtkPolyData> Body;
-  vtkMTimeType BodyTime = 0;            ///< of the body drawn by the shader
-  std::vector<vtkMTimeType> DrawnTimes; ///< of the surface and the modes that the mapper has
+  vtkMTimeType BodyTime = 0;            ///< modification time of the body that the shader draws
+  std::vector<vtkMTimeType> DrawnTimes; ///< modification times of the surface and the modes in the
+                                        ///< mapper
   vtkSmartPointer<vtkContactTool> Tool;
-  std::string Fault;       ///< the last one reported
+  std::string Fault;       ///< the last reported fault
   bool HasField = true;    ///< whether a field can be drawn on the body
   double ModeLength = 0.0; ///< longest vector of any mode
   vtkSmartPointer<DentMapper> Mapper;

@@ -17,7 +17,7 @@ constexpr double Closest = 1e-6; // mm: nearer points are merged
 DashedLine::DashedLine(double dash, double gap)
   : Dash(dash)
   , Gap(gap)
-  , Left(dash)
+  , Remaining(dash)
   , Points(vtkSmartPointer<vtkPoints>::New())
   , Lines(vtkSmartPointer<vtkCellArray>::New())
   , Values(vtkSmartPointer<vtkDoubleArray>::New())
@@ -33,7 +33,7 @@ void DashedLine::moveTo(const Eigen::Vector3d& point, double value)
   this->Last = point;
   this->LastValue = value;
   this->InGap = false;
-  this->Left = this->Dash;
+  this->Remaining = this->Dash;
 }
 
 void DashedLine::lineTo(const Eigen::Vector3d& point, double value, bool dashed)
@@ -48,14 +48,14 @@ void DashedLine::lineTo(const Eigen::Vector3d& point, double value, bool dashed)
   if (!dashed)
   {
     this->InGap = false;
-    this->Left = this->Dash;
+    this->Remaining = this->Dash;
     this->extend(point, value);
     return;
   }
   double along = 0.0;
-  while (length - along > this->Left)
+  while (length - along > this->Remaining)
   {
-    along += this->Left;
+    along += this->Remaining;
     const double share = along / length;
     const Eigen::Vector3d cut = from + share * (point - from);
     const double cutValue = fromValue + share * (value - fromValue);
@@ -67,9 +67,9 @@ void DashedLine::lineTo(const Eigen::Vector3d& point, double value, bool dashed)
     this->Last = cut;
     this->LastValue = cutValue;
     this->InGap = !this->InGap;
-    this->Left = this->InGap ? this->Gap : this->Dash;
+    this->Remaining = this->InGap ? this->Gap : this->Dash;
   }
-  this->Left -= length - along;
+  this->Remaining -= length - along;
   if (!this->InGap)
   {
     this->extend(point, value);
@@ -82,16 +82,16 @@ void DashedLine::extend(const Eigen::Vector3d& point, double value)
 {
   if ((point - this->Last).norm() > Closest)
   {
-    if (this->Open == 0)
+    if (this->OpenPoints == 0)
     {
       this->Lines->InsertNextCell(0);
       this->Lines->InsertCellPoint(this->Points->InsertNextPoint(this->Last.data()));
       this->Values->InsertNextValue(this->LastValue);
-      this->Open = 1;
+      this->OpenPoints = 1;
     }
     this->Lines->InsertCellPoint(this->Points->InsertNextPoint(point.data()));
     this->Values->InsertNextValue(value);
-    ++this->Open;
+    ++this->OpenPoints;
   }
   this->Last = point;
   this->LastValue = value;
@@ -99,10 +99,10 @@ void DashedLine::extend(const Eigen::Vector3d& point, double value)
 
 void DashedLine::end()
 {
-  if (this->Open > 0)
+  if (this->OpenPoints > 0)
   {
-    this->Lines->UpdateCellCount(static_cast<int>(this->Open));
-    this->Open = 0;
+    this->Lines->UpdateCellCount(static_cast<int>(this->OpenPoints));
+    this->OpenPoints = 0;
   }
 }
 

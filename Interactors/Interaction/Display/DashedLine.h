@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Lines through points, partly dashed, as input of vtkTubeFilter: no line has two points at the
-/// same position. Each point has a value, linear between points.
+/// Makes lines through points, partly dashed, as input of vtkTubeFilter: no line has two points at
+/// the same position. Each point has a value, which is interpolated linearly along the line.
 class DashedLine
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   /// Begins a line.
   void moveTo(const Eigen::Vector3d& point, double value = 0.0);
-  /// Draws from the last point to this one; dashes continue around corners.
+  /// Draws a line from the last point to `point`; dashes continue around corners.
   void lineTo(const Eigen::Vector3d& point, double value = 0.0, bool dashed = false);
 
   /// Returns all lines so far, with the values as the active scalars `name`.
@@ -39,10 +39,10 @@ private:
   double Dash;
   double Gap;
   bool InGap = false;
-  double Left; ///< length left of the present dash or gap, mm
+  double Remaining; ///< remaining length of the present dash or gap, mm
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
   double LastValue = 0.0;
-  vtkIdType Open = 0; ///< number of points of the current line
+  vtkIdType OpenPoints = 0; ///< number of points of the current line
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkDoubleArray> Values;

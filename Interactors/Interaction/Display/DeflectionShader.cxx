@@ -149,12 +149,12 @@ vec3 palpateDents(vec3 x, inout vec3 n)
 }
 )";
 
-/// Uniforms with one value per contact. Only these change their size.
+/// Uniforms with one value per contact. Only their size changes with the number of contacts.
 constexpr std::array<const char*, 9> PerContact = { "palpateNear", "palpateBend", "palpateTwist",
   "palpateStep", "palpateContact", "palpateNormal", "palpateRange", "palpateDraw", "palpateTable" };
 
-/// Displaces the vertex first, so that all later code of VTK uses the displaced vertex. The name of
-/// its texture coordinate for colours is tcoord in VTK, colorTCoord since 9.3.
+/// Displaces the vertex first, so that all later code of VTK uses the displaced vertex. The texture
+/// coordinate for colours is called tcoord in VTK, and colorTCoord since 9.3.
 std::string displacement(int modes)
 {
   return std::string(R"(
@@ -265,7 +265,7 @@ void DeflectionShader::install(const Code& code)
   this->remove();
   this->IsInstalled = true;
   this->Installed = code;
-  // Set all uniforms once, since they are declared when they are first set.
+  // All uniforms are set here, since VTK declares a uniform when it is first set.
   setColors(this->Property, 0.0F, 0.0F, 0.0F);
   this->show({}, 1.0);
   const std::string choice = "\n#define PALPATE_CONTACTS " + std::to_string(code.contacts) +
@@ -317,16 +317,16 @@ DentMapper::DentMapper()
 void DentMapper::setDent(const double deepest[3], double around)
 {
   std::copy_n(deepest, 3, this->Deepest);
-  this->Around = around;
+  this->BoundsMargin = around;
 }
 
 void DentMapper::ComputeBounds()
 {
   this->Superclass::ComputeBounds();
-  if (this->Around >= 0.0 && vtkBoundingBox(this->Bounds).IsValid())
+  if (this->BoundsMargin >= 0.0 && vtkBoundingBox(this->Bounds).IsValid())
   {
     vtkBoundingBox box(this->Bounds);
-    box.Inflate(this->Around);
+    box.Inflate(this->BoundsMargin);
     box.AddPoint(this->Deepest);
     box.GetBounds(this->Bounds);
   }
@@ -341,7 +341,7 @@ void DentMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 }
 
 // The mapper makes a texture of the lookup table, and only the mapper can map a value to its
-// texture coordinate. So it maps the two ends of the range.
+// texture coordinate. Therefore this function lets the mapper map the two ends of the range.
 void DentMapper::updateColors()
 {
   vtkScalarsToColors* colors = this->GetLookupTable();

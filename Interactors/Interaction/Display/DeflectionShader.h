@@ -24,9 +24,9 @@ struct DrawnDent
 
 /**
  * Evaluates ContactFields in the vertex shader of an actor. It moves the vertices, turns their
- * normals, and gives each vertex the texture coordinate for the length of its displacement. It
- * needs only uniforms, so the processor time of a frame does not depend on the mesh. Fields of
- * several contacts add up.
+ * normals, and sets the texture coordinate of each vertex from the length of its displacement. The
+ * data are passed only as uniforms, so the processor time of a frame does not depend on the mesh.
+ * Fields of several contacts add up.
  *
  * The mapper must provide:
  * - the point array SurfaceNormals (angle-weighted normals) as the vertex attribute
@@ -36,11 +36,12 @@ struct DrawnDent
  * - scalars that are interpolated before mapping.
  *
  * As in vtkContactDeflection, r is the length of the arc from the contact, and the field ends 60°
- * from the contact normal. Unlike there, connection along the surface is not checked: a fold or
- * another part of the body moves, too, if it is within the reach of the field and faces the same
- * way. The reach (FieldRadii) limits this.
+ * from the contact normal. Unlike vtkContactDeflection, the shader does not check that the surface
+ * is connected: a fold or another part of the body moves, too, if it is within the reach of the
+ * field and faces the same way. A small reach (FieldRadii) limits this error.
  *
- * The turned normal follows the slopes of the table, taken over two edges of the mesh.
+ * The turned normal is computed from the slopes of the table, which are taken over two edges of the
+ * mesh.
  */
 class DeflectionShader
 {
@@ -50,7 +51,8 @@ public:
   /// 4 % of it remain, and fades beyond.
   static constexpr double FieldRadii = 20.0;
 
-  /// Distance at which a field ends, mm: its reach, or FieldRadii contact radii if it has none.
+  /// Distance at which a field ends, mm: the reach of the field, or FieldRadii contact radii if it
+  /// has no reach.
   static double reachOf(const ContactField& field);
 
   explicit DeflectionShader(vtkActor* actor);
@@ -60,8 +62,8 @@ public:
   {
     int modes = 0; ///< number of global modes of the body
     bool hasNearField = false;
-    int contacts = 1; ///< 600 floats of uniforms each. OpenGL 3.2 guarantees room for one, graphics
-                      ///< cards have room for six.
+    int contacts = 1; ///< each contact needs 600 floats of uniforms; OpenGL 3.2 guarantees space
+                      ///< for one contact, graphics cards have space for six
 
     bool operator==(const Code& other) const
     {
@@ -90,7 +92,7 @@ private:
  * Draws a body whose vertices a DeflectionShader moves. It keeps the colours of the shader equal to
  * those of the lookup table and includes the displaced vertices in the bounds. Points are not
  * shifted and scaled. Coordinates are floats, so the distance of the body from the origin must be
- * at most some thousand times the size of the body.
+ * at most a few thousand times the size of the body.
  */
 class DentMapper : public vtkOpenGLPolyDataMapper
 {
@@ -98,7 +100,7 @@ public:
   static DentMapper* New();
   vtkTypeMacro(DentMapper, vtkOpenGLPolyDataMapper);
 
-  /// Extends the bounds to this point, and by `around` mm around the body.
+  /// Extends the bounds to the point `deepest`, and by `around` mm on all sides of the body.
   void setDent(const double deepest[3], double around);
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
@@ -114,7 +116,7 @@ private:
   void updateColors();
 
   double Deepest[3] = { 0.0, 0.0, 0.0 };
-  double Around = -1.0; ///< < 0: no dent
+  double BoundsMargin = -1.0; ///< < 0: no dent
   vtkMTimeType ColorsTime = 0;
   float Coordinates[3] = { 0.0F, 0.0F, 0.0F }; ///< for DeflectionShader::setColors
 };

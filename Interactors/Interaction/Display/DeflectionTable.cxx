@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double Half = 0.5;    // q that divides the table of a tool without a kink
-constexpr double Longest = 1e3; // largest reach of a table, in contact radii
+constexpr double HalfParameter = 0.5; // q that divides the table of a tool without a kink
+constexpr double LongestReach = 1e3;  // largest reach of a table, in contact radii
 constexpr int Last = DeflectionTable::Intervals;
 
 /// q of a distance r. `sine` is r/a within the contact and a/r outside.
@@ -36,8 +36,8 @@ DeflectionTable::DeflectionTable(const ContactField& field, double reach, double
   }
   const double corner = field.kinkRadius();
   this->radius = static_cast<float>(a);
-  this->kink = static_cast<float>(corner > 0.0 ? parameterOf(corner / a) : Half);
-  this->far = static_cast<float>(parameterOf(1.0 / std::clamp(reach / a, 1.01, Longest)));
+  this->kink = static_cast<float>(corner > 0.0 ? parameterOf(corner / a) : HalfParameter);
+  this->far = static_cast<float>(parameterOf(1.0 / std::clamp(reach / a, 1.01, LongestReach)));
   for (int i = 0; i < Nodes; ++i)
   {
     const SurfaceDisplacement u = field.local(this->distanceOf(i));

@@ -13,10 +13,10 @@ class ContactField;
  * interpolation. The values are not faded.
  *
  * The parameter is q = r/(a + √(a²-r²)) within the contact and q = a/(r + √(r²-a²)) outside. These
- * are half-angle forms of r = a sin φ and r = a/sin φ. Over q the laws are smooth on either side of
- * the kink and of the vertical tangent at r = a. There are three segments: the tip, up to the kink
- * of the tool (half way if it has none); the rest of the contact; the outside, from the reach
- * (q = far) to a (q = 1).
+ * are half-angle forms of r = a sin φ and r = a/sin φ. As functions of q the laws are smooth on
+ * both sides of the kink, and of r = a, where the tangent is vertical. There are three segments:
+ * the tip, up to the kink of the tool (half way if the tool has no kink); the rest of the contact;
+ * the outside, from the reach (q = far) to a (q = 1).
  *
  * The slopes du/dr are taken over two edges of the mesh, as in the normals of a displaced mesh, so
  * that a step at the rim of a flat punch does not flicker.

@@ -22,7 +22,7 @@ constexpr Color TorqueColor = { 0.45, 0.20, 0.60 };
 constexpr Color MemoryForceColor = { 0.80, 0.47, 0.65 }; // for a body that relaxes
 
 constexpr Color ToolColor = { 0.45, 0.52, 0.62 };
-// Visible on the light and on the dark part of a dent.
+// This colour is visible on the light and on the dark part of a dent.
 constexpr Color CircleColor = { 0.10, 0.75, 0.95 };
 constexpr Color TextColor = { 0.10, 0.10, 0.12 };
 constexpr Color BackgroundColor = { 0.97, 0.97, 0.98 };

@@ -107,7 +107,7 @@ void DrawnSurface::give(
   drawn->CopyStructure(surface);
   const BodyMesh mesh = makeBodyMesh(surface);
   drawn->GetPointData()->SetNormals(normalsOf(mesh));
-  vtkNew<vtkFloatArray> none; // the mapper needs it to make a texture of the colours
+  vtkNew<vtkFloatArray> none; // the mapper needs an array to make a texture of the colours
   none->SetName(Displacement);
   none->SetNumberOfTuples(drawn->GetNumberOfPoints());
   none->Fill(0.0);

@@ -22,7 +22,7 @@ namespace palpate::DrawnSurface
 constexpr const char* Displacement = "ContactDisplacement";
 constexpr const char* Normals = "SurfaceNormals";
 
-/// Gives a mapper the surface of a body. The body must have passed checkTriangles.
+/// Sets the surface of a body as input of a mapper. The body must have passed checkTriangles.
 void give(vtkPolyData* body, const std::vector<vtkDataArray*>& modes, vtkPolyDataMapper* mapper);
 
 /// Modification times of the surface and the modes. They are unique, so equal times mean the same
@@ -44,8 +44,8 @@ constexpr std::size_t MostModes = 6; ///< limited by vertex attributes
 
 /**
  * Passes the global modes of a body as vertex attributes. A mode has the displacement φ and its
- * turn of the normal, d = -(∇φ)ᵀ n: six floats. They are packed four by four, since shaders have
- * few attributes. A surface that moves by w φ turns its normal n to n + w d, for small w.
+ * turn of the normal, d = -(∇φ)ᵀ n: six floats. They are packed four per attribute, since shaders
+ * have few attributes. A surface that moves by w φ turns its normal n to n + w d, for small w.
  *
  * Adds the packed arrays to `drawn`, which has the points of `mesh`, and maps them. Modes after the
  * first MostModes are left out.
@@ -55,8 +55,8 @@ void addModeAttributes(const BodyMesh& mesh, const std::vector<vtkDataArray*>& m
 
 /// GLSL that declares the attributes of the modes.
 std::string modeDeclarations(int modes);
-/// GLSL that adds the modes, multiplied by the weights in the array of that name, to
-/// `displacement`, and their turn, multiplied by `exaggeration`, to `normal`.
+/// GLSL that adds the modes, multiplied by the weights in the array named `weights`, to
+/// `displacement`, and their turns, multiplied by `exaggeration`, to `normal`.
 std::string modeSum(int modes, const std::string& weights, const std::string& displacement,
   const std::string& normal, const std::string& exaggeration);
 } // namespace palpate

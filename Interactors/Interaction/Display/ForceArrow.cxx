@@ -98,7 +98,7 @@ void ForceArrow::show(const Eigen::Vector3d& origin, const Eigen::Vector3d& forc
   this->Cone->SetHeight(length - neck);
   this->Cone->SetRadius(size * this->Look.headRadius);
   this->Cone->SetCenter(0.5 * (length + neck), 0.0, 0.0);
-  this->Along = scale * force;
+  this->ArrowVector = scale * force;
   this->moveTo(origin);
   this->Actor->VisibilityOn();
   this->Label->VisibilityOn();
@@ -121,8 +121,8 @@ bool ForceArrow::isShown() const
 
 void ForceArrow::moveTo(const Eigen::Vector3d& origin)
 {
-  this->Head = origin + this->Along;
-  this->Actor->SetUserMatrix(frameAlong(origin.data(), this->Along.data(), 0));
+  this->Head = origin + this->ArrowVector;
+  this->Actor->SetUserMatrix(frameAlong(origin.data(), this->ArrowVector.data(), 0));
   this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
 }
 

@@ -20,7 +20,7 @@ class vtkTubeFilter;
 namespace palpate
 {
 /// Style of an arrow: radius of its shaft, radius and length of its head, mm. The head is at most
-/// 40 % of the arrow. An arrow shorter than a head is slimmer.
+/// 40 % of the arrow; head and shaft of a very short arrow are thinner.
 struct ArrowLook
 {
   Color color;
@@ -41,9 +41,9 @@ public:
   ForceArrow(const ForceArrow&) = delete;
   ForceArrow& operator=(const ForceArrow&) = delete;
 
-  /// Draws the arrow from `origin` (mm) at `scale` mm per N. The label is the magnitude, after
-  /// `name`, or without a name after a gap as wide as the head. A force that is zero or not finite
-  /// is not drawn.
+  /// Draws the arrow from `origin` (mm) at `scale` mm per N. The label is `name` and the magnitude;
+  /// without a name a gap as wide as the head precedes the magnitude. A force that is zero or not
+  /// finite is not drawn.
   void show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale, bool dashed,
     const std::string& name = "");
   void hide();
@@ -51,14 +51,14 @@ public:
   /// Moves the same arrow to another origin.
   void moveTo(const Eigen::Vector3d& origin);
 
-  Eigen::Vector3d tail() const { return this->Head - this->Along; }
+  Eigen::Vector3d tail() const { return this->Head - this->ArrowVector; }
   const Eigen::Vector3d& head() const { return this->Head; }
   vtkActor* actor() { return this->Actor; }
   vtkTextActor* label() { return this->Label; }
 
 private:
   ArrowLook Look;
-  Eigen::Vector3d Along = Eigen::Vector3d::Zero(); ///< from origin to head, mm
+  Eigen::Vector3d ArrowVector = Eigen::Vector3d::Zero(); ///< vector from origin to head, mm
   Eigen::Vector3d Head = Eigen::Vector3d::Zero();
   vtkSmartPointer<vtkTubeFilter> Shaft;
   vtkSmartPointer<vtkConeSource> Cone;
@@ -78,9 +78,9 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// Draws the arc around `center` (mm), beginning on the side of `from`. The arc is as long as the
-  /// arrow of the force that has this torque at the arc's radius, at `scale` mm per N; at most
-  /// 5.2 rad. A torque that is zero or not finite is not drawn.
+  /// Draws the arc around `center` (mm), beginning on the side of `from`. A force at the arc's
+  /// radius with the same torque would have an arrow as long as the arc, at `scale` mm per N. The
+  /// arc is at most 5.2 rad. A torque that is zero or not finite is not drawn.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();

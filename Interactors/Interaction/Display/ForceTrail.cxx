@@ -15,10 +15,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double TrailRadius = 0.5; // mm
-constexpr double TrailDash = 1.5;   // mm
-constexpr double TrailGap = 1.5;    // mm
-constexpr double Nearest = 0.05;    // mm, smallest distance between two contacts
+constexpr double TrailRadius = 0.5;       // mm
+constexpr double TrailDash = 1.5;         // mm
+constexpr double TrailGap = 1.5;          // mm
+constexpr double SmallestDistance = 0.05; // mm, smallest distance between two contacts
 } // namespace
 
 ForceTrail::ForceTrail(vtkLookupTable* colors)
@@ -87,10 +87,10 @@ void ForceTrail::add(const ShownContact& contact)
   this->InAir = false;
   if (this->IsNear)
   {
-    this->Contacts.pop_back(); // distances are measured from the contact before it
+    this->Contacts.pop_back(); // distances are measured from the contact before the removed one
   }
   this->IsNear = !place.begins && !this->Contacts.empty() &&
-    (place.point - this->Contacts.back().point).norm() < Nearest;
+    (place.point - this->Contacts.back().point).norm() < SmallestDistance;
   this->Contacts.push_back(place);
 }
 

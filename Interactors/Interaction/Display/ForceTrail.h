@@ -21,7 +21,7 @@ namespace palpate
 class ForceTrail
 {
 public:
-  /// `colors` gives the colours and the range of the force, N.
+  /// `colors` holds the colours and the range of the force, N.
   explicit ForceTrail(vtkLookupTable* colors);
   ~ForceTrail();
   ForceTrail(const ForceTrail&) = delete;
@@ -38,8 +38,8 @@ public:
   vtkActor* actor() { return this->Actor; }
 
 private:
-  /// Adds a contact. It replaces the last contact if it is too near to be distinguished from it. A
-  /// tick without contact ends the line.
+  /// Adds a contact. It replaces the last contact if that contact is closer than SmallestDistance
+  /// to the one before it. A tick without contact ends the line.
   void add(const ShownContact& contact);
   void draw();
 

@@ -13,8 +13,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double Spacing = 2.0; // pixels, between texts
-constexpr double Aside = 10.0;  // pixels, from the head
+constexpr double Spacing = 2.0;       // pixels, between texts
+constexpr double HeadDistance = 10.0; // pixels, from the head
 
 /// The box of a text, in pixels of the window.
 struct Box
@@ -31,7 +31,7 @@ struct Box
   }
 };
 
-/// The bottom nearest to that of `box` at which the box covers none of the others.
+/// Returns the bottom, nearest to the present one, at which `box` covers none of the others.
 double freeHeight(const Box& box, const std::vector<Box>& others)
 {
   const auto isFree = [&](double bottom)
@@ -87,7 +87,7 @@ void arrangeLabels(vtkViewport* viewport, const std::vector<AnchoredLabel>& labe
     if (!placed.empty())
     {
       const bool leftwards = head.x() < toDisplay(viewport, label.tail).x();
-      const double left = head.x() + (leftwards ? -box.width - Aside : Aside);
+      const double left = head.x() + (leftwards ? -box.width - HeadDistance : HeadDistance);
       const double rightmost = origin[0] + extent[0] - box.width - Spacing;
       box.left = std::max(origin[0] + Spacing, std::min(left, rightmost));
       box.bottom = freeHeight(box, placed);

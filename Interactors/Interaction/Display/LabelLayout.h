@@ -19,9 +19,9 @@ struct AnchoredLabel
   Eigen::Vector3d head;
 };
 
-/// Places each text next to the head of its arrow, on the side to which the arrow points. Moves it
-/// as little as possible, so that it neither covers an earlier text nor leaves the viewport. The
-/// first text begins at its head.
+/// Places each text next to the head of its arrow, on the side to which the arrow points. A text is
+/// then moved by the smallest distance at which it neither covers an earlier text nor leaves the
+/// viewport.
 void arrangeLabels(vtkViewport* viewport, const std::vector<AnchoredLabel>& labels);
 } // namespace palpate
 

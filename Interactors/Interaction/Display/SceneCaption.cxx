@@ -26,7 +26,7 @@ constexpr double LetterWidth = 0.52; // fraction of the font's size, on average
 constexpr double LineSpacing = 1.2;  // multiple of the font's height
 constexpr int FontSize = 17;
 constexpr int SmallFontSize = 14;
-constexpr double Narrow = 400.0; // pixels
+constexpr double NarrowWidth = 400.0; // pixels
 
 std::string millimetres(double length)
 {
@@ -56,11 +56,12 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
-/// Deflection of the tool's own dent. Adds the depth of the tip if other tools make it differ.
+/// Text with the deflection of the tool's own dent, and with the depth of the tip if other tools
+/// make the two differ.
 std::string deflectionOf(const ShownContact& contact)
 {
   return millimetres(contact.tick.contact.deflection) +
-    (contact.isLetDown() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
+    (contact.isLowered() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
 }
 
 /// Breaks a text into lines of at most `letters` letters, at blanks, preferably after a comma or
@@ -177,7 +178,7 @@ void SceneCaption::write(double width)
   {
     all += all.empty() || part.empty() ? part : "\n" + part;
   }
-  const int font = width < Narrow ? SmallFontSize : FontSize;
+  const int font = width < NarrowWidth ? SmallFontSize : FontSize;
   const double letters = std::max((width - 2.0 * Left) / (LetterWidth * font), 10.0);
   const std::string text = wrapped(all, static_cast<std::size_t>(letters));
   this->Actor->GetTextProperty()->SetFontSize(font);

@@ -24,15 +24,15 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// Sets the text of the contact, visible from the next write() on.
+  /// Sets the text of the contact, which the next write() shows.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
   /// Call after describe(): adds a line for another hand.
   void addHand(int number, const ShownContact& contact);
   void describeNothing() { this->Contact.clear(); }
 
-  /// Writes into a strip of the picture of this width, pixels. Longer lines are broken; a narrow
-  /// strip has a smaller font.
+  /// Writes the text into a strip of the picture with this width, pixels. Longer lines are broken;
+  /// in a narrow strip the font is smaller.
   void write(double width);
   /// Height of the text above the lower edge of the picture, pixels.
   double height() const { return this->Height; }

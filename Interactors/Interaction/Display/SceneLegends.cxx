@@ -58,7 +58,7 @@ void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
   }
 }
 
-/// A narrow bar with its title and five numbers, `fontSize` points.
+/// Styles a legend: a narrow bar with a title and five numbers in `fontSize` points.
 void styleLegend(vtkScalarBarActor* legend, vtkLookupTable* table, const char* title, int fontSize)
 {
   legend->SetLookupTable(table);

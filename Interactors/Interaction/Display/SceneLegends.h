@@ -16,8 +16,8 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// The colours of a scene and their legends in a column at the right edge: one for the displacement
-/// (mm), one for the force along the trail (N).
+/// The colour scales of a scene and their legends in a column at the right edge: one legend for the
+/// displacement (mm), one for the force along the trail (N).
 class SceneLegends
 {
 public:
@@ -54,11 +54,11 @@ public:
   ForceScale(const ForceScale&) = delete;
   ForceScale& operator=(const ForceScale&) = delete;
 
-  /// Chooses the number of newtons, once: about half of the largest force (N). `scale` is the
-  /// length of arrows, mm per N.
+  /// Chooses the number of newtons when first called: about half of the largest force (N). `scale`
+  /// is the length of arrows, mm per N.
   void choose(double largestForce, double scale);
-  /// Fits the arrow to the camera. If it would be longer than a third of the picture's width, it
-  /// shows the next smaller round number.
+  /// Fits the arrow to the camera. If the arrow would be longer than a third of the picture's
+  /// width, it shows the next smaller round number.
   void place(vtkRenderer* renderer, const Eigen::Vector3d& contact);
   void setVisibility(bool visible);
 

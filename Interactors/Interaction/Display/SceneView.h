@@ -20,17 +20,17 @@ struct ViewDirection
   Eigen::Vector3d up;
 };
 
-/// Shows all of the bounds, centred in the part of the picture to the left of the legends. The
-/// column of legends takes the fraction `column` of the picture's width.
+/// Moves the camera so that it shows the whole box, centred in the part of the picture to the left
+/// of the legends. The column of legends takes the fraction `column` of the picture's width.
 void lookAtBounds(
   vtkRenderer* renderer, const double bounds[6], const ViewDirection& view, double column);
 
-/// Shows a point from `distance` mm, a little below the middle of the picture, so that an arrow
-/// above it fits in.
+/// Moves the camera to `distance` mm from a point. The point is a little below the middle of the
+/// picture, so that an arrow above it is visible.
 void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
   const ViewDirection& view, double column);
 
-/// Sets the background and the light, which are common to all bodies.
+/// Sets background and light, which are the same for all bodies.
 inline void lightScene(vtkRenderer* renderer)
 {
   renderer->SetBackground(BackgroundColor[0], BackgroundColor[1], BackgroundColor[2]);

@@ -17,8 +17,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// True if a part of a force, or a difference from it, is more than 2 % of the force and so worth
-/// showing.
+/// Whether a part of a force, or a difference from the force, is large enough to be shown: more
+/// than 2 % of the force.
 inline bool isNoticeable(const Eigen::Vector3d& part, const Eigen::Vector3d& force)
 {
   return part.norm() > 0.02 * force.norm();
@@ -29,10 +29,10 @@ struct ShownContact
 {
   /// Without contact, the normal of the tick's contact is the direction of the tool.
   Tick tick;
-  bool hasApplied = false; ///< the tick has an applied force
-  std::string safety;  ///< why the applied force differs, in words; "" if it does not differ or the
-                       ///< reason is unknown
-  vtkIdType cell = -1; ///< of the body; -1: no contact
+  bool hasApplied = false; ///< whether the tick has an applied force
+  std::string safety;      ///< the reasons as text why the applied force differs; "" if it does not
+                           ///< differ or the reason is unknown
+  vtkIdType cell = -1;     ///< cell of the body; -1: no contact
 
   /// Depth at which the first assumption of the response fails at the contact, mm, and that
   /// assumption (ResponseLimit).
@@ -41,7 +41,7 @@ struct ShownContact
   /// Estimated relative error of the force; NaN if the response has no error array.
   double error = std::numeric_limits<double>::quiet_NaN();
 
-  /// True if other tools of the session may have lowered or raised the surface here.
+  /// Whether other tools of the session may have lowered or raised the surface at the contact.
   bool hasOthers = false;
 
   bool touches() const { return this->cell >= 0; }
@@ -50,8 +50,8 @@ struct ShownContact
   {
     return (this->tick.contact.contactPoint - this->tick.tip).dot(this->tick.contact.normal);
   }
-  /// True if other tools have changed the depth of the tip's own dent.
-  bool isLetDown() const
+  /// Whether other tools have changed the depth of the tip's own dent.
+  bool isLowered() const
   {
     constexpr double seen = 0.005; // mm
     return this->hasOthers && this->touches() && !(this->tick.contact.tilt > 0.0) &&
@@ -88,8 +88,8 @@ ShownContact contactOfNumbers(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell);
 
 /// Sets validity, limit and error of a contact from the arrays Validity, Limit and Error of the
-/// response with this prefix: the smallest of the three corners of its cell. Infinite without those
-/// arrays or without a contact.
+/// response with this prefix: the smallest validity of the three corners of its cell. Validity is
+/// infinite without these arrays or without a contact.
 void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
 } // namespace palpate
 

@@ -60,7 +60,7 @@ public:
   ShownHands(const ShownHands&) = delete;
   ShownHands& operator=(const ShownHands&) = delete;
 
-  /// Call once, before anything is shown.
+  /// Must be called once, before the first call of show().
   void setRenderer(vtkRenderer* renderer);
   void setTool(vtkContactTool* tool);
   void setVisibility(bool visible);

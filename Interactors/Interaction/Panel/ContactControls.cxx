@@ -24,7 +24,8 @@ constexpr PanelScale ModulusScale{ 0.001, 10.0, true, 0.01 };
 constexpr PanelScale PoissonScale{ 0.0, 0.5, false, 0.01 };
 constexpr PanelScale StrengthScale{ 0.0, 3.0, false, 0.05 };
 constexpr PanelScale SecondsScale{ 0.01, 100.0, true, 0.01 };
-constexpr double FirstSeconds = 1.0; ///< for a relaxation added to a body without one
+constexpr double FirstSeconds = 1.0; ///< relaxation time that is added to a body without
+                                     ///< relaxation, s
 constexpr PanelScale FrictionScale{ 0.0, 1.0, false, 0.01 };
 constexpr PanelScale ExaggerationScale{ 1.0, 64.0, true, 0.1 };
 

@@ -44,7 +44,7 @@ struct ControlButton
 using ControlRow = std::variant<std::string, ControlQuantity, std::vector<ControlButton>>;
 
 /// The content of a contact's panel: its rows, their present values, and the effect of changes. The
-/// panel itself decides on the look.
+/// panel defines the appearance.
 class ContactControls
 {
 public:
@@ -58,8 +58,8 @@ public:
   /// The rows that the setup and the charts allow; valid during the lifetime of this object.
   std::vector<ControlRow> rows();
 
-  /// Requests the responses for changed settings. Passes finished responses to the session and the
-  /// scene. Returns whether there were any.
+  /// Requests the responses for changed settings, and passes finished responses to the session and
+  /// the scene. Returns whether responses were finished.
   bool update();
   /// Chooses new force scales if the forces have become much larger or smaller.
   void fitScales();

@@ -23,7 +23,7 @@ public:
   KeyHelp(const KeyHelp&) = delete;
   KeyHelp& operator=(const KeyHelp&) = delete;
 
-  /// One line per key: "key<tab>function"; an empty line is a gap.
+  /// Sets the text, one line per key: "key<tab>function"; an empty line is a gap.
   void setText(const std::string& text);
   const std::string& text() const { return this->Text; }
 

@@ -13,7 +13,8 @@
 
 namespace palpate
 {
-/// Drawing and hit test of a panel's button: a label in a box, filled while it is on.
+/// Drawing and hit test of a panel's button: a label in a box, which is filled while the button is
+/// on.
 class PanelButton : public vtkButtonRepresentation
 {
 public:

@@ -47,7 +47,7 @@ public:
   void show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor);
   void hide();
   bool isShown() const { return this->Renderer != nullptr; }
-  /// Fits all rows to the present size of the renderer; call it before a frame.
+  /// Fits all rows to the present size of the renderer. Must be called before each frame.
   void place();
 
   const std::vector<vtkSmartPointer<PanelSlider>>& sliders() const { return this->Sliders; }

@@ -15,8 +15,9 @@
 
 namespace palpate
 {
-/// Drawing and hit test of a panel's slider: name and value above a track. A press anywhere on the
-/// row moves the handle there and holds it.
+/// Drawing and hit test of a panel's slider: name and value above a track. Pressing the mouse
+/// button anywhere on the row moves the handle there, and the handle follows the mouse until the
+/// button is released.
 class PanelSlider : public vtkSliderRepresentation
 {
 public:
@@ -67,7 +68,7 @@ private:
   Format Write;
   double Share = 0.0;
   bool Held = false;
-  PixelBox Row; ///< not drawn
+  PixelBox Row; ///< area of the row; not drawn
   PixelBox Track;
   PixelBox Filled;
   PixelBox Handle;

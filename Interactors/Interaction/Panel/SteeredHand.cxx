@@ -16,7 +16,7 @@ void SteeredTilt::set(double right, double away)
 {
   this->Right = std::clamp(right, -Largest, Largest);
   this->Away = std::clamp(away, -Largest, Largest);
-  this->IsTold = this->IsTold || this->Right != 0.0 || this->Away != 0.0;
+  this->IsSet = this->IsSet || this->Right != 0.0 || this->Away != 0.0;
 }
 
 std::array<double, 3> SteeredTilt::axis(const double normal[3], vtkRenderer* renderer) const
@@ -30,8 +30,8 @@ std::array<double, 3> SteeredTilt::axis(const double normal[3], vtkRenderer* ren
                 .cross(Eigen::Vector3d(camera->GetViewUp()));
   }
   Eigen::Vector3d across = toRight - up.dot(toRight) * up;
-  // On a surface seen from the side, the direction to the right is along the normal. Any
-  // perpendicular direction replaces it.
+  // On a surface seen from the side, the direction to the right is along the normal. Any direction
+  // perpendicular to the normal is used instead.
   across = across.norm() > 1e-3 * toRight.norm() ? across.normalized() : up.unitOrthogonal();
   const Eigen::Vector3d ahead = up.cross(across);
   const Eigen::Vector3d along = (up + std::tan(vtkMath::RadiansFromDegrees(this->Right)) * across +

@@ -22,8 +22,8 @@ public:
   double right() const { return this->Right; }
   double away() const { return this->Away; }
 
-  /// True once a tilt was set. Before that, the axis is the normal of the surface.
-  bool isTold() const { return this->IsTold; }
+  /// Whether a tilt was ever set. Before that, the axis is the normal of the surface.
+  bool isSet() const { return this->IsSet; }
   /// Axis of a tool on a surface with this outward normal: a unit vector from the tip up the shaft.
   /// Without a renderer, "right" is along x and "away" along y.
   std::array<double, 3> axis(const double normal[3], vtkRenderer* renderer) const;
@@ -31,7 +31,7 @@ public:
 private:
   double Right = 0.0;
   double Away = 0.0;
-  bool IsTold = false;
+  bool IsSet = false;
 };
 
 /// State of a hand that the mouse steers. It is kept while the mouse steers another hand.
@@ -39,7 +39,7 @@ struct SteeredHand
 {
   SteeredTilt tilt;
   double wheelDepth = 0.0;           ///< mm
-  double tip[3] = { 0.0, 0.0, 0.0 }; ///< last point it was steered to, mm
+  double tip[3] = { 0.0, 0.0, 0.0 }; ///< last point to which the tip was steered, mm
 };
 } // namespace palpate
 

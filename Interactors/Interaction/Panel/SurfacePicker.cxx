@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// Relative to the diagonal of the body. vtkStaticCellLocator misses faces that are in the walls
-/// between its bins, as the faces of a block may be.
+/// Tolerance relative to the diagonal of the body. Without a tolerance vtkStaticCellLocator misses
+/// faces in the walls between its bins, for example faces of a block.
 constexpr double Tolerance = 1e-6;
 
 /// World point under a display position. `depth` is the depth in the view volume, from 0 (near) to
@@ -42,13 +42,13 @@ SurfacePicker::~SurfacePicker() = default;
 void SurfacePicker::setBody(vtkPolyData* body, const std::string& responseName)
 {
   this->ResponseName = responseName;
-  if (body == this->Given)
+  if (body == this->GivenBody)
   {
     return;
   }
   const bool isSameSurface = body && this->Body && body->GetPoints() == this->Body->GetPoints() &&
     body->GetPolys() == this->Body->GetPolys();
-  this->Given = body;
+  this->GivenBody = body;
   if (isSameSurface)
   {
     this->Body->GetPointData()->ShallowCopy(body->GetPointData());

@@ -32,8 +32,8 @@ public:
   bool pick(vtkRenderer* renderer, const int position[2], double point[3], double normal[3]);
 
 private:
-  vtkWeakPointer<vtkPolyData> Given;
-  vtkSmartPointer<vtkPolyData> Body; ///< a copy, as the locator builds links in it
+  vtkWeakPointer<vtkPolyData> GivenBody;
+  vtkSmartPointer<vtkPolyData> Body; ///< a copy, since the locator builds links in it
   vtkSmartPointer<vtkCellLocator> Locator;
   std::string ResponseName;
 };

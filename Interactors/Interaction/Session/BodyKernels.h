@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// The kernels and peaks of a body for the ticks of a session, by the prefix of its responses. May
-/// be made on any thread.
+/// The kernels of a body for the ticks of a session, and the peaks of its responses, by the prefix
+/// of the response. They may be made on any thread.
 struct BodyKernels
 {
   /// Largest force (N) and stiffness (N/mm).

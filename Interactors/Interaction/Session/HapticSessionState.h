@@ -10,19 +10,19 @@
 #include <memory>
 #include <vector>
 
-/// The data read from the body, by response. Valid while the body is unchanged.
+/// The data read from the body, by response. They are valid while the body is unchanged.
 struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
   vtkMTimeType time = 0;
-  bool given = false; ///< given by the caller, for the next Start
+  bool given = false; ///< whether the caller set the kernels for the next Start
 };
 
-/// The hand that a servo scene is fitted to.
+/// The hand to which a servo scene is fitted.
 struct vtkHapticSession::Hand
 {
   palpate::SafetySettings safety;
-  double scale = 1.0; ///< of the workspace
+  double scale = 1.0; ///< scale of the workspace
 };
 
 /// The state from one Start to the next.

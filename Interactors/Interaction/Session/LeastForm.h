@@ -29,7 +29,8 @@ struct LeastFormRequest
   double poissonRatio = 0.0;
 };
 
-/// The body with that form in place of the response, and the reason for the form in a sentence.
+/// The body with the simplest form in place of the response, and the reason for that form in a
+/// sentence.
 struct LeastForm
 {
   vtkSmartPointer<vtkPolyData> body; ///< null after an error
@@ -37,7 +38,7 @@ struct LeastForm
   std::string error;
 };
 
-/// Uses attachRegime and attachChoice. May run on any thread.
+/// Finds the simplest form (attachRegime, attachChoice). May run on any thread.
 PALPATEINTERACTION_EXPORT LeastForm findLeastForm(const LeastFormRequest& request);
 } // namespace palpate
 

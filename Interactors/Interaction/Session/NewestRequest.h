@@ -26,7 +26,8 @@ template <class Request, class Result>
 class NewestRequest
 {
 public:
-  /// Returns true if the work should stop: there is a newer request, or this one was cancelled.
+  /// Returns true if the work should stop, because there is a newer request or the request was
+  /// cancelled.
   using Stale = std::function<bool()>;
   /// Runs on the thread. Stale results are discarded.
   using Work = std::function<Result(const Request&, const Stale&)>;
@@ -56,7 +57,7 @@ public:
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Waiting = std::move(request);
-      this->Done.reset(); // the result of an older request
+      this->Done.reset(); // discards the result of an older request
       ++this->Newest;
     }
     if (!this->Thread.joinable())
@@ -94,7 +95,8 @@ private:
   {
 #ifdef __linux__
     constexpr int yielding = 10;
-    setpriority(PRIO_PROCESS, 0, yielding); // for this thread and those it starts
+    setpriority(PRIO_PROCESS, 0, yielding); // applies to this thread and to the threads that it
+                                            // starts
 #endif
     std::unique_lock<std::mutex> lock(this->Mutex);
     while (true)

@@ -15,8 +15,8 @@ namespace palpate
 {
 namespace
 {
-/// Compliance is inversely proportional to Young's modulus; a mode is inversely proportional to its
-/// square root.
+/// Scales compliance and modes to another Young's modulus. Compliance is inversely proportional to
+/// the modulus, a mode to its square root.
 void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
 {
   if (request.complianceArray.empty() || request.complianceFactor == 1.0)
@@ -69,8 +69,9 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
   made.body = body;
 }
 
-/// The body with the form of a tool's response that gives the force; null after an error.
-vtkSmartPointer<vtkPolyData> feltForm(
+/// Returns the body with the form of a tool's response from which a session computes the force;
+/// null after an error.
+vtkSmartPointer<vtkPolyData> formOfForce(
   const ResponseRequest& request, std::size_t tool, MadeResponses& made)
 {
   if (request.tolerance == 0.0)
@@ -85,22 +86,23 @@ vtkSmartPointer<vtkPolyData> feltForm(
   return form.body;
 }
 
-/// Makes the kernels as the session would. One after the other, since each uses several threads.
+/// Makes the same kernels as the session would make. They are made one after the other, since each
+/// uses several threads.
 void makeKernels(
   const ResponseRequest& request, MadeResponses& made, const std::function<bool()>& stale)
 {
   std::shared_ptr<const ContactBody> surface = request.surface;
   for (std::size_t i = 0; i < request.names.size(); ++i)
   {
-    const vtkSmartPointer<vtkPolyData> felt = stale() ? nullptr : feltForm(request, i, made);
-    if (!felt || stale() || !made.error.empty())
+    const vtkSmartPointer<vtkPolyData> formed = stale() ? nullptr : formOfForce(request, i, made);
+    if (!formed || stale() || !made.error.empty())
     {
       return;
     }
     const std::string& name = request.names[i];
     auto& kernel = made.kernels.read[name];
-    kernel = surface ? makeContactBody(felt, name, made.error, *surface)
-                     : makeContactBody(felt, name, made.error);
+    kernel = surface ? makeContactBody(formed, name, made.error, *surface)
+                     : makeContactBody(formed, name, made.error);
     if (kernel)
     {
       surface = kernel;

@@ -25,27 +25,28 @@ struct ResponseRequest
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<std::string> names; ///< prefix of each tool's response
-  bool stored = false;            ///< the body already has the responses: only the kernels are made
-  double youngsModulus = 0.0;     ///< MPa
+  bool stored = false; ///< whether the body already has the responses, so that only the kernels are
+                       ///< made
+  double youngsModulus = 0.0; ///< MPa
   double poissonRatio = 0.0;
   double maximumDeflection = 0.0; ///< mm
   double layerThickness = 0.0;    ///< mm, for a body without a thickness array
   std::string thicknessArray;     ///< "": layerThickness everywhere
   LayerBase base = LayerBase::Bonded;
-  std::vector<StackLayer> deeper = {};      ///< layers below the first
-  std::string secondArray = {};             ///< thickness of the first of `deeper`; "": its
-                                            ///< constant
+  std::vector<StackLayer> deeper = {}; ///< layers below the first
+  std::string secondArray = {}; ///< array of the thickness of the first layer of `deeper`; "": the
+                                ///< constant of that layer
   std::optional<StackLayer> halfSpace = {}; ///< replaces a rigid base
   std::string complianceArray;              ///< "": none
   double complianceFactor = 1.0;            ///< factor of the body's compliance and modes
   LawTerms terms;                           ///< terms of the law
   RelaxationRequest relaxation;             ///< for the response of every tool
-  bool coupling = false;         ///< whether several contacts deflect the surface for one another
-  double tolerance = 0.0;        ///< error of the form that gives the force; 0: the responses are
-                                 ///< used unchanged
-  double choiceDeflection = 0.0; ///< mm, for which the form is chosen; 0: half of the largest
-                                 ///< deflection
-  /// Kernel of the same surface, if it exists already; may be null.
+  bool coupling = false;  ///< whether several contacts deflect the surface for one another
+  double tolerance = 0.0; ///< largest error of the form from which a session computes the force; 0:
+                          ///< the responses are used unchanged
+  double choiceDeflection = 0.0; ///< deflection for which the form is chosen, mm; 0: half of the
+                                 ///< largest deflection
+  /// Kernel of the same surface, if one exists; otherwise null.
   std::shared_ptr<const ContactBody> surface;
 };
 
@@ -56,7 +57,7 @@ struct MadeResponses
   vtkSmartPointer<vtkPolyData> body; ///< the same body with the responses; null after an error
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   double poissonRatio = 0.0;
-  BodyKernels kernels;              ///< of the forms that give the force
+  BodyKernels kernels; ///< kernels of the forms from which a session computes the force
   std::vector<std::string> choices; ///< reason for each form; empty if none was chosen
   std::string error;
   std::string warning;

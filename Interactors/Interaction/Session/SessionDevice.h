@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// The device of a session, as far as it can be made before the session starts.
+/// The device of a session. Some kinds of device are made only when the session starts.
 struct SessionDevice
 {
   enum Kind
@@ -28,12 +28,12 @@ struct SessionDevice
   Trajectory trajectory;                ///< for Replay
   HeldPlant held;                       ///< for Plant
 
-  /// True if the motion of the device does not depend on the force, so that no loop is closed
-  /// through it.
+  /// Whether the motion of the device is independent of the force, so that no loop is closed
+  /// through the device.
   bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
-  /// True for a hand that follows a path or is steered.
+  /// Whether the hand follows a path or is steered.
   bool isSimulated() const { return this->kind == Simulated || this->kind == Plant; }
-  /// Specification at `rate`, Hz. Also valid for a device that is made at Start.
+  /// The specification at `rate`, Hz. It is also known for a device that is made at Start.
   DeviceSpecification specification(double rate) const;
 };
 

@@ -31,7 +31,7 @@ VirtualRun::VirtualRun(
 
 VirtualRun::VirtualRun(SessionHands hands, HandsStep servo, double rate, const TicksKept& kept)
   : SessionRun(std::move(hands), rate, kept)
-  , Together(std::move(servo))
+  , JointStep(std::move(servo))
   , Period(1.0 / rate)
   , Newest(this->hands())
 {
@@ -57,7 +57,7 @@ void VirtualRun::change(std::unique_ptr<ServoScene> scene)
   }
   else
   {
-    this->Together->change(std::move(scene));
+    this->JointStep->change(std::move(scene));
   }
 }
 
@@ -70,8 +70,8 @@ void VirtualRun::step(double seconds)
 {
   // The tolerance of half a tick ensures that steps which add up to a whole number of ticks run
   // exactly that number.
-  this->Reached += seconds;
-  const double end = this->Reached - 0.5 * this->Period;
+  this->ReachedTime += seconds;
+  const double end = this->ReachedTime - 0.5 * this->Period;
   while (this->time() < end)
   {
     this->tick();
@@ -93,7 +93,7 @@ void VirtualRun::tick()
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
   // Retired scenes are freed here, outside of the measured time of the tick.
-  this->Step ? this->Step->takeRetired() : this->Together->takeRetired();
+  this->Step ? this->Step->takeRetired() : this->JointStep->takeRetired();
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
     this->keep(i, this->Newest[i]);
@@ -111,7 +111,7 @@ void VirtualRun::stepAll(double time)
   {
     samples[i] = this->Hands[i]->read(time);
   }
-  this->Newest = this->Together->step(samples.data(), time);
+  this->Newest = this->JointStep->step(samples.data(), time);
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
     this->Hands[i]->writeWrench(this->Newest[i].wrench());

@@ -22,8 +22,8 @@ namespace palpate
 /// The devices of a session, at least one.
 using SessionHands = std::vector<std::shared_ptr<HapticDevice>>;
 
-/// The devices and their servo step, from one Start of a session to the next. For the thread that
-/// owns the session. History and tape record the first device.
+/// The devices and their servo step, from one Start of a session to the next. Only the thread that
+/// owns the session may use it. History and tape record the first device.
 class SessionRun
 {
 public:
@@ -45,13 +45,13 @@ public:
   virtual bool isRunning() const = 0;
   /// Changes over to another servo scene.
   virtual void change(std::unique_ptr<ServoScene> scene) = 0;
-  /// In virtual time: runs all ticks due in the next `seconds`.
+  /// In virtual time, runs all ticks that are due in the next `seconds`.
   virtual void step(double seconds) = 0;
   /// Virtual time, s, of the next tick; 0 in real time.
   virtual double time() const = 0;
 
   std::size_t hands() const { return this->Hands.size(); }
-  /// Newest tick of a device; a default tick before the first.
+  /// Newest tick of a device; a default tick before the first tick.
   virtual const Tick& newest(std::size_t hand) = 0;
   /// Collects the ticks recorded since the last call.
   virtual void collect() = 0;
@@ -61,10 +61,10 @@ public:
 
   /// All ticks of a device up to the last collect(), if they are recorded.
   const std::vector<Tick>& ticks(std::size_t hand) const { return this->Kept[hand].ticks; }
-  /// The last ticks, as far as they are stored.
+  /// The stored last ticks.
   const TickHistory& history() const { return this->History; }
   const TickSummary& summary(std::size_t hand) const { return this->Kept[hand].summary; }
-  /// In virtual time: duration of each recorded tick.
+  /// In virtual time, the duration of each recorded tick, ns.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
   vtkIdType firstPoly = 0; ///< cell id of the newest body's first triangle
@@ -121,10 +121,11 @@ private:
   void tick();
   void stepAll(double time);
 
-  std::optional<ServoStep> Step;     ///< for one device
-  std::optional<HandsStep> Together; ///< for several devices, instead of Step
+  std::optional<ServoStep> Step;      ///< the step of one device
+  std::optional<HandsStep> JointStep; ///< the step of several devices, instead of Step
   double Period;
-  double Reached = 0.0; ///< sum of all steps so far, s; ticks are behind it by less than one period
+  double ReachedTime =
+    0.0; ///< sum of all steps so far, s; ticks are behind it by less than one period
   bool Running = true;
   std::vector<Tick> Newest;
 };
@@ -139,7 +140,7 @@ public:
   RealTimeRun(
     SessionHands hands, HandsStep servo, const ServoLoopSettings& settings, const TicksKept& kept);
 
-  /// Returns an error, or "".
+  /// Starts the loop. Returns "" or an error.
   std::string start() { return this->Loop.start(); }
   void stop() override { this->Loop.stop(); }
   bool isRunning() const override { return this->Loop.isRunning(); }

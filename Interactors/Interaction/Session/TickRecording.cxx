@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-/// The value that the fraction `share` of the values does not exceed; 0 without values.
+/// Returns the value that is not exceeded by the fraction `share` of the values; 0 without values.
 double quantile(const std::vector<double>& sorted, double share)
 {
   return sorted.empty()
@@ -270,7 +270,7 @@ void fillTimingHistogram(const ServoStatistics& statistics, vtkTable* table)
     }
     table->AddColumn(column);
   };
-  constexpr double microsecond = 1e-3; // of a nanosecond
+  constexpr double microsecond = 1e-3; // factor from nanoseconds to microseconds
   table->Initialize();
   add("From (us)",
     [](std::size_t i)

@@ -26,11 +26,11 @@ void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* r
 /// arrays are optional; without them, time and applied force are NaN.
 bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick);
 
-/// Writes one row, see vtkHapticRecorder::GetStatistics. `nanoseconds` holds the duration of each
+/// Writes the row of vtkHapticRecorder::GetStatistics. `nanoseconds` holds the duration of each
 /// tick.
 void fillStatistics(
   const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics);
-/// The same for real time, with the times of the servo loop.
+/// As above for real time, with the times of the servo loop.
 void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table);
 
 /// Writes one row per fraction of the ticks, see vtkHapticRecorder::GetTiming.

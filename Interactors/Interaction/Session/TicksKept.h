@@ -41,7 +41,7 @@ struct TickSummary
 class TickTape
 {
 public:
-  /// Stores ticks from the next one on; discards earlier ticks.
+  /// Discards the stored ticks, and stores the next ticks.
   void start()
   {
     this->Ticks.clear();

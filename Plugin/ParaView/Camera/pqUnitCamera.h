@@ -10,10 +10,10 @@ class pqPipelineSource;
 
 /**
  * When the Length Unit of a body changes, the body becomes ten or a thousand times as large, and an
- * unchanged camera shows nothing. Once such a change is applied, this class resets the render views
- * that show the body, or results of it. They keep their direction.
+ * unchanged camera shows nothing. After such a change is applied, this class resets the render
+ * views that show the body or its results. The views keep their direction.
  *
- * Nothing else moves the camera: no other property, and no unit set by a state file.
+ * The camera is not moved by any other property, nor by a unit that a state file sets.
  */
 class pqUnitCamera : public QObject
 {
@@ -38,7 +38,7 @@ private:
   Q_DISABLE_COPY(pqUnitCamera)
 
   QHash<pqPipelineSource*, int> Units; ///< the last unit of each source
-  QSet<pqPipelineSource*> Waiting;     ///< sources whose view shows an output in another unit
+  QSet<pqPipelineSource*> Waiting;     ///< sources whose views must be reset
 };
 
 #endif

@@ -21,8 +21,9 @@
 pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : Superclass(proxy, group, parent)
 {
-  // The panel is notified of the change, too. follow() runs after that, so that the filter is not
-  // left marked as changed, and once for all changes that have arrived until then.
+  // The panel is notified of the change, too. follow() runs after the panel, since otherwise the
+  // filter would remain marked as changed. It runs once for all changes that have arrived until
+  // then.
   const auto come = [this]()
   {
     if (!this->IsPending)

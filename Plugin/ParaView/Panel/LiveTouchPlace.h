@@ -8,12 +8,12 @@ namespace palpate
 {
 struct ContactBody;
 
-/// The handle in the view, and the tip that it defines, as in vtkToolTouch. Both give the same
-/// force.
+/// The handle in the view, and the tip that it defines, as in vtkToolTouch. Live touch and
+/// vtkToolTouch give the same force for the same handle.
 struct TouchHandle
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
-  /// True if there is no position yet: the touch begins at the place of findTouchStart.
+  /// Whether there is no position yet, so that the touch begins at the place of findTouchStart.
   bool isToBeFound = false;
   /// Whether the tip is first moved to the surface point nearest to the handle.
   bool snaps = true;

@@ -20,9 +20,9 @@ namespace palpate
 struct LiveTouchRequest
 {
   vtkPolyData* body = nullptr;
-  std::string response;       ///< prefix of the response arrays
-  std::string device;         ///< as for vtkHapticDevice::Open; "": no device is opened
-  std::optional<Sight> sight; ///< if set, a start for this view is searched
+  std::string response; ///< prefix of the response arrays
+  std::string device; ///< name of the device as for vtkHapticDevice::Open; "": no device is opened
+  std::optional<Sight> sight; ///< if set, a starting point for this view is searched
 };
 
 /// Results of the slow work: the search structure of the body, and a device that answers.
@@ -30,7 +30,7 @@ struct PreparedLiveTouch
 {
   LiveTouchRequest request;
   BodyKernels kernels;
-  Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< the start, if requested
+  Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< the starting point, if requested
   double range = 0.0;                              ///< largest Range of the response, mm
   double peak = 0.0;                               ///< largest force of the response at `range`, N
   std::unique_ptr<HapticDevice> device; ///< null for a device that a session opens quickly
@@ -38,8 +38,8 @@ struct PreparedLiveTouch
   std::string error;                    ///< "" if the preparation is complete
 };
 
-/// Cost: about 1 s for a million triangles, up to 2 s for a bridge that does not answer. May run on
-/// any thread.
+/// Prepares a live touch. Cost: about 1 s for a million triangles, up to 2 s for a bridge that does
+/// not answer. May run on any thread.
 PreparedLiveTouch prepareLiveTouch(
   const LiveTouchRequest& request, const std::function<bool()>& stale);
 } // namespace palpate

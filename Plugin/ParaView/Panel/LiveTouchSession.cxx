@@ -18,11 +18,11 @@ namespace
 {
 constexpr double Lift = 3.0;   // mm above the surface, start of a simulated hand
 constexpr double Hover = 10.0; // mm above the surface, start of a device's hand
-constexpr double Leap = 0.1;   // fraction of the body's size: beyond this distance a simulated hand
-                               // is lifted
+// Fraction of the body's size; for larger distances a simulated hand is lifted.
+constexpr double FarDistance = 0.1;
 
 /// Stores the text of the session's errors, without the class and the address that VTK adds.
-void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
+void storeError(vtkObject*, unsigned long, void* kept, void* text)
 {
   std::string error = static_cast<const char*>(text);
   const std::size_t start = error.find("): ");
@@ -31,7 +31,7 @@ void hearErrors(vtkObject*, unsigned long, void* kept, void* text)
   *static_cast<std::string*>(kept) = error;
 }
 
-/// The same arrays in another object, since objects on display cache their bounds.
+/// Makes another object with the same arrays, since displayed objects cache their bounds.
 vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
 {
   auto view = vtkSmartPointer<vtkPolyData>::New();
@@ -56,15 +56,15 @@ void LiveTouchSession::start(vtkPolyData* body, const std::string& response,
   this->Device = device;
   this->Handle = handle;
   this->View = sight;
-  this->Now = State::Preparing;
+  this->Phase = State::Preparing;
   this->request(
     body, response, device, handle.isToBeFound ? std::optional<Sight>(sight) : std::nullopt);
 }
 
 void LiveTouchSession::replace(vtkPolyData* body, const std::string& response)
 {
-  // If the session does not run yet, there is no open device, so the request must name it.
-  this->request(body, response, this->Now == State::Touching ? std::string() : this->Device);
+  // If the session does not run yet, no device is open, so the request must name the device.
+  this->request(body, response, this->Phase == State::Touching ? std::string() : this->Device);
 }
 
 void LiveTouchSession::request(vtkPolyData* body, const std::string& response,
@@ -82,8 +82,8 @@ void LiveTouchSession::stop()
   {
     this->Session->Stop();
   }
-  this->Session = nullptr; // releases its device, too
-  this->Now = State::Idle;
+  this->Session = nullptr; // also releases the device
+  this->Phase = State::Idle;
   this->Kernels = {};
   this->Tool = nullptr;
   this->Body = nullptr;
@@ -100,7 +100,7 @@ bool LiveTouchSession::collect()
 bool LiveTouchSession::take(PreparedLiveTouch& made)
 {
   const bool isDone =
-    made.error.empty() && (this->Now == State::Touching ? this->change(made) : this->begin(made));
+    made.error.empty() && (this->Phase == State::Touching ? this->change(made) : this->begin(made));
   if (isDone)
   {
     this->Kernels = made.kernels;
@@ -112,14 +112,14 @@ bool LiveTouchSession::take(PreparedLiveTouch& made)
   {
     this->fail(made.error.empty() ? this->Complaint : made.error);
   }
-  // The other thread has finished the newest request, and so all requests.
+  // The other thread has finished the newest request and therefore all requests.
   this->Held.clear();
   return true;
 }
 
 bool LiveTouchSession::fail(const std::string& error)
 {
-  if (this->Now != State::Touching)
+  if (this->Phase != State::Touching)
   {
     this->stop();
   }
@@ -137,7 +137,7 @@ bool LiveTouchSession::begin(PreparedLiveTouch& made)
   this->Session = vtkSmartPointer<vtkHapticSession>::New();
   vtkNew<vtkCallbackCommand> hear;
   hear->SetClientData(&this->Complaint);
-  hear->SetCallback(hearErrors);
+  hear->SetCallback(storeError);
   this->Session->AddObserver(vtkCommand::ErrorEvent, hear);
   this->Session->GetDevice()->AddObserver(vtkCommand::ErrorEvent, hear);
 
@@ -175,7 +175,7 @@ bool LiveTouchSession::begin(PreparedLiveTouch& made)
   {
     return false;
   }
-  this->Now = State::Touching;
+  this->Phase = State::Touching;
   return true;
 }
 
@@ -197,7 +197,7 @@ bool LiveTouchSession::change(const PreparedLiveTouch& made)
   return true;
 }
 
-/// Puts the hand above the place, and moves it there.
+/// Starts the session with the hand above the place, and moves the hand to the place.
 void LiveTouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
@@ -215,7 +215,7 @@ bool LiveTouchSession::steer(const TouchHandle& handle)
     return true;
   }
   this->Handle = handle;
-  if (this->Now != State::Touching || !this->Session->GetDevice()->IsSimulated() ||
+  if (this->Phase != State::Touching || !this->Session->GetDevice()->IsSimulated() ||
     !handle.position.allFinite())
   {
     return true;
@@ -227,18 +227,18 @@ bool LiveTouchSession::steer(const TouchHandle& handle)
   }
   const double leap = (place.surface - this->Place.surface).norm();
   this->Place = place;
-  if (!handle.snaps || leap < Leap * this->Body->GetLength())
+  if (!handle.snaps || leap < FarDistance * this->Body->GetLength())
   {
     this->Session->GetDevice()->SteerTo(place.tip.data());
     return true;
   }
   this->Session->Stop();
-  this->Session->SetBody(this->Body, this->Kernels); // with the kernels, so that Start takes no
-                                                     // time
+  // The kernels are set, too, so that Start takes no time.
+  this->Session->SetBody(this->Body, this->Kernels);
   this->putDown();
   if (this->Session->GetState() == vtkHapticSession::Stopped)
   {
-    this->Now = State::Preparing; // there is no session to keep
+    this->Phase = State::Preparing; // no session exists that could continue
     return this->fail(this->Complaint);
   }
   return true;

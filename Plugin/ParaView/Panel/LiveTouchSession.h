@@ -18,21 +18,21 @@
 namespace palpate
 {
 /**
- * A body with responses under a device, in real time, for the panel.
+ * A session of the panel: a haptic device on a body with responses, in real time.
  *
- * Slow work is done on another thread: the search structure of the body, a device that has to
- * answer. start and replace return immediately. collect, called once a frame, continues when that
- * work is done. A body that replaces another is in use from then on; before that, the old body is
- * in use.
+ * Slow work is done on another thread: making the search structure of the body, and waiting for a
+ * device to answer. start and replace return immediately. When that work is done, collect, called
+ * once a frame, continues. Until then the previous body remains in use; afterwards the new body is
+ * used.
  *
- * A simulated hand follows steer. It begins above the surface, since there is no force until the
- * tip has been outside. If the target is far away, the hand is lifted and put down there; it is not
- * moved through the body. Physical devices begin 10 mm above the place of the handle, with x to the
- * right and y up in the view.
+ * A simulated hand follows steer. The hand begins above the surface, since there is no force until
+ * the tip has been outside of the body. If the target is far away, the hand is lifted and put down
+ * there instead of being moved through the body. Physical devices begin 10 mm above the place of
+ * the handle, with x to the right and y up in the view.
  *
  * stop and the destructor leave no force on the device and close it.
  *
- * For one thread. The given bodies must not be changed in place.
+ * Not thread-safe. The given bodies must not be changed in place.
  */
 class LiveTouchSession
 {
@@ -53,26 +53,27 @@ public:
   /// the body; the device is aligned with it.
   void start(vtkPolyData* body, const std::string& response, const std::string& device,
     const TouchHandle& handle, const Sight& sight);
-  /// Gives the running session another body, or another response of the same body.
+  /// Replaces the body of the running session by another body, or by the same body with another
+  /// response.
   void replace(vtkPolyData* body, const std::string& response);
   void stop();
 
-  /// To be called once a frame. Returns true if state, body or error have changed.
+  /// Must be called once a frame. Returns true if state, body or error have changed.
   bool collect();
-  /// To be called once a frame with the handle. Only a simulated device follows the handle. Returns
-  /// false if the session has ended because of this, see error().
+  /// Must be called once a frame with the handle. Only a simulated device follows the handle.
+  /// Returns false if the call has ended the session, see error().
   bool steer(const TouchHandle& handle);
 
-  State state() const { return this->Now; }
+  State state() const { return this->Phase; }
   /// Whether another body is being prepared.
   bool isPreparing() const { return this->Background.isBusy(); }
   /// The error of the last start or replace, or ""; and the defects of the mesh, or "".
   const std::string& error() const { return this->Error; }
   const std::string& warning() const { return this->Warning; }
 
-  /// Null unless Touching.
+  /// The session; null unless the state is Touching.
   vtkHapticSession* session() { return this->Session; }
-  /// The tool of the response in use; null unless Touching.
+  /// The tool of the response in use; null unless the state is Touching.
   vtkContactTool* tool() { return this->Tool; }
   vtkPolyData* body() { return this->Body; }
   /// Largest force of the response at its range, N.
@@ -89,7 +90,7 @@ private:
   void putDown();
   bool fail(const std::string& error);
 
-  State Now = State::Idle;
+  State Phase = State::Idle;
   std::string Error;
   std::string Warning;
   std::string Complaint; ///< last error of the session

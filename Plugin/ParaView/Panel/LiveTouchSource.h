@@ -21,20 +21,20 @@ namespace palpate
 struct StoredResponse
 {
   std::string name; ///< prefix of the response arrays
-  std::string tool; ///< its tool, "sphere:6.35"; "" if unknown
+  std::string tool; ///< tool of the response, for example "sphere:6.35"; "" if unknown
 };
 
 /// The part of the pipeline that is used for a live touch.
 struct LiveTouchSource
 {
-  pqOutputPort* body = nullptr;      ///< null: see obstacle
+  pqOutputPort* body = nullptr;      ///< the output with the body; null: see obstacle
   pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle defines the tip, or null
   std::vector<StoredResponse> responses;
-  QString obstacle; ///< reason why no live touch is possible, in words; "" if it is possible
+  QString obstacle; ///< the reason as text why no live touch is possible; "" if it is possible
 };
 
-/// Finds the body of the active source: its output or, for a source *Touch*, its input, as its
-/// output is dented.
+/// Finds the body of the active source. This is the output of the source or, for a source *Touch*,
+/// its input, since its output is dented.
 LiveTouchSource findLiveTouchSource(pqOutputPort* active);
 
 /// Gets the data of the body to the client; waits for the server. With several ranks of the server

@@ -16,10 +16,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double ToolShare = 0.15; // length of the tool, fraction of the body's size
-constexpr double ArrowShare = 0.5; // length of the largest force's arrow, fraction of the body's
-                                   // size
-constexpr double Least = 1e-3;     // mm and N: smaller changes are not visible
+constexpr double ToolShare = 0.15; // length of the tool as a fraction of the body's size
+// Length of the arrow of the largest force as a fraction of the body's size.
+constexpr double ArrowShare = 0.5;
+constexpr double SmallestChange = 1e-3; // mm and N: smaller changes are not visible
 
 vtkRenderer* rendererOf(pqRenderView* view)
 {
@@ -103,7 +103,7 @@ bool LiveTouchStage::show(LiveTouchSession& touch)
   session->GetForce(applied.data());
   const double moved = std::max(
     { (tip - this->Tip).norm(), (force - this->Force).norm(), (applied - this->Applied).norm() });
-  if (!this->ShowsNothing && moved < Least)
+  if (!this->ShowsNothing && moved < SmallestChange)
   {
     return false;
   }

@@ -18,8 +18,8 @@ class LiveTouchSession;
 
 /**
  * Tool, force arrow and, if needed, a handle in a view of ParaView. The client draws them over the
- * server's picture, as ParaView's own widgets. They are not part of the pipeline or of a state
- * file.
+ * server's picture, in the same way as ParaView's own widgets. They are not part of the pipeline or
+ * of a state file.
  */
 class LiveTouchStage
 {
@@ -56,7 +56,7 @@ private:
   vtkNew<vtkPointHandleRepresentation3D> Cross;
   bool Released = false;
   bool ShowsNothing = true;
-  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< as shown
+  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< tip as shown
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   Eigen::Vector3d Applied = Eigen::Vector3d::Zero();
 };

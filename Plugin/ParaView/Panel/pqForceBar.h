@@ -5,9 +5,9 @@
 #include <QWidget>
 
 /**
- * A force as a bar, N. The applied force is solid; the ideal force, if it differs, is an outline;
- * the largest force of the device is a red mark. The bar ends at the full scale; a limit beyond the
- * scale is not drawn.
+ * A force as a bar, N. The applied force is drawn solid. The ideal force, if it differs, is drawn
+ * as an outline, and the largest force of the device as a red mark. The bar ends at the full scale;
+ * a mark beyond the scale is not drawn.
  */
 class pqForceBar : public QWidget
 {

@@ -27,7 +27,7 @@
 namespace
 {
 constexpr int FrameTime = 16;    // ms
-constexpr int NumbersTime = 100; // ms: faster numbers cannot be read
+constexpr int NumbersTime = 100; // ms; numbers that change faster cannot be read
 constexpr int RateTime = 1000;   // ms
 } // namespace
 
@@ -42,7 +42,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   this->Form = new palpate::LiveTouchForm(contents);
   scroll->setWidget(contents);
   this->setWidget(scroll);
-  this->hide(); // until the menu View shows it
+  this->hide(); // hidden until the user shows it by the menu View
 
   this->Frame.setInterval(FrameTime);
   QObject::connect(&this->Frame, &QTimer::timeout, this, &pqLiveTouchPanel::frame);
@@ -61,7 +61,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &pqLiveTouchPanel::onDataUpdated);
   QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this,
-    &pqLiveTouchPanel::showSource); // on the first Apply
+    &pqLiveTouchPanel::showSource); // called on the first Apply
   QObject::connect(
     model, &pqServerManagerModel::preSourceRemoved, this, &pqLiveTouchPanel::onSourceGoes);
   QObject::connect(
@@ -93,7 +93,7 @@ void pqLiveTouchPanel::showEvent(QShowEvent* event)
 
 void pqLiveTouchPanel::closeEvent(QCloseEvent* event)
 {
-  this->stop(); // there must be no force without a button that ends it
+  this->stop(); // without the panel the user could not end the force
   this->QDockWidget::closeEvent(event);
 }
 
@@ -101,8 +101,8 @@ void pqLiveTouchPanel::showSource()
 {
   if (!this->isIdle() || !this->isVisible())
   {
-    return; // a running session keeps the body of its Start; a hidden panel does not query the
-            // server
+    // A running session keeps the body of its Start, and a hidden panel does not query the server.
+    return;
   }
   const auto source = palpate::findLiveTouchSource(pqActiveObjects::instance().activePort());
   const QString leads = source.touch ? ", led by " + source.touch->getSMName() : QString();
@@ -130,7 +130,7 @@ void pqLiveTouchPanel::onToggled(bool shown)
 {
   if (!shown)
   {
-    this->stop(); // as if it were closed
+    this->stop(); // stops as if the panel were closed
   }
 }
 
@@ -177,7 +177,7 @@ void pqLiveTouchPanel::fail(const QString& error)
 
 void pqLiveTouchPanel::stop()
 {
-  this->Touch.stop(); // before everything else, so that there is no force
+  this->Touch.stop(); // stops first, so that there is no force
   this->Frame.stop();
   if (!this->Body)
   {
@@ -192,7 +192,7 @@ void pqLiveTouchPanel::stop()
     view->render();
   }
   this->Form->showRest(this->Touch, this->CanStart, this->Fault);
-  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // after the source is removed
+  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // runs after the source is removed
 }
 
 palpate::TouchHandle pqLiveTouchPanel::readHandle() const
@@ -215,7 +215,7 @@ void pqLiveTouchPanel::frame()
   {
     this->onSessionChanged();
   }
-  // If rendering takes long, half of the time is left for the user's input.
+  // If rendering takes long, at least half of the time remains for the user's input.
   if (this->Touch.state() != palpate::LiveTouchSession::State::Touching ||
     this->Rest.elapsed() < this->RenderTime)
   {
@@ -296,7 +296,8 @@ void pqLiveTouchPanel::onDataUpdated(pqPipelineSource* source)
   }
   else if (!this->Fetching && source == this->Body->getSource())
   {
-    QTimer::singleShot(0, this, &pqLiveTouchPanel::takeBody); // the pipeline is still executing
+    // Delayed, since the pipeline is still executing.
+    QTimer::singleShot(0, this, &pqLiveTouchPanel::takeBody);
   }
 }
 

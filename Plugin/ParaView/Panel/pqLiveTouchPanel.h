@@ -21,9 +21,9 @@ class pqView;
  *
  * The panel connects widgets (LiveTouchForm), session (LiveTouchSession), pipeline
  * (LiveTouchSource) and view (LiveTouchStage). While a session runs, a timer reads the newest tick
- * about 60 times a second. The view is rendered when the tool has moved; half of the time is left
- * for the user's input. The panel never waits for the servo thread or a preparation, only for data
- * of a remote server.
+ * about 60 times a second. The view is rendered when the tool has moved; at least half of the time
+ * remains for the user's input. The panel waits neither for the servo thread nor for a preparation;
+ * it waits only for data of a remote server.
  *
  * The session ends, with no force on the device, when the dock is closed; before its source, view
  * or server is removed; before a state is loaded; and when ParaView quits. The session keeps the
@@ -71,11 +71,11 @@ private:
   QString Fault; ///< error of the last start
   bool Fetching = false;
   QTimer Frame;
-  QElapsedTimer Rendering; ///< since the last rendering began
-  QElapsedTimer Rest;      ///< since the last rendering ended
+  QElapsedTimer Rendering; ///< time since the last rendering began
+  QElapsedTimer Rest;      ///< time since the last rendering ended
   qint64 RenderTime = 0;   ///< duration of the last rendering, ms
-  QElapsedTimer Shown;     ///< since the numbers were shown
-  QElapsedTimer Measured;  ///< since the ticks were counted
+  QElapsedTimer Shown;     ///< time since the numbers were shown
+  QElapsedTimer Measured;  ///< time since the ticks were counted
   vtkIdType MeasuredTicks = 0;
   double Rate = 0.0; ///< ticks per second
 };

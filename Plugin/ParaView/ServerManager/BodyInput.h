@@ -2,10 +2,10 @@
 /**
  * The body input of a proxy: converts any data of ParaView for a filter that needs triangles in mm.
  *
- * A thin subclass of the filter has such a member, by palpateBodyInputMacro. The subclass declares
- * that the port accepts any data, and its RequestData runs the filter's own RequestData on replaced
- * inputs. For data that are not a body, vtkBodySurface reports an error that names the filter to
- * apply first.
+ * A thin subclass of the filter gets such a member from palpateBodyInputMacro. The subclass
+ * declares that the port accepts any data, and its RequestData runs the filter's own RequestData on
+ * replaced inputs. For data that are not a body, vtkBodySurface reports an error that names the
+ * filter to apply first.
  */
 #ifndef palpate_BodyInput_h
 #define palpate_BodyInput_h
@@ -32,12 +32,13 @@ public:
   /// For RequestUpdateExtent, after that of the filter: volumes in pieces need ghost cells.
   static void askForGhosts(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-  /// The filter that converts, with the settings of the user. It is not an input of the filter, so
-  /// GetMTime must include it.
+  /// The filter that converts the body, with the settings of the user. It is not an input of the
+  /// main filter, so GetMTime must include its modification time.
   vtkBodySurface* surface() { return this->Surface; }
 
-  /// The inputs of `ports` ports, with the data of the first one replaced by triangles in mm. Null
-  /// after an error, on all ranks alike. Cached for the same data, unit and rank.
+  /// The inputs of `ports` ports, with the data of the first one replaced by triangles in mm.
+  /// Returns null after an error, on all ranks alike. The result is cached for the same data, unit
+  /// and rank.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports);
 
 private:
@@ -54,7 +55,7 @@ private:
 
 /**
  * Makes a filter accept any surface or volume, composite or not, in any unit of length (0 mm, the
- * default, 1 cm, 2 m). To be used at the end of the subclass.
+ * default, 1 cm, 2 m). The macro must be used at the end of the subclass.
  */
 #define palpateBodyInputMacro()                                                                    \
 public:                                                                                            \

@@ -19,15 +19,15 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// From 0, Custom, to count() - 1; other values are ignored.
+  /// Chooses a material, from 0 (Custom) to count() - 1; other values are ignored.
   void choose(int material);
   int chosen() const { return this->Chosen; }
 
-  /// Values of the user, for Custom.
+  /// The user's values, which are used for Custom.
   double youngsModulus = 0.1; // MPa
   double poissonRatio = 0.45;
 
-  /// The value in use.
+  /// The value in use, of the material or of the user.
   double youngsModulusInForce() const;
   double poissonRatioInForce() const;
 
@@ -37,8 +37,8 @@ private:
 } // namespace palpate
 
 /**
- * Adds a Material by name to a filter's subclass, at the end of its class. It replaces
- * YoungsModulus and PoissonRatio, whose values are kept for Custom.
+ * Adds a property Material to a filter's subclass; used at the end of the class. The named material
+ * replaces YoungsModulus and PoissonRatio, whose values are kept for Custom.
  */
 #define palpateMaterialPresetMacro()                                                               \
 public:                                                                                            \

@@ -19,11 +19,11 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// From 0, Custom, to count() - 1; other values are ignored.
+  /// Chooses a relaxation, from 0 (Custom) to count() - 1; other values are ignored.
   void choose(int relaxation);
   int chosen() const { return this->Chosen; }
 
-  /// Values of the user, for Custom: strength and time (s) of each branch.
+  /// The user's values, which are used for Custom: strength and time (s) of each branch.
   std::vector<std::array<double, 2>> own;
 
   /// The values in use.
@@ -34,8 +34,8 @@ private:
 };
 } // namespace palpate
 
-/// Adds a Relaxation by name to a filter's subclass, at the end of its class. It replaces the
-/// single relaxations, whose values are kept for Custom.
+/// Adds a property Relaxation to a filter's subclass; used at the end of the class. The named
+/// relaxation replaces the branches of the user, which are kept for Custom.
 #define palpateRelaxationPresetMacro()                                                             \
 public:                                                                                            \
   void SetRelaxation(int relaxation)                                                               \

@@ -10,8 +10,8 @@ class vtkSMProxy;
 
 namespace palpate
 {
-/// The present view of a body in a render view; the default sight for any other proxy, or null. For
-/// the client.
+/// Returns the present view of a body in a render view; for any other proxy, or null, the default
+/// view. Only the client can call it.
 PALPATESERVERMANAGER_EXPORT Sight sightOf(vtkSMProxy* view);
 } // namespace palpate
 

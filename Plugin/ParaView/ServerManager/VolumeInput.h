@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The volume input of a proxy: converts any data of ParaView for a filter that needs one
- * vtkUnstructuredGrid in mm. A thin subclass of the filter has such a member, by
+ * vtkUnstructuredGrid in mm. A thin subclass of the filter gets such a member from
  * palpateVolumeInputMacro; see BodyInput.h.
  */
 #ifndef palpate_VolumeInput_h
@@ -25,10 +25,10 @@ public:
   /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
   int LengthUnit = 0;
 
-  /// The inputs of up to three ports: on the first port one mesh in mm (blocks and partitions are
-  /// joined where their points coincide exactly), on the others a surface, image or mesh in mm.
-  /// Null after an error, which sets `fault`. The same objects are returned for the same data and
-  /// unit.
+  /// Returns the converted inputs of up to three ports: on the first port one mesh in mm (blocks
+  /// and partitions are joined where their points coincide exactly), on the others a surface, image
+  /// or mesh in mm. Returns null after an error, which sets `fault`. The same objects are returned
+  /// for the same data and unit.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:
@@ -55,8 +55,9 @@ private:
 };
 } // namespace palpate
 
-/// Makes a filter of a volume accept any volume, in any unit of length. To be used at the end of
-/// the subclass. The source file needs BodyInput.h, vtkInformation.h and vtkInformationVector.h.
+/// Makes a filter of a volume accept any volume, in any unit of length. The macro must be used at
+/// the end of the subclass. The source file needs BodyInput.h, vtkInformation.h and
+/// vtkInformationVector.h.
 #define palpateVolumeInputMacro()                                                                  \
 public:                                                                                            \
   void SetLengthUnit(int unit)                                                                     \

@@ -50,7 +50,7 @@ void vtkForceChartRepresentation::PrepareForRendering()
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
   if (table->GetNumberOfRows() <
-    2) // a line of one point cannot be drawn, as at the start of a history
+    2) // a line of one point cannot be drawn; a history begins with one point
   {
     vtkChartXY* chart = this->GetChart();
     for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
@@ -63,7 +63,7 @@ void vtkForceChartRepresentation::PrepareForRendering()
   }
 }
 
-/// The bounds of a force by its error (vtkResponseCurves.h) are thin lines in the colour of the
+/// Styles the bounds of a force by its error (vtkResponseCurves.h): thin lines in the colour of the
 /// force, without an entry in the legend.
 void vtkForceChartRepresentation::StyleBands()
 {
@@ -94,7 +94,7 @@ void vtkForceChartRepresentation::StyleBands()
   }
 }
 
-/// Before each render the titles are set again, as the view may have cleared them.
+/// Sets the titles again before each rendering, since the view may have cleared them.
 int vtkForceChartRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
 {

@@ -3,10 +3,11 @@
  * @class vtkForceChartRepresentation
  * @brief lines in ParaView's chart, over the table's first column and with titles on the axes
  *
- * As vtkXYChartRepresentation, with two exceptions. The abscissa is a column given by its name.
- * With the name `First column` (the default), it is the first column at the time of drawing, so
- * that it follows the filter. If the view leaves the titles of the bottom and left axes empty, they
- * become the name of the abscissa and `Force (N)`. Titles set in the view are kept.
+ * It works as vtkXYChartRepresentation, with two exceptions. The abscissa is a column given by its
+ * name. The name `First column` (default) means the first column of the table at the time of
+ * drawing, so that the abscissa follows the filter. If the view leaves the titles of the bottom and
+ * left axes empty, they become the name of the abscissa and `Force (N)`. Titles set in the view are
+ * kept.
  */
 #ifndef vtkForceChartRepresentation_h
 #define vtkForceChartRepresentation_h
@@ -46,7 +47,7 @@ private:
   void TitleAxis(int axis, const std::string& title, std::string& given);
 
   std::string Abscissa = GetFirstColumn();
-  std::string BottomTitle; ///< as set by this object
+  std::string BottomTitle; ///< title set by this object
   std::string LeftTitle;
 };
 

@@ -3,9 +3,9 @@
  * @class vtkPVTouchStartInformation
  * @brief the starting point of a touch on a source's output, found on the server
  *
- * Gathered from a source: the place that palpate::findTouchStart finds on its output, for the view
- * of the client and one response. With several ranks it is the place of the first rank that has
- * one, as Touch does not support a body in pieces.
+ * The information is gathered from a source: the place that palpate::findTouchStart finds on its
+ * output, for the view of the client and one response. With several ranks it is the place of the
+ * first rank that finds one, since Touch does not support a body in pieces.
  */
 #ifndef vtkPVTouchStartInformation_h
 #define vtkPVTouchStartInformation_h

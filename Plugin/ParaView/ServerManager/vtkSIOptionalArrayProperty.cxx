@@ -12,7 +12,8 @@
 
 namespace
 {
-// index, port, connection, association, name: the arguments of SetInputArrayToProcess
+// The elements are the arguments of SetInputArrayToProcess: index, port, connection, association,
+// name.
 constexpr int NumberOfElements = 5;
 constexpr int NameElement = 4;
 

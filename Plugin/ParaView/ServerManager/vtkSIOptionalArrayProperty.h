@@ -3,10 +3,10 @@
  * @class vtkSIOptionalArrayProperty
  * @brief an optional input array to process
  *
- * For a StringVectorProperty of five elements with the command SetInputArrayToProcess, named by
- * si_class in the XML. ParaView would pass the choice "None" to the filter as the name of an array.
- * This class resets the index in the filter instead, as if it had never been set. An empty name
- * (None in Python) has the same effect.
+ * This class is used, by si_class in the XML, for a StringVectorProperty of five elements with the
+ * command SetInputArrayToProcess. ParaView would pass the choice "None" to the filter as the name
+ * of an array. This class resets the index in the filter instead, as if it had never been set. An
+ * empty name (None in Python) has the same effect.
  */
 #ifndef vtkSIOptionalArrayProperty_h
 #define vtkSIOptionalArrayProperty_h

@@ -3,8 +3,8 @@
  * @class vtkSMAbscissaDomain
  * @brief the possible abscissas of a chart of forces: the first column, or a column by its name
  *
- * As vtkSMChartSeriesListDomain, with the `First column` of vtkForceChartRepresentation before the
- * columns. It is the default.
+ * It works as vtkSMChartSeriesListDomain, but lists the `First column` of
+ * vtkForceChartRepresentation before the columns, as the default.
  */
 #ifndef vtkSMAbscissaDomain_h
 #define vtkSMAbscissaDomain_h

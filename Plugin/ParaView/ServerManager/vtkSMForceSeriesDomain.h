@@ -3,9 +3,9 @@
  * @class vtkSMForceSeriesDomain
  * @brief the columns that a chart of forces shows at first, and their style
  *
- * As vtkSMChartSeriesSelectionDomain, but only forces are shown at first. Their names end with
- * `(N)`. With default_mode="value", readings get the value of the attribute `measured_value`:
- * points instead of a line. The names of readings contain ` measured`.
+ * It works as vtkSMChartSeriesSelectionDomain, but at first only forces are shown: columns whose
+ * names end with `(N)`. With default_mode="value", readings get the value of the attribute
+ * `measured_value`: points instead of a line. The names of readings contain ` measured`.
  */
 #ifndef vtkSMForceSeriesDomain_h
 #define vtkSMForceSeriesDomain_h
@@ -33,7 +33,7 @@ private:
   vtkSMForceSeriesDomain(const vtkSMForceSeriesDomain&) = delete;
   void operator=(const vtkSMForceSeriesDomain&) = delete;
 
-  std::string MeasuredValue; ///< empty: the same value as for the others
+  std::string MeasuredValue; ///< value for readings; empty: the same value as for other columns
 };
 
 #endif

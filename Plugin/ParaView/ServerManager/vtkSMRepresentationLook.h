@@ -4,7 +4,7 @@
  * @brief the look of a representation when it is first shown
  *
  * An initialization helper for representations of ParaView. It replaces some values that the
- * palette and the user's settings would otherwise give:
+ * palette and the user's settings would otherwise determine:
  *
  * @verbatim
  * <Hints>

@@ -3,11 +3,12 @@
  * @class vtkSMResponseNameDomain
  * @brief the names of a body's responses, to choose from
  *
- * For a StringVectorProperty of one element that names a response. The panel offers the responses
- * found on the input that the XML requires as function "Input": every prefix p with the point
- * arrays `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or `<p>Coefficient`.
+ * This domain is for a StringVectorProperty of one element that names a response. The panel offers
+ * the responses found on the input that the XML requires as function "Input": every prefix p with
+ * the point arrays `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or
+ * `<p>Coefficient`.
  *
- * The default is that of the XML if the body has this response, otherwise the body's first
+ * The default is the name in the XML if the body has that response, otherwise the body's first
  * response. A name set by a script or a state is kept and offered even if the body does not have
  * it: the filter reports a missing response. While no response is found (the input is not computed
  * yet), the present name is the only choice.

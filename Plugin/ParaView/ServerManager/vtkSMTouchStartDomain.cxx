@@ -48,7 +48,7 @@ vtkStandardNewMacro(vtkSMTouchStartDomain);
 
 int vtkSMTouchStartDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
-  element->GetScalarAttribute("beside", &this->Beside);
+  element->GetScalarAttribute("beside", &this->Offset);
   return this->Superclass::ReadXMLAttributes(property, element);
 }
 
@@ -65,7 +65,8 @@ int vtkSMTouchStartDomain::SetDefaultValues(vtkSMProperty* property, bool use_un
     vtkNew<vtkPVTouchStartInformation> start;
     const palpate::Sight sight = palpate::sightOf(ActiveViewOf(touch));
     start->Ask(static_cast<int>(body.GetOutputPort()), ResponseNameOf(touch), sight);
-    source->UpdatePipeline(); // a script may not have updated it, and Touch needs the body anyway
+    // A script may not have updated the source, and Touch needs the body in any case.
+    source->UpdatePipeline();
     source->GatherInformation(start);
     if (start->IsFound())
     {
@@ -73,7 +74,7 @@ int vtkSMTouchStartDomain::SetDefaultValues(vtkSMProperty* property, bool use_un
       source->GetDataInformation(body.GetOutputPort())->GetBounds(bounds);
       const vtkBoundingBox box(bounds);
       const palpate::Vector3 place = palpate::Vector3(start->GetStart()) +
-        this->Beside * box.GetDiagonalLength() * sight.up.cross(sight.towards).normalized();
+        this->Offset * box.GetDiagonalLength() * sight.up.cross(sight.towards).normalized();
       vtkSMPropertyHelper helper(property);
       helper.SetUseUnchecked(use_unchecked_values);
       helper.Set(place.data(), 3);

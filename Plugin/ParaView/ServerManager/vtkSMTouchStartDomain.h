@@ -3,11 +3,12 @@
  * @class vtkSMTouchStartDomain
  * @brief bounds of a body, and a good starting point of a touch as the default
  *
- * As vtkSMBoundsDomain, for a DoubleVectorProperty of a position, next to a property ResponseName.
- * The default is the place of palpate::findTouchStart for the active view, or for a view along -z.
- * For a body without a response it is the corner of the bounds, as in vtkSMBoundsDomain. The
- * attribute `beside` moves it to the right in the view, by this fraction of the body's diagonal.
- * Positions set by scripts, states and traces are not affected.
+ * It works as vtkSMBoundsDomain, for a DoubleVectorProperty of a position whose proxy also has a
+ * property ResponseName. The default is the place of palpate::findTouchStart for the active view,
+ * or for a view along -z. For a body without a response, the default is the corner of the bounds,
+ * as in vtkSMBoundsDomain. The attribute `beside` moves the default to the right in the view, by
+ * this fraction of the body's diagonal. Positions set by scripts, states and traces are not
+ * affected.
  */
 #ifndef vtkSMTouchStartDomain_h
 #define vtkSMTouchStartDomain_h
@@ -32,7 +33,7 @@ private:
   vtkSMTouchStartDomain(const vtkSMTouchStartDomain&) = delete;
   void operator=(const vtkSMTouchStartDomain&) = delete;
 
-  double Beside = 0.0;
+  double Offset = 0.0;
 };
 
 #endif

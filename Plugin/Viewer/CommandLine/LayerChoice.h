@@ -13,11 +13,11 @@ namespace palpate
 struct LayerChoice
 {
   bool scanned = false;
-  double thickness = 0.0; ///< mm, unless scanned
+  double thickness = 0.0; ///< thickness of the layer unless it is scanned, mm
   LayerStack stack = {};  ///< empty: no stack
   /// For a scanned stack of two layers: the layer whose thickness is the rest of the soft tissue.
   std::size_t scannedLayer = 0;
-  bool usual = false; ///< skin over fat, with numbers from the literature
+  bool usual = false; ///< whether the layers are skin over fat, with numbers from the literature
 
   bool isStack() const { return !this->stack.layers.empty(); }
   bool operator==(const LayerChoice& other) const

@@ -12,7 +12,7 @@ struct NumberRange
 {
   static constexpr double Endless = std::numeric_limits<double>::infinity();
 
-  const char* what; ///< description for the error: "a modulus in MPa, e.g. 0.05"
+  const char* what; ///< description for the error, for example "a modulus in MPa, e.g. 0.05"
   double least = -Endless;
   double most = Endless;
   bool includesLeast = true;
@@ -29,7 +29,8 @@ struct NumberRange
   }
 
   /// Sets the number and returns "". If the text is not a valid number, leaves the number unchanged
-  /// and returns a line with the reason: "0 is not positive; a modulus in MPa, e.g. 0.05".
+  /// and returns a line with the reason, for example "0 is not positive; a modulus in MPa, e.g.
+  /// 0.05".
   std::string read(const std::string& text, double& number) const;
 };
 } // namespace palpate

@@ -55,7 +55,8 @@ std::string readLayer(const std::string& text, LayerChoice& layer)
 
 namespace
 {
-/// Skin over fat; fat takes the rest of the scan's thickness. See HeadScene.cxx for the numbers.
+/// Skin over fat. The thickness of the fat is the rest of the scanned thickness. See HeadScene.cxx
+/// for the numbers.
 LayerChoice skinOverFat()
 {
   LayerChoice choice;

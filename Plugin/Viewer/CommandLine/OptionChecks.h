@@ -19,7 +19,7 @@ CLI::Validator any(const char* what);
 CLI::Validator positive(const char* what, double most = NumberRange::Endless);
 CLI::Validator notNegative(const char* what);
 
-// Each function returns "" or the error in the text of an option.
+// Each of the following functions returns "" or the error in the text of an option.
 
 /// Reads --layer: "scan", "none" or a thickness.
 std::string readLayer(const std::string& text, LayerChoice& layer);
@@ -28,13 +28,14 @@ std::string readLayer(const std::string& text, LayerChoice& layer);
 /// half-space. ":slip" after a layer means no friction with the layer above it. ",slip" at the end
 /// means no friction with the rigid base.
 std::string readLayers(const std::string& text, LayerChoice& layer);
-/// Reads --solid: "" (0, size chosen automatically) or the size of a tetrahedron.
+/// Reads --solid: the size of a tetrahedron, or "", which gives 0 (the size is chosen
+/// automatically).
 std::string readSolid(const std::string& text, double& spacing);
 /// Reads --strain: "small", "auto", "neo-hooke", "ogden:ALPHA", "demiray:B".
 std::string readStrain(const std::string& text, LawTerms& terms);
 /// Reads --length-unit: converts the text for CLI11 to mm per unit.
 std::string readLengthUnit(std::string& text);
-/// Checks --fixed, as for vtkVoxelBody.
+/// Checks --fixed, which has the form of vtkVoxelBody::FixedFaces.
 std::string checkFaces(const std::string& text);
 /// Checks --tool.
 std::string checkToolText(const std::string& text);

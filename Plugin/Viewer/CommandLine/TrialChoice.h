@@ -20,7 +20,7 @@ struct TrialChoice
   std::optional<double> poissonsRatio;
   std::optional<LayerChoice> layer;
   std::optional<bool> hasLump; ///< whether the body has its nodules
-  ContactSettings contact;     ///< settings of the session, with the changes of this alternative
+  ContactSettings contact; ///< settings of the session, including the changes of this alternative
 };
 
 /**
@@ -29,12 +29,12 @@ struct TrialChoice
  * joined by a plus. Settings:
  * - young, poisson, layer (MM or none), layers (as --layers, without scan);
  * - the words lump and none, for a body with nodules: with or without them;
- * - the entries of SettingTable that are options, with the values of these options.
+ * - the entries of SettingTable that are command-line options, with the values of these options.
  *
  * A piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
  *
- * `usual` has the settings that the alternatives do not change. Returns "", or an error that names
- * the alternative; then `choices` is unchanged.
+ * `usual` holds the settings that apply unless an alternative changes them. Returns "", or an error
+ * that names the alternative; then `choices` is unchanged.
  */
 std::string readTrialChoices(
   const std::string& text, const ContactSettings& usual, std::vector<TrialChoice>& choices);

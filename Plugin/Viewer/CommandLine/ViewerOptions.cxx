@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 constexpr int MostFurtherHands = 3;
-constexpr double LargestDepth = 1000.0; // mm: a depth that takes minutes at the speed of pressing
+constexpr double LargestDepth = 1000.0; // mm; the press to this depth would take minutes
 
 /// Adds the settings of the contact that the table offers as options.
 void addContactOptions(CLI::App& app, ContactSettings& contact)

@@ -22,7 +22,8 @@ struct ViewerOptions
 {
   std::string body;
   std::string scene = "head";
-  std::string scan; ///< for the head scene; empty: the scan of Debian's mricron-data
+  std::string scan; ///< file of the scan for the head scene; empty: the scan of Debian's
+                    ///< mricron-data
   std::vector<std::string> tools;
   std::optional<double> youngsModulus;
   std::optional<double> poissonsRatio;
@@ -36,15 +37,15 @@ struct ViewerOptions
   std::vector<std::string> measured; ///< files of curves
   std::string registration;          ///< file of the transform from the curves' frame to the body's
                                      ///< frame; empty: the same frame
-  double reach = 20.0;               ///< around a measured site, mm
-  double maximumStrain = 0.4;        ///< for measured readings
+  double reach = 20.0;               ///< radius around a measured site that gets its response, mm
+  double maximumStrain = 0.4;        ///< largest strain of the measured readings that are used
   double voxel = 0.0;                ///< side of the hexahedra that fill a surface, mm; 0: none
-  bool solid = false;                ///< --solid: fills the body with graded tetrahedra
+  bool solid = false;                ///< --solid: whether to fill the body with graded tetrahedra
   double solidSpacing = 0.0;         ///< size of the tetrahedra at the surface, mm; 0: chosen
                                      ///< automatically
   std::string fixedFaces = "z-";     ///< sides of the bounding box that hold the solid
   bool fixedGiven = false;
-  bool wholeBody = true; ///< the compliance of the whole body is included where it applies
+  bool wholeBody = true; ///< whether the compliance of the whole body is included where it applies
   double lengthScale = 1.0;
   double resolution = 0.0;
   double contourValue = 30.0;
@@ -56,10 +57,11 @@ struct ViewerOptions
   std::string output = "palpate-output";
   std::string save;
   std::string exportTo;
-  bool pictures = true; ///< for a session off screen
+  bool pictures = true; ///< whether a session off screen makes pictures
   bool window = false;
-  bool compare = false; ///< compares two built-in bodies, side by side
-  bool map = false;     ///< shows where the shape of the first tool matters, instead of a session
+  bool compare = false; ///< whether to compare two built-in bodies, side by side
+  bool map = false;     ///< whether to show where the shape of the first tool matters, instead of a
+                        ///< session
   std::string screenshot;
   std::string device = "simulated";
   std::vector<std::string> hands; ///< further devices on the same body
@@ -69,11 +71,12 @@ struct ViewerOptions
   std::vector<TrialChoice> trial; ///< alternatives of a blind comparison; empty: none
   int trialRounds = 5;
   std::optional<std::uint64_t> trialSeed;
-  std::string trialLog;    ///< empty: trial.csv in the output folder
-  std::string question;    ///< empty: "which pushes back more"
-  bool automatic = true;   ///< whether to use the simplest form of the response that keeps its
-                           ///< forces
-  double tolerance = 0.01; ///< of that form, relative error of the force
+  std::string trialLog;  ///< file of the log of a blind comparison; empty: trial.csv in the output
+                         ///< folder
+  std::string question;  ///< question of a blind comparison; empty: "which pushes back more"
+  bool automatic = true; ///< whether to use the simplest form of the response that keeps its
+                         ///< forces
+  double tolerance = 0.01; ///< largest relative error of the force of that form
 };
 
 /// Reads the command line. Returns an exit code if the program must end (help, version, or an

@@ -9,8 +9,8 @@
 namespace palpate
 {
 /**
- * --compare without a window: the same motion over both bodies, in virtual time. Writes into the
- * output folder:
+ * Runs --compare without a window: the same motion over both bodies, in virtual time. Writes into
+ * the output folder:
  * - comparison.png: bodies under the first tool, curves of all tools, verdicts, at the end of the
  *   press;
  * - regime.png: λ, sensitivity and verdict over both bodies;

@@ -28,7 +28,7 @@ namespace palpate
 {
 namespace
 {
-constexpr float BeforeTheStyle = 1.0F;
+constexpr float PriorityOverStyle = 1.0F;
 
 const char* const Hint = "? or h: keys and mouse";
 const char* const KeySheet =
@@ -80,8 +80,8 @@ ComparisonWindow::ComparisonWindow(
   : Options(options)
   , Bodies(bodies)
 {
-  this->Window->SetMultiSamples(0); // multisampling is three times slower without a graphics card;
-                                    // FXAA is not slower
+  // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
+  this->Window->SetMultiSamples(0);
   this->Window->SetSize(PictureWidth, PictureHeight);
   this->Window->SetWindowName("Palpate: global and local deformation");
   this->Interactor->SetRenderWindow(this->Window);
@@ -109,7 +109,7 @@ ComparisonWindow::ComparisonWindow(
 
   this->Actions.add(
     this->Interactor, vtkCommand::MouseMoveEvent, [this](void*) { this->followPointer(); },
-    BeforeTheStyle);
+    PriorityOverStyle);
   this->Actions.add(this->Interactor, vtkCommand::CharEvent,
     [this](void*)
     {
@@ -211,7 +211,7 @@ std::string ComparisonWindow::run()
   this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
-  // Computed now, so that a later change shows at once.
+  // The colours are computed now, so that a later change is shown immediately.
   this->Comparison->SetColor(vtkBodyComparison::RegimeIndex);
   this->Comparison->SetColor(vtkBodyComparison::Displacement);
   this->Interactor->Initialize();

@@ -9,9 +9,9 @@
 namespace palpate
 {
 /**
- * --compare in a window: a session on each body. One mouse moves both tools to the same place. Keys
- * 1 to 9 choose the tool, m the colours of the bodies, q ends. Returns when the window is closed,
- * after printing the results at the last contact. Returns "" or an error.
+ * Runs --compare in a window, with a session on each body. One mouse moves both tools to the same
+ * place. Keys 1 to 9 choose the tool, m the colours of the bodies, q ends. Returns when the window
+ * is closed, after printing the results at the last contact. Returns "" or an error.
  */
 std::string runComparisonWindow(const ViewerOptions& options);
 } // namespace palpate

@@ -28,8 +28,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double FeltFrom = 10.0;  // %, the default of vtkNoduleDetectability
-constexpr double ViewMargin = 7.0; // mm
+constexpr double PerceptibleChange = 10.0; // %, the default of vtkNoduleDetectability
+constexpr double ViewMargin = 7.0;         // mm
 constexpr int MapColors = 256;
 constexpr int BarTextSize = 15;
 constexpr std::size_t MostMaps = 3;
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
 double largestOf(vtkPolyData* body)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
-  double largest = FeltFrom;
+  double largest = PerceptibleChange;
   for (int tool = 0; tool < change->GetNumberOfComponents(); ++tool)
   {
     std::array<double, 2> range{};
@@ -122,14 +122,14 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  // Little shading, so that colours can be compared with those of the legend.
+  // The shading is weak, so that colours can be compared with those of the legend.
   actor->GetProperty()->SetAmbient(0.55);
   actor->GetProperty()->SetDiffuse(0.45);
   actor->GetProperty()->SetSpecular(0.0);
   renderer->AddActor(actor);
   vtkNew<vtkContourFilter> lines;
   lines->SetInputData(shown);
-  lines->SetValue(0, FeltFrom);
+  lines->SetValue(0, PerceptibleChange);
   vtkNew<vtkPolyDataMapper> lineMapper;
   lineMapper->SetInputConnection(lines->GetOutputPort());
   lineMapper->ScalarVisibilityOff();
@@ -145,7 +145,8 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   stage.addTitle(title);
 }
 
-/// The change over each nodule, one line each: short for a picture, otherwise long.
+/// Describes the change over each nodule, one line each: a short line for a picture, otherwise a
+/// long one.
 std::string describeNodules(const ViewerScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();
@@ -168,7 +169,7 @@ std::string describeNodules(const ViewerScene& scene, bool inShort)
     for (int tool = 0; tool < change->GetNumberOfComponents(); ++tool)
     {
       const double percent = 100.0 * change->GetComponent(point, tool);
-      const bool isFelt = std::abs(percent) >= FeltFrom;
+      const bool isFelt = std::abs(percent) >= PerceptibleChange;
       const char* comma = tool > 0 ? ", " : " ";
       if (inShort)
       {
@@ -207,8 +208,8 @@ std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene&
       maps == 1 ? alone[0] : places[i], scene.tools[i]);
   }
   const std::string all =
-    joined(scene.title, "\npressed up to ", scene.depth, " mm deep\nlined: from ", FeltFrom,
-      " %, the least that a hand feels\n \n", describeNodules(scene, true));
+    joined(scene.title, "\npressed up to ", scene.depth, " mm deep\nlined: from ",
+      PerceptibleChange, " %, the least that a hand feels\n \n", describeNodules(scene, true));
   stage.addWords(all, maps == 1 ? alone[1] : places[maps]);
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(PhantomField[0] - ViewMargin, PhantomField[2] - ViewMargin, 0.0);

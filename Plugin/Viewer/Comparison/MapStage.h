@@ -17,8 +17,8 @@ class vtkContactTool;
 
 namespace palpate
 {
-/// The result of vtkContactRegime for a body with the material of a scene, at the depth of the
-/// scene, without its responses. Returns null and an error on failure.
+/// Returns the result of vtkContactRegime for a body with the material of a scene, at the depth of
+/// the scene, without the responses of the body. Returns null and an error on failure.
 vtkSmartPointer<vtkPolyData> judgeBody(
   const ViewerScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
 

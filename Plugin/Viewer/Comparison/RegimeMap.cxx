@@ -30,7 +30,7 @@ struct Shares
   double none = 0.0;
 };
 
-/// Each corner of a triangle counts with a third of the triangle's area.
+/// Measures the fractions. A third of each triangle's area is assigned to each of its corners.
 Shares measureShares(vtkPolyData* judged)
 {
   vtkDataArray* index = judged->GetPointData()->GetArray("RegimeIndex");

@@ -9,10 +9,10 @@
 namespace palpate
 {
 /**
- * Gives the body of a scene the responses of all its tools, from the curves measured on it
+ * Attaches the responses of all tools of a scene to its body, from curves measured on the body
  * (--measured, --register): "Response" for the first tool, then "Response2" ... The notes of the
- * scene list the result for each site. The contact is at the first site unless a place is given.
- * Returns "" or an error.
+ * scene list the result for each site. The contact is at the first site unless the options name a
+ * place. Returns "" or an error.
  */
 std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate

@@ -25,12 +25,12 @@ namespace
 constexpr double ReducedModulus = 3.45; // MPa
 constexpr double PoissonRatio = 0.45;
 
-// Sizes in mm. The paper gives none.
+// Sizes in mm. They are not taken from the paper, which states no sizes.
 constexpr double Length = 72.0; // along x
 constexpr double Width = 20.0;
 constexpr double StripThickness = 3.0;
 constexpr double BlockThickness = 20.0;
-constexpr double RollerPosition = 28.0; // from the middle
+constexpr double RollerPosition = 28.0; // distance from the middle
 constexpr double RollerRadius = 2.0;
 constexpr double PlateThickness = 3.0;
 constexpr double PlateMargin = 4.0;
@@ -39,7 +39,7 @@ constexpr double SlideLength = 14.0;
 constexpr double Spacing = 2.0; // mm, size of the finite elements along the surface
 constexpr int StripLayers = 6;
 constexpr int BlockLayers = 10;
-constexpr int Subdivisions = 2; // of the contact surface
+constexpr int Subdivisions = 2; // subdivisions of the contact surface
 constexpr int Modes = 6;        // number of bending modes, for display
 
 /// Bits of vtkElasticCompliance's array Fixed.
@@ -52,8 +52,8 @@ enum Hold : unsigned char
 
 using Place = std::array<double, 3>;
 
-/// The strip is on rollers along y near its ends. They also hold it down: it can slide along, but
-/// cannot lift off.
+/// Holds the strip on rollers along y near its ends. The rollers also hold the strip down: it can
+/// slide over them but cannot lift off.
 unsigned char holdStrip(const Place& place)
 {
   const bool below = place[2] == -StripThickness;
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
   return all->GetOutput();
 }
 
-/// Sets the properties that both bodies have in common.
+/// Sets the properties that are the same for both bodies.
 void describe(const ViewerOptions& options, ViewerScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonsRatio;

@@ -19,16 +19,16 @@ struct ComparedBody
 {
   ViewerScene scene;
   ResponseSet responses;
-  vtkSmartPointer<vtkPolyData> support; ///< its support, for display
+  vtkSmartPointer<vtkPolyData> support; ///< support of the body, for display
 };
 
 /**
  * Makes a strip on two rollers, which bends, and a block bonded to a rigid plate, which does not.
  * They have the same rubber, the same top face z = 0, and the three tools of the paper. Both
- * compliances are computed by finite elements. Motion: a press in the middle and a slide along the
- * strip.
+ * compliances are computed by finite elements. The motion is a press in the middle and a slide
+ * along the strip.
  *
- * Forces of the tools 1 mm deep: within 3 % of each other on the strip, 67 % apart on the block.
+ * At a depth of 1 mm the forces of the tools differ by 3 % on the strip and by 67 % on the block.
  * Returns "" or an error.
  */
 std::string makeComparedBodies(const ViewerOptions& options, std::array<ComparedBody, 2>& bodies);

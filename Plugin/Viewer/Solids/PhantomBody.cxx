@@ -19,21 +19,21 @@ namespace
 {
 // Sizes in mm. The mixed cells near the axis of a nodule determine the accuracy: 0.75 there gives
 // the same accuracy as 0.75 everywhere.
-constexpr double Finest = 0.75;     // size of cells up to FinestHalf from the axis of a nodule
-constexpr double FinestHalf = 3.75; // five cells
-constexpr double Fine = 1.0;        // size of cells at nodules
-constexpr double Between = 2.0;     // size of cells between nodules
-constexpr double Margin = 30.0;     // from the outermost nodules to the walls: more than ten
-                                    // contact radii
-constexpr double Grading = 2.0;     // ratio of neighbouring cells in the margin
-constexpr double FineDepth = 9.0;   // depth of fine cells; deeper cells have little effect
+constexpr double FinestSize = 0.75; // size of cells up to FinestHalfWidth from the axis of a nodule
+constexpr double FinestHalfWidth = 3.75; // five cells
+constexpr double FineSize = 1.0;         // size of cells at nodules
+constexpr double CoarserSize = 2.0;      // size of cells between nodules
+// Distance from the outermost nodules to the walls, more than ten contact radii.
+constexpr double Margin = 30.0;
+constexpr double Grading = 2.0;   // ratio of neighbouring cells in the margin
+constexpr double FineDepth = 9.0; // depth of fine cells; deeper cells have little effect
 constexpr double BlockHeight = 40.0;
-constexpr double AroundNodule = 0.75; // width of fine cells beyond the sides of a nodule
+constexpr double FineMargin = 0.75; // width of fine cells beyond the sides of a nodule
 
 /// Adds coordinates up to `end` at increasing distances.
 void growTo(std::vector<double>& line, double end)
 {
-  double step = Fine;
+  double step = FineSize;
   while (line.back() < end - 1e-9)
   {
     step *= Grading;
@@ -71,7 +71,7 @@ std::vector<Row> rowsOf(double PhantomNodule::*place)
   for (const PhantomNodule& nodule : PhantomNodules)
   {
     const double middle = nodule.*place;
-    const double half = nodule.radius + AroundNodule;
+    const double half = nodule.radius + FineMargin;
     const auto same = std::find_if(
       rows.begin(), rows.end(), [middle](const Row& row) { return row.middle == middle; });
     if (same == rows.end())
@@ -101,15 +101,15 @@ std::vector<double> planes(const std::vector<Row>& rows)
   }
   for (const Row& row : rows)
   {
-    const double core = std::min(row.half, FinestHalf);
+    const double core = std::min(row.half, FinestHalfWidth);
     if (row.middle - row.half > line.back())
     {
-      fillTo(line, row.middle - row.half, Between);
+      fillTo(line, row.middle - row.half, CoarserSize);
     }
-    fillTo(line, row.middle - core, Fine);
-    fillTo(line, row.middle, Finest);
-    fillTo(line, row.middle + core, Finest);
-    fillTo(line, row.middle + row.half, Fine);
+    fillTo(line, row.middle - core, FineSize);
+    fillTo(line, row.middle, FinestSize);
+    fillTo(line, row.middle + core, FinestSize);
+    fillTo(line, row.middle + row.half, FineSize);
   }
   growTo(line, line.back() + Margin);
   return line;
@@ -118,7 +118,7 @@ std::vector<double> planes(const std::vector<Row>& rows)
 std::vector<double> heights()
 {
   std::vector<double> depths = { 0.0 };
-  fillTo(depths, FineDepth, Fine);
+  fillTo(depths, FineDepth, FineSize);
   growTo(depths, BlockHeight);
   std::vector<double> line;
   for (std::size_t i = depths.size(); i-- > 0;)
@@ -138,10 +138,10 @@ vtkSmartPointer<vtkDoubleArray> arrayOf(const std::vector<double>& line)
   return array;
 }
 
-/// An array on the points of the grid: `value` where `isSo(x)` is true, otherwise 0.
-template <class Question>
+/// An array on the points of the grid: `value` where `isMarked(x)` is true, otherwise 0.
+template <class Condition>
 vtkSmartPointer<vtkUnsignedCharArray> marked(
-  vtkUnstructuredGrid* grid, const char* name, unsigned char value, const Question& isSo)
+  vtkUnstructuredGrid* grid, const char* name, unsigned char value, const Condition& isMarked)
 {
   auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
   marks->SetName(name);
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkUnsignedCharArray> marked(
   {
     std::array<double, 3> x{};
     grid->GetPoint(i, x.data());
-    marks->InsertNextValue(isSo(x) ? value : 0);
+    marks->InsertNextValue(isMarked(x) ? value : 0);
   }
   return marks;
 }

@@ -17,11 +17,11 @@ struct PhantomNodule
 {
   double x = 0.0;
   double y = 0.0;
-  double top = 0.0; ///< depth of its top
+  double top = 0.0; ///< depth of the top of the ball
   double radius = 0.0;
 };
 
-/// Three radii, one per column, at three depths, one per row, 6 mm or more apart.
+/// Nodules of three radii (one per column) at three depths (one per row), at least 6 mm apart.
 constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0, 1.5 },
   { -2.0, -16.0, 1.0, 3.0 }, { 13.0, -16.0, 1.0, 5.0 }, { -14.0, 0.0, 2.0, 1.5 },
   { -2.0, 0.0, 2.0, 3.0 }, { 13.0, 0.0, 2.0, 5.0 }, { -14.0, 16.0, 3.0, 1.5 },
@@ -30,13 +30,13 @@ constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0,
 /// Ratio of a nodule's modulus to the modulus of the block.
 constexpr double NoduleHardness = 10.0;
 
-/// The field to search, mm: x from, x to, y from, y to. It has plain tissue around all nodules.
+/// The field to search, mm: x from, x to, y from, y to. The field extends beyond all nodules.
 constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
 
 /**
  * A block of 95 x 104 x 40 mm in a rigid box, bonded to its bottom and sides (`Fixed`), with the
- * nodules in it (vtkNoduleMaterial). The array `Pressed` marks the field. Cells are 0.75 to 1 mm at
- * the nodules, down to 9 mm depth, and coarser elsewhere.
+ * nodules in it (vtkNoduleMaterial). The array `Pressed` marks the field. Cells are 0.75 to 1 mm
+ * long at the nodules to a depth of 9 mm, and longer elsewhere.
  */
 vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);
 } // namespace palpate

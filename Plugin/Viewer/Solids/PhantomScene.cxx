@@ -22,15 +22,15 @@ namespace palpate
 {
 namespace
 {
-constexpr double PressedTo = 0.8;             // mm
-constexpr double SourceSpacing = 1.0;         // mm: half the distance of most nodules
-constexpr double SourceSpacingWithout = 15.0; // mm: half the distance to a wall
+constexpr double UsualDepth = 0.8;            // mm
+constexpr double SourceSpacing = 1.0;         // mm; half the distance of most nodules
+constexpr double SourceSpacingWithout = 15.0; // mm; half the distance to a wall
 
 /// Cache key: everything that the solved phantom depends on.
 std::string phantomKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   return joined(PhantomRevision, solvedKey(options, scene), '|',
-    shortestDecimals(options.depth.value_or(PressedTo)));
+    shortestDecimals(options.depth.value_or(UsualDepth)));
 }
 
 /// Names of the arrays of a solved phantom.
@@ -62,7 +62,7 @@ std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
     detectability->AddMoreTool(scene.tools[i]);
   }
   detectability->SetMaximumDeflection(options.maximumDeflection);
-  detectability->SetPressDepth(options.depth.value_or(PressedTo));
+  detectability->SetPressDepth(options.depth.value_or(UsualDepth));
   detectability->SetErrorTolerance(options.terms.errorTolerance);
   detectability->SetSourceSpacing(SourceSpacing);
   detectability->SetSourceSpacingWithout(SourceSpacingWithout);
@@ -82,7 +82,7 @@ std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
 }
 
 /// Name of an option that is not possible for a scene with its own body.
-std::string refused(const ViewerOptions& options)
+std::string refusedOption(const ViewerOptions& options)
 {
   const char* option = options.voxel > 0.0 ? "--voxel"
     : !options.measured.empty()            ? "--measured"
@@ -98,7 +98,7 @@ std::string refused(const ViewerOptions& options)
 
 std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
 {
-  std::string error = refused(options);
+  std::string error = refusedOption(options);
   if (!error.empty())
   {
     return error;
@@ -132,8 +132,9 @@ std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
   scene.modelReason = joined("finite elements of the whole; hard nodules, ", NoduleHardness,
     " times as stiff, of 1.5, 3 and 5 mm, which begin 1, 2 and 3 mm under the skin, in a bonded "
     "box");
-  scene.depth = PressedTo;
-  // From above the nodule of 3 mm radius whose top is 2 mm deep to the one whose top is 1 mm deep.
+  scene.depth = UsualDepth;
+  // The path leads from above the nodule of 3 mm radius whose top is 2 mm deep to above the one
+  // whose top is 1 mm deep.
   scene.center = { 0.0, 0.0, -20.0 };
   scene.directions = { { -2.0, 0.0, 20.0 }, { -2.0, -16.0, 20.0 } };
   scene.pictureAt = 0.0;

@@ -31,7 +31,8 @@ namespace
 // ten thousand solutions.
 constexpr double UsualCells = 20000.0;
 constexpr double UsualSources = 10000.0;
-/// Number of vtkGradedBody's cells: this factor times the surface area over the squared spacing.
+/// Number of vtkGradedBody's cells: this factor times the surface area, divided by the square of
+/// the spacing.
 constexpr double CellsPerSquare = 8.7;
 /// Limits of the spacing: at least this fraction of the contact radius, and at most this fraction
 /// of the cube root of the volume, which the shape of the body needs.
@@ -39,8 +40,8 @@ constexpr double LeastOfContact = 0.5;
 constexpr double MostOfBody = 1.0 / 6.0;
 /// Sources are nodes, including the nodes in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
-/// Ratio of the spacing of the second mesh, which gives the error of the first. It has a sixth of
-/// the cost of the first.
+/// Ratio of the spacings of the second and the first mesh. The second mesh serves to estimate the
+/// error of the first, at a sixth of its cost.
 constexpr double CoarserRatio = 2.0;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
@@ -192,12 +193,12 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
     body = felt;
   }
   scene.notes.push_back(joined("filled with ", filled->GetOutput()->GetNumberOfCells(),
-    " tetrahedra of ", filled->GetOutput()->GetNumberOfPoints(), " nodes, ", shortly(sizes.spacing),
-    " mm at the surface",
+    " tetrahedra of ", filled->GetOutput()->GetNumberOfPoints(), " nodes, ",
+    shortText(sizes.spacing), " mm at the surface",
     options.solidSpacing == 0.0 ? " (chosen from its size and the tools)" : "", ", held at ",
-    options.fixedFaces, ", in ", shortly(filledIn), " s; ", solutions, " points of it solved for, ",
-    shortly(sizes.sources), " mm apart, and ", tools.size(),
-    tools.size() == 1 ? " tool in " : " tools in ", shortly(secondsSince(begin)), " s"));
+    options.fixedFaces, ", in ", shortText(filledIn), " s; ", solutions,
+    " points of it solved for, ", shortText(sizes.sources), " mm apart, and ", tools.size(),
+    tools.size() == 1 ? " tool in " : " tools in ", shortText(secondsSince(begin)), " s"));
   scene.body = body;
   return {};
 }

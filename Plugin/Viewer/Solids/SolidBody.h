@@ -9,11 +9,11 @@
 namespace palpate
 {
 /**
- * --solid: fills the closed surface of the scene with graded tetrahedra (vtkGradedBody), and
+ * Runs --solid: fills the closed surface of the scene with graded tetrahedra (vtkGradedBody), and
  * computes the responses of its tools (vtkElasticContactResponse) at the surface's own points, with
- * its curvature. The scene then has stored responses. They are cached; the cache key is their
- * input. Adds a sentence to the notes on the chosen sizes and the cost, or on the cache file used.
- * Returns "" or an error.
+ * its curvature. The scene then has stored responses. They are cached; the cache key is the input
+ * of the computation. Adds a sentence to the notes on the chosen sizes and the cost, or on the
+ * cache file used. Returns "" or an error.
  */
 std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate

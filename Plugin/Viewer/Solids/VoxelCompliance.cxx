@@ -113,7 +113,8 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
   {
     return "the solid made of the body has no point with a compliance: is --voxel too coarse?";
   }
-  // A fixed side has no valid points. The values interpolated along the surface are used there.
+  // A fixed side has no valid points. On that side the values that were interpolated along the
+  // surface are used.
   const FacingPoints others(solid,
     [&](vtkIdType id)
     { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });

@@ -13,16 +13,16 @@ namespace palpate
 struct VoxelComplianceOptions
 {
   double spacing = 2.0;          ///< mm
-  std::string fixedFaces = "z-"; ///< as for vtkVoxelBody
+  std::string fixedFaces = "z-"; ///< sides that hold the body, as for vtkVoxelBody
   double youngsModulus = 0.05;   ///< MPa
   double poissonsRatio = 0.45;
 };
 
 /**
- * Gives a closed surface the point array `GlobalCompliance` (mm/N) of the solid that it encloses,
- * and six modes of its global motion (`GlobalMode0`..., `GlobalModeSign`). Fills the surface with
- * hexahedra (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's own
- * points. Adds a sentence about this to `notes`. Returns "" or an error.
+ * Attaches to a closed surface the point array `GlobalCompliance` (mm/N) of the enclosed solid, and
+ * six modes of the solid's global motion (`GlobalMode0`..., `GlobalModeSign`). Fills the surface
+ * with hexahedra (vtkVoxelBody), solves (vtkElasticCompliance), and interpolates at the surface's
+ * own points. Adds a sentence about the solid to `notes`. Returns "" or an error.
  */
 std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes);

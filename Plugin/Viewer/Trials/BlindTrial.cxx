@@ -139,7 +139,7 @@ std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& sc
   std::string path = options.trialLog;
   if (path.empty())
   {
-    std::error_code ignored; // if it fails, opening the log will report it
+    std::error_code ignored; // an error here is reported when the log is opened
     std::filesystem::create_directories(options.output, ignored);
     path = options.output + "/trial.csv";
   }
@@ -148,7 +148,7 @@ std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& sc
 
 std::string BlindTrial::title() const
 {
-  return "trial " + std::to_string(this->Asked + 1) + " of " + std::to_string(this->Plan.size());
+  return "trial " + std::to_string(this->Current + 1) + " of " + std::to_string(this->Plan.size());
 }
 
 void BlindTrial::apply(std::size_t alternative)
@@ -160,7 +160,7 @@ void BlindTrial::apply(std::size_t alternative)
 
 void BlindTrial::show(bool x)
 {
-  const Trial& trial = this->Plan[this->Asked];
+  const Trial& trial = this->Plan[this->Current];
   this->apply(static_cast<std::size_t>(x ? trial.x : trial.y));
   this->ShowsX = x;
 }
@@ -169,7 +169,7 @@ void BlindTrial::begin()
 {
   this->show(true);
   this->Switches = 0;
-  this->Begun = std::chrono::steady_clock::now();
+  this->BeginTime = std::chrono::steady_clock::now();
 }
 
 void BlindTrial::switchOver()
@@ -180,10 +180,10 @@ void BlindTrial::switchOver()
 
 std::string BlindTrial::answer(bool choseX)
 {
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->Begun;
-  const TrialAnswer given{ this->Plan[this->Asked], choseX, taken.count(), this->Switches };
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->BeginTime;
+  const TrialAnswer given{ this->Plan[this->Current], choseX, taken.count(), this->Switches };
   this->Record.answers.push_back(given);
-  ++this->Asked;
+  ++this->Current;
   return this->Log.append(given);
 }
 

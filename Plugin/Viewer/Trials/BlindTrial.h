@@ -31,12 +31,12 @@ public:
   /// Returns "" or an error that names the alternative.
   std::string prepare(
     const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
-  /// Opens the log. Call it after the session has its device. Returns "" or an error.
+  /// Opens the log. Must be called after the session has its device. Returns "" or an error.
   std::string open(const ViewerOptions& options, const ViewerScene& scene,
     const ResponseSet& responses, vtkHapticSession* session);
 
   std::size_t numberOfTrials() const { return this->Plan.size(); }
-  bool isOver() const { return this->Asked >= this->Plan.size(); }
+  bool isOver() const { return this->Current >= this->Plan.size(); }
   bool showsX() const { return this->ShowsX; }
   /// Title of the current trial: "trial 3 of 20".
   std::string title() const;
@@ -44,7 +44,7 @@ public:
 
   /// Begins the current trial, with X.
   void begin();
-  /// Gives the session X or Y. A running session changes over to it.
+  /// Sets X or Y in the session. A running session changes to it.
   void show(bool x);
   void switchOver();
   /// Logs the answer. After that, call begin() for the next trial. Returns "" or an error.
@@ -60,16 +60,16 @@ private:
   void apply(std::size_t alternative);
 
   std::vector<TrialChoice> Choices;
-  std::vector<std::string> ResponseNames; ///< of the alternatives
+  std::vector<std::string> ResponseNames; ///< response names of the alternatives
   std::vector<Trial> Plan;
   TrialHead Head;
   TrialLog Log;
   TrialRecord Record;
   vtkHapticSession* Session = nullptr;
-  std::size_t Asked = 0;
+  std::size_t Current = 0;
   bool ShowsX = true;
   int Switches = 0;
-  std::chrono::steady_clock::time_point Begun;
+  std::chrono::steady_clock::time_point BeginTime;
 };
 } // namespace palpate
 

@@ -37,7 +37,8 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
       points->InsertNextPoint(path->GetPoint(i));
       when->InsertNextValue(end + time->GetTuple1(i));
     }
-    end += time->GetTuple1(count - 1); // adds the stored last time, so that time does not go back
+    // Adds the last time as stored, so that time does not decrease.
+    end += time->GetTuple1(count - 1);
   }
   auto all = vtkSmartPointer<vtkPolyData>::New();
   all->SetPoints(points);

@@ -84,7 +84,7 @@ void checkMore()
   other->SetPoissonRatio(0.3);
   other->Update();
   PALPATE_CHECK_TEXT(
-    other->GetTermReason(), "small strain stays", "no table", "would have to be solved");
+    other->GetTermReason(), "small strain is kept", "is not tabulated", "computed by the solver");
 }
 
 /// A term is kept if its removal would raise the stated error, even if it hardly changes the force.

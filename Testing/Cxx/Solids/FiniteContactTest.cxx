@@ -200,10 +200,10 @@ TEST(FinitePart, StiffenedAsAtRestItsTangentIsPositive)
   }
   constexpr double untouched = -20.0;
   Eigen::VectorXd gradient;
-  part.linearize(
-    Eigen::VectorXd::Zero(part.unknowns()), untouched, FinitePart::Bending::AsItDoes, gradient);
+  part.linearize(Eigen::VectorXd::Zero(part.unknowns()), untouched,
+    FinitePart::ToolCurvature::Included, gradient);
   const Eigen::MatrixXd atRest = part.stiffness();
-  part.linearize(pressed, untouched, FinitePart::Bending::AsItDoes, gradient);
+  part.linearize(pressed, untouched, FinitePart::ToolCurvature::Included, gradient);
   const Eigen::MatrixXd before = part.stiffness();
   const auto isPositive = [](const Eigen::MatrixXd& lower)
   { return Eigen::LLT<Eigen::MatrixXd>(lower).info() == Eigen::Success; };

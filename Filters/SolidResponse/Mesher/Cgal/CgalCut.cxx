@@ -19,7 +19,8 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double OnPlane = 1e-9; ///< of the body's size: rounding errors of constructed points
+constexpr double OnPlane = 1e-9; ///< fraction of the body's size; allows for rounding errors of
+                                 ///< constructed points
 
 std::string nameOf(const CutPlane& plane)
 {
@@ -66,15 +67,16 @@ void addRims(const CutPlane& plane, MeshedSurface& surface)
   {
     if (i + 1 < edges.size() && edges[i] == edges[i + 1])
     {
-      ++i; // the edge has both its triangles in the plane
+      ++i; // both triangles of the edge are in the plane
       continue;
     }
     surface.rims.push_back(edges[i]);
   }
 }
 
-/// Sorts points and triangles by position, because CGAL orders the cut ones by memory addresses.
-void putInOrder(MeshedSurface& surface)
+/// Sorts points and triangles by position, because CGAL orders the results of a cut by memory
+/// addresses.
+void sortElements(MeshedSurface& surface)
 {
   const auto count = static_cast<std::size_t>(surface.points.cols());
   std::vector<std::int32_t> order(count);
@@ -103,7 +105,7 @@ void putInOrder(MeshedSurface& surface)
   std::sort(surface.triangles.begin(), surface.triangles.end());
 }
 
-/// Returns "", or a message about the fault.
+/// Cuts a mesh at a plane. Returns "", or a message about the fault.
 std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
 {
   try
@@ -150,7 +152,7 @@ std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& plane
   {
     roundTo(plane, made);
   }
-  putInOrder(made);
+  sortElements(made);
   for (const CutPlane& plane : all)
   {
     addRims(plane, made);

@@ -53,18 +53,19 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 // The criteria limit radii. The resulting lengths of edges were measured on balls: on average 0.95
 // to 1.05 of the spacing, on the surface and inside.
-constexpr double FacetRadius = 0.72; ///< of the circle around a facet, in spacings
-constexpr double CellRadius = 0.80;  ///< of the ball around a cell, in spacings
+constexpr double FacetRadius = 0.72; ///< largest radius of the circle around a facet, in spacings
+constexpr double CellRadius = 0.80;  ///< largest radius of the ball around a cell, in spacings
 constexpr double FacetAngle = 25.0;  ///< smallest angle of a facet, degrees: at most 30 (CGAL)
-constexpr double RadiusEdge = 2.0;   ///< of a cell: radius of its ball over its shortest edge
-constexpr double SliverAngle = 10.0; ///< smallest dihedral angle that is aimed at, degrees
+constexpr double RadiusEdge = 2.0; ///< largest ratio of the radius of a cell's ball to its shortest
+                                   ///< edge
+constexpr double SliverAngle = 10.0; ///< target for the smallest dihedral angle, degrees
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
 constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is the removal of slivers
 
-/// Limit on the cells needed for the deviation, over the expected cells.
-constexpr double RunAway = 5.0;
+/// Largest ratio of the number of cells that the deviation needs to the expected number.
+constexpr double LargestExcess = 5.0;
 
 struct Stopped
 {
@@ -73,7 +74,7 @@ struct TooRough
 {
 };
 
-/// Looks up the spacing and calls the observer from time to time.
+/// Looks up the spacing, and calls the observer once per LookupsPerReport lookups.
 class SpacingField
 {
 public:
@@ -89,7 +90,7 @@ public:
     if (++this->Lookups % LookupsPerReport == 0)
     {
       const double done = static_cast<double>(this->Lookups) / this->Expected;
-      if (done > RunAway)
+      if (done > LargestExcess)
       {
         throw TooRough();
       }
@@ -157,7 +158,7 @@ private:
   std::vector<Point> Seeds;
 };
 
-/// Centres of triangles spread over each part of the surface.
+/// Returns centres of triangles that are spread over each part of the surface.
 std::vector<Point> spreadSeeds(Surface& surface)
 {
   auto part = surface.add_property_map<Surface::Face_index, std::size_t>("f:part", 0).first;

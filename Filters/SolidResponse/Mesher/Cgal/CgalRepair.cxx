@@ -31,9 +31,10 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double WidestHole = 0.2;      ///< over the size of the body's box
+constexpr double WidestHole = 0.2; ///< largest width of a filled hole, relative to the diagonal of
+                                   ///< the body's bounding box
 constexpr double LeastFragment = 0.001; ///< fraction of all triangles
-/// Largest fraction of crossing triangles. More are not a defect of scanning.
+/// Largest fraction of crossing triangles. A larger fraction is not a defect of scanning.
 constexpr double MostCrossing = 0.01;
 
 double diagonalOf(const CGAL::Bbox_3& box)
@@ -52,10 +53,10 @@ Crossings crossingsOf(const CgalSurface& surface)
 
 /// Fraction of the way to the mean of its neighbours by which a point is moved where sheets touch.
 /// Each sheet moves to its own side.
-constexpr double Parted = 0.05;
+constexpr double SeparationFraction = 0.05;
 
 /// Separates points at the same place. Returns their number.
-std::size_t partTouching(CgalSurface& mesh)
+std::size_t separateTouching(CgalSurface& mesh)
 {
   std::map<CgalPoint, std::size_t> used;
   for (const CgalSurface::Vertex_index v : mesh.vertices())
@@ -73,7 +74,8 @@ std::size_t partTouching(CgalSurface& mesh)
       {
         sum = sum + (mesh.point(beside) - mesh.point(v));
       }
-      moved.emplace_back(v, mesh.point(v) + sum * (Parted / static_cast<double>(mesh.degree(v))));
+      moved.emplace_back(
+        v, mesh.point(v) + sum * (SeparationFraction / static_cast<double>(mesh.degree(v))));
     }
   }
   for (const auto& [v, place] : moved)
@@ -136,7 +138,7 @@ std::string closeByCgal(MeshedSurface& surface, ClosedUp& done)
   {
     return "it cannot be closed";
   }
-  made.points = partTouching(mesh);
+  made.points = separateTouching(mesh);
   meshes::orient_to_bound_a_volume(mesh);
   fromCgal(mesh, surface);
   done = made;

@@ -44,7 +44,8 @@ inline std::string toCgal(const MeshedSurface& from, CgalSurface& surface)
   return {};
 }
 
-/// Copies points and triangles of a surface without garbage. All other members of `to` stay.
+/// Copies points and triangles of a surface to `to`. The surface must have no removed elements. All
+/// other members of `to` are unchanged.
 inline void fromCgal(const CgalSurface& surface, MeshedSurface& to)
 {
   to.points.resize(3, static_cast<Eigen::Index>(surface.number_of_vertices()));

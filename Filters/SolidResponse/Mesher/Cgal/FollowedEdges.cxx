@@ -110,7 +110,7 @@ private:
   const LineGraph& Graph;
 };
 
-/// A point where a line turns back by more than 90°.
+/// Whether a line bends by more than 90° at a point.
 struct IsCorner
 {
   bool operator()(LineGraph::vertex_descriptor v, const LineGraph& graph) const

@@ -12,14 +12,14 @@ namespace palpate
 /// Lines of a surface that the edges of the cells must follow.
 struct FollowedEdges
 {
-  /// Whether all edges sharper than the limit are followed. The mesher finds them itself.
+  /// Whether all edges sharper than the limit are followed. The mesher then finds them itself.
   bool areDetected = false;
-  std::vector<std::vector<CgalPoint>> lines; ///< from corner to corner, or closed
+  std::vector<std::vector<CgalPoint>> lines; ///< lines from corner to corner, or closed lines
 };
 
 /**
- * The rims, and the sharp edges if they are edges of the body: lines several spacings long, not the
- * many short ones due to the noise of a scan.
+ * Returns the rims, and the sharp edges if they are edges of the body. Such edges form lines
+ * several spacings long, whereas the noise of a scan gives many short ones.
  */
 FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wanted);
 } // namespace palpate

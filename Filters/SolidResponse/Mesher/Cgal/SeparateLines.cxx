@@ -14,10 +14,11 @@ namespace
 constexpr double LeastSide = 0.25;
 constexpr double LeastDistance = 1.0;
 constexpr double LeastPart = 3.0;
-// Smallest distance of two places over the path between them along the lines.
+// Smallest ratio of the distance of two places to the path between them along the lines.
 constexpr double LeastOfPath = 0.5;
 
-/// The line without points closer than `least` to the previous one. The ends stay.
+/// Returns the line without points that are closer than `least` to the previous point. Both ends
+/// are kept.
 Line withoutShortSides(const Line& line, double least)
 {
   Line made = { line.front() };
@@ -84,7 +85,7 @@ public:
       };
       for (std::size_t side = 0; side + 1 < line.size(); ++side)
       {
-        if (this->Near[l][side])
+        if (this->IsNear[l][side])
         {
           end();
           continue;
@@ -119,7 +120,7 @@ private:
       along += length;
     }
     this->Totals.push_back(along);
-    this->Near.emplace_back(line.size() - 1, false);
+    this->IsNear.emplace_back(line.size() - 1, false);
   }
 
   /// Length of the path along the lines between two places; infinite if the lines do not meet.
@@ -155,7 +156,7 @@ private:
         const double distance = (a->at - b->at).norm();
         if (distance < least && distance < LeastOfPath * this->path(*a, *b))
         {
-          this->Near[a->line][a->side] = this->Near[b->line][b->side] = true;
+          this->IsNear[a->line][a->side] = this->IsNear[b->line][b->side] = true;
         }
       }
     }
@@ -165,7 +166,8 @@ private:
   std::vector<Line> Lines;
   std::vector<double> Totals; ///< length of each line
   std::vector<Place> Places;
-  std::vector<std::vector<bool>> Near; ///< per line and side: whether it is too near another one
+  std::vector<std::vector<bool>> IsNear; ///< per line and side: whether the side is too near
+                                         ///< another one
 };
 } // namespace
 

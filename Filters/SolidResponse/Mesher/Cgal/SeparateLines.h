@@ -12,11 +12,11 @@ namespace palpate
 using Line = std::vector<Eigen::Vector3d>;
 
 /**
- * The parts of lines that cells of a given length can follow. Removed are: sides shorter than a
- * quarter of that length; sides within that length of another line, or of the same line if the path
- * along it is more than twice the distance; remaining parts shorter than three times that length. A
- * mesher that separates lines would need an unlimited number of cells at the removed parts. Lines
- * may meet at their ends.
+ * Returns the parts of lines that cells of a given length can follow. These parts are removed:
+ * sides shorter than a quarter of the length; sides within the length of another line, or of
+ * another part of the same line if the path along the line is more than twice the distance;
+ * remaining parts shorter than three times the length. A mesher that separates lines would need an
+ * unlimited number of cells at the removed parts. Lines may meet at their ends.
  */
 std::vector<Line> separateLines(const std::vector<Line>& lines, double length);
 } // namespace palpate

@@ -23,7 +23,7 @@ SpacingGrid::SpacingGrid(const MeshedSurface& surface)
   }
   this->Step =
     std::max(finest / StepsPerSpacing, std::cbrt((length.array() + finest).prod() / MostGridNodes));
-  // The volume of a plate is small compared with its number of nodes.
+  // The number of nodes of a plate is large compared with its volume, so the loop counts the nodes.
   while (((length.array() / this->Step).ceil() + 3.0).prod() > MostGridNodes)
   {
     this->Step *= 1.1;
@@ -108,7 +108,7 @@ void SpacingGrid::sweep(double growth)
         static_cast<int>(flat / this->Size[0] % this->Size[1]),
         static_cast<int>(flat / this->Size[0] / this->Size[1]));
       double& value = this->Values[static_cast<std::size_t>(flat)];
-      for (int n = 0; n < 13; ++n) // those of the 26 neighbours that the sweep has visited before
+      for (int n = 0; n < 13; ++n) // the 13 of the 26 neighbours that the sweep has visited before
       {
         const Eigen::Array3i beside =
           at + direction * Eigen::Array3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
