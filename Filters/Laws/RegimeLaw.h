@@ -20,8 +20,8 @@ namespace palpate
 {
 class BodyMaterial;
 
-/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). Without a stable
-/// contact the numbers are NaN and the verdict is ShapeMatters.
+/// How local a contact is, and whether the tool's shape has an effect (ContactRegime.h). If the
+/// contact is not stable, the numbers are NaN and the verdict is ShapeMatters.
 struct SpotRegime
 {
   double index = 0.0;       ///< λ
@@ -30,8 +30,8 @@ struct SpotRegime
 };
 
 /**
- * The regime of one tool, from its own law and the laws of a slightly smaller and a slightly larger
- * tool. Safe to use from any number of threads.
+ * The regime of one tool, computed from its law and the laws of a slightly smaller and a slightly
+ * larger tool. Safe to use from any number of threads.
  */
 class PALPATE_EXPORT RegimeLaw
 {
@@ -44,7 +44,7 @@ public:
 
   /// Force, N.
   double force(const ContactSpot& spot, double depth) const;
-  /// `force` is the force at `depth`.
+  /// The regime at `depth`; `force` is the force at this depth.
   SpotRegime regime(const ContactSpot& spot, double depth, double force) const;
 
 private:
@@ -74,11 +74,11 @@ struct ComparedResponse
 };
 
 /**
- * The regime of a tool that is pressed `depths[i]` (mm, > 0) deep at each point of a body.
- * `stored`, unless null, is the response of the same tool on the body. Its force must agree to 2 %
- * (its storage error in series), since the regime must belong to the same body. Depths below a
- * hundredth of its range are not compared. Returns "" if all is valid, else a message that names
- * the point. The bits do not depend on the number of threads.
+ * The regime of a tool that is pressed to the depth `depths[i]` (mm, > 0) at each point i of a
+ * body. `stored`, unless null, is the response of the same tool on the body. Its force must agree
+ * within 2 % (its storage error in series), because the regime must describe the same body. Depths
+ * below a hundredth of its range are not compared. Returns "" if all is valid, else a message that
+ * names the point. The result is bit for bit the same for any number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
   const std::vector<double>& depths, double deepest, const ComparedResponse* stored,

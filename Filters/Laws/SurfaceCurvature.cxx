@@ -16,32 +16,34 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Factors that bound 95 of 100 errors that are estimated from a few neighbours; see
+// Factors that bound 95 of 100 errors estimated from a few neighbours; see
 // SurfaceCurvatureTest.cxx.
-constexpr double OfOne = 0.7; // for the form of one point: of roughness, residual and difference
-constexpr double RoughOfOne = 2.5; // with noise
-// For an average, times 1/(1 + steps): errors of neighbours are opposite.
-constexpr double RoughOfAverage = 1.3;
+constexpr double PointFactor =
+  0.7; // for the form of one point: of roughness, residual and difference
+constexpr double NoisyPointFactor = 2.5; // for the form of one point with noise: of roughness
+// For an average, times 1/(1 + steps): errors of neighbours have opposite signs.
+constexpr double AverageFactor = 1.3;
 // For the spread: the centre of an average is not exactly the point.
-constexpr double OfSpread = 0.1;
-constexpr double OfCurvature = 0.02; // for facets and for the turning of forms
+constexpr double SpreadFactor = 0.1;
+constexpr double CurvatureFactor = 0.02; // for facets and for the turning of forms
 
-// Variances of averages along each axis. FeltVariance is that of the area over which a contact
-// averages, in contact radii²; the others are in squared distances of points. For a wave of the
-// wavenumber k on a triangular lattice with edges e, the curvature by sags is too small by
-// (k e)²/12, and that by turns by (k e)²/4.
-constexpr double FeltVariance = 0.1;
-constexpr double OfSags = 0.192;
-constexpr double OfTurns = 0.577;
+// Variances of averages along each axis. ContactVariance is that of the area over which a contact
+// averages, in squared contact radii; the others are in squared distances of points. For a wave of
+// the wavenumber k on a triangular lattice with edges e, the curvature by sags is too small by (k
+// e)²/12, and that by turns by (k e)²/4.
+constexpr double ContactVariance = 0.1;
+constexpr double SagVariance = 0.192;
+constexpr double TurnVariance = 0.577;
 constexpr double OfStep = 0.5;
 constexpr double EdgeSquare = 1.155; // of the lattice, in squared distances of points
 /// The largest weight of the sags, for contacts smaller than the facets.
-constexpr double MostOfSags = 1.5;
-// The correlation of the difference between sags and turns with that of the neighbours: between
-// these values a surface counts as smooth and as noisy. That of white noise is -0.29.
-constexpr double OfSmooth = -0.12;
-constexpr double OfNoise = -0.25;
-constexpr double MostOfDifferences = 3.0; // times the median: larger ones are those of edges
+constexpr double LargestSagWeight = 1.5;
+// Limits of the correlation between the differences (sags minus turns) of neighbours, above which a
+// surface is smooth and below which it is noisy. White noise has -0.29.
+constexpr double SmoothCorrelation = -0.12;
+constexpr double NoisyCorrelation = -0.25;
+// Multiple of the median; larger differences are those of edges.
+constexpr double LargestDifference = 3.0;
 
 /// Triangles around each point, in ascending order.
 class TrianglesOfPoints
@@ -178,7 +180,7 @@ public:
     forms.swap(next);
   }
 
-  /// The fraction of noise in the points: noise moves neighbours against each other.
+  /// The fraction of noise in the points: noise moves neighbours in opposite directions.
   double noise(const std::vector<PointForm>& fits) const
   {
     std::vector<double> differences;
@@ -188,7 +190,7 @@ public:
     }
     const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
     std::nth_element(differences.begin(), middle, differences.end());
-    const double most = middle == differences.end() ? 0.0 : MostOfDifferences * *middle;
+    const double most = middle == differences.end() ? 0.0 : LargestDifference * *middle;
     const auto clipped = [&](std::size_t i)
     { return std::clamp(fits[i].difference(), -most, most); };
     double products = 0.0;
@@ -212,9 +214,10 @@ public:
       products += clipped(i) * differences[i];
       squares += clipped(i) * clipped(i);
     }
-    return squares > 0.0
-      ? std::clamp((OfSmooth - products / squares) / (OfSmooth - OfNoise), 0.0, 1.0)
-      : 0.0;
+    return squares > 0.0 ? std::clamp((SmoothCorrelation - products / squares) /
+                               (SmoothCorrelation - NoisyCorrelation),
+                             0.0, 1.0)
+                         : 0.0;
   }
 
   Vector3d normalOf(std::size_t point) const
@@ -223,8 +226,9 @@ public:
   }
 
 private:
-  /// The difference of each mean curvature from the mean of its neighbours. It contains noise and
-  /// detail too fine for the mesh, but no gradient of the curvature.
+  /// Computes the roughness from the difference of each mean curvature from the mean of its
+  /// neighbours. This difference contains noise and detail too fine for the mesh, but no gradient
+  /// of the curvature.
   void findRoughness(std::vector<Form>& forms) const
   {
     std::vector<double> rough(forms.size(), 0.0);
@@ -317,19 +321,19 @@ private:
   TrianglesOfPoints Around;
 };
 
-/// The curvature of a contact that is not wider than the turns average, on a surface with such a
-/// fraction of noise.
-std::array<float, 3> ofOne(
+/// The curvature for a contact whose width does not exceed the average of the turns, on a surface
+/// with the fraction of noise `noise`.
+std::array<float, 3> pointCurvature(
   const PointForm& fit, double roughness, double contactRadius, double noise)
 {
   const double wanted = fit.edgeSquare > 0.0
-    ? FeltVariance * contactRadius * contactRadius * EdgeSquare / fit.edgeSquare
+    ? ContactVariance * contactRadius * contactRadius * EdgeSquare / fit.edgeSquare
     : 0.0;
-  const double finer =
-    (1.0 - noise) * std::clamp((OfTurns - wanted) / (OfTurns - OfSags), 0.0, MostOfSags);
+  const double finer = (1.0 - noise) *
+    std::clamp((TurnVariance - wanted) / (TurnVariance - SagVariance), 0.0, LargestSagWeight);
   const double smooth =
-    OfOne * Eigen::Vector3d(roughness, fit.residual, (1.0 - noise) * fit.difference()).norm();
-  const double noisy = std::max(fit.residual, RoughOfOne * roughness);
+    PointFactor * Eigen::Vector3d(roughness, fit.residual, (1.0 - noise) * fit.difference()).norm();
+  const double noisy = std::max(fit.residual, NoisyPointFactor * roughness);
   return principal(
     fit.byTurns + finer * (fit.bySags - fit.byTurns), noise * noisy + (1.0 - noise) * smooth);
 }
@@ -345,15 +349,15 @@ SurfaceCurvature::SurfaceCurvature(
   const auto roughness = [&forms](std::size_t i) { return std::sqrt(forms[i][Rough]); };
   const double ratio = contactRadius / pointSpacing(surface);
   const double steps = std::isfinite(ratio)
-    ? std::min((FeltVariance * ratio * ratio - OfTurns) / OfStep, 1.0 * MostSteps)
+    ? std::min((ContactVariance * ratio * ratio - TurnVariance) / OfStep, 1.0 * MostSteps)
     : 0.0;
   if (!(steps > 0.0))
   {
     const double noise = average.noise(fits);
-    average.step(forms); // needed for the roughness only
+    average.step(forms); // required only for the roughness
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
-      this->Found[i] = ofOne(fits[i], roughness(i), contactRadius, noise);
+      this->Found[i] = pointCurvature(fits[i], roughness(i), contactRadius, noise);
     }
     return;
   }
@@ -389,8 +393,8 @@ SurfaceCurvature::SurfaceCurvature(
     this->Found[i] =
       principal({ frame.first.dot(matrix * frame.first), frame.first.dot(matrix * frame.second),
                   frame.second.dot(matrix * frame.second) },
-        RoughOfAverage * roughness(i) / (1.0 + steps) + change + OfSpread * spread +
-          OfCurvature * matrix.norm());
+        AverageFactor * roughness(i) / (1.0 + steps) + change + SpreadFactor * spread +
+          CurvatureFactor * matrix.norm());
   }
 }
 } // namespace palpate

@@ -260,26 +260,26 @@ void EdgeChains::findNear(const PackedMesh& mesh)
   }
   while (!open.empty())
   {
-    const Candidate told = open.top();
+    const Candidate candidate = open.top();
     open.pop();
-    if (!hasRoomFor(told.triangle, this->segment(told.segment).chain))
+    if (!hasRoomFor(candidate.triangle, this->segment(candidate.segment).chain))
     {
       continue;
     }
-    std::int32_t& place = this->NearPlaces[static_cast<std::size_t>(told.triangle)];
+    std::int32_t& place = this->NearPlaces[static_cast<std::size_t>(candidate.triangle)];
     if (place == None)
     {
       place = static_cast<std::int32_t>(this->NearLists.size());
       this->NearLists.emplace_back().fill(None);
     }
     Near& near = this->NearLists[static_cast<std::size_t>(place)];
-    *std::find(near.begin(), near.end(), None) = told.segment;
+    *std::find(near.begin(), near.end(), None) = candidate.segment;
     for (int edge = 0; edge < 3; ++edge)
     {
-      const std::int32_t across = mesh.neighbour(told.triangle, edge);
+      const std::int32_t across = mesh.neighbour(candidate.triangle, edge);
       if (across >= 0)
       {
-        addCandidate(across, told.segment);
+        addCandidate(across, candidate.segment);
       }
     }
   }
