@@ -296,8 +296,8 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   if (result.refusal.empty())
   {
     this->report(used, given, *judgement.fit, result);
-    const std::string untold = undeterminedBaseline(*judgement.fit, this->Options.findContact);
-    result.remark = left + (left.empty() || untold.empty() ? "" : "; ") + untold;
+    const std::string missing = undeterminedBaseline(*judgement.fit, this->Options.findContact);
+    result.remark = left + (left.empty() || missing.empty() ? "" : "; ") + missing;
   }
   else if (!left.empty())
   {

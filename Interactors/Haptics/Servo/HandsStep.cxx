@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// The pose of a hand that is not in the scene.
+/// The pose of a hand that has no effect on the scene.
 ToolPose nowhere() noexcept
 {
   return ToolPose(Vector3::Constant(NotANumber));

@@ -17,7 +17,7 @@ constexpr int MaximumStretches = 1000;
 constexpr int MaximumEvents = 32;
 constexpr int Bisections = 40;
 /// Length of an interval that is checked for events only at its end, in radians of the hand's own
-/// oscillation: the velocity changes its sign at most once in it.
+/// oscillation: the velocity changes its sign at most once in an interval.
 constexpr double LongestAngle = 0.5;
 
 int sign(double value)
@@ -126,7 +126,7 @@ PlantAxis::State PlantAxis::advance(State state, Load load, double duration) noe
     ++events;
     if (regime.sticks)
     {
-      // The threshold is reached, not exceeded, so regimeAt would still return sticking.
+      // The threshold is reached, not exceeded, so that regimeAt would still return sticking.
       regime = this->regimeAt(state, load);
       regime.sticks = false;
       regime.slide = sign(load.targetVelocity);

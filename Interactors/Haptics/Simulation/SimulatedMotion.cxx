@@ -18,14 +18,13 @@ Eigen::Vector3d turnOf(const ToolOrientation& orientation) noexcept
                              : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// Number of forces that can be under way at once, if ticks are up to four times faster than
-/// specified.
+/// Largest number of delayed forces, if ticks are up to four times faster than specified.
 std::size_t pendingForces(const SimulatedPlant& plant, double rate)
 {
   return 4 + static_cast<std::size_t>(4.0 * rate * (plant.forceDelay + plant.sampleDelay));
 }
 
-/// The plant of rotations: angles in place of displacements, torques in place of forces.
+/// The plant of rotations: angles replace displacements, torques replace forces.
 SimulatedPlant turningPlant(const SimulatedPlant& plant)
 {
   SimulatedPlant turning;
@@ -190,7 +189,7 @@ void SimulatedMotion::advanceTo(double time) noexcept
   }
   const Eigen::Vector3d meantFrom = turnOf(isTold(heldBefore) ? heldBefore : held);
   const Eigen::Vector3d turning = (turnOf(held) - meantFrom) / (time - from);
-  // Each interval ends at a way point, or when a force under way begins to act.
+  // Each interval ends at a way point, or when a delayed force begins to act.
   while (this->Clock < time)
   {
     this->hold();
