@@ -149,10 +149,10 @@ double PassivityControl::wayOfHand(const SpatialVector& direction, double time) 
 double PassivityControl::allowedUnderWay(
   const SpatialVector& force, double size, double energy) const noexcept
 {
-  const double whatever = this->UnderWay.largestWithin(2.0 * this->Stiffness * energy);
-  if (!(size > whatever))
+  const double unconditional = this->UnderWay.largestWithin(2.0 * this->Stiffness * energy);
+  if (!(size > unconditional))
   {
-    return whatever;
+    return unconditional;
   }
   // Solves f (displacement of the hand + f t²/2m) = E for f, where t is the duration of all holds.
   const double time = this->Period * static_cast<double>(this->UnderWay.late() + 1);
@@ -160,7 +160,7 @@ double PassivityControl::allowedUnderWay(
   const double way = this->wayOfHand(direction, time);
   const double perForce = 0.5 * time * time / this->handleAlong(direction);
   const double most = (std::sqrt(way * way + 4.0 * perForce * energy) - way) / (2.0 * perForce);
-  return std::max(whatever, most);
+  return std::max(unconditional, most);
 }
 
 double PassivityControl::storable(double force, double depth, double torque) const noexcept

@@ -59,7 +59,7 @@ private:
     int limit = 0; ///< sign of the hand's force if it is at its maximum
   };
 
-  double wish(const State& state, const Load& load) const noexcept;
+  double unlimitedForce(const State& state, const Load& load) const noexcept;
   Regime regimeAt(const State& state, const Load& load) const noexcept;
   bool leaves(const Regime& regime, const State& state, const Load& load) const noexcept;
   State move(const Regime& regime, const State& state, const Load& load, double duration) noexcept;

@@ -61,9 +61,9 @@ private:
   void hold() noexcept;
   DeviceSample measure(double time) const noexcept;
   /// The hand's target orientation at `time`.
-  ToolOrientation meant(double time) const noexcept;
+  ToolOrientation targetOrientation(double time) const noexcept;
   void beginTurn(const Eigen::Vector3d& rotation) noexcept;
-  void turn(const Eigen::Vector3d& meant, const Eigen::Vector3d& rate, double duration) noexcept;
+  void turn(const Eigen::Vector3d& target, const Eigen::Vector3d& rate, double duration) noexcept;
   bool turns() const noexcept { return this->Plant.inertia > 0.0; }
 
   SimulatedPlant Plant;
