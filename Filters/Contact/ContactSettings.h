@@ -46,7 +46,7 @@ struct FrictionSettings
   double tangentialStiffness = 1.0;
   /// Fraction of the sliding limit below which a stuck contact is elastic and does not creep, 0 to
   /// 1. With 0, Hayward and Armstrong's z⁸ applies, which creeps a little under any load. Only used
-  /// by ElastoPlastic. ElastoPlastic.
+  /// by ElastoPlastic.
   double breakaway = 0.8;
   /// Fraction of the limit at which half of a further displacement is creep, z_st/z_max, >=
   /// breakaway. Only used by ElastoPlastic.

@@ -20,7 +20,7 @@ struct MeshPart
 
 /// Leaves out parts that are copies of another part, or of a region of another part, with separate
 /// points: the first corner of their triangles becomes -1. Returns the triangles of walls that two
-/// solids share, each pair in sequence. share, each pair in sequence.
+/// solids share, each pair in sequence.
 ///
 /// `coordinates`: 3 floats per point; `order`: triangles, part by part. O(n log n), 16 bytes per
 /// triangle.

@@ -22,7 +22,7 @@ struct SecondOrder
   Hessian hessian = Hessian::Zero();
 
   SecondOrder() = default;
-  SecondOrder(double constant) // a constant is a SecondOrder without derivatives
+  SecondOrder(double constant) // NOLINT(google-explicit-constructor): a constant is such a number
     : value(constant)
   {
   }

@@ -87,8 +87,7 @@ private:
  * The force of one contact on a body that relaxes, computed tick by tick.
  *
  * The stored curve f is the slow response. Parallel elements (RelaxationElements) carry the memory
- * force; each separates from the tool independently. Their slow force f_N is f approximated by of
- * memory; each separates from the tool on its own. Their slow force f_N is f approximated by
+ * force; each separates from the tool independently. Their slow force f_N is f approximated by
  * chords. The rest f - f_N relaxes as one quasi-linear branch (QLV). The force F = Σ w_j q_j + (f -
  * f_N) + QLV[f - f_N] is at least 0, and 0 when the first element separates. Loading is exact for
  * any number of elements. On release the contact ends before the tool has left the dent, and the

@@ -38,9 +38,11 @@ struct StrainReach
  * two layers) and depth. It is interpolated by cubic polynomials through four nodes (or all, if
  * there are fewer) over ν, ln h and √(δ/δ_max), in which c is smooth: for a sphere c - 1 is nearly
  * proportional to √δ. The depth 0 is an additional node, where c is 1 or, for a tool without a
- * length (cone), the same as at every depth. depth. Beyond the last root c is extrapolated linearly
- * for a quarter of that root, and is constant after that. A row may end early if no equilibrium was
- * found; beyond its end c is constant immediately. The error grows with the distance from the end.
+ * length (cone), the same as at every depth.
+ *
+ * Beyond the last root c is extrapolated linearly for a quarter of that root, and is constant after
+ * that. A row may end early if no equilibrium was found; beyond its end c is constant immediately.
+ * The error grows with the distance from the end.
  */
 class PALPATE_EXPORT StrainTable
 {
