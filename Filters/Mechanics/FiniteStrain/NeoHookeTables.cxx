@@ -31,7 +31,7 @@ constexpr double LayerLimit = 0.7;
 constexpr double HalfSpaceExtension = 1.8;
 constexpr double LayerExtension = 2.25;
 constexpr double TableError = 0.003; // due to mesh, far field and interpolation
-// For a sharp flat end; the end of the table has a rounded rim.
+// Error for a sharp flat end, because the flat end of the table has a rounded rim.
 constexpr double FlatError = 0.015;
 constexpr double FlatLayerError = 0.022; // difference from another code's result for a sharp flat
 constexpr double ConeError = 0.005;
