@@ -31,7 +31,8 @@ constexpr double SolvedFillet = 0.1;
 
 /**
  * c = F_finite/F_small of the solver, both on one mesh, at the nodes of a table, in the order of
- * StrainTable. c is 0 if the solver found no equilibrium. Cached results are used (StrainCache.h).
+ * StrainTable. c is 0 if the solver found no equilibrium. Cached results are used
+ * (SolutionCache.h).
  *
  * Rows are solved on `threads` threads, with 50 to 100 MB each. The result is bit for bit the same
  * for any number of threads. `goOn(fraction)` is called on the calling thread, about ten times a
