@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// A triangle is degenerate if its height is lost in the rounding of its coordinates.
+/// Whether the height of a triangle exceeds the rounding of its coordinates.
 bool hasArea(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double longest =

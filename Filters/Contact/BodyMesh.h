@@ -22,8 +22,8 @@ namespace palpate
  * that traverse it: the triangles that meet at a point, open borders, the outer side. The servo
  * tick reads the PackedMesh instead.
  *
- * Triangles are wound counter-clockwise seen from outside. Triangles with a vertex that is not
- * finite, an index out of range or no area are ignored, and counted.
+ * Triangles are wound counter-clockwise seen from outside. A triangle is ignored, and counted in
+ * defects(), if a vertex is not finite, an index is out of range, or the area is zero.
  *
  * Cost: built in O(n), about 90 bytes per triangle. Immutable, safe from any number of threads.
  */
@@ -44,7 +44,7 @@ public:
   BodyMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount);
 
-  /// As given: x, y, z of each point, three indices of each triangle.
+  /// The arrays given to the constructor: x, y, z of each point; three indices of each triangle.
   const double* coordinates() const noexcept { return this->Points.data(); }
   const std::int32_t* indices() const noexcept
   {
@@ -65,7 +65,7 @@ public:
   {
     return this->Usable[static_cast<std::size_t>(triangle)];
   }
-  /// Unit angle-weighted normal at a point; zero where no usable triangle meets.
+  /// Unit angle-weighted normal at a point; zero if no usable triangle meets the point.
   Vector3 pointNormal(std::int32_t index) const noexcept
   {
     return Eigen::Map<const Vector3>(
@@ -81,12 +81,12 @@ public:
   {
     return std::find(this->Usable.begin(), this->Usable.end(), true) != this->Usable.end();
   }
-  /// No border and no defect: the surface encloses a volume.
+  /// Whether the surface encloses a volume: it has neither a border nor a defect.
   bool isClosed() const noexcept;
   /// Volume enclosed by the usable triangles, mm³; negative if they are wound inward.
   double enclosedVolume() const noexcept;
 
-  /// Unsigned closest point of one triangle.
+  /// The point of the triangle closest to the tip; the distance is unsigned.
   TriangleProjection project(const Vector3& tip, std::int32_t triangle) const noexcept;
 
 private:
@@ -101,8 +101,8 @@ private:
   Defects Found;
 };
 
-/// The normals of a BodyMesh without the mesh, x, y, z of each point. The corners of all triangles
-/// must be points.
+/// Computes the same normals as pointNormal() without a BodyMesh: x, y, z of each point. Every
+/// corner of every triangle must be the index of a point.
 PALPATE_EXPORT std::vector<double> angleWeightedNormals(const double* points,
   std::size_t pointCount, const std::int32_t* triangles, std::size_t triangleCount);
 } // namespace palpate

@@ -17,17 +17,18 @@ namespace palpate
  * The force that remains on a tip that has slid off an open border.
  *
  * Beyond a border there is no surface and no depth, but a force that ends between two ticks is felt
- * as a knock. So the force fades with the position of the tip. The tip is h deep under the surface
- * at the border and l beyond it, measured within the surface. It keeps the fraction
+ * as a knock. Therefore the force fades with the position of the tip. Let the tip be h below the
+ * surface at the border, and l beyond the border, measured within the surface. The force is then
+ * the fraction
  *   (1 - l/h)² (1 + 2 l/h)
- * of the force at depth h: the whole force right under the border, nothing from l = h on, without a
- * kink at either end. The force stays along the surface's normal: nothing pulls the tip back to the
+ * of the force at depth h: 1 directly under the border and 0 for l >= h, with a continuous slope at
+ * both ends. The force remains along the normal of the surface; no force pulls the tip back to the
  * border.
  *
- * The fade is a function of the position alone, not of the path. It is continuous where the surface
- * at the border is flat or bends along the border; elsewhere it jumps only with the angle between
- * neighbouring triangles. Energy is not conserved: a tip may come in from the side without the work
- * of pressing.
+ * The fade is a function of the position alone, not of the path. It is continuous if the surface at
+ * the border is flat or bends along the border; otherwise it jumps only because of the angle
+ * between neighbouring triangles. Energy is not conserved: a tip that enters from the side reaches
+ * a depth without the work of pressing.
  */
 struct BorderFade
 {
@@ -44,8 +45,9 @@ private:
   /// Length (>= 0) of the part of a vector that is in the cone between two unit vectors.
   static double lengthBetween(
     const Vector3& vector, const Vector3& one, const Vector3& other) noexcept;
-  /// Depth under a corner: along the normals of the triangles whose border edges end there, and
-  /// between these normals. On a manifold these are two triangles; where more meet, any two.
+  /// Depth under a corner: the largest length of -offset within the cone between the normals of two
+  /// triangles with a border edge that ends at the corner. A manifold has two such triangles; if
+  /// there are more, any two of them may be combined.
   static double depthAtCorner(
     const PackedMesh& mesh, std::int32_t triangle, int corner, const Vector3& offset) noexcept;
 };
@@ -59,7 +61,7 @@ inline double BorderFade::lengthBetween(
   const double alpha = a - cosine * b;
   const double beta = b - cosine * a;
   const double squaredSine = 1.0 - cosine * cosine;
-  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // else both are one direction
+  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // else the two directions count separately
   {
     return std::sqrt((alpha * a + beta * b) / squaredSine);
   }

@@ -8,13 +8,13 @@ namespace palpate
 {
 namespace
 {
-/// Largest change of the force by the error of a stretch's end, over K_max δ.
+/// Permitted error of the force because of the position of a stretch's end, divided by K_max δ.
 constexpr double Accuracy = 1e-7;
 } // namespace
 
 double CappedResponse::Slope::root() const noexcept
 {
-  // The root between the ends, which have different signs; computed without cancellation.
+  // The root between t = 0 and 1, where the signs differ; computed without cancellation.
   const double square = second * second - 4.0 * first * third;
   const double sum = -0.5 * (second + std::copysign(std::sqrt(std::max(0.0, square)), second));
   for (const double t : { first / sum, sum / third })
@@ -42,7 +42,7 @@ CappedResponse::Place CappedResponse::at(double root) const noexcept
   return { root, deflection, value.force, value.stiffness - this->Maximum };
 }
 
-/// The stiffness may be infinite there: only its sign is used, with a limited size.
+/// The stiffness may be infinite at δ = 0: only its sign is used, with a limited size.
 CappedResponse::Place CappedResponse::atOnset(const Place& first) const noexcept
 {
   constexpr double close = 1e-6;
@@ -52,8 +52,8 @@ CappedResponse::Place CappedResponse::atOnset(const Place& first) const noexcept
   return place;
 }
 
-/// Derivative of G = F - K_max δ between two places, from the cubic in √δ with its values and
-/// slopes there: G'(t) = first + t (second + t third), t from 0 to 1.
+/// Derivative of G = F - K_max δ between two points, from the cubic in √δ with the values and
+/// slopes at these points: G'(t) = first + t (second + t third), t from 0 to 1.
 CappedResponse::Slope CappedResponse::slopeBetween(
   const Place& low, const Place& high) const noexcept
 {
@@ -69,7 +69,8 @@ CappedResponse::Place CappedResponse::crossing(Place low, Place high) const noex
   const bool rises = high.excess > 0.0;
   const double enough = Accuracy * this->Maximum * high.deflection;
   double guess = this->slopeBetween(low, high).root();
-  // Illinois: an end that stays counts half, so that both ends approach the root.
+  // Illinois: the weight of an end that is kept twice is halved, so that both ends approach the
+  // root.
   double lowWeight = 1.0;
   double highWeight = 1.0;
   Place found = low;
@@ -152,7 +153,7 @@ double CappedResponse::lostByRise(double deflection, double force) const noexcep
   }
   if (!(high.excess > 0.0))
   {
-    return 0.0; // by rounding at the node
+    return 0.0; // negative because of rounding at the node
   }
   const Place begin = low.excess > 0.0 ? low : this->crossing(low, high);
   return begin.deflection < deflection ? this->taken(begin, deflection, force) : 0.0;

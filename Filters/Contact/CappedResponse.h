@@ -10,28 +10,29 @@ namespace palpate
 /**
  * The curve of a contact with its stiffness capped, for devices that cannot render a stiffer one:
  *   F_c(δ) = ∫₀^δ min(dF/dδ, K_max) dδ'.
- * A function of the deflection alone: it has no state, takes and gives no energy, and moves with
- * the contact as F does.
+ * F_c is a function of the deflection alone: it has no state, and a closed cycle of the deflection
+ * neither gains nor loses energy. As the contact moves over the surface, F_c changes as F does.
  *
  * F_c differs from F by the stretches [a, b] where the stiffness is above K_max: each reduces the
  * force by F(b) - F(a) - K_max (b - a). The ends of stretches are searched between fixed nodes
- * √(δ/δ_max) = j/16. An end is between two nodes if the excess dF/dδ - K_max changes its sign
- * there. Two ends are between them if the cubic with the values and slopes at the nodes has two
- * such changes. The first guess of an end comes from that cubic; regula falsi (Illinois) then
- * refines it. The excess is zero at the end, so that an error ε of its place changes the force by
- * the order of ε² only. For a monotone stiffness F_c is exact to 1e-7 of K_max δ. If the stiffness
- * rises and falls several times between two nodes, a stretch can be missed (random samples: up to
- * 2 %). The nodes do not depend on δ, so F_c is continuous in δ to that 1e-7.
+ * √(δ/δ_max) = j/16. One end lies between two nodes if the excess dF/dδ - K_max has different signs
+ * at these nodes. Two ends lie between them if the cubic with the values and slopes at the nodes
+ * has two changes of sign. This cubic gives the first guess of an end; regula falsi (Illinois) then
+ * refines it. The excess is zero at an end, so that an error ε of its position changes the force
+ * only by the order of ε². For a monotone stiffness F_c is exact to 1e-7 of K_max δ. If the
+ * stiffness rises and falls several times between two nodes, a stretch can be missed (random
+ * samples: up to 2 %). The nodes do not depend on δ, so that F_c is continuous in δ to that 1e-7.
  *
  * If the stiffness of the response is known to rise (ResponseField), there is at most one stretch,
  * without an upper end. There is none while dF/dδ <= K_max; its start is found by bisection of the
  * nodes.
  *
- * Cost: one evaluation of F per node up to δ, 16 to the end of the range (beyond it at most 32),
- * and about 3 (at most Refinements) per end of a stretch; a monotone stiffness has one end. For a
- * stiffness known to rise: none without a stretch, else about 8. F_c below 0, after a capped rise
- * and a longer fall, becomes 0. K_max infinite: F; negative or NaN: 0. δ <= 0 and NaN give 0.
- * Neither allocates nor throws.
+ * Cost: one evaluation of F per node up to δ, that is 16 up to the end of the range and at most 32
+ * beyond it, and about 3 (at most Refinements) per end of a stretch; a monotone stiffness has one
+ * end. For a stiffness known to rise, no evaluation if there is no stretch, else about 8. A
+ * negative F_c, which can follow a capped rise and a longer fall, is replaced by 0. If K_max is
+ * infinite, F_c is F; if K_max is negative or NaN, F_c is 0. F_c is 0 for δ <= 0 and NaN. No
+ * function allocates or throws.
  */
 class PALPATE_EXPORT CappedResponse
 {
@@ -63,16 +64,16 @@ private:
     double excess = 0.0;     ///< dF/dδ - K_max, N/mm
   };
 
-  /// A parabola over [0, 1].
+  /// The parabola first + second t + third t² over 0 <= t <= 1.
   struct Slope
   {
     double first;
     double second;
     double third;
 
-    /// Place of its zero, if its ends have different signs.
+    /// Position of the zero, if the values at 0 and 1 have different signs.
     double root() const noexcept;
-    /// Place of an extreme with the opposite sign of both ends; 0 if there is none.
+    /// Position of an extremum with the opposite sign of both end values; 0 if there is none.
     double oppositeExtreme() const noexcept;
   };
 
@@ -83,9 +84,9 @@ private:
   Place crossing(Place low, Place high) const noexcept;
   /// F and dF/dδ at a deflection, capped.
   ResponseValue cap(double deflection, ResponseValue value) const noexcept;
-  /// The force by which the cap reduces F at δ > 0.
+  /// The force by which the cap reduces F at δ > 0, N.
   double lost(double deflection, double force) const noexcept;
-  /// The same for a stiffness that only rises and is above K_max at δ.
+  /// lost() for a stiffness that only rises and is above K_max at δ.
   double lostByRise(double deflection, double force) const noexcept;
   double taken(const Place& from, double end, double forceThere) const noexcept
   {

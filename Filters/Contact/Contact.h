@@ -14,12 +14,12 @@ namespace palpate
 /// Pose of a tool in the body's frame, mm.
 struct ToolPose
 {
-  /// The axis is unknown, and taken to be the body's normal.
+  /// The axis is unknown and assumed to be parallel to the body's normal.
   explicit ToolPose(const Eigen::Vector3d& at) noexcept
     : tip(at)
   {
   }
-  /// `along`: any length; zero or not finite: unknown.
+  /// `along` need not have unit length; if it is zero or not finite, the axis is unknown.
   ToolPose(const Eigen::Vector3d& at, const Eigen::Vector3d& along) noexcept
     : tip(at)
   {
@@ -32,32 +32,35 @@ struct ToolPose
 
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
 
-  Eigen::Vector3d tip;                            ///< on the tool's axis
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< unit, from the tip up the shaft; or zero
+  Eigen::Vector3d tip; ///< on the tool's axis
+  /// Unit, from the tip up the shaft; zero: unknown.
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
-/// The closest point of a body: its triangle (-1: none), the place on it, and the side of the tip.
+/// The closest point of a body: its triangle (-1: none), its position on the triangle, and the side
+/// on which the tip is.
 struct SurfacePoint
 {
-  std::int32_t triangle = -1; ///< of the PackedMesh, not of the input
+  std::int32_t triangle = -1; ///< index in the PackedMesh, not in the input
   TriangleProjection projection;
   /// Distance from the surface to the tip, mm: > 0 outside, < 0 inside.
   double signedDistance = 0.0;
   /// The closest point is on an open border, where inside and outside are not defined.
   bool onBorder = false;
-  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease): the
-  /// side of the tip is that of the triangle's own face alone.
+  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease). The
+  /// face of this triangle alone then decides on which side of the surface the tip is.
   bool onCrease = false;
 };
 
-/// A closest point that is followed, with its motion by the tip. Normal and gradients are those of
-/// the smooth surface, or of EnergyGradient::onFacet.
+/// A closest point that is followed, and how it moves with the tip. The normal and the gradients
+/// are those of the smooth surface or those of EnergyGradient::onFacet.
 struct ContactPlace : SurfacePoint
 {
-  bool isSmooth = false; ///< on the smooth surface, or on the facets
-  /// Surface normal, unit, outward; at an edge or corner of facets from the tip to the point.
+  bool isSmooth = false; ///< true: on the smooth surface; false: on the facets
+  /// Unit normal of the surface, outward. At an edge or corner of facets it points from the tip to
+  /// the closest point.
   Vector3 normal = Vector3::Zero();
-  /// Column i: gradient of area coordinate i as the tip moves, 1/mm; tangential.
+  /// Column i: gradient of area coordinate i by the tip's position, 1/mm; tangential.
   Eigen::Matrix3d weightGradients = Eigen::Matrix3d::Zero();
 };
 
@@ -78,19 +81,19 @@ struct Contact
 {
   ContactState state = ContactState::None;
   Vector3 force = Vector3::Zero();    ///< total, on the tool
-  Vector3 friction = Vector3::Zero(); ///< its part that is friction
-  /// Torque on the tool about its tip, N mm; zero if its axis is unknown, or the response has no
+  Vector3 friction = Vector3::Zero(); ///< the part of `force` due to friction
+  /// Torque on the tool about its tip, N mm; zero if its axis is unknown or the response has no
   /// tilt data.
   Vector3 torque = Vector3::Zero();
   double normalForce = 0.0;
-  /// Part of normalForce in addition to the slow response, for a body that relaxes.
+  /// For a body that relaxes: the part of normalForce that relaxation adds to the slow force.
   double memory = 0.0;
   double stiffness = 0.0;           ///< Σ n_i dF_i/dδ
-  double deflection = 0.0;          ///< of the deepest point of the tool
-  double tilt = 0.0;                ///< of the axis from the normal, rad
-  Vector3 normal = Vector3::Zero(); ///< unit, outward, along which normalForce acts
+  double deflection = 0.0;          ///< of the deepest point of the tool, mm
+  double tilt = 0.0;                ///< angle between the tool's axis and the normal, rad
+  Vector3 normal = Vector3::Zero(); ///< unit, outward; normalForce acts along it
   Vector3 contactPoint = Vector3::Zero();
-  std::int32_t triangle = -1; ///< of the input; -1: none
+  std::int32_t triangle = -1; ///< index in the input; -1: none
 };
 } // namespace palpate
 

@@ -17,8 +17,8 @@
 namespace palpate
 {
 /// All data of a body that a tick needs: its surface, the search tree over it, the response at its
-/// points. Immutable once built; shared by any number of ToolContacts. Independent of its input
-/// data.
+/// points. Immutable once built; shared by any number of ToolContacts. It keeps no reference to its
+/// input data.
 struct ContactBody
 {
   /// `points` (x, y, z each), `triangles` (three point indices each), and a response for every
@@ -38,8 +38,8 @@ struct ContactBody
       progress(1.0);
     }
   }
-  /// A copy of the surface of another body with other responses. Either both bodies use sharp
-  /// edges, or neither does.
+  /// A body with the surface of another body and other responses. Sharp edges must have an effect
+  /// in both bodies or in neither.
   ContactBody(const ContactBody& same, const ResponseArrays& responses)
     : surface(same.surface)
     , tree(same.tree, surface)

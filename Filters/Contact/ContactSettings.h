@@ -11,16 +11,16 @@ enum class ForceForm : int
   /// the force loses about h²/(6 R²) in the middle of a facet of size h on a body of radius R.
   Paper,
   /// (Σ n_i f_i) along the normalised Σ n_i U_i: magnitude and direction are blended separately. On
-  /// the smooth surface along that surface's own normal, so that equal responses have an energy.
+  /// the smooth surface the force acts along the normal of that surface, so that equal responses
+  /// have an energy.
   NormalizedDirection,
-  /// -∇ of the energy Σ n_i e_i, e_i = ∫f_i: Σ n_i f_i n - Σ e_i ∇n_i with the surface's own normal
-  /// n. Closed loops within one contact neither gain nor lose energy, whatever the responses. On
-  /// facets with different responses the energy itself jumps from facet to facet; this jump is the
-  /// exception.
+  /// -∇ of the energy Σ n_i e_i, e_i = ∫f_i: Σ n_i f_i n - Σ e_i ∇n_i, where n is the normal of the
+  /// surface. Closed loops within one contact neither gain nor lose energy, whatever the responses.
+  /// An exception are facets with different responses: the energy itself jumps from facet to facet.
   EnergyConsistent
 };
 
-/// The surface the tip is projected on.
+/// The surface on which the tip is projected.
 enum class ContactSurface : int
 {
   Facets, ///< the triangles as they are
@@ -31,8 +31,8 @@ enum class ContactSurface : int
 enum class FrictionModel : int
 {
   ElastoPlastic, ///< Hayward and Armstrong 2000: stick, creep, slide; no drift below breakaway
-  Dahl,          ///< the same, but creeps from the first displacement on: drifts
-  ShapeDerived   ///< from the stored response itself (Jaeger; Ciavarella): only μ and ν
+  Dahl, ///< as ElastoPlastic, but every displacement causes creep, so that the contact drifts
+  ShapeDerived ///< computed from the stored response (Jaeger; Ciavarella); parameters: only μ and ν
 };
 
 /// The friction model and its parameters.
@@ -44,9 +44,9 @@ struct FrictionSettings
   /// Stiffness of the stuck contact, σ₀, N/mm, > 0. A servo loop of period T at a device of damping
   /// b is stable only for σ₀ <= 2b/T. Not used by ShapeDerived.
   double tangentialStiffness = 1.0;
-  /// Fraction of the sliding limit up to which a stuck contact is elastic and nothing creeps, 0 to
-  /// 1. 0: Hayward and Armstrong's z⁸, which creeps a little under any load. Only used by
-  /// ElastoPlastic.
+  /// Fraction of the sliding limit below which a stuck contact is elastic and does not creep, 0 to
+  /// 1. With 0, Hayward and Armstrong's z⁸ applies, which creeps a little under any load. Only used
+  /// by ElastoPlastic.
   double breakaway = 0.8;
   /// Fraction of the limit at which half of a further displacement is creep, z_st/z_max, >=
   /// breakaway. Only used by ElastoPlastic.
@@ -62,9 +62,9 @@ struct ContactSettings
   ForceForm form = ForceForm::NormalizedDirection;
   ContactSurface surface = ContactSurface::Facets;
   FrictionSettings friction = {};
-  /// Number of parallel elements for a body that relaxes, 0 to MostRelaxationElements; 0: one,
-  /// quasi-linear. More elements are more accurate when the tool moves out again: within 0.9 % of
-  /// the largest force with 16, 3 % with 8, 12 % with 0.
+  /// Number of parallel elements for a body that relaxes, 0 to MostRelaxationElements; 0: the
+  /// quasi-linear law. More elements are more accurate when the tool moves out again: within 0.9 %
+  /// of the largest force with 16, 3 % with 8, 12 % with 0.
   int relaxationElements = 16;
   static constexpr int MostRelaxationElements = 32;
 };

@@ -35,14 +35,14 @@ double longestEdge(const PackedMesh& mesh, std::int32_t triangle) noexcept
   return std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
 }
 
-/// The nearest place so far, and its triangle.
+/// The nearest point found so far, and its triangle.
 struct Place
 {
   std::int32_t triangle;
   TriangleProjection projection;
 };
 
-/// Moves across the edge of the projection if the triangle there is nearer.
+/// Moves across the edge on which the projection lies if the triangle there is nearer.
 bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const int edge = static_cast<int>(place.projection.feature) - 3;
@@ -60,7 +60,7 @@ bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcep
   return true;
 }
 
-/// Moves to the nearest of the triangles around the corners, if one is nearer.
+/// Moves to the nearest triangle around the corners if it is nearer than the present one.
 bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const std::int32_t current = place.triangle;
@@ -103,7 +103,7 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
     }
     if (onFace && mesh.isCertainlyNearest(tip, place.triangle, place.projection))
     {
-      const double depth = std::sqrt(place.projection.squaredDistance); // inside only
+      const double depth = std::sqrt(place.projection.squaredDistance); // the tip is inside
       return { place.triangle, place.projection, -depth, false };
     }
     if (!searchAround(mesh, tip, place))
@@ -116,7 +116,7 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
 
 std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
-  constexpr int crossings = 16; // 2 mm of 0.3 mm triangles: more than a hand moves in a tick
+  constexpr int crossings = 16; // 2 mm over 0.3 mm triangles: more than a hand moves in a tick
   const Vector3 local = this->Mesh.toLocal(tip);
   std::int32_t triangle = this->Last.triangle;
   for (int i = 0; i < crossings && triangle >= 0; ++i)
@@ -162,7 +162,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
   if (this->Smooth)
   {
-    // Start where the contact should have moved with the tip, to first order.
+    // Start at the point to which the contact should have moved with the tip, to first order.
     return this->touch(tip, this->Last.triangle,
       this->Last.projection.weights + this->Last.weightGradients.transpose() * (tip - this->Tip));
   }
@@ -190,7 +190,7 @@ ContactTracker::Result ContactTracker::begin(const Vector3& tip) noexcept
   {
     return classified(nearest);
   }
-  // A patch never rises above its facet by more than the facet's length.
+  // The height of a patch above its facet never exceeds the longest edge of the facet.
   if (nearest.signedDistance > longestEdge(this->Mesh, nearest.triangle))
   {
     return {};

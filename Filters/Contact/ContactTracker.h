@@ -18,33 +18,35 @@ namespace palpate
  *
  * The first contact is the globally closest point of the body, once the tip is inside. From then on
  * the contact is the local minimum of the distance that is reached from the last triangle. It moves
- * across an edge towards the tip while that brings it nearer. It stops when no triangle that shares
- * a corner with its own is nearer, to the rounding of double arithmetic. This is certain from a
- * bound stored with each triangle (PackedMesh::isCertainlyNearest); otherwise these triangles are
- * checked. (Checking only the triangles across the edges is not enough: under a convex pair of
- * facets each facet has such a point.)
+ * across an edge towards the tip as long as that reduces the distance. It stops when no triangle
+ * that shares a corner with the current triangle is nearer, to the rounding of double arithmetic. A
+ * bound stored with each triangle makes this certain in most ticks
+ * (PackedMesh::isCertainlyNearest); otherwise these triangles are checked. (Checking only the
+ * triangles across the edges is not enough: under a convex pair of facets each facet has a local
+ * minimum of the distance.)
  *
- * So a tip that has passed the middle of a thin slab stays in contact with the side it entered, as
- * a god-object does (Zilles and Salisbury 1995). The contact ends when the tip passes this side of
- * the surface outward (another contact may begin in the same tick). It also ends beyond an open
- * border, where its force has faded to 0 (BorderFade).
+ * Therefore a tip that has passed the middle of a thin slab remains in contact with the side it
+ * entered, as a god-object does (Zilles and Salisbury 1995). The contact ends when the tip leaves
+ * the body through this side (another contact may begin in the same tick). It also ends beyond an
+ * open border, where its force has faded to 0 (BorderFade).
  *
  * On the smooth surface the local minimum is that of SmoothContact. The first contact starts from
  * the closest point of the facets and begins when the tip is inside the smooth surface, which is a
  * little above convex facets and below concave ones. If there is no smooth point (see
- * SmoothContact), the contact continues on the facets from there and returns to the smooth surface
- * as soon as there is a point. The force may jump at such a change, by the difference of facets and
- * surface.
+ * SmoothContact), the contact continues on the facets and returns to the smooth surface as soon as
+ * there is a smooth point. At such a change the force may jump by the difference between facets and
+ * smooth surface.
  *
- * If the surface is cut along sharp edges (PackedMesh), a contact stays on its face: beyond a
- * crease it is held at its closest point until the caller ends it (BodyEdges). No contact begins
- * there, because a tip whose closest point is on a convex edge is outside.
+ * If the surface is cut along sharp edges (PackedMesh), a contact remains on its face: beyond a
+ * crease, the contact point is the closest point of the face until the caller ends the contact
+ * (BodyEdges). No contact begins there, because a tip whose closest point is on a convex edge is
+ * outside.
  *
- * A tick neither allocates nor locks nor throws. The steps of a tick are limited to MaximumSteps,
- * one step being about one triangle: 30 mm on a body of 0.2 mm triangles. For a tip that moves
- * farther, the whole body is searched as for a new contact: a point on the path would be no local
- * minimum, and its distance no deflection. One tracker serves one thread; mesh, tree and response
- * may be shared and must outlive it.
+ * A tick neither allocates nor locks nor throws. It makes at most MaximumSteps steps of about one
+ * triangle each: 30 mm on a body of 0.2 mm triangles. If the tip moves farther, the whole body is
+ * searched as for a new contact, because a point on the path would not be a local minimum, and its
+ * distance would not be a deflection. One tracker serves one thread; mesh, tree and response may be
+ * shared and must outlive it.
  */
 class PALPATE_EXPORT ContactTracker
 {
@@ -60,12 +62,12 @@ public:
     Invalid ///< the tip is not finite, or the body has no usable triangle
   };
 
-  /// State of a tip.
+  /// Outcome and contact point of one tick.
   struct Result
   {
     Outcome outcome = Outcome::Outside;
-    /// The contact point in the body's frame. Normal and gradients are not set on facets, except
-    /// where the facets replace the smooth surface.
+    /// The contact point in the body's frame. Normal and gradients are not set on facets, except on
+    /// facets that replace the smooth surface.
     ContactPlace place;
   };
 
@@ -105,18 +107,18 @@ public:
   /// Triangle of the last contact, -1 if there was none.
   std::int32_t triangle() const noexcept { return this->Last.triangle; }
 
-  /// The triangle of the contact that is likely when the tip is there, found by a short walk over
-  /// faces without any check. -1 without a contact.
+  /// The triangle of the contact that is likely when the tip is at `tip`, found by a short walk
+  /// over faces without any check; -1 without a contact.
   std::int32_t triangleAhead(const Vector3& tip) const noexcept;
 
-  /// Local minimum of the distance reached from a triangle, in the mesh's local frame; triangle -1
-  /// if this takes more than MaximumSteps.
+  /// Local minimum of the distance reached from a triangle, in the mesh's local frame. The triangle
+  /// is -1 if the search takes more than MaximumSteps.
   static SurfacePoint follow(
     const PackedMesh& mesh, const Vector3& tip, std::int32_t triangle) noexcept;
 
 private:
-  /// The case of most ticks: the tip is under the face of the last tick or a few edges away from
-  /// it, and certainly no triangle around is nearer. Otherwise returns false and changes nothing
+  /// Handles most ticks: the tip is under the face of the last tick or a few edges away from it,
+  /// and certainly no neighbouring triangle is nearer. Otherwise returns false and changes nothing
   /// except `surface`.
   bool staysOnFaces(const Vector3& tip, SurfacePoint& surface) noexcept
   {
@@ -145,7 +147,7 @@ private:
     return true;
   }
   Result search(const Vector3& tip) noexcept;
-  // All in the mesh's local frame.
+  // The following functions use the mesh's local frame.
   /// Continues from the last contact.
   Result goOn(const Vector3& tip) noexcept;
   /// Starts from the closest point of the whole body.
@@ -156,10 +158,10 @@ private:
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
-  TriangleSearch Search;               ///< of the whole body; its cache saves time only
-  std::optional<SmoothContact> Smooth; ///< empty: on the facets
+  TriangleSearch Search;               ///< of the whole body; the cache only saves time
+  std::optional<SmoothContact> Smooth; ///< empty: contacts are on the facets
   ContactPlace Last;                   ///< triangle -1: no contact
-  Vector3 Tip = Vector3::Zero();       ///< at the last contact; only if smooth
+  Vector3 Tip = Vector3::Zero();       ///< tip at the last contact; used only on the smooth surface
 };
 } // namespace palpate
 

@@ -9,15 +9,15 @@
 namespace palpate
 {
 /**
- * The force that has an energy. Let the tip be in contact at area coordinates n_i, δ deep, where
- * the curves of the corners give f_i(δ) and have taken the work e_i(δ) = ∫₀^δ f_i. Then
+ * The force that has an energy. Let the tip be in contact at area coordinates n_i and depth δ,
+ * where the curves of the corners have the forces f_i(δ) and the work e_i(δ) = ∫₀^δ f_i. Then
  *   E = Σ n_i e_i,   F = -∇E = Σ n_i f_i n - Σ e_i ∇n_i,
- * because ∇δ = -n, n from the tip to the contact point (the surface's outward normal). A force
- * along the normal alone lacks the second sum. Where responses differ, pressing at one place and
- * unloading at another would then gain the difference of their e. As Σ ∇n_i = 0, the second sum
- * vanishes for equal responses. Both terms are needed in exactly this form: then no closed path of
- * a tip that stays in one contact gives or takes energy. The direction of F is not continuous: the
- * ∇n_i jump across edges, and the second sum with them, by the second differences of e.
+ * because ∇δ = -n, where n points from the tip to the contact point (the surface's outward normal).
+ * A force along the normal alone lacks the second sum. With different responses, pressing at one
+ * point and unloading at another would then gain the difference of their e. As Σ ∇n_i = 0, the
+ * second sum vanishes for equal responses. Only with both terms in exactly this form, no closed
+ * path of a tip within one contact gains or loses energy. The direction of F is not continuous: the
+ * ∇n_i jump across edges, and the second sum jumps with them, by the second differences of e.
  */
 struct EnergyGradient
 {
@@ -27,13 +27,13 @@ struct EnergyGradient
   static Eigen::Matrix3d facetWeightGradients(
     TriangleFeature feature, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
 
-  /// The same for the point of a mesh closest to a tip, with the normal there; tip and point in one
+  /// The normal and gradients at the point of a mesh closest to a tip; tip and point are in one
   /// frame.
   static ContactPlace onFacet(
     const PackedMesh& mesh, const Vector3& tip, const SurfacePoint& surface) noexcept;
 
   /// Force on the tool, N. `normalForce` is Σ n_i f_i, along the surface's outward normal. Element
-  /// i of `energies` is e_i; their common zero is arbitrary.
+  /// i of `energies` is e_i; a constant common to all three has no effect.
   static Vector3 force(double normalForce, const Vector3& normal,
     const Eigen::Matrix3d& weightGradients, const Vector3& energies) noexcept
   {

@@ -21,7 +21,8 @@ std::uint64_t aligned(std::uint64_t offset)
   return (offset + Header::Alignment - 1) / Header::Alignment * Header::Alignment;
 }
 
-/// FNV-1a over 64-bit words (Fowler, Noll, Vo), the rest byte by byte. Detects damage, not attacks.
+/// FNV-1a over 64-bit words (Fowler, Noll, Vo), and over the remaining bytes one by one. It detects
+/// damage, not attacks.
 class Checksum
 {
 public:
@@ -50,7 +51,7 @@ private:
   std::uint64_t Value = 0xcbf29ce484222325ULL;
 };
 
-/// Checksum over the header, with its checksum field taken as 0, and the sections.
+/// Checksum over the sections and the header, in which the checksum itself counts as 0.
 std::uint64_t checksumOf(const std::array<const void*, Header::SectionCount>& data, Header header)
 {
   const auto sizes = header.sectionSizes();
@@ -155,15 +156,15 @@ std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
     response.coupling.modes, response.tilt.drops, response.tilt.nodes, response.tilt.weight };
 }
 
-/// Checks the coupling, for which the servo tick relies on valid values.
+/// Checks the coupling; the servo tick requires valid values.
 std::string checkCoupling(const FlatBody& body)
 {
   const std::string fault = faultOfCoupling(body.response.coupling, body.points);
   return fault.empty() ? fault : "couples wrongly: " + fault;
 }
 
-/// Checks for strengths or compliances that are negative or not finite; the servo tick requires
-/// valid values.
+/// Checks that no strength or compliance is negative or not finite; the servo tick requires valid
+/// values.
 std::string checkRelaxation(const FlatBody& body)
 {
   const RelaxationTerms& terms = body.response.relaxation;

@@ -30,15 +30,16 @@ struct FlatBody
 };
 
 /**
- * A body file: header, then the arrays of a FlatBody, each aligned to 64 bytes, in the byte order
- * of the machine. It is mapped into memory, not read; for loops without VTK, and as a cache.
+ * A body file: a header, then the arrays of a FlatBody, each aligned to 64 bytes, in the byte order
+ * of the machine. The file is mapped into memory instead of being read. It serves loops without
+ * VTK, and as a cache.
  *
  * Header (see FlatBodyHeader.h): magic "PALPATE", format version, byte-order mark, size of the
  * file, checksum of header and arrays, counts, and the start of each array. Files that are
  * truncated, of another kind or byte order, damaged, or of a newer format are refused with a
- * reason; no file is loaded in part. Older formats are read: format 1 has no model parts (they
- * follow from the text), format 2 no EdgeTerms, format 3 no RelaxationTerms, format 4 no
- * CouplingTerms and no tilts.
+ * reason; no file is loaded in part. Older formats are read: format 1 has no model parts (they are
+ * derived from the text of the model), format 2 no EdgeTerms, format 3 no RelaxationTerms, format 4
+ * no CouplingTerms and no tilts.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
@@ -52,7 +53,7 @@ public:
   /// Maps a file. Returns an error that names the file and its fault, or "".
   std::string open(const std::string& path);
 
-  /// The content; its pointers live as long as this object and until the next open.
+  /// The content; its pointers are valid until the next open() or the end of this object.
   const FlatBody& body() const noexcept { return this->Body; }
 
 private:
@@ -60,7 +61,7 @@ private:
   FlatBody Body;
 };
 
-/// The kernel's own copy of a flat body; independent of its memory afterwards.
+/// Makes a kernel body from a copy of `body`, whose memory may be freed afterwards.
 PALPATE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body);
 } // namespace palpate
 

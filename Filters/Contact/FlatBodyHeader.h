@@ -14,8 +14,8 @@
 
 namespace palpate
 {
-/// The first bytes of a FlatBodyFile. The layout is fixed: only append members, and raise the
-/// version.
+/// The first bytes of a FlatBodyFile. The layout is fixed: a change may only append members, and
+/// must raise the version.
 struct FlatBodyHeader
 {
   static constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
@@ -51,13 +51,13 @@ struct FlatBodyHeader
   static constexpr std::size_t LaterSectionCount = CouplingKnots;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
-  /// The parts of a relaxation in addition to the series.
+  /// The parts of a relaxation that a file may have in addition to the series.
   enum RelaxationPart : std::int32_t
   {
     LocalPart = 1,
     ElasticPart = 2
   };
-  /// The parts of a coupling in addition to one modulus.
+  /// The parts of a coupling that a file may have in addition to one modulus.
   enum CouplingPart : std::int32_t
   {
     KnotsPart = 1,
@@ -75,7 +75,7 @@ struct FlatBodyHeader
   std::int32_t samples;
   std::int32_t laws; ///< 0: per point; k: compact
   double exponent;
-  /// Offsets from the start of the file; 0: absent.
+  /// Offsets from the start of the file; 0: the section is absent.
   std::array<std::uint64_t, FirstSectionCount> firstOffset;
   std::array<char, 128> tool; ///< ends with '\0'
   std::array<char, 128> model;
@@ -102,23 +102,24 @@ struct FlatBodyHeader
   std::int64_t tiltWeights;
   std::array<std::uint64_t, SectionCount - LaterSectionCount> latestOffset;
 
-  /// Reads the header of a file of at least SmallestSize; members that an older format lacks are 0.
+  /// Reads the header of a file of at least SmallestSize bytes; members that an older format lacks
+  /// are 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
 
-  /// Bytes of the header in a file of this version.
+  /// Bytes of the header in a file of the version of this header.
   std::size_t size() const;
   std::uint64_t& offset(std::size_t section);
   std::uint64_t offset(std::size_t section) const;
-  /// Bytes of each section, from the counts alone.
+  /// Bytes of each section, computed from the counts.
   Sections sectionSizes() const;
 
   void setEdges(const EdgeTerms& terms);
   EdgeTerms edgeTerms() const;
   void setRelaxation(const RelaxationTerms& terms);
-  /// Without the arrays per point.
+  /// The terms without the arrays per point.
   RelaxationTerms relaxationTerms() const;
   void setCoupling(const CouplingTerms& terms);
-  /// Without the arrays.
+  /// The terms without the arrays.
   CouplingTerms couplingTerms() const;
 
   void setTilt(const TiltViews& tilt);

@@ -25,10 +25,10 @@ bool isValid(const FrictionSettings& settings)
 
 constexpr int MostPieces = 40;
 constexpr double LongestPiece = 1.0 / 8.0; ///< of z_max
-constexpr double LastBit = 0.005;          ///< largest distance from the limit, of z_max
-constexpr double Ahead = 0.1;              ///< largest slope of z against the path
+constexpr double LastBit = 0.005; ///< largest distance from the limit, as a fraction of z_max
+constexpr double Ahead = 0.1;     ///< largest ratio of the parts of z across and along the path
 constexpr double AtLimit = 1.0 - 1e-9;
-constexpr double Shortest = 1e-150; ///< mm; the square of such a z_max is not 0
+constexpr double Shortest = 1e-150; ///< mm; the square of a z_max of this size is not 0
 
 double eighthPower(double square)
 {
@@ -79,7 +79,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   const Vector2 elastic = this->Z + step.displacement();
   if (std::max(elastic.squaredNorm(), this->Z.squaredNorm()) <= free * free)
   {
-    this->Z = elastic; // within the breakaway circle from end to end
+    this->Z = elastic; // within the breakaway circle during the whole step
   }
   else if (step.length() > 0.0)
   {
@@ -100,13 +100,14 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   return { -this->Stiffness * this->Z, sliding };
 }
 
-/// The usual step of a sliding contact: it is at the limit of the last load, moves a last bit to
-/// the limit of this load (or is clipped back to it), and is dragged on. Only the angle θ from path
-/// to z changes. Roots and divisions therefore use only values that are known before the load. The
-/// load enters by a factor near 1, evaluated by its series.
+/// Handles the usual step of a sliding contact: z is at the limit of the last load, moves a short
+/// distance to the limit of this load (or is clipped to it), and is then dragged. Only the angle θ
+/// from the path to z changes. Roots and divisions use only values that are known before the load
+/// is; the load enters by a factor near 1, evaluated by its series.
 ///
-/// The bit is one step with the creep of its middle, in polar coordinates d|z|/dx = (1 - α|z|) cos
-/// θ, dθ/dx = -sin θ/|z|. Errors are of second order in the angle and of third order in the bit.
+/// The short distance is one step with the creep at its middle, in polar coordinates d|z|/dx = (1 -
+/// α|z|) cos θ, dθ/dx = -sin θ/|z|. Errors are of second order in the angle and of third order in
+/// the distance.
 [[gnu::hot]] bool ElastoPlasticFriction::slideOn(
   const StraightStep& step, double longest, double inverse) noexcept
 {
@@ -125,7 +126,8 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
     const double half = 0.5 * missing;
     const double middle = 1.0 - half;
     const double w = eighthPower(middle * middle) - this->Breakaway8;
-    const double bit = missing * (1.0 + w * this->InverseWidth8); // path cos θ, by 1/(1 - α|z|)
+    // Path times cos θ, by 1/(1 - α|z|).
+    const double bit = missing * (1.0 + w * this->InverseWidth8);
     left -= bit * (longest * (size / z.x()));
     if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
     {
@@ -144,7 +146,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   return true;
 }
 
-/// Moves forwards until z is at the limit. Returns the remaining length.
+/// Moves along the path until z is at the limit. Returns the remaining length.
 double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) const noexcept
 {
   double squared = z.squaredNorm();
@@ -156,7 +158,7 @@ double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) c
     double reached = next.squaredNorm();
     if (reached > longest * longest)
     {
-      // Past the limit: take the part of the piece before the limit, by a secant.
+      // z would exceed the limit: a secant finds the part of the piece up to the limit.
       const double before = std::sqrt(squared);
       piece *= (longest - before) / (std::sqrt(reached) - before);
       next = this->rungeKutta(z, longest, piece);

@@ -16,17 +16,18 @@ namespace palpate
 {
 /**
  * Dahl's friction (1968), the baseline of the studies: dz = dx - |dx| z/z_max, force -σ₀ z, with
- * z_max = limit/σ₀. It creeps from the first displacement on. Under a load that swings within the
- * limit it therefore drifts by z_max [ln((1-z₁)/(1-z₂)) - ln((1+z₂)/(1+z₁))] per cycle (z in units
- * of z_max).
+ * z_max = limit/σ₀. The model creeps under any displacement, however small. Under a load that
+ * varies within the limit it therefore drifts by z_max [ln((1-z₁)/(1-z₂)) - ln((1+z₂)/(1+z₁))] per
+ * cycle (z in units of z_max).
  *
  * Along a straight step of length y and direction d the equation is linear and solved exactly:
  *   z e^(-y/z_max) + z_max (1 - e^(-y/z_max)) d.
- * So the number of ticks on a path does not matter. The explicit step of Hayward and Armstrong 2000
- * would slide at z_max - |dx|, at a force that depends on speed.
+ * Therefore the number of ticks on a path has no influence. The explicit step of Hayward and
+ * Armstrong 2000 would slide at z_max - |dx|, at a force that depends on speed.
  *
- * The force comes near the limit but never reaches it: 99 % counts as sliding. On a circle of
- * radius ρ it lags by atan(z_max/ρ) and has the cosine of that angle times the limit.
+ * The force approaches the limit but never reaches it: 99 % counts as sliding. On a circle of
+ * radius ρ the force lags by atan(z_max/ρ), and its magnitude is the limit times the cosine of that
+ * angle.
  */
 class PALPATE_EXPORT DahlFriction
 {
@@ -62,31 +63,33 @@ private:
  * Elasto-plastic friction of Hayward and Armstrong 2000: stick, creep, slide.
  *
  * The displacement x of the contact point over the surface is the sum of an elastic part z and a
- * plastic part w; the force is -σ₀ z. Forwards (dx along z) a share of the displacement is plastic,
+ * plastic part w; the force is -σ₀ z. If dx has a component along z, a part of the displacement is
+ * plastic,
  *   dw = α(|z|) z (dx·z/|z|),   and |z| <= z_max = limit/σ₀.
- * Backwards no displacement is plastic: a contact unloads elastically (Dupont, Hayward, Armstrong
- * and Altpeter 2002). With r = |z|/z_max, b = breakaway, s = stick radius, both in units of z_max:
+ * If dx is directed against z, no displacement is plastic: a contact unloads elastically (Dupont,
+ * Hayward, Armstrong and Altpeter 2002). With r = |z|/z_max, b = breakaway, s = stick radius, both
+ * in units of z_max:
  *   α z_max = w/(w + s⁸ - b⁸),   w = max(r⁸ - b⁸, 0).
- * b = 0 gives α = z⁸/(z_st⁸ + z⁸)/z_max, as Hayward and Armstrong write it; b = s = 1 gives their
- * stick and slide.
+ * b = 0 gives α = z⁸/(z_st⁸ + z⁸)/z_max, as in Hayward and Armstrong; b = s = 1 gives their
+ * stick-slip model.
  *
- * Reason for b > 0: a small α is not α = 0. Under 0.1 kg, 0.5 ± 0.2 of the limit at 2 Hz, z⁸ alone
- * creeps by 6 µm per cycle at s = 0.9 and by 0.2 mm at s = 0.5 (z_max = 1 mm), without end. A
- * contact stays in place only if α is exactly 0 in a neighbourhood of z = 0, as Dupont et al.
+ * Reason for b > 0: a small α still causes drift. Under 0.1 kg, 0.5 ± 0.2 of the limit at 2 Hz, z⁸
+ * alone creeps by 6 µm per cycle at s = 0.9 and by 0.2 mm at s = 0.5 (z_max = 1 mm), without end. A
+ * contact does not drift only if α is exactly 0 in a neighbourhood of z = 0, as Dupont et al.
  * prove.
  *
- * Reason for counting only the forward displacement: with |dx| instead, z would be stiffer than σ₀
- * on the way back (up to 2 σ₀, more than the stability of the loop was designed for). It would also
- * shrink under displacements across it. At the limit this is Coulomb's law with the force against
- * the sliding direction.
+ * Reason for counting only the displacement along z: with |dx| instead, the contact would unload
+ * more stiffly than σ₀ (up to 2 σ₀, more than the stability of the loop was designed for). z would
+ * also shrink under displacements across z. At the limit the model is Coulomb's law with the force
+ * against the sliding direction.
  *
- * A step of any length has three parts in this order: free motion to the breakaway circle, creep,
- * and the tractrix at the limit. Free motion and tractrix are exact. Creep is integrated by
- * fourth-order Runge-Kutta in pieces of at most 1/8 z_max, at most 40 (within 2e-5 of the limit).
- * On a circle of radius ρ > z_max the force is at the limit and lags by asin(z_max/ρ).
+ * A step of any length has three parts in this order: elastic motion to the breakaway circle,
+ * creep, and the tractrix at the limit. Elastic motion and tractrix are exact. Creep is integrated
+ * by fourth-order Runge-Kutta in pieces of at most 1/8 z_max, at most 40 pieces (within 2e-5 of the
+ * limit). On a circle of radius ρ > z_max the force is at the limit and lags by asin(z_max/ρ).
  *
- * σ₀ is constant and |z| is clipped, so that a changing normal force takes energy but creates none
- * (σ₀ = limit/z_max would create ½ z² Δσ₀ per cycle).
+ * σ₀ is constant and |z| is clipped, so that a changing normal force dissipates energy but never
+ * creates it (σ₀ = limit/z_max would create ½ z² Δσ₀ per cycle).
  */
 class PALPATE_EXPORT ElastoPlasticFriction
 {
@@ -98,7 +101,8 @@ public:
   TangentialForce update(const StraightStep& step, double limit) noexcept;
 
 private:
-  /// A step that only slides on. Returns false and does nothing if more happens in the step.
+  /// Handles a step in which the contact only slides. Returns false and changes nothing for other
+  /// steps.
   bool slideOn(const StraightStep& step, double longest, double inverse) noexcept;
   double creep(Vector2& z, double longest, double length) const noexcept;
   Vector2 rate(const Vector2& z, double longest) const noexcept;
@@ -113,48 +117,48 @@ private:
 };
 
 /**
- * Friction derived from the stored response f(δ); its only parameters are μ and ν.
+ * Friction computed from the stored response f(δ); its only parameters are μ and ν.
  *
  * If normal and tangential contact are similar (Jaeger 1998; Ciavarella 1998; for spheres Mindlin
  * 1949), a displacement u at constant depth causes the force
  *   Q(u) = μ [f(δ) - f(δ - u/(μc))],   c = (2-ν)/(2(1-ν)),
- * and slides from u = μcδ on. In the method of dimensionality reduction (Popov and Hess 2015) the
- * contact is a row of springs: springs of stiffness f''(η) dη touch when the depth passes the level
- * η; for a flat end, springs of stiffness f'(0) touch at level 0. A spring of normal stiffness k
- * has the tangential stiffness k/c and its own displacement u. It slides at |u| = μc(δ - η), where
- * its force is μ times its load. The history (loading under a varying depth, reversals by Masing's
- * rule, paths that turn) is in these u, all vectors in the tangent plane.
+ * and the contact slides for u >= μcδ. In the method of dimensionality reduction (Popov and Hess
+ * 2015) the contact is a row of springs: springs of stiffness f''(η) dη touch when the depth passes
+ * the level η; for a flat end, springs of stiffness f'(0) touch at level 0. A spring of normal
+ * stiffness k has the tangential stiffness k/c and a separate displacement u. It slides at |u| =
+ * μc(δ - η), where its force is μ times its load. The history (loading under a varying depth,
+ * reversals by Masing's rule, curved paths) is stored in these u, all vectors in the tangent plane.
  *
  * The depths range·(j/Cells)² divide the depth into cells; the last cell ends at δ. Each cell has
  * `PerCell` springs. Force and stiffness of the response at the ends of a cell give stiffness and
- * load of its springs. So all springs together carry exactly f(δ) at any depth, and slide at
- * exactly μ f_n. Cells are fixed in depth (on a body of one range), so springs keep their history
- * as δ changes:
- * - δ grows: the last cell gets wider and stiffer, then other cells follow, without displacement at
- *   first;
- * - δ shrinks: limits shrink and displacements with them; springs whose cell is above δ are
- *   removed, and have no force left by then;
- * - beyond the range: no more springs, because the response has its last tangent there; limits
- *   grow;
- * - below range/256, where the force is under a thousandth of its largest value: one cell.
+ * load of its springs. Therefore all springs together carry exactly f(δ) at any depth, and slide at
+ * exactly μ f_n. Cells are fixed in depth (on a body of one range), so that springs keep their
+ * history as δ changes:
+ * - δ grows: the last cell gets wider and stiffer, then further cells follow, initially without
+ *   displacement;
+ * - δ decreases: the limits and with them the displacements decrease; springs whose cell is above δ
+ *   are removed, when they no longer have a force;
+ * - beyond the range: no further springs, because the response continues along its last tangent;
+ *   the limits grow;
+ * - below range/256, where the force is less than a thousandth of its largest value: one cell.
  *
  * Energy: a spring that gets stiffer keeps its force, not its displacement. A spring that gets
- * softer keeps its displacement. Both lose energy, so that no change of depth, force or response
- * along the path can create any. The disadvantage: where the response differs from point to point,
- * a stuck contact that is moved back and forth creeps by that difference.
+ * softer keeps its displacement. In both cases energy is lost, so that no change of depth, force or
+ * response along the path can create energy. The disadvantage: if the response differs from point
+ * to point, a stuck contact that is moved back and forth creeps by that difference.
  *
  * If a response is not convex (f'' < 0, or measured with noise), cells of falling stiffness have no
  * spring, and the other springs are scaled to carry f_n. They are also scaled if f_n is not the
  * force of the curve (ForceForm::Paper).
  *
- * Largest error of Q, over μ f_n, paraboloid / cone (a flat: rounding):
+ * Largest error of Q, divided by μ f_n, for paraboloid / cone (for a flat only rounding):
  *   springs      16             32             64            16 cells of 4
  *   at range     1.4e-3/3.6e-3  3.4e-4/9.0e-4  8.5e-5/2.2e-4  9.3e-5/2.2e-4
  *   at range/4   5.5e-3/1.4e-2  1.4e-3/3.6e-3  3.4e-4/9.0e-4  4.5e-4/8.5e-4
  * The error falls with the square of the number of springs, however they are distributed over
- * cells. A cell costs an evaluation of the response, a spring a few operations. Therefore 16 cells
- * of 4 are used: the error is below 1e-3, like that of 8 samples of the response, with a quarter of
- * the evaluations.
+ * cells. A cell costs an evaluation of the response, a spring only a few operations. Therefore 16
+ * cells of 4 springs are used: the error is below 1e-3, like that of 8 samples of the response,
+ * with a quarter of the evaluations of 64 cells.
  *
  * Cost, in addition to one evaluation of the response per cell within the depth: 5 to 25 ns per
  * spring (stuck or straight; sliding on a curve needs one exponential per spring).
@@ -182,7 +186,7 @@ private:
   {
     std::size_t count = 0;
     std::array<double, Cells * PerCell> stiffness; ///< normal, N/mm
-    std::array<double, Cells * PerCell> level;     ///< depth at which it touches, mm
+    std::array<double, Cells * PerCell> level;     ///< depth at which the spring touches, mm
   };
 
   template <class Curve>
@@ -218,7 +222,7 @@ private:
     const double scale = normalForce / load;
     if (!(scale > 0.0) || !std::isfinite(scale) || !std::isfinite(load))
     {
-      return {}; // no force, or no response
+      return {}; // no force, or the response is zero
     }
     for (std::size_t j = 0; j < springs.count; ++j)
     {
@@ -251,12 +255,12 @@ private:
  * models depend on the path, not on time or on the number of ticks. Their force never exceeds
  * Coulomb's limit μ f_n.
  *
- * Energy: from first touch on, the work against friction along the displacements over the surface
- * is never negative, however point, depth, normal force and response change (for short ticks; a
- * servo loop that holds the force for a period leaks energy as with any spring). The tip itself, δ
- * deep under a curvature κ, moves 1 - δκ times as far.
+ * Energy: after the first contact, the work against friction along the displacements over the
+ * surface is never negative, however point, depth, normal force and response change (for short
+ * ticks; a servo loop that keeps the force constant for a period gains energy, as with any spring).
+ * The tip itself, at depth δ under a surface of curvature κ, moves 1 - δκ times as far.
  *
- * One Friction object is one history. No heap; update() neither throws nor waits.
+ * One Friction object is one history. It uses no heap memory; update() neither throws nor blocks.
  *
  * Cost of an update: 40 ns (stuck) to 70 ns (sliding under a changing load) with ElastoPlastic and
  * Dahl, 0.5 to 2.5 µs with ShapeDerived; none with coefficient 0.
@@ -264,24 +268,24 @@ private:
 class PALPATE_EXPORT Friction
 {
 public:
-  /// Settings out of their range give no friction.
+  /// Settings out of range result in no friction.
   explicit Friction(const FrictionSettings& settings) noexcept;
 
-  /// The contact is lost: the next one starts without pre-sliding displacement.
+  /// Ends the contact: the next one starts without pre-sliding displacement.
   void reset() noexcept;
 
-  /// Friction of one tick.
+  /// Result of one tick.
   struct Result
   {
     Vector3 force = Vector3::Zero(); ///< on the tool, tangential, N
     bool sliding = true;             ///< Coulomb's limit is reached; else the contact sticks
   };
 
-  /// Parameters of the contact of this tick: point on the undeformed surface, mm; unit outward
-  /// normal; normal force, N; depth δ, mm; the response there, with evaluate(depth) ->
-  /// ResponseValue and range() -> mm (only used by ShapeDerived). The first call after reset()
-  /// gives no force. Values that are not finite, or a normal that is not of unit length, give no
-  /// force and end the history.
+  /// Adds the contact of this tick: the point on the undeformed surface, mm; the unit outward
+  /// normal; the normal force, N; the depth δ, mm; and the response at the point, with
+  /// evaluate(depth) -> ResponseValue and range() -> mm (only used by ShapeDerived). The first call
+  /// after reset() results in no force. Values that are not finite, or a normal without unit
+  /// length, result in no force and end the history.
   template <class Curve>
   [[gnu::hot]] Result update(const Vector3& contactPoint, const Vector3& normal, double normalForce,
     double deflection, const Curve& curve) noexcept
@@ -323,7 +327,7 @@ private:
   ShapeFriction Shape;
 };
 
-/// Whether the values are those of a contact.
+/// Whether the values are those of a valid contact.
 inline bool Friction::advance(const Vector3& contactPoint, const Vector3& normal,
   double normalForce, double deflection) noexcept
 {

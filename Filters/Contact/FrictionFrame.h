@@ -15,20 +15,20 @@ namespace palpate
 using Vector2 = Eigen::Vector2d;
 
 /**
- * The displacement of one tick as a straight piece of a path, and the exact motion of pre-sliding
- * displacements z along it, for any length.
+ * The displacement of one tick as a straight piece of a path, and the exact change of a pre-sliding
+ * displacement z along a path of any length.
  *
- * In the coordinates (along, across) of the path z passes two states in order. Inside a circle it
- * moves freely, z' = (1, 0), and leaves the circle forwards. On the circle, |z| = limit, the
- * contact is dragged behind like a stone on a string: z' = (1, 0) - cos θ z/|z|, with θ the angle
- * from the path to z. That curve is the tractrix: tan(θ/2) falls by exp(-length/limit).
+ * In the coordinates (along, across) of the path, z changes in two phases. Inside a circle it
+ * follows the path, z' = (1, 0), and leaves the circle forwards. On the circle, |z| = limit, the
+ * contact is dragged: z' = (1, 0) - cos θ z/|z|, where θ is the angle from the path to z. That
+ * curve is the tractrix: tan(θ/2) falls by exp(-length/limit).
  */
 class StraightStep
 {
 public:
   /// No displacement.
   StraightStep() = default;
-  /// Along `direction`, of any length except 0; `length` in mm.
+  /// Along `direction`, which may have any length except 0; `length` in mm.
   StraightStep(const Vector2& direction, double length) noexcept
     : Length(length)
     , Direction(direction * (1.0 / direction.norm()))
@@ -55,13 +55,14 @@ public:
       this->Direction.y() * z.x() + this->Direction.x() * z.y() };
   }
 
-  /// Moves z freely as long as it is behind (against the path) or within the circle. From outside
-  /// the circle it moves to where the path passes the centre. Returns the remaining length.
+  /// Moves z along the path as long as z points against the path or is within the circle. From
+  /// outside the circle, z moves to the point where the path is closest to the centre. Returns the
+  /// remaining length.
   static double moveFreely(Vector2& z, double radius, double length) noexcept
   {
     if (z.x() >= 0.0 && z.squaredNorm() >= radius * radius)
     {
-      return length; // saves a sliding contact the root
+      return length; // saves the square root for a sliding contact
     }
     const double inside = radius * radius - z.y() * z.y();
     const double free = (inside > 0.0 ? std::sqrt(inside) : 0.0) - z.x();
@@ -78,8 +79,8 @@ public:
     z = Vector2(scale * (1.0 - tangent * tangent), scale * 2.0 * tangent);
   }
 
-  /// e^-x. For the small x of a tick Taylor's polynomial is exact to rounding. Its coefficients are
-  /// in the code, while the library's function reads a table.
+  /// e^-x. For the small x of a tick, Taylor's polynomial is exact to rounding. Its coefficients
+  /// are in the code, while the library's function reads a table from memory.
   static double decay(double x) noexcept
   {
     constexpr double little = 0.25; // x^12/12! is 1e-16
@@ -87,7 +88,7 @@ public:
     {
       return std::exp(-x);
     }
-    // In groups of four that are independent of each other.
+    // Groups of four terms that are independent of each other.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x) + x2 * (1.0 / 2 - x * (1.0 / 6));
@@ -97,7 +98,7 @@ public:
     return low + x4 * (middle + x4 * high);
   }
 
-  /// Shortens z to the limit.
+  /// Shortens z to the length `limit`.
   static void clip(Vector2& z, double limit) noexcept
   {
     const double squared = z.squaredNorm();
@@ -114,7 +115,7 @@ private:
 
 using Vector3 = Eigen::Vector3d;
 
-/// Result of a friction model, in the frame below.
+/// Result of a friction model, in the frame of FrictionFrame.
 struct TangentialForce
 {
   Vector2 force = Vector2::Zero(); ///< on the tool, N
@@ -125,19 +126,19 @@ struct TangentialForce
  * A tangent frame that moves with the contact point, so that the history along the surface can be
  * stored in two numbers.
  *
- * Parallel transport: from one tick to the next the frame takes the smallest rotation that brings
- * the last normal to the new one. On the surface, a vector of fixed components neither turns nor
- * changes its length. On a closed path it returns turned by the integral of the curvature inside
- * (on a sphere, the solid angle). No trigonometry is needed; going back reverses the rotation.
+ * Parallel transport: from one tick to the next the frame undergoes the smallest rotation that
+ * brings the last normal to the new one. On the surface, a vector with constant components neither
+ * turns nor changes its length. On a closed path it turns by the integral of the curvature inside
+ * (on a sphere, the solid angle). No trigonometry is needed; the way back reverses the rotation.
  *
  * Displacement over the surface: its direction is that of the chord from the last contact point,
- * with components averaged over the two frames (on a circular arc this is the arc's own direction).
- * Its length is that of the arc that has this chord and turns as much as the normals: 5e-7 too
- * short at 0.3 rad per tick, 0.8 % at a right angle. The part of the chord along the normals only
- * lengthens the displacement, to at most twice its length: a contact that moves along its normal is
- * not displaced.
+ * with components averaged over the two frames (on a circular arc this is exactly the direction of
+ * the arc). Its length is that of the arc that has this chord and turns as much as the normals:
+ * 5e-7 too short at 0.3 rad per tick, 0.8 % at a right angle. The part of the chord along the
+ * normals only lengthens the displacement, to at most twice its length: a contact that moves along
+ * its normal has no displacement.
  *
- * Normals more than 177 degrees apart have no smallest rotation: the history ends there.
+ * There is no smallest rotation between normals more than 177 degrees apart: the history ends.
  */
 class PALPATE_EXPORT FrictionFrame
 {
@@ -146,14 +147,14 @@ public:
   void reset() noexcept { this->Started = false; }
 
   /// Moves to the next contact: `point` on the undeformed surface, mm; `normal` unit. Returns
-  /// whether the frame was carried along from the last contact. If not, the frame starts here with
-  /// displacement 0.
+  /// whether the frame was transported from the last contact. If not, the frame starts at `point`
+  /// with displacement 0.
   bool advance(const Vector3& point, const Vector3& normal) noexcept;
 
   /// The displacement of the last advance, mm, in this frame.
   const StraightStep& step() const noexcept { return this->Step; }
 
-  /// A tangent vector given in this frame.
+  /// The vector in space of a tangent vector in this frame.
   Vector3 toSpace(const Vector2& tangent) const noexcept
   {
     return tangent.x() * this->First + tangent.y() * this->Second;
@@ -186,8 +187,8 @@ private:
   Vector3 Second = Vector3::Zero();
   StraightStep Step;
 };
-// The values for the displacement are computed first, in independent scalar products: the rest of a
-// tick waits only for them.
+// The values for the displacement are computed first, in independent scalar products, because the
+// rest of a tick depends only on them.
 [[gnu::hot]] inline bool FrictionFrame::advance(
   const Vector3& point, const Vector3& normal) noexcept
 {
@@ -209,7 +210,7 @@ private:
   const double seen = along.squaredNorm();
   if (seen > 0.0)
   {
-    // LargestStretch times the tangential chord, |along|/2.
+    // LargestStretch times the length of the tangential chord, which is |along|/2.
     const double longest = 0.25 * LargestStretch * LargestStretch * seen;
     const double arc = std::sqrt(std::min(chord.squaredNorm(), longest)) * arcOfChord(cosine);
     this->Step = StraightStep(along, arc);
@@ -218,7 +219,8 @@ private:
   {
     this->Step = StraightStep();
   }
-  // Rounding would accumulate: back into the plane, and one Newton step of 1/√ to unit length.
+  // Corrects rounding, which would accumulate: projection on the plane, and one Newton step for 1/√
+  // to unit length.
   const Vector3 turned = this->First - (share * first) * normals;
   const double unit = 1.5 - 0.5 * turned.squaredNorm();
   this->First = unit * (turned - normal.dot(turned) * normal);

@@ -15,7 +15,7 @@ namespace
 {
 constexpr unsigned Bits = 16;
 
-/// Spreads the 16 bits of x to every third bit.
+/// Distributes the 16 bits of x over every third bit.
 std::uint64_t spread(std::uint64_t x) noexcept
 {
   x = (x | (x << 32)) & 0x00FF00000000FFFFULL;
@@ -27,7 +27,7 @@ std::uint64_t spread(std::uint64_t x) noexcept
 }
 constexpr double LastCell = (1U << Bits) - 1;
 
-/// Sorts in blocks, one per core, then merges: the same result for any number of cores.
+/// Sorts blocks, one per core, then merges them. The result does not depend on the number of cores.
 template <class Item>
 void sortInBlocks(std::vector<Item>& items)
 {
@@ -58,7 +58,7 @@ Eigen::Vector3d centroid(const std::int32_t* corner, const float* coordinates)
 
 std::uint64_t hilbertKey(std::array<std::uint32_t, 3> cell) noexcept
 {
-  // From the highest bit to the second lowest: invert or exchange the lower bits.
+  // From the highest bit to the second lowest: the lower bits are inverted or exchanged.
   for (std::uint32_t bit = 1U << (Bits - 1); bit > 1; bit >>= 1)
   {
     const std::uint32_t lower = bit - 1;
@@ -70,7 +70,7 @@ std::uint64_t hilbertKey(std::array<std::uint32_t, 3> cell) noexcept
       coordinate ^= exchanged & ~inverted;
     }
   }
-  // Gray code.
+  // Converts to Gray code.
   cell[1] ^= cell[0];
   cell[2] ^= cell[1];
   std::uint32_t flips = 0;
@@ -95,7 +95,8 @@ void sortAlongCurve(
   {
     return;
   }
-  // Finite even if all triangles are at one place, to avoid 0 times infinity.
+  // The minimum keeps the scale finite if all triangles are at one point, to avoid 0 times
+  // infinity.
   const double scale =
     std::min(LastCell / box.sizes().maxCoeff(), std::numeric_limits<double>::max());
   std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(triangles.size());

@@ -13,9 +13,9 @@ namespace palpate
 /// curve, AIP Conf. Proc. 707, 381).
 std::uint64_t hilbertKey(std::array<std::uint32_t, 3> cell) noexcept;
 
-/// Sorts triangles by the position of their centroids along the curve; triangles of one cell by
-/// number. `corners` are three point indices for each triangle, `coordinates` three finite floats
-/// for each point. Threaded; the same result for any number of threads.
+/// Sorts triangles by the position of their centroids along the curve, and triangles of one cell by
+/// their index. `corners` are three point indices for each triangle, `coordinates` three finite
+/// floats for each point. Threaded; the result does not depend on the number of threads.
 void sortAlongCurve(
   std::vector<std::int32_t>& triangles, const std::int32_t* corners, const float* coordinates);
 } // namespace palpate

@@ -15,7 +15,7 @@ constexpr std::size_t PageSize = LargePageMemory::PageSize;
 constexpr std::size_t CacheLine = 64; ///< bytes
 constexpr std::size_t SmallestShared = 4096;
 
-/// The first line of a shared page: the bytes handed out, and the number of parts.
+/// The first line of a shared page: the number of bytes in use, and the number of blocks.
 struct alignas(CacheLine) SharedPage
 {
   std::size_t used;
@@ -23,14 +23,15 @@ struct alignas(CacheLine) SharedPage
 };
 
 std::mutex Guard;
-SharedPage* Open = nullptr; ///< the page from which the next part is taken
+SharedPage* Open = nullptr; ///< the page from which the next block is taken
 
 std::size_t roundedUp(std::size_t bytes, std::size_t unit) noexcept
 {
   return (bytes + unit - 1) / unit * unit;
 }
 
-/// Off with the address sanitizer, which finds accesses outside a vector only in ordinary memory.
+/// Large pages are off with the address sanitizer, which finds accesses outside a vector only in
+/// ordinary memory.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool IsMapped = false;
 #elif defined(__has_feature)
@@ -60,8 +61,8 @@ void* ordinary(std::size_t bytes)
   return memory;
 }
 
-/// Mapped directly from the system: memory of malloc may have been used in small pages before, and
-/// stays in them.
+/// Maps memory directly from the system: memory of malloc may have been used in small pages before,
+/// and would remain in them.
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
@@ -78,7 +79,7 @@ void* ownPages(std::size_t bytes)
     munmap(first, before);
   }
   munmap(first + before + size, PageSize - before);
-  madvise(first + before, size, MADV_HUGEPAGE); // advice only; without it the memory is slower
+  madvise(first + before, size, MADV_HUGEPAGE); // only advice; without it the memory is slower
   return first + before;
 }
 
@@ -130,7 +131,7 @@ void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
   }
   else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
   {
-    page->used -= size; // the newest part: a growing part leaves no hole
+    page->used -= size; // the newest block; a vector that grows leaves no hole
   }
 }
 } // namespace palpate

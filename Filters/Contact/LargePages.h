@@ -9,22 +9,22 @@
 
 namespace palpate
 {
-/// Memory in 2 MiB pages, if possible. A servo tick that reads anywhere in some hundred megabytes
-/// then misses the cache, but not the address translation. Smaller parts share a page, also between
-/// bodies; such a page is freed with its last part. Less than 4 KiB is ordinary memory. Aligned to
-/// 64 bytes; thread-safe.
+/// Memory in 2 MiB pages, if possible. A servo tick that reads at random in a few hundred megabytes
+/// then misses the cache, but not the translation of addresses (TLB). Smaller blocks share a page,
+/// also those of different bodies; such a page is freed with its last block. Blocks of less than 4
+/// KiB are ordinary memory. Blocks are aligned to 64 bytes; thread-safe.
 class PALPATE_EXPORT LargePageMemory
 {
 public:
   static constexpr std::size_t PageSize = std::size_t{ 1 } << 21;
 
-  /// Throws std::bad_alloc.
+  /// Allocates; throws std::bad_alloc.
   static void* take(std::size_t bytes);
-  /// `bytes` as in take().
+  /// Frees memory of take(); `bytes` as given to take().
   static void giveBack(void* memory, std::size_t bytes) noexcept;
 };
 
-/// The same for containers.
+/// The allocator of LargePageMemory for containers of the standard library.
 template <class Value>
 class LargePages
 {

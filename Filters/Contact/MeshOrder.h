@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// Copies `width` values per input point of a mesh into the order of the mesh's points; empty for
-/// null.
+/// Copies `width` values per point of the input into the order of the mesh's points; the result is
+/// empty if `values` is null.
 inline LargeVector<float> inMeshOrder(
   const float* values, std::size_t width, const PackedMesh& mesh)
 {

@@ -19,19 +19,19 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestCaps = 0.25;   ///< area of the caps of a solid, over its area
-constexpr double LargestGap = 0.01;    ///< the same for a part that counts as closed
-constexpr double LargestScrap = 0.1;   ///< area of a part that may be left out, over the whole area
-constexpr double LargestDebris = 1e-6; ///< volume over that of the solid around it
-constexpr double LeastVolume = 1e-9;   ///< over area^1.5: a sheet of 1 µm by 1 m has more
+constexpr double LargestCaps = 0.25;   ///< (area of caps)/(area of the part), for a solid
+constexpr double LargestGap = 0.01;    ///< (area of caps)/(area of the part), for a closed part
+constexpr double LargestScrap = 0.1;   ///< (area)/(total area), for a part that may be left out
+constexpr double LargestDebris = 1e-6; ///< (volume)/(volume of the solid around it)
+constexpr double LeastVolume = 1e-9;   ///< (volume)/area^1.5; larger for a sheet of 1 µm by 1 m
 
 struct Part
 {
-  std::size_t first; ///< first of its triangles in Parts::Order
+  std::size_t first; ///< position of its first triangle in Parts::Order
   std::size_t count;
   double area = 0.0;   ///< mm²
   double volume = 0.0; ///< mm³, with caps over its holes
-  double caps = 0.0;   ///< mm², area of these caps
+  double caps = 0.0;   ///< mm², area of the caps
   Eigen::AlignedBox3d box = {};
 
   bool isSolid() const { return this->caps <= LargestCaps * this->area; }
@@ -119,14 +119,15 @@ private:
     }
   }
 
-  /// Whether a kept solid wound outward is too small for a body in the solid around it.
+  /// Whether a kept solid that is wound outward is too small to be a body inside the solid around
+  /// it.
   bool isDebris(const Part& part, const Part& around) const
   {
     return this->isKept(part) && part.volume > 0.0 &&
       part.volume <= LargestDebris * std::abs(around.volume);
   }
 
-  /// Whether the part is neither empty nor a copy.
+  /// Whether the part is neither empty nor a copy of another part.
   bool isKept(const Part& part) const
   {
     const auto seed = static_cast<std::size_t>(this->Order[part.first]);
@@ -245,7 +246,7 @@ private:
     this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
   }
 
-  /// Returns the walls that two solids share; copies are left out of the mesh.
+  /// Returns the walls that two solids share; copies of parts are left out of the mesh.
   std::vector<std::int32_t> findWalls()
   {
     if (this->All.size() < 2)
@@ -286,13 +287,13 @@ private:
           return;
         }
         const PartOverlap overlap = this->overlapOf(inner, outer);
-        // A part may leave an open solid through its hole.
+        // A part may extend through the hole of an open solid.
         const bool isCertain = part.isClosed() && this->All[outer].isClosed();
         if (overlap.inside > (isCertain || !part.isSolid() ? 1.0 - PartOverlap::Least : 0.5))
         {
           around[inner].push_back(outer);
         }
-        else if (isCertain && (overlap.isSome() || this->overlapOf(outer, inner).isSome()))
+        else if (isCertain && (overlap.isPresent() || this->overlapOf(outer, inner).isPresent()))
         {
           fault = this->name(inner) + " and " + this->name(outer) +
             " overlap or touch: unite them into one surface, or keep one of them";
@@ -301,7 +302,7 @@ private:
     return fault;
   }
 
-  /// Calls visit(one, other) once for each pair of parts whose boxes meet. The sweep goes along the
+  /// Calls visit(one, other) once for each pair of parts whose boxes meet. The sweep is along the
   /// axis on which the parts are spread most.
   template <class Visit>
   void forMeetingBoxes(const Visit& visit) const
@@ -324,7 +325,7 @@ private:
     std::stable_sort(parts.begin(), parts.end(),
       [&](std::size_t a, std::size_t b)
       { return this->All[a].box.min()[axis] < this->All[b].box.min()[axis]; });
-    std::vector<std::size_t> open; // parts that reach the current one
+    std::vector<std::size_t> open; // parts whose boxes extend to the current one
     for (const std::size_t i : parts)
     {
       const Eigen::AlignedBox3d& box = this->All[i].box;
@@ -386,7 +387,7 @@ private:
   const TriangleLinks& Links;
   std::vector<std::int32_t> Order; ///< triangles, part by part
   std::vector<Part> All;
-  std::vector<bool> IsWall; ///< by triangle; empty: no triangle is a wall
+  std::vector<bool> IsWall; ///< for each triangle; empty: no triangle is a wall
   mutable std::unordered_map<std::size_t, TriangleColumns> Columns;
 };
 } // namespace

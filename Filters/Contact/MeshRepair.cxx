@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// One side of an edge, in the direction of its triangle.
+/// One side of an edge, in the direction in which its triangle is wound.
 struct EdgeUse
 {
   std::int32_t low;
@@ -184,7 +184,7 @@ void joinEmptyEdges(
 
 void followJoints(std::vector<std::int32_t>& first)
 {
-  for (std::int32_t& point : first) // the first point of each is already done
+  for (std::int32_t& point : first) // first[point] <= point is already final
   {
     point = first[static_cast<std::size_t>(point)];
   }

@@ -18,7 +18,7 @@ struct Entry
 {
   TriangleCorners ascending;
   std::int32_t triangle;
-  bool isEven; ///< an even permutation leads from the triangle to the ascending corners
+  bool isEven; ///< whether an even permutation sorts the triangle's corners in ascending order
 
   bool operator<(const Entry& other) const
   {
@@ -40,8 +40,8 @@ Entry entryOf(const TriangleCorners& corners, std::size_t triangle)
   return made;
 }
 
-/// Triangles at an edge of more than two triangles, and pairs that share all three edges. All
-/// copies are among them.
+/// The triangles at edges of more than two triangles, and pairs that share all three edges. All
+/// copies are among these triangles.
 std::vector<Entry> candidates(
   const std::vector<TriangleCorners>& triangles, const TriangleLinks& links)
 {
@@ -85,7 +85,7 @@ public:
     }
   }
 
-  /// Drops the patches that fill no hole.
+  /// Leaves out the patches that fill no hole.
   void dropFlaps(Repeats& repeats)
   {
     std::set<std::int32_t> seen;
@@ -96,8 +96,9 @@ public:
         continue;
       }
       std::vector<std::int32_t> patch{ seed };
-      int filled = 0; // edges with one other triangle, minus all others
-      int walled = 0; // edges with several others, minus edges without any
+      // Number of edges with one other triangle, minus the number of all other edges.
+      int filled = 0;
+      int walled = 0; // number of edges with several other triangles, minus that of edges with none
       for (std::size_t i = 0; i < patch.size(); ++i)
       {
         const TriangleCorners corners = this->corners(patch[i]);

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Open edges of a surface, connected to loops by common points.
+/// Open edges of a surface, connected to loops by their common points.
 class OpenLoops
 {
 public:

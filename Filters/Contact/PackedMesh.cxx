@@ -33,7 +33,7 @@ bool PackedMesh::isPlaneBeyond(
 {
   const Vector3 normal = this->areaNormal(triangle);
   const double height = normal.dot(tip - this->corner(triangle, 0));
-  // 1e-12: a triangle is skipped only if it is farther by more than rounding.
+  // 1e-12: a triangle is skipped only if it is farther by more than rounding errors.
   return height * height > (1.0 + 1e-12) * squaredDistance * normal.squaredNorm();
 }
 
@@ -58,7 +58,7 @@ SurfacePoint PackedMesh::orient(
   found.triangle = triangle;
   found.projection = projection;
   const auto feature = static_cast<std::size_t>(projection.feature);
-  Vector3 normal; // of any length
+  Vector3 normal; // not normalised
   if (projection.feature == TriangleFeature::Face)
   {
     normal = this->areaNormal(triangle);

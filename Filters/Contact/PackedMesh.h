@@ -19,28 +19,28 @@
 
 namespace palpate
 {
-/// Receives the progress of building a body, 0 to 1; called by the thread that builds.
+/// A function that receives the progress of building a body, 0 to 1; called by the building thread.
 using BuildProgress = std::function<void(double)>;
 
 /**
- * The undeformed surface of a body as a tick reads it: one cache line per triangle, with its
- * coordinates, its points and its neighbours; and the triangles around each point.
+ * The undeformed surface of a body as a tick reads it: one cache line per triangle with its
+ * coordinates, its points and its neighbours, and a list of the triangles around each point.
  *
  * Triangles are wound counter-clockwise seen from outside. Triangles and points are renumbered
  * along a space-filling curve, so that neighbours in space are neighbours in memory whatever the
  * order of the input; inputTriangle() and inputPoint() return the numbers in the input.
  *
- * Coordinates are float32 about the centre of the body's box ("local"); all arithmetic is double.
- * The error of a coordinate is at most half an ulp of its distance from the centre: 2^-25 of it,
- * rounded up to a power of two (4e-6 mm at 64 to 128 mm).
+ * Coordinates are float32 relative to the centre of the body's box ("local"); all arithmetic is
+ * double. The error of a coordinate is at most half an ulp of its distance from the centre: 2^-25
+ * of that distance, rounded up to a power of two (4e-6 mm at 64 to 128 mm).
  *
  * The side of a tip is the sign of its offset along the angle-weighted pseudonormal of the closest
  * feature (face, edge or corner). This is right for the closest point of any closed 2-manifold
  * (Baerentzen and Aanaes 2005).
  *
- * The triangles are those of a SoundMesh. Triangles without area take no part in contact, but give
- * their neighbours no border. An edge of more than two triangles has no neighbour across and counts
- * as border.
+ * The triangles are those of a SoundMesh. Triangles without area take no part in contact, but an
+ * edge between such a triangle and another one is not a border. An edge of more than two triangles
+ * has no neighbour and counts as border.
  *
  * On request the surface is cut along its sharp convex edges (creases), so that a contact followed
  * from triangle to triangle stays on its face. Triangles at a crease are not neighbours, and a
@@ -49,26 +49,26 @@ using BuildProgress = std::function<void(double)>;
  * twice the smallest turn at the other sides of each of its two triangles: the facets of a coarse
  * ball are not faces. An edge between two points at which no other crease ends is not cut.
  *
- * Cost: about 105 bytes per triangle; built in O(n log n), threaded, the same for any number of
- * threads. Immutable, safe from any number of threads.
+ * Cost: about 105 bytes per triangle; built in O(n log n), threaded; the result does not depend on
+ * the number of threads. Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT PackedMesh
 {
 public:
   using Defects = MeshDefects;
 
-  static constexpr std::int32_t Border = -1; ///< no triangle across an edge
-  static constexpr std::int32_t Seam = -2;   ///< a triangle without area across an edge
+  static constexpr std::int32_t Border = -1; ///< there is no triangle across an edge
+  static constexpr std::int32_t Seam = -2;   ///< the triangle across an edge has no area
   static constexpr std::int32_t Crease = -3; ///< the surface is cut along a sharp edge
 
-  /// Creases with a smaller turn (rad) are blunt.
+  /// A crease with a smaller turn (rad) is blunt.
   static constexpr double BluntTurn = 1.309; // 75°
 
   /// One side of a crease.
   struct CreaseSide
   {
     std::int32_t triangle;
-    std::int32_t edge;   ///< of the triangle
+    std::int32_t edge;   ///< index in the triangle
     std::int32_t across; ///< the triangle on the other side
     float turn;          ///< rad
   };
@@ -78,8 +78,8 @@ public:
   PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, const BuildProgress& progress = {}, double creaseTurn = 0.0);
 
-  /// Numbers of the triangles that take part in contact and of all points; points on creases count
-  /// several times.
+  /// Counts of the triangles that take part in contact and of all points; a point on a crease
+  /// counts once for each face.
   std::size_t triangleCount() const noexcept { return this->Records.size(); }
   std::size_t pointCount() const noexcept { return this->InputPoints.size(); }
   /// Number of points of the input.
@@ -138,8 +138,9 @@ public:
     const Vertex& vertex = this->Vertices[static_cast<std::size_t>(point)];
     return vertex.ring != NoRing && (vertex.ring & CreaseFlag) != 0;
   }
-  /// Whether a tip (local coordinates) whose closest point lies on a crease is inside. It never is
-  /// on the crease itself, which is convex, but may be at a corner where hollow edges end, too.
+  /// Whether a tip (local coordinates) whose closest point lies on a crease is inside. The tip is
+  /// never inside if the closest point is within the crease, which is convex, but may be inside if
+  /// it is a corner where concave edges end, too.
   bool isUnderCorner(const Vector3& tip, const SurfacePoint& closest) const noexcept;
   /// Both sides of each crease, ordered by triangle.
   const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
@@ -161,14 +162,14 @@ public:
     }
   }
 
-  /// Unsigned closest point of one triangle; tip and point local.
+  /// The point of the triangle closest to the tip, with the unsigned distance; tip and point local.
   TriangleProjection project(const Vector3& tip, std::int32_t triangle) const noexcept
   {
     return projectOnTriangle(
       tip, this->corner(triangle, 0), this->corner(triangle, 1), this->corner(triangle, 2));
   }
 
-  /// The same if the point is on the face, inline.
+  /// The same, inline, if the closest point is on the face; otherwise returns another PlaneFoot.
   PlaneFoot projectOnFace(
     const Vector3& tip, std::int32_t triangle, TriangleProjection& projection) const noexcept
   {
@@ -177,13 +178,13 @@ public:
   }
 
   /**
-   * Whether the triangle's closest point, on its face, is certain to be at most as far from a tip
-   * inside the body as any triangle that shares a corner with it. These triangles are under its
-   * plane by at most a slope b times their distance from it. A point at distance s beyond the
-   * triangle is therefore at least √((m + s)² + (d - b s)²) away from a tip at depth d whose
-   * projection is m from the triangle's border. That is at least d if m >= d b / 2. The test
-   * replaces m by the smallest area coordinate times the smallest altitude, which is at most m, and
-   * equal at the longest edge.
+   * Whether the triangle's closest point, which is on its face, is certain to be at most as far
+   * from a tip inside the body as any triangle that shares a corner with it. At a distance s from
+   * the triangle, such a triangle is at most b s below the plane, where b is a slope. It is
+   * therefore at least √((m + s)² + (d - b s)²) away from a tip at depth d whose projection is m
+   * from the border of the triangle. That is at least d if m >= d b / 2. The test replaces m by the
+   * smallest area coordinate times the smallest altitude, which is at most m, and equal to m at the
+   * longest edge.
    */
   bool isCertainlyNearest(
     const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept
@@ -195,11 +196,12 @@ public:
       this->areaNormal(triangle).dot(inward) > 0.0;
   }
 
-  /// Whether the tip is certainly farther than the given distance, because the triangle's plane is.
+  /// Whether the tip is certainly farther from the triangle than the given distance, because it is
+  /// farther from the plane of the triangle.
   bool isPlaneBeyond(
     const Vector3& tip, std::int32_t triangle, double squaredDistance) const noexcept;
 
-  /// Adds the side of the tip to a closest point; all local.
+  /// Adds the side on which the tip is to a closest point; all local.
   SurfacePoint orient(
     const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept;
 
@@ -208,7 +210,7 @@ public:
   {
     prefetchLine(this->Records.data() + triangle);
   }
-  /// Prefetches its number in the input.
+  /// Prefetches the index of a triangle in the input.
   void prefetchInput(std::int32_t triangle) const noexcept
   {
     prefetchLine(this->InputTriangles.data() + triangle);
@@ -226,8 +228,8 @@ private:
     std::array<std::array<float, 3>, 3> corner;
     TriangleCorners points;
     std::array<std::int32_t, 3> neighbours;
-    /// b over twice the smallest altitude, see isCertainlyNearest(); 1/mm, rounded up; infinite if
-    /// a neighbour is under the triangle.
+    /// b divided by twice the smallest altitude, see isCertainlyNearest(); 1/mm, rounded up;
+    /// infinite if a neighbour is under the triangle.
     float steepness;
   };
   static_assert(sizeof(Record) == 64, "one cache line");
@@ -235,7 +237,7 @@ private:
   struct Vertex
   {
     std::array<float, 3> normal;
-    /// Start of its triangles in Ring, shifted, and flags; or NoRing.
+    /// Start of the point's triangles in Ring, shifted, and flags; or NoRing.
     std::uint32_t ring;
   };
   static constexpr std::uint32_t BorderFlag = 1;
@@ -254,10 +256,11 @@ private:
   std::size_t InputPointCount = 0;
   LargeVector<Record> Records;
   LargeVector<Vertex> Vertices;
-  LargeVector<std::int32_t> Ring; ///< triangles around points, the last of each as its complement
+  /// Triangles around each point; the last one of each point is stored as its complement.
+  LargeVector<std::int32_t> Ring;
   LargeVector<std::int32_t> InputTriangles;
   LargeVector<std::int32_t> InputPoints;
-  /// The angle-weighted normal of all faces around a point that creases divide.
+  /// The angle-weighted normal of all faces around a point that lies on creases.
   struct CornerNormal
   {
     std::int32_t point; ///< ascending

@@ -116,7 +116,7 @@ void PackedMesh::Builder::numberPoints(const SoundMesh& sound)
   }
   for (std::size_t i = 0; i < this->PointCount; ++i)
   {
-    numberOf(static_cast<std::int32_t>(i)); // points of no triangle come last
+    numberOf(static_cast<std::int32_t>(i)); // points without triangles are last
   }
   this->Coordinates.resize(sound.coordinates().size());
   for (std::size_t i = 0; i < inputs.size(); ++i)
@@ -140,7 +140,8 @@ void PackedMesh::Builder::findNeighbours(const SoundMesh& sound)
 void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
 {
   constexpr std::int32_t unseen = -1;
-  std::vector<std::int32_t> packed(this->PointCount, unseen); // the first at each place
+  // The packed point of the first input point at each place.
+  std::vector<std::int32_t> packed(this->PointCount, unseen);
   this->Twins.resize(this->PointCount);
   for (std::size_t i = 0; i < this->PointCount; ++i)
   {
@@ -158,7 +159,7 @@ void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      corners[0] = -1; // without a third corner its neighbours are adjacent
+      corners[0] = -1; // only two different corners: its neighbours share this edge
     }
   }
 }

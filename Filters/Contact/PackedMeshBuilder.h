@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// How steeply the neighbours of a triangle fall below its plane, over its smallest altitude: the
-/// value that PackedMesh::isCertainlyNearest needs, 1/mm, rounded up; infinite if a neighbour is
-/// under the triangle.
+/// The slope at which the neighbours of a triangle fall below its plane, divided by twice its
+/// smallest altitude: the value that PackedMesh::isCertainlyNearest needs, 1/mm, rounded up;
+/// infinite if a neighbour is under the triangle.
 float steepnessOf(const PackedMesh& mesh, std::int32_t triangle);
 
-/// Builds a PackedMesh step by step: repairs the triangles, sorts them along the curve, numbers the
-/// points in that order, finds neighbours, cuts, packs. Not installed.
+/// Builds a PackedMesh in steps: repairs the triangles, sorts them along the curve, numbers the
+/// points in that order, finds neighbours, cuts creases, packs the arrays. Not installed.
 class PackedMesh::Builder
 {
 public:
@@ -61,10 +61,10 @@ private:
   std::vector<float> Coordinates;         ///< local; by packed point
   std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area
   std::size_t Usable = 0;                 ///< number of usable ones
-  std::vector<TriangleCorners> Triangles; ///< in that order; packed points
-  std::vector<std::int32_t> Twins;        ///< the first at the same place; empty: no twins
-  std::vector<TriangleCorners> Joined;    ///< Triangles with twins as one point, if there are any
-  std::unique_ptr<TriangleLinks> Links;   ///< of joined()
+  std::vector<TriangleCorners> Triangles; ///< in the order of Order; corners are packed points
+  std::vector<std::int32_t> Twins; ///< the first point with the same coordinates; empty: no twins
+  std::vector<TriangleCorners> Joined;  ///< Triangles after twins are joined, if there are any
+  std::unique_ptr<TriangleLinks> Links; ///< of joined()
 };
 } // namespace palpate
 

@@ -11,7 +11,8 @@
 
 namespace palpate
 {
-/// The number of ranges of forRanges() for `count` items: one per thread, but no small ranges.
+/// The number of ranges of forRanges() for `count` items: one per thread, unless they would be
+/// small.
 inline std::size_t rangeCount(std::size_t count)
 {
   constexpr std::size_t smallest = 8192; // smaller ranges cost more than a thread saves

@@ -11,9 +11,9 @@ namespace
 {
 using Vector3 = Eigen::Vector3d;
 
-constexpr double Away = 1e-5; // of the size of the surface
+constexpr double Away = 1e-5; // fraction of the size of the surface
 
-/// The k-th place of an even sequence on a triangle (Roberts' R2). No place is above an edge of a
+/// The k-th point of an even sequence on a triangle (Roberts' R2). No point is above an edge of a
 /// regular mesh.
 Vector3 placeOn(const std::array<Vector3, 3>& corners, std::size_t k)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The data contract: names, content and meaning of the arrays of a response. All code that
- * reads, writes, copies or checks them uses this table; `palpate.contract` is tested against it.
+ * The data contract: names, content and meaning of the arrays of a response. All code that reads,
+ * writes, copies or checks these arrays uses this table; `palpate.contract` is tested against it.
  */
 #ifndef palpate_ResponseContract_h
 #define palpate_ResponseContract_h
@@ -36,40 +36,42 @@ enum class ResponseLimit : std::uint8_t
   OppositeWall,
   Edge,
   DataEnd,
-  Elements, ///< the finite elements it was computed with
+  Elements, ///< the finite elements by which the response was computed
   Tilt      ///< of the tool, on a body other than a half-space
 };
 constexpr std::size_t ResponseLimitCount = 9;
 
-/// Name of the limit: "strain", "layer thickness"; "" for 0 and for a number that is not a code.
-/// This and the next function return static texts.
+/// Name of the limit: "strain", "layer thickness"; "" for 0 and for unknown codes. The text is
+/// static.
 PALPATE_EXPORT const char* limitInWords(int code) noexcept;
 
-/// Name of the assumption: "small strain", "a flat surface"; "" likewise.
+/// Name of the assumption: "small strain", "a flat surface"; "" for 0 and for unknown codes. The
+/// text is static.
 PALPATE_EXPORT const char* assumptionInWords(int code) noexcept;
 
-/// Name of the state of a contact, by its ContactState: "contact, sliding"; "unknown" for a number
-/// that is not a code. This and the next function return static texts.
+/// Name of a ContactState: "contact, sliding"; "unknown" for unknown codes. The text is static.
 PALPATE_EXPORT const char* contactInWords(int state) noexcept;
 
-/// A remark on such a contact: a sentence without its full stop; "" for a normal one.
+/// A remark about a ContactState: a sentence without its full stop; "" for a normal contact. The
+/// text is static.
 PALPATE_EXPORT const char* contactRemark(int state) noexcept;
 
-/// The parts of a response's model; their sum is in the array `ModelParts`. The text `Model` has
-/// the same content in words; it is parsed only for old files.
+/// The parts of a response's model; their sum is in the array `ModelParts`. The text `Model`
+/// describes the same parts in words; it is parsed only for old files.
 enum ModelPart : int
 {
   HalfSpacePart = 1,
   LayerPart = 2,
   GlobalCompliancePart = 4, ///< in series: the global compliance of the body
-  SpringPart = 8,           ///< a spring at each point, whatever the tool
+  SpringPart = 8,           ///< a spring at each point, independent of the tool
   StackPart = 16,           ///< layers on each other
   FiniteStrainPart = 32,
   CurvaturePart = 64, ///< the body's curvature
   TrueShapePart = 128 ///< finite elements of the whole body, under each point
 };
 
-/// The model parts of a response that was saved without them, from its text; 0: unknown.
+/// Derives the model parts of a response that was saved without them from its text `Model`; 0:
+/// unknown.
 PALPATE_EXPORT int modelPartsOfText(const std::string& model);
 
 /// The arrays of a response, in the order of the table.
@@ -115,7 +117,7 @@ struct ContractArray
     Points,
     Fields
   };
-  /// Type of its values.
+  /// Type of the values.
   enum class Type : std::uint8_t
   {
     Float,
@@ -124,7 +126,7 @@ struct ContractArray
     UnsignedChar,
     Text
   };
-  /// Components of a tuple.
+  /// Number of components of a tuple.
   enum class Width : std::uint8_t
   {
     One,
@@ -134,22 +136,22 @@ struct ContractArray
     Five,
     Seven,
     Samples,
-    TwoSamples, ///< forces, then stiffnesses; as many tuples as laws
+    TwoSamples, ///< forces, then stiffnesses; one tuple per law
     Laws,
-    Branches, ///< of the relaxation; a field array has as many tuples of one
+    Branches, ///< of the relaxation; a field array has one component and a tuple per branch
     Modes,    ///< of the body, at most CouplingTerms::MostModes
     TiltLaws  ///< of the table of tilts
   };
   /// Purpose of the array.
   enum class Use : std::uint8_t
   {
-    Evaluation, ///< in either form
-    PerPoint,   ///< evaluation where each point has a curve of its own
+    Evaluation, ///< evaluation, in both forms
+    PerPoint,   ///< evaluation if each point has a separate curve
     Compact,    ///< evaluation where curves are combinations of laws
-    Trust,      ///< depth to which the law holds
-    Words,      ///< the description in the file
-    Edges,      ///< contacts leave over sharp edges; may be absent
-    Relaxation, ///< how the body relaxes; may be absent
+    Trust,      ///< the depth to which the law holds
+    Words,      ///< texts that describe the response
+    Edges,      ///< contacts over sharp edges; may be absent
+    Relaxation, ///< relaxation of the body; may be absent
     Coupling,   ///< the coupling of contacts; may be absent
     Tilt        ///< the effect of tilting the tool; may be absent
   };
@@ -160,7 +162,7 @@ struct ContractArray
   Type type;
   Width width;
   Use use;
-  const char* unit; ///< "" for a number without one
+  const char* unit; ///< "" for a dimensionless number
   const char* meaning;
 
   bool isEvaluated() const noexcept { return this->use != Use::Trust && this->use != Use::Words; }
@@ -221,8 +223,8 @@ inline std::string arrayName(const std::string& response, ResponseArray array)
   return contractOf(array).named(response);
 }
 
-/// Components of a tuple of the array, for a response with these numbers of samples, laws, branches
-/// of the relaxation, modes of the body and laws of tilts.
+/// Number of components of a tuple of the array, for a response with these numbers of samples,
+/// laws, branches of the relaxation, modes of the body and laws of tilts.
 constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0,
   int modes = 0, int tiltLaws = 0)
 {

@@ -22,10 +22,10 @@ namespace palpate
 class RisingStiffness;
 
 /**
- * The response arrays of a body. The views do not own their memory. One of two forms: per point
+ * The response arrays of a body. The views do not own their memory. There are two forms: per point
  * (force and stiffness, n floats per point), or compact (laws k >= 1: `basis` of k rows of n forces
- * then n stiffnesses, `coefficient` of k floats per point, curve = Σ_k coefficient_k basis_k). Both
- * forms have normal (3 floats), range (1) and status (1 byte) per point.
+ * then n stiffnesses, `coefficient` of k floats per point, curve = Σ_k coefficient_k basis_k). In
+ * both forms, each point has a normal (3 floats), a range (1 float) and a status (1 byte).
  */
 struct ResponseArrays
 {
@@ -40,12 +40,12 @@ struct ResponseArrays
   const float* normal = nullptr;
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
-  EdgeTerms edges;            ///< of all points; for contacts over sharp edges
+  EdgeTerms edges;            ///< for contacts over sharp edges; the same at all points
   RelaxationTerms relaxation; ///< if the body relaxes
   CouplingTerms coupling;     ///< if contacts on the body are coupled
   TiltViews tilt;             ///< the effect of tilting the tool, if known
 
-  /// The longest δ_max of all points, mm; 0 without a response.
+  /// The largest δ_max of all points, mm; 0 if no point has a response.
   double longestRange() const noexcept
   {
     float longest = 0.0F;
@@ -65,17 +65,17 @@ struct ResponseArrays
 };
 
 /**
- * The kernel's own packed copy of a response: one record per point, in the order of the mesh's
- * points, so that a tick reads one place for each of its three vertices. A record has 80 bytes with
- * 8 samples; in the compact form 16 bytes and 4 per law, and 16 if all points share one law and its
- * coefficient. Immutable, safe from any number of threads.
+ * A packed copy of a response for the servo tick: one record per point, in the order of the mesh's
+ * points, so that a tick reads one block of memory per vertex. A record has 80 bytes with 8
+ * samples. In the compact form it has 16 bytes plus 4 per law, or only 16 if all points share one
+ * law and its coefficient. Immutable, safe from any number of threads.
  */
 class PALPATE_EXPORT ResponseField
 {
 public:
-  /// With a mesh, the field has the order of the mesh's points, and the arrays have that of its
-  /// input; without a mesh, both have the order of the arrays. Points on the mesh's creases take
-  /// the mesh's normals.
+  /// With a mesh, the records have the order of the mesh's points, and the arrays have the order of
+  /// the mesh's input; without a mesh, both have the order of the arrays. Points on creases of the
+  /// mesh use the mesh's normals.
   explicit ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh = nullptr);
 
   std::size_t pointCount() const noexcept { return this->Points; }
@@ -91,16 +91,16 @@ public:
     return { head[1], head[2], head[3] };
   }
   ResponseValue evaluate(std::int32_t point, double deflection) const noexcept;
-  /// Evaluates at a place that sampling() found for the point's range.
+  /// Evaluates at the position that sampling() found for the point's range.
   ResponseValue evaluate(std::int32_t point, const ResponseSampling::Place& at) const noexcept;
 
-  /// F, K of sample `lower` and of the next, blended.
+  /// F and K of sample `lower` and of the next one, blended over three points.
   Eigen::Vector4d blendSamples(
     const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
 
   /// ∫₀^δ F, N mm; 0 for a point without response. O(samples).
   double energy(std::int32_t point, double deflection) const noexcept;
-  /// Whether two points have the same curve, bit by bit.
+  /// Whether two points have the same curve, bit for bit.
   bool haveSameCurve(std::int32_t point, std::int32_t other) const noexcept;
 
   /// Prefetches the memory of a point.
@@ -109,7 +109,7 @@ public:
     prefetchLine(this->record(point));
     prefetchLine(this->record(point) + this->Stride - 1);
   }
-  /// Whether the stiffness of every point's curve, and so of every blend, only rises with the
+  /// Whether the stiffness of every point's curve, and therefore of every blend, rises with the
   /// deflection (RisingStiffness).
   bool hasRisingStiffness() const noexcept { return this->IsRising; }
   /// Bytes held.
@@ -128,7 +128,7 @@ private:
     const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
   void shareCoefficient(const ResponseArrays& arrays);
   void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
-  /// Checks the points from `first` to before `last`.
+  /// Whether the stiffness rises at the points from `first` to before `last`.
   bool areRising(const RisingStiffness& rising, std::size_t first, std::size_t last) const noexcept;
 
   ResponseSampling Sampling;
@@ -136,13 +136,13 @@ private:
   int Laws;
   std::size_t Stride;
   bool IsRising = false;
-  /// Range (0: no response), normal, then force and stiffness of sample after sample, or
+  /// Per point: range (0: no response), normal, then force and stiffness of sample after sample, or
   /// coefficients.
   LargeVector<float> Records;
   std::vector<float> Basis;
-  /// The one coefficient if all points share one law and coefficient; records then hold none.
+  /// The coefficient if all points share one law and one coefficient, which the records then omit.
   float Shared = 0.0F;
-  ResponseEnergy Energy; ///< last: a tick reads the others
+  ResponseEnergy Energy; ///< the last member: a tick reads the others
 };
 
 inline Eigen::Vector4d ResponseField::blendSamples(
@@ -166,7 +166,7 @@ inline Eigen::Vector4d ResponseField::blendSamples(
 class PALPATE_EXPORT BlendedResponse
 {
 public:
-  /// Points of weight 0 do not count; the others must have a response.
+  /// Points of weight 0 have no effect; the others must have a response.
   BlendedResponse(
     const ResponseField& field, const TriangleCorners& points, const Vector3& weights) noexcept
     : Field(field)
@@ -177,7 +177,7 @@ public:
 
   /// Blended δ_max, mm.
   double range() const noexcept;
-  /// Value of each point's curve; zeros for points of weight 0. The deflection is > 0.
+  /// Value of each point's curve; zero for points of weight 0. The deflection must be > 0.
   std::array<ResponseValue, 3> evaluateEach(double deflection) const noexcept;
   ResponseValue evaluate(double deflection) const noexcept
   {
@@ -186,30 +186,30 @@ public:
       ? sum
       : this->evaluateApart(deflection);
   }
-  /// ∫₀^δ F of each point, N mm, except for a common constant: zeros if their curves are the same.
-  /// For a point without response, which has weight 0, the value of the blend.
+  /// ∫₀^δ F of each point, N mm, up to an additive constant common to all three: zeros if their
+  /// curves are the same. A point without response, which has weight 0, has the value of the blend.
   Vector3 energies(double deflection) const noexcept;
   /// ∫₀^δ F of the blend, N mm.
   double energy(double deflection) const noexcept;
 
-  /// Whether all three curves have this range.
+  /// Whether all three curves have the range `range`.
   bool hasRange(double range) const noexcept
   {
     return this->Field.range(this->Points[0]) == range &&
       this->Field.range(this->Points[1]) == range && this->Field.range(this->Points[2]) == range;
   }
-  /// Whether the stiffness is known to only rise with the deflection: true if it rises at all
-  /// points of the field.
+  /// Whether the stiffness is known to rise with the deflection: true if it rises at all points of
+  /// the field.
   bool hasRisingStiffness() const noexcept { return this->Field.hasRisingStiffness(); }
-  /// F, K of sample `lower` and of the next, blended; for curves of one range.
+  /// F and K of sample `lower` and of the next one, blended; for three curves of one range.
   Eigen::Vector4d samples(int lower) const noexcept
   {
     return this->Field.blendSamples(this->Points, this->Weights, lower);
   }
 
 private:
-  /// Evaluates the sum of the samples, which suffices if the three curves have one range; else
-  /// false.
+  /// Evaluates the blended samples, which is sufficient if the three curves have one range;
+  /// otherwise returns false.
   bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
   ResponseValue evaluateApart(double deflection) const noexcept;
   bool areAlike() const noexcept

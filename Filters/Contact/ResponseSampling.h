@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// The samples of one point's curve as they are stored in arrays, for ResponseSampling::evaluate().
-/// A view.
+/// A view of the samples of one point's curve as stored in arrays, for
+/// ResponseSampling::evaluate().
 struct FloatCurve
 {
   const float* forces;      ///< N
@@ -32,27 +32,27 @@ struct ResponseValue
 /**
  * Storage of a force-deflection curve in n samples, and its evaluation.
  *
- * Samples i = 1..n are at s_i = i/n, δ_i = δ_max s_i²; F(0) = 0 is not stored. Between them
+ * Samples i = 1..n are at s_i = i/n, δ_i = δ_max s_i²; F(0) = 0 is not stored. Between samples
  *   F(δ) = δ^m r(s), s = √(δ/δ_max),
- * with r the cubic Hermite interpolant whose values and slopes follow from the stored F_i and
- * K_i = dF/dδ. Below δ_1 the curve is the power F = F_1 (δ/δ_1)^q, q = K_1 δ_1/F_1 (0 if F_1 = 0).
- * Beyond δ_max it is the last tangent. The curve is continuously differentiable, and exact for F ∝
- * δ^m.
+ * where r is the cubic Hermite interpolant with values and slopes from the stored F_i and K_i =
+ * dF/dδ. Below δ_1 the curve is the power F = F_1 (δ/δ_1)^q, q = K_1 δ_1/F_1 (0 if F_1 = 0). Beyond
+ * δ_max it continues along its last tangent. The curve is continuously differentiable, and exact
+ * for F ∝ δ^m.
  *
- * δ <= 0 gives 0, NaN gives NaN. evaluate() neither allocates nor throws.
+ * δ <= 0 results in 0, NaN in NaN. evaluate() neither allocates nor throws.
  */
 class PALPATE_EXPORT ResponseSampling
 {
 public:
-  /// A larger number of samples counts as a damaged file or a mistake.
+  /// A larger number of samples is treated as a damaged file or a mistake.
   static constexpr int LargestCount = 256;
 
-  /// 2 to LargestCount samples; m > 0 finite.
+  /// 2 to LargestCount samples; m > 0, finite.
   ResponseSampling(int samples, double exponent);
 
   int samples() const noexcept { return this->Samples; }
   double exponent() const noexcept { return this->Exponent; }
-  /// δ_i of sample i = 0..n-1 (number i+1 in the text above).
+  /// δ_i of sample i = 0..n-1 (i + 1 in the numbering above).
   double depth(int i, double range) const noexcept
   {
     const double s = static_cast<double>(i + 1) / this->Samples;
@@ -74,7 +74,7 @@ public:
     return power;
   }
 
-  /// Position of a deflection among the samples. It is valid for all curves of the same range, so
+  /// Position of a deflection among the samples. It is the same for all curves of one range, so
   /// that it is computed once for the three vertices of a triangle.
   struct Place
   {
@@ -87,7 +87,7 @@ public:
     double share = 0.0;       ///< fraction of the way from sample `lower` to the next
   };
 
-  /// For δ > 0; range > 0.
+  /// Finds the position of a deflection > 0; range > 0.
   Place place(double range, double deflection) const noexcept
   {
     Place at;
@@ -101,7 +101,7 @@ public:
       at.share = 1.0;
       return at;
     }
-    // 1/s first: then one root and two independent divisions give all values.
+    // 1/s first: then one root and two independent divisions suffice for all values.
     at.inverseRoot = std::sqrt(range / deflection);
     at.root = deflection / range * at.inverseRoot;
     const double position = at.root * n;
@@ -117,7 +117,7 @@ public:
     double lowerForce, lowerStiffness, upperForce, upperStiffness;
   };
 
-  /// Evaluates at a place that is not below the first sample.
+  /// Evaluates at a position that is not below the first sample.
   ResponseValue between(const Samples2& samples, const Place& at) const noexcept
   {
     if (at.deflection >= at.range)
@@ -128,7 +128,7 @@ public:
     return this->hermite(samples, at);
   }
 
-  /// `curve.force(i)` and `curve.stiffness(i)` give sample i = 0..n-1.
+  /// `curve.force(i)` and `curve.stiffness(i)` return the values of sample i = 0..n-1.
   template <class Curve>
   ResponseValue evaluate(const Curve& curve, const Place& at) const noexcept
   {
@@ -197,7 +197,7 @@ private:
 
   int Samples;
   double Exponent;
-  int WholePower; ///< 2m if that is whole and small, else 0
+  int WholePower; ///< 2m if it is a small integer, else 0
   double Spacing; ///< 1/n
   struct Node
   {
@@ -205,31 +205,32 @@ private:
     double weight;  ///< s_i^(-2m)
     double ofForce; ///< -2m/s_i
   };
-  /// Up to this number, nodes are stored in the object, which saves the tick an indirection.
+  /// Up to this number, nodes are stored within the object, which saves the tick an indirection.
   static constexpr int FewNodes = 16;
   std::array<Node, FewNodes> Few{};
   std::vector<Node> Many;
 };
 
 /**
- * The work e(δ) = ∫₀^δ F done by a stored response, N mm, as ResponseSampling evaluates the
- * response. Exact except for rounding; there is no quadrature in the tick.
+ * The work e(δ) = ∫₀^δ F of a stored response, N mm, for the curve of ResponseSampling. It is exact
+ * except for rounding; the tick has no quadrature.
  *
- * Whole cells between samples are linear in their forces and stiffnesses, with weights that depend
- * on n and m alone and are computed once, here. The last, partial cell is integrated by parts:
- * with ρ the cubic of the cell and p = 2m + 1,
+ * The integral over a whole interval between samples is linear in the forces and stiffnesses, with
+ * weights that depend only on n and m and are computed once, here. The last, partial interval is
+ * integrated by parts:
+ * with ρ the cubic of the interval and p = 2m + 1,
  *   ∫ s^p ρ ds = s^(p+1) (ρ/(p+1) - s ρ'/((p+1)(p+2)) + s² ρ''/(…(p+3)) - s³ ρ'''/(…(p+4))).
- * Below δ_1 the power start gives F_1 δ_1/(q+1) (δ/δ_1)^(q+1), which needs q > -1; beyond δ_max the
- * last tangent is integrated.
+ * Below δ_1 the power law gives F_1 δ_1/(q+1) (δ/δ_1)^(q+1), which requires q > -1; beyond δ_max
+ * the last tangent is integrated.
  *
- * δ <= 0 gives 0, NaN gives NaN. energy() takes O(n) and neither allocates nor throws.
+ * δ <= 0 results in 0, NaN in NaN. energy() takes O(n) and neither allocates nor throws.
  */
 class PALPATE_EXPORT ResponseEnergy
 {
 public:
   explicit ResponseEnergy(const ResponseSampling& sampling);
 
-  /// `curve.force(i)` and `curve.stiffness(i)` give sample i = 0..n-1.
+  /// `curve.force(i)` and `curve.stiffness(i)` return the values of sample i = 0..n-1.
   template <class Curve>
   double energy(const Curve& curve, double range, double deflection) const noexcept
   {
@@ -257,7 +258,7 @@ public:
   }
 
 private:
-  /// Share of one sample in the energy of the cell on one side of it: e = δ_max (force F +
+  /// Contribution of one sample to the energy of an adjacent interval: e = δ_max (force F +
   /// stiffness δ_max K).
   struct Share
   {
@@ -295,7 +296,7 @@ private:
     return this->toFirstSample(curve, range) + range * sum;
   }
 
-  /// Integral from sample i-1 to s, which is the fraction t of the cell, 1 <= i < n.
+  /// Integral from sample i-1 to s, which is at the fraction t of the interval, 1 <= i < n.
   template <class Curve>
   double partOfCell(const Curve& curve, double range, double s, double t, int i) const noexcept
   {
@@ -315,7 +316,7 @@ private:
     return 2.0 * range * (here - start);
   }
 
-  /// The bracket of the text above; derivatives are by t, x = s/h.
+  /// The expression in parentheses above; the derivatives are by t, x = s/h.
   double byParts(double x, double rho, double d1, double d2, double d3) const noexcept
   {
     const double p = 2.0 * this->Exponent + 1.0;
@@ -344,8 +345,8 @@ private:
   int Samples;
   double Exponent;
   std::vector<double> Weights; ///< s_i^(-2m)
-  std::vector<Share> Left;     ///< of each sample in the cell before it; none at the first
-  std::vector<Share> Right;    ///< in the cell after it; none at the last
+  std::vector<Share> Left;     ///< of each sample in the interval before it; unused for the first
+  std::vector<Share> Right;    ///< of each sample in the interval after it; unused for the last
 };
 } // namespace palpate
 

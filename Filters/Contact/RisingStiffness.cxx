@@ -5,9 +5,9 @@ namespace palpate
 {
 namespace
 {
-using Cubic = std::array<double, 4>; // polynomial in t, constant first
+using Cubic = std::array<double, 4>; // polynomial in t, constant term first
 
-/// The cubic with the sign of dK/dδ, for a ρ in a cell that begins at `first` widths.
+/// The cubic with the sign of dK/dδ, for the ρ of an interval that begins at `first` widths.
 Cubic slopeOfStiffness(const Cubic& rho, double first, double p)
 {
   const double a = first;
@@ -39,7 +39,7 @@ RisingStiffness::RisingStiffness(const ResponseSampling& sampling)
     Cell cell{};
     const auto add = [&](int sample, std::size_t force, const Cubic& value, const Cubic& slope)
     {
-      // ρ = w F and dρ/dt = h w (2 δ_max s K - p F/s) there.
+      // ρ = w F and dρ/dt = h w (2 δ_max s K - p F/s) at this sample.
       const double s = h * sample;
       const double weight = std::pow(s, -p);
       const Cubic ofValue = toBernstein(slopeOfStiffness(value, i, p));

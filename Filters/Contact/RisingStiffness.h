@@ -11,21 +11,21 @@
 namespace palpate
 {
 /**
- * Whether the stiffness of a stored curve, as ResponseSampling evaluates it, rises with the
- * deflection everywhere. If so, the stiffness of every blend of such curves rises too, and passes a
+ * Checks whether the stiffness of a stored curve, as ResponseSampling evaluates it, rises with the
+ * deflection everywhere. Then the stiffness of every blend of such curves rises too, and equals a
  * given value only once (CappedResponse).
  *
  * Between two samples dK/dδ has the sign of
  *   p(p-2) ρ + (2p-1) s ρ' + s² ρ'',  p = 2m,
- * a cubic in the fraction of the way between them. Its Bernstein coefficients are linear in the
- * forces and stiffnesses of the two samples. If none of these coefficients is negative, the cubic
- * is not negative. (This is sufficient only: a rising curve that fails the test counts as not
- * rising.) Below the first sample the power must be at least 1; beyond the last the stiffness is
- * constant.
+ * a cubic in the fraction of the interval between them. Its Bernstein coefficients are linear in
+ * the forces and stiffnesses of the two samples. If none of these coefficients is negative, the
+ * cubic is not negative. (This condition is only sufficient: a rising curve may fail it and then
+ * counts as not rising.) Below the first sample the power must be at least 1; beyond the last the
+ * stiffness is constant.
  *
- * Samples are floats: a fall within their rounding does not count.
+ * Samples are floats: a decrease within their rounding is ignored.
  *
- * Constructed once per sampling and called once per point when a body is built: some 100 ns with 8
+ * Constructed once per sampling and called once per point when a body is built: about 100 ns with 8
  * samples.
  */
 class RisingStiffness
@@ -33,7 +33,8 @@ class RisingStiffness
 public:
   explicit RisingStiffness(const ResponseSampling& sampling);
 
-  /// `curve.force(i)` and `curve.stiffness(i)` give sample i = 0..n-1; range in mm, > 0.
+  /// `curve.force(i)` and `curve.stiffness(i)` return the values of sample i = 0..n-1; range in mm,
+  /// > 0.
   template <class Curve>
   bool isOf(const Curve& curve, double range) const noexcept
   {
@@ -65,11 +66,11 @@ public:
 private:
   /// Rounding of a sample as a float, plus that of the range.
   static constexpr double Rounding = 1.2e-7;
-  /// The four Bernstein coefficients, each as weights of the force, of range times stiffness, and
-  /// of the same two at the next sample.
+  /// The four Bernstein coefficients, each as four weights: of the force, of range times stiffness,
+  /// and of the same two values at the next sample.
   using Cell = std::array<std::array<double, 4>, 4>;
 
-  double FirstDepth; ///< depth of the first sample over the range
+  double FirstDepth; ///< depth of the first sample divided by the range
   std::vector<Cell> Cells;
 };
 } // namespace palpate

@@ -10,10 +10,10 @@ namespace palpate
 /// A fault of one setting; none if the name is empty.
 struct SettingFault
 {
-  std::string name;   ///< as the filters' property, "FrictionCoefficient"
+  std::string name;   ///< name of the filters' property, "FrictionCoefficient"
   std::string remark; ///< "must be finite and not negative, but is -1"
 
-  /// A setting outside its allowed values; `demand` continues after "must": "be positive".
+  /// The fault of a value that is not allowed; `demand` continues after "must": "be positive".
   template <class Value>
   static SettingFault must(const std::string& name, const std::string& demand, const Value& is)
   {

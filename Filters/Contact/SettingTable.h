@@ -13,22 +13,22 @@
 
 namespace palpate
 {
-/// One of the values of a setting that is an enumeration.
+/// One of the values of an enumeration.
 struct SettingWord
 {
-  const char* name = nullptr;   ///< name of the enumerator, "NormalizedDirection"; null: none
+  const char* name = nullptr;   ///< name of the enumerator, "NormalizedDirection"; null: unused
   const char* option = nullptr; ///< name on a command line, "normalized"
 };
 using SettingWords = std::array<SettingWord, 3>;
 
-/// The texts of a setting. Its default is that of ContactSettings.
+/// The texts of a setting. Its default is the default of ContactSettings.
 struct SettingText
 {
   const char* name;   ///< of the property, "FrictionCoefficient"
-  const char* option; ///< on a command line, without dashes; null: not offered there
+  const char* option; ///< on a command line, without dashes; null: not an option there
   const char* unit;   ///< "" for ratios and enumerations
-  /// What the setting is, with unit and range and without the default. Begins with a small letter
-  /// and ends without a full stop.
+  /// Description of the setting, with unit and range but without the default. It begins with a
+  /// small letter and ends without a full stop.
   const char* help;
 };
 
@@ -58,7 +58,7 @@ struct SettingRow
 {
   SettingText text;
   SettingRange range;
-  SettingWords words; ///< by number; empty for a number
+  SettingWords words; ///< by value; empty for a number
   double (*get)(const ContactSettings&);
   void (*set)(ContactSettings&, double); ///< accepts any value, see faultOfContact()
 
@@ -113,9 +113,9 @@ constexpr SettingRow choice(const SettingText& text, const SettingWords& words)
 } // namespace setting
 
 /**
- * The settings of a contact: the single source of their texts and ranges. Filters, sessions and the
- * C interface check values by it, the program's options are made from it, and ParaView's properties
- * are tested against it.
+ * The settings of a contact: the only source of their texts and ranges. Filters, sessions and the C
+ * interface check values by this table, the program's options are made from it, and ParaView's
+ * properties are tested against it.
  */
 inline constexpr std::array<SettingRow, 9> SettingTable = { {
   setting::choice<&ContactSettings::form>(
@@ -169,7 +169,7 @@ inline constexpr std::array<SettingRow, 9> SettingTable = { {
       0.0, ContactSettings::MostRelaxationElements, "a number of elements, e.g. 16")),
 } };
 
-/// The row with this name or command-line option; null if there is none.
+/// The row with this property name or command-line option; null if there is none.
 PALPATE_EXPORT const SettingRow* findSetting(const std::string& nameOrOption);
 
 /// The first setting that is out of its range or NaN, even if the chosen model does not use it.

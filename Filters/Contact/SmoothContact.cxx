@@ -13,17 +13,18 @@ namespace
 {
 using Matrix2 = Eigen::Matrix2d;
 
-/// A step of the parameters below this is the last: the error of Newton's method is its square.
+/// Newton's method ends after a step of the parameters below this value: the remaining error is its
+/// square.
 constexpr double LastStep = 1e-6;
-/// A minimum beyond an edge by at most this is on the edge.
+/// A minimum that is beyond an edge by at most this value counts as on the edge.
 constexpr double OnEdge = 1e-9;
 
 /// Half the squared distance to the surface: derivatives by the parameters.
 struct Distance
 {
   Eigen::Vector2d slope;
-  /// If it is not that of a minimum, a multiple of the metric is added, so that the step goes
-  /// downhill.
+  /// If the Hessian is not that of a minimum, a multiple of the metric is added, so that the step
+  /// reduces the distance.
   Matrix2 hessian;
   bool isConvex;
 
@@ -62,13 +63,13 @@ struct Distance
   }
 };
 
-/// A change of the parameters as a change of the three area coordinates.
+/// The change of the three area coordinates for a change of the parameters.
 Vector3 asWeights(const Eigen::Vector2d& step)
 {
   return { -step[0] - step[1], step[0], step[1] };
 }
 
-/// Weights may leave the triangle a little during the search, but less near corners, where the
+/// Weights may leave the triangle slightly during the search, but less near corners, where the
 /// patch ends.
 bool isNearby(const Vector3& weights)
 {
@@ -148,7 +149,7 @@ private:
                              : SmoothPoint{};
   }
 
-  /// The last step needs no new derivatives: the error is its square.
+  /// The last step needs no new derivatives: its remaining error is its square.
   SmoothPoint describe(SmoothPoint::Outcome outcome, const Distance& distance,
     const Eigen::Vector2d& step) const noexcept
   {
@@ -171,8 +172,8 @@ private:
     return found;
   }
 
-  /// Moves on the way to `next` to the first edge, and to the triangle across it. Returns false if
-  /// the search ends there.
+  /// Moves towards `next` to the first edge, and to the triangle across it. Returns false if the
+  /// search ends there.
   bool leave(const Distance& distance, const Vector3& next, bool isMinimum) noexcept
   {
     if (this->HeldEdge >= 0)
@@ -202,7 +203,8 @@ private:
   }
 
   /// Moves along an edge to the minimum on it, if both sides lead to the edge or if the edge is a
-  /// border. At that minimum both sides agree, except for rounding, on the side to continue on.
+  /// border. At that minimum both sides agree, except for rounding, on which side the search
+  /// continues.
   bool slide(const Distance& distance) noexcept
   {
     const int edge = this->HeldEdge;
@@ -224,7 +226,7 @@ private:
     const Eigen::Vector2d whole = -(distance.inverse() * distance.slope);
     if (asWeights(whole)[corner] >= 0.0)
     {
-      return true; // inward after all
+      return true; // the minimum is inside the triangle after all
     }
     const std::int32_t across = this->Contact.Mesh.neighbour(this->Triangle, edge);
     if (across < 0)
@@ -242,7 +244,7 @@ private:
       {
         this->Result = this->finish(distance, change.tail<2>());
       }
-      return false; // back and forth between two sides that are not convex: not found
+      return false; // the search alternates between two sides that are not convex: not found
     }
     this->cross(across, edge, next);
     this->IsSettled = true;
@@ -254,7 +256,7 @@ private:
     int corner; ///< opposite the edge
     double share;
   };
-  /// The fraction of the way to `next` at which the first weight becomes 0; weights that are
+  /// The fraction of the step to `next` at which the first weight becomes 0; weights that are
   /// already negative come first.
   Exit firstEdge(const Vector3& next) const noexcept
   {
@@ -299,9 +301,9 @@ private:
   SmoothContact& Contact;
   const Vector3& Tip;
   std::int32_t Triangle;
-  std::int32_t Previous = -1; ///< the triangle before this one
-  bool IsSettled = false;     ///< and the minimum is known not to be in it
-  int HeldEdge = -1;          ///< the search is held to this edge
+  std::int32_t Previous = -1; ///< the triangle before the present one
+  bool IsSettled = false;     ///< the minimum is known not to be in Previous
+  int HeldEdge = -1;          ///< the search is confined to this edge
   Vector3 Weights;
   SurfaceJet Jet;
   SmoothPoint Result;

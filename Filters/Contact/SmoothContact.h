@@ -18,13 +18,13 @@ struct SmoothPoint
   enum class Outcome : std::uint8_t
   {
     Found,
-    Border,  ///< on an open border, beyond which the distance would still fall
-    Crease,  ///< the same where the surface is cut along a sharp edge
+    Border,  ///< on an open border, beyond which the distance would decrease further
+    Crease,  ///< on a crease, beyond which the distance would decrease further
     NotFound ///< no such point here: use the facets
   };
 
   Outcome outcome = Outcome::NotFound;
-  ContactPlace place; ///< unless NotFound
+  ContactPlace place; ///< not set if NotFound
 };
 
 /**
@@ -33,18 +33,18 @@ struct SmoothPoint
  *
  * follow() descends by Newton's method from a nearby point (that of the last tick) to the local
  * minimum of the distance, and moves to the neighbour if the minimum is beyond an edge. As the
- * surface is G1, point, normal and distance are continuous in the tip as long as the tip is less
- * deep than the surface's radius of convex curvature. The weights are continuous too, because an
- * edge belongs to both of its triangles alike. With H the Hessian of half the squared distance by
- * the parameters α of the patch, the parameters move with the tip by H⁻¹ ∂P/∂α (implicit function
- * theorem).
+ * surface is G1, point, normal and distance are continuous in the tip as long as the depth of the
+ * tip is less than the surface's radius of convex curvature. The weights are continuous too,
+ * because the two triangles of an edge agree on it. With H the Hessian of half the squared distance
+ * by the parameters α of the patch, the parameters move with the tip by H⁻¹ ∂P/∂α (implicit
+ * function theorem).
  *
- * The result is NotFound, and the caller uses the facet's own point, in these cases: within about a
- * thousandth of the radius of curvature or deeper (det H <= FocalShare times its value at the
- * surface: the closest point is about to split in two), at a crease (see SmoothTriangle), at a seam
- * of triangles without area, and after MaximumSteps.
+ * In the following cases the result is NotFound, and the caller uses the closest point of the
+ * facet: if the tip is within about a thousandth of the radius of curvature, or deeper (det H <=
+ * FocalShare times its value at the surface: the closest point is about to split in two), at a
+ * crease (see SmoothTriangle), at a seam of triangles without area, and after MaximumSteps.
  *
- * A step costs some 0.1 µs, the patch of a new triangle 0.2 µs; a tick takes two or three steps.
+ * A step costs about 0.1 µs, the patch of a new triangle 0.2 µs; a tick takes two or three steps.
  * follow() neither allocates nor locks nor throws. It stores the last patch: one SmoothContact
  * serves one thread. Mesh and response may be shared and must outlive it.
  */
@@ -60,8 +60,8 @@ public:
   {
   }
 
-  /// Starts from area coordinates of a triangle of the mesh, sum 1, which may be beyond its edges.
-  /// For a tip that is not finite, the result is NotFound.
+  /// Starts from area coordinates of a triangle of the mesh with the sum 1; the point may be beyond
+  /// the edges. If the tip is not finite, the result is NotFound.
   SmoothPoint follow(const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept;
 
 private:

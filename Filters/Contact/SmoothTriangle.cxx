@@ -32,8 +32,8 @@ void cut(const Vector4* from, const Vector3& u, Vector4* to) noexcept
   }
 }
 
-/// xy(x-y)/(x+y) and its derivatives: the factor that changes one interior point into the other
-/// between the two edges of a corner.
+/// xy(x-y)/(x+y) and its derivatives: the factor that blends the interior points of the two edges
+/// of a corner into one another.
 struct Blend
 {
   double value = 0.0;
@@ -45,7 +45,8 @@ struct Blend
     const double sum = a + b;
     if (std::abs(sum) < 1e-30)
     {
-      return; // at the corner: value and slopes are 0, the second derivatives their mean
+      return; // at the corner: value and slopes are 0; the second derivatives have no limit and
+              // count as 0
     }
     const double p = a / sum;
     const double q = b / sum;
@@ -93,7 +94,7 @@ struct SmoothTriangle::Edge
     this->across[2] = nb.cross(unitB);
     const Vector3 sum = this->across[0] + this->across[2];
     const double norm = sum.norm();
-    if (!(norm > 1e-3)) // the normal turns by half a turn along the edge
+    if (!(norm > 1e-3)) // the directions across the edge at its ends are opposite
     {
       return;
     }
@@ -102,7 +103,7 @@ struct SmoothTriangle::Edge
   }
 
   Vector3 leg(std::size_t i) const noexcept { return this->curve[i + 1] - this->curve[i]; }
-  /// Control point `step` of the same curve as a quartic.
+  /// Control point `step` of the same curve raised to degree four.
   Vector3 quartic(int step) const noexcept
   {
     switch (step)
@@ -121,7 +122,7 @@ struct SmoothTriangle::Edge
   }
 };
 
-/// Index of the control point of step 0..4 from corner `edge` to the next.
+/// Index of the control point at step 0..4 from corner `edge` to the next corner.
 int SmoothTriangle::alongEdge(int edge, int step) noexcept
 {
   switch (edge)
@@ -135,7 +136,7 @@ int SmoothTriangle::alongEdge(int edge, int step) noexcept
   }
 }
 
-/// Index of the interior point nearest to corner `edge` (step 0) or to the next one (step 1).
+/// Index of the interior point nearest to corner `edge` (step 0) or to the next corner (step 1).
 int SmoothTriangle::insideEdge(int edge, int step) noexcept
 {
   switch ((edge + step) % 3)
@@ -186,8 +187,8 @@ bool SmoothTriangle::build(
     {
       this->Control[static_cast<std::size_t>(alongEdge(e, step))] = padded(edge.quartic(step));
     }
-    // The derivative across the edge is λ(t) times its tangent plus μ(t) times the direction
-    // across, with λ and μ linear. At the ends the neighbouring edges give the derivative.
+    // The derivative across the edge is λ(t) times the tangent plus μ(t) times the direction
+    // across, with λ and μ linear. The neighbouring edges determine the derivative at the ends.
     const Vector3 first = last.quartic(3) - 0.5 * (edge.quartic(0) + edge.quartic(1));
     const Vector3 end = next.quartic(1) - 0.5 * (edge.quartic(3) + edge.quartic(4));
     const double lambda0 = first.dot(edge.leg(0)) / edge.leg(0).squaredNorm();

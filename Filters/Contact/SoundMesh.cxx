@@ -20,7 +20,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestShareOfFlaps = 0.1; ///< of the triangles; more are a sheet with two sides
+/// Of the triangles; a larger fraction means a sheet with two sides.
+constexpr double LargestShareOfFlaps = 0.1;
 
 Vector3 pointAt(const double* points, std::int32_t index)
 {
@@ -32,7 +33,7 @@ bool hasCornerTwice(const TriangleCorners& c)
   return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
-/// Whether the rounded triangle still has an area, on the same side as the given one.
+/// Whether the rounded triangle still has an area, on the same side as the given triangle.
 bool keepsItsArea(const std::array<Vector3, 3>& given, const std::array<Vector3, 3>& rounded)
 {
   const auto normalOf = [](const std::array<Vector3, 3>& t) -> Vector3
@@ -162,7 +163,8 @@ void SoundMesh::repair(bool isPiece)
       link();
     }
   };
-  merge(); // before joining: a copy closes the hole around a triangle that has its own points
+  merge(); // before points are joined: a copy closes the hole around a triangle with separate
+           // points
   if (links->borderEdges() > 0 || losesArea)
   {
     this->joinPoints(*links, joined);
@@ -236,7 +238,7 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
     }
     if (hasCornerTwice(corners))
     {
-      corners[0] = -1; // without a third corner its neighbours are adjacent
+      corners[0] = -1; // only two different corners: its neighbours share this edge
     }
   }
   this->Found.joinedPoints = 0;

@@ -12,7 +12,8 @@
 
 namespace palpate
 {
-/// Counts of the defects in the triangles of a body.
+/// Counts of the defects in the triangles of a body. A triangle that is left out has a negative
+/// first corner.
 struct MeshDefects
 {
   std::size_t notFinite = 0;         ///< triangles left out: a coordinate not finite or too large
@@ -21,32 +22,34 @@ struct MeshDefects
   std::size_t repeatedTriangles = 0; ///< left out: they occur twice, or enclose nothing
   std::size_t hiddenTriangles = 0;   ///< left out: sheets and debris inside a closed body
   std::size_t turnedTriangles = 0;   ///< reversed
-  std::size_t joinedPoints = 0;      ///< points at the place of another one
-  std::size_t nonManifoldEdges = 0;  ///< of more than two triangles, or not orientable
+  std::size_t joinedPoints = 0;      ///< points with the same coordinates as another one
+  /// Edges of more than two triangles, or of two that cannot be wound alike.
+  std::size_t nonManifoldEdges = 0;
   std::size_t borderEdges = 0;
 };
 
 /**
- * The triangles of a body, repaired: laws, contact, display and mesher use the same ones.
+ * The triangles of a body, repaired: laws, contact, display and mesher all use these triangles.
  *
  * - Triangles are left out if a corner is not a point, if a corner occurs twice, or if coordinates
  *   are not finite or beyond LargestCoordinate.
- * - Open borders are joined where points have the same coordinates (as float32 about the centre of
- *   the body's box), and so are the ends of edges without length. So a surface that is split for
- *   its texture or normals, or that lists each triangle's corners, becomes one surface. Two closed
- *   bodies that touch remain two.
+ * - Open borders are joined at points with the same coordinates (as float32 relative to the centre
+ *   of the body's box), and the ends of edges without length are joined. Therefore a surface that
+ *   is split for its texture or normals, or that lists each triangle's corners separately, becomes
+ *   one surface. Two closed bodies that touch remain two.
  * - Copies of a triangle and flaps are left out (MeshRepeats).
  * - Neighbours are wound alike (makeWindingConsistent), and solids are wound outward (orientParts).
  *
- * Cost: O(n) for a sound body, in memory 60 bytes per triangle.
+ * Cost: O(n) for a sound body, with 60 bytes of memory per triangle.
  */
 class PALPATE_EXPORT SoundMesh
 {
 public:
   static constexpr double LargestCoordinate = 1e14;
 
-  /// Points are x, y, z (mm); triangles have three point indices. A piece of a body on several
-  /// processes does not show which side is outside, so its solids are not turned.
+  /// Points are x, y, z (mm); triangles have three point indices. If the body is divided among
+  /// several processes (`isPiece`), a piece does not show which side is outside, so that its solids
+  /// are not reversed.
   SoundMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, bool isPiece = false);
 
@@ -63,7 +66,7 @@ public:
     return this->WithoutArea[triangle] != 0;
   }
 
-  /// The first of the points at the same place; it represents the others.
+  /// The first of the points with the same coordinates; it represents the others.
   std::int32_t firstAt(std::int32_t point) const noexcept
   {
     return this->First.empty() ? point : this->First[static_cast<std::size_t>(point)];

@@ -44,7 +44,7 @@ void ToolContact::lose() noexcept
   this->Resistance.reset();
   this->Relaxation.lose();
   this->LastWeights.setZero();
-  this->IsLetGo = false;
+  this->IsReleased = false;
   this->IsWithoutEdges = false;
 }
 
@@ -79,7 +79,7 @@ void ToolContact::lose() noexcept
 
 void ToolContact::sink(const ContactPlace& place) noexcept
 {
-  this->Sunk = this->LetDown;
+  this->Sunk = this->Lowering;
   if (this->Tilt.isFelt())
   {
     this->Sunk += this->Tilt.turn(
@@ -97,7 +97,7 @@ bool ToolContact::press(const ContactTracker::Result& found, Pressed& pressed) n
   }
   pressed.place = found.place;
   pressed.share = 1.0;
-  this->LetDown = 0.0;
+  this->Lowering = 0.0;
   this->sink(found.place);
   const BlendedResponse response(this->Body.response,
     this->Body.surface.corners(found.place.triangle), found.place.projection.weights);
@@ -118,14 +118,14 @@ bool ToolContact::press(const ContactTracker::Result& found, Pressed& pressed) n
   }
   else
   {
-    this->takeGradients(pressed.place);
+    this->setGradients(pressed.place);
     pressed.depth = -pressed.place.signedDistance - this->Sunk;
   }
   pressed.place.weightGradients = this->weightGradients(pressed.place);
   return pressed.depth > 0.0 && pressed.share > 0.0;
 }
 
-void ToolContact::takeGradients(ContactPlace& place) const noexcept
+void ToolContact::setGradients(ContactPlace& place) const noexcept
 {
   if (this->Settings.form == ForceForm::EnergyConsistent &&
     this->Settings.surface == ContactSurface::Facets)
@@ -138,11 +138,11 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
 {
   const ContactTracker::Outcome outcome = found.outcome;
   ContactPlace& place = found.place;
-  this->LetDown = sunk;
+  this->Lowering = sunk;
   this->LastWeights.setZero();
-  this->IsLetGo = this->IsLetGo && outcome != ContactTracker::Outcome::Outside;
+  this->IsReleased = this->IsReleased && outcome != ContactTracker::Outcome::Outside;
   this->IsWithoutEdges = this->IsWithoutEdges && outcome != ContactTracker::Outcome::Outside;
-  if (this->IsLetGo && outcome != ContactTracker::Outcome::Invalid)
+  if (this->IsReleased && outcome != ContactTracker::Outcome::Invalid)
   {
     this->Tracker.reset();
     return this->end(ContactState::None);
@@ -163,7 +163,7 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
   {
     return this->end(stateOf(outcome));
   }
-  this->takeGradients(place);
+  this->setGradients(place);
   place.signedDistance += this->Sunk;
   if (place.signedDistance > 0.0)
   {
@@ -178,7 +178,7 @@ void ToolContact::takeGradients(ContactPlace& place) const noexcept
   }
   if (result.state == ContactState::None)
   {
-    return this->comeOff();
+    return this->endDetached();
   }
   this->complete(place, response, 1.0, result);
   return result;
@@ -194,7 +194,7 @@ Contact ToolContact::end(ContactState state) noexcept
   return withoutForce(state);
 }
 
-Contact ToolContact::comeOff() noexcept
+Contact ToolContact::endDetached() noexcept
 {
   this->Resistance.reset();
   this->Relaxation.lose();
@@ -224,7 +224,7 @@ Contact ToolContact::fade(ContactPlace& place) noexcept
   }
   if (result.state == ContactState::None)
   {
-    return this->comeOff();
+    return this->endDetached();
   }
   result.memory *= left.fraction;
   result.normalForce *= left.fraction;
@@ -238,8 +238,8 @@ Contact ToolContact::fade(ContactPlace& place) noexcept
 void ToolContact::prefetchLast() const noexcept
 {
   const std::int32_t triangle = this->Tracker.triangle();
-  // The contact is likely to be there again or next to it. Its responses are loaded during the
-  // search.
+  // The contact is likely to be on this triangle again or next to it. Its responses are prefetched
+  // during the search.
   if (triangle >= 0)
   {
     this->prefetchResponses(triangle);
@@ -261,8 +261,8 @@ void ToolContact::rehearse(double elapsed) const noexcept
   this->IsInTime ? scratch.update(ahead, elapsed) : scratch.update(ahead);
 }
 
-// On a new triangle a tick would wait for the triangle, then for its new corner. A prefetch does
-// not wait.
+// A tick on a new triangle would wait for the triangle's memory, then for that of its new corner. A
+// prefetch does not wait.
 void ToolContact::foresee() const noexcept
 {
   const PackedMesh& surface = this->Body.surface;
@@ -289,7 +289,7 @@ void ToolContact::foresee() const noexcept
       ask(across);
     }
   }
-  // If a face is not certainly the nearest, the tick checks the triangles around its corners.
+  // If a face is not certainly the nearest one, the tick checks the triangles around its corners.
   for (const std::int32_t corner : surface.corners(triangle))
   {
     surface.visitAround(corner, [&surface](std::int32_t near) { surface.prefetch(near); });
@@ -302,7 +302,7 @@ void ToolContact::foresee() const noexcept
   bool valid = true;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // On an edge the opposite corners of both triangles do not matter.
+    // On an edge, the opposite corners of both triangles have no effect.
     valid = valid &&
       (place.projection.weights[static_cast<Eigen::Index>(k)] == 0.0 ||
         this->Body.response.isValid(corners[k]));

@@ -22,25 +22,25 @@ double inverseRoot(double x) noexcept
   {
     return 1.0 / std::sqrt(x);
   }
-  // In pairs that are independent of each other.
+  // Pairs of terms that are independent of each other.
   const double e2 = e * e;
   const double low = (1.0 + 1.0 / 2 * e) + e2 * (3.0 / 8 + 5.0 / 16 * e);
   const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);
   return low + e2 * e2 * high;
 }
 
-/// A force without its part against `out` (of any length). On a thin fin the normals of the
-/// vertices can point into the body; so can the normal of a face beyond its border.
+/// A force without its part against `out` (which need not have unit length). On a thin fin the
+/// normals of the vertices can point into the body; so can the normal of a face beyond its border.
 Vector3 outwardPart(const Vector3& force, const Vector3& out) noexcept
 {
   const double along = force.dot(out);
   return along < 0.0 ? Vector3(force - along / out.squaredNorm() * out) : force;
 }
 
-/// The same for a direction; `out` if nothing remains.
+/// A direction without its part against `out`; `out` if nothing remains.
 Vector3 outward(const Vector3& direction, const Vector3& out) noexcept
 {
-  constexpr double rounding = 1e-12; // of the square
+  constexpr double rounding = 1e-12; // of the squared length
   const Vector3 part = outwardPart(direction, out);
   const bool isAgainst =
     direction.dot(out) < 0.0 && !(part.squaredNorm() > rounding * direction.squaredNorm());
@@ -69,9 +69,9 @@ Eigen::Matrix3d ToolContact::weightGradients(const ContactPlace& place) const no
                              : place.weightGradients;
 }
 
-Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
+Vector3 ToolContact::vectorToContact(const ContactPlace& place) const noexcept
 {
-  constexpr double rounding = 1e-9; // mm; the direction of a shorter way is uncertain
+  constexpr double rounding = 1e-9; // mm; the direction of a shorter vector is uncertain
   const Vector3 way = place.projection.point - this->LastTip;
   return way.squaredNorm() > rounding * rounding ? way
                                                  : this->Body.surface.areaNormal(place.triangle);
@@ -99,7 +99,7 @@ Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
   {
     this->relax(place, response, value, result);
   }
-  const Vector3 out = this->wayOut(place);
+  const Vector3 out = this->vectorToContact(place);
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
     const bool isAgainst = place.onBorder && place.normal.dot(out) < 0.0;
@@ -108,7 +108,7 @@ Vector3 ToolContact::wayOut(const ContactPlace& place) const noexcept
       this->weightGradients(place), this->energies(response, result.deflection));
     return result.force.allFinite();
   }
-  Vector3 direction = place.normal; // a smooth surface has its own normal
+  Vector3 direction = place.normal; // the normal of a smooth surface differs from that of the facet
   if (!place.isSmooth)
   {
     direction = this->sumOfNormals(place, Vector3::Ones());
@@ -157,8 +157,8 @@ Vector3 ToolContact::energies(const BlendedResponse& response, double deflection
   }
   if (this->IsInTime)
   {
-    // The energy stored by memory is divided among the corners like their slow work: the curves of
-    // one tool on bodies of different stiffness have the same form.
+    // The energy stored by the memory force is divided among the corners in proportion to their
+    // slow work: the curves of one tool on bodies of different stiffness have the same shape.
     const double work = energies.isZero(0.0) ? 0.0 : this->work(response, deflection);
     energies *= work > 0.0 ? 1.0 + this->Relaxation.storedEnergy() / work : 1.0;
     energies += this->Relaxation.strengthEnergies();
@@ -218,7 +218,7 @@ Vector3 ToolContact::energies(const BlendedResponse& response, double deflection
 
 void ToolContact::keepOutward(const ContactPlace& place, Contact& result) const noexcept
 {
-  const Vector3 kept = outwardPart(result.force, this->wayOut(place));
+  const Vector3 kept = outwardPart(result.force, this->vectorToContact(place));
   if (kept == result.force)
   {
     return;
@@ -235,8 +235,7 @@ void ToolContact::addTorque(const ContactPlace& place, double share, Contact& re
   const double moment = this->Tilt.moment(result.normalForce, share * memory);
   result.tilt = this->Tilt.angle();
   result.torque = this->Tilt.torque(moment);
-  // If the force form has an energy, the force includes the change of the tilt from place to
-  // place.
+  // If the force form has an energy, the force includes the change of the tilt along the surface.
   if (this->Settings.form == ForceForm::EnergyConsistent ||
     (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth))
   {
@@ -259,7 +258,7 @@ void ToolContact::addTorque(const ContactPlace& place, double share, Contact& re
   }
   const Friction::Result friction = this->Resistance.update(
     result.contactPoint, result.normal, result.normalForce, result.deflection, response);
-  result.friction = this->IsInTime ? result.friction + friction.force : friction.force; // -0 stays
+  result.friction = this->IsInTime ? result.friction + friction.force : friction.force; // keeps -0
   result.force += friction.force;
   if (!friction.sliding && result.state == ContactState::Slide)
   {

@@ -19,8 +19,8 @@
 namespace palpate
 {
 /**
- * A lower bound of the distance between a tip and four triangles, all at once in float, so that
- * only triangles that may be the nearest are computed in double.
+ * A lower bound of the distance between a tip and each of four triangles, computed in float for all
+ * four at once, so that only triangles that may be the nearest are computed in double.
  *
  * The bound of a triangle combines the distance from its plane and, within the plane, from the
  * half-plane of each edge. It is the exact distance except where a corner is nearest.
@@ -30,20 +30,20 @@ class TriangleBound
 public:
   using Lane = Eigen::Array<float, 4, 1>;
 
-  /// A bound exceeds the true one by less than this part of the largest coordinate of tip and
-  /// triangles. It covers a dozen roundings, magnified thirty times by the sharpest angle that is
-  /// allowed.
+  /// A computed bound exceeds the true bound by less than this fraction of the largest coordinate
+  /// of tip and triangles. It covers a dozen roundings, amplified thirty times by the sharpest
+  /// angle that is allowed.
   static constexpr double Rounding = 2e-5;
-  /// Largest coordinate of tip and triangles, mm: beyond it sixth powers of lengths do not fit a
-  /// float.
+  /// Largest allowed coordinate of tip and triangles, mm; sixth powers of larger lengths do not fit
+  /// a float.
   static constexpr double LargestCoordinate = 3e5;
 
-  /// Squared bounds. `corners`: nine coordinates of each triangle. 0 for slivers, whose planes are
-  /// lost in float rounding.
+  /// Squared bounds. `corners`: nine coordinates of each triangle. The bound is 0 for slivers,
+  /// whose planes are lost in float rounding.
   [[gnu::always_inline]] static Lane squaredDistances(
     const Eigen::Vector3f& tip, const std::array<const float*, 4>& corners) noexcept
   {
-    std::array<Lanes, 3> to = load(corners); // from the tip
+    std::array<Lanes, 3> to = load(corners); // vectors from the tip to the corners
     for (std::size_t k = 0; k < 3; ++k)
     {
       const float t = tip[static_cast<Eigen::Index>(k)];
@@ -59,7 +59,8 @@ public:
     const Lane height = dot(normal, to[0]);
     const Lane ab2 = dot(ab, ab);
     const Lane ca2 = dot(ca, ca);
-    // Negative if the projection on the plane is beyond the line of an edge; times |normal| |edge|.
+    // Signed distance of the tip's projection from the line of each edge, multiplied by |normal|
+    // |edge|; negative outside the triangle.
     const Lanes turned = cross(to[0], normal);
     const Lane insideAb = dot(ab, turned);
     const Lane insideCa = dot(ca, turned);
@@ -81,9 +82,9 @@ private:
   using Lanes = std::array<Lane, 3>; ///< x, y, z
 
   static constexpr float SliverSine2 = 1e-3F;
-  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4, so that no divisor is denormal
+  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4, so that no divisor is a denormal number
 
-  /// Corner by corner, coordinate by coordinate.
+  /// Loads the coordinates relative to the tip: corner by corner, coordinate by coordinate.
   static std::array<Lanes, 3> load(const std::array<const float*, 4>& corners) noexcept
   {
     std::array<Lanes, 3> to;
@@ -123,16 +124,16 @@ private:
   }
 };
 
-/// The result so far of a search for the closest triangle, and the squared distances in float
-/// beyond which a box, or a triangle by its bound, cannot be nearer.
+/// The nearest triangle found so far in a search, and the squared distances in float beyond which a
+/// box, or a triangle by its bound, cannot be nearer.
 class NearestTriangle
 {
 public:
-  /// `size`: largest local coordinate of the body.
+  /// `size`: largest absolute local coordinate of the body.
   NearestTriangle(const Vector3& tip, double size)
   {
     const double largest = tip.cwiseAbs().maxCoeff();
-    this->TipRounding = 6e-8 * 2.0 * largest; // of the tip as floats: √3/2 ulp
+    this->TipRounding = 6e-8 * 2.0 * largest; // error of the tip's conversion to floats: √3/2 ulp
     this->BoundRounding = largest + size < TriangleBound::LargestCoordinate
       ? TriangleBound::Rounding * (largest + size)
       : std::numeric_limits<double>::infinity();
@@ -155,7 +156,7 @@ public:
 
   /// Squared distance within which a box may contain a nearer triangle.
   float boxReach() const noexcept { return this->BoxReach; }
-  /// Whether a triangle with this TriangleBound may be nearer.
+  /// Whether a triangle with the TriangleBound `bound` may be nearer.
   bool canReach(float bound) const noexcept { return !(bound > this->BoundReach); }
 
   std::int32_t triangle() const noexcept { return this->Triangle; }

@@ -13,9 +13,9 @@
 
 namespace palpate
 {
-/// Triangles in columns along z, used to count the triangles above a place. If the triangles of a
-/// surface have about one size, a column holds a few of them. Slivers across many columns make the
-/// columns wider. At most Most entries per triangle.
+/// Triangles sorted into columns along z, used to count the triangles above a point. If the
+/// triangles of a surface are about equal in size, a column contains only a few. Slivers across
+/// many columns make the columns wider. There are at most Most entries per triangle.
 class PALPATE_EXPORT TriangleColumns
 {
 public:
@@ -23,13 +23,13 @@ public:
 
   explicit TriangleColumns(std::vector<Corners> triangles);
 
-  /// How many triangles a ray upward from the place crosses: odd inside a closed surface.
+  /// The number of triangles that a ray upward from `place` crosses: odd inside a closed surface.
   std::size_t crossingsAbove(const Eigen::Vector3d& place) const;
 
 private:
   static constexpr std::size_t Most = 8;
 
-  /// The columns below a triangle: first and last along x and y.
+  /// The columns below a triangle: the first and last ones along x and y.
   struct Range
   {
     Eigen::Array2i low;

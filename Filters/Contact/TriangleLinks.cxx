@@ -12,10 +12,10 @@ namespace
 /// The triangles at the edge from -> to.
 struct EdgeFan
 {
-  int alike = 0;  ///< triangles that run from -> to, as the given one
-  int across = 0; ///< triangles that run to -> from
+  int alike = 0;  ///< triangles wound from -> to, like the given one
+  int across = 0; ///< triangles wound to -> from
   std::int32_t neighbour = TriangleLinks::Border;
-  bool askerIsFirst = true; ///< so that an edge is counted once
+  bool askerIsFirst = true; ///< used to count an edge only once
 };
 
 EdgeFan fanOf(const std::vector<TriangleCorners>& triangles,

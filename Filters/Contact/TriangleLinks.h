@@ -16,12 +16,13 @@ namespace palpate
  * The triangles that meet at each point and across each edge. Edge i of a triangle runs from its
  * corner i to its corner i + 1 (mod 3).
  *
- * Two triangles are neighbours if only they share an edge and are wound alike, so that they run
- * along it in opposite directions. An edge with one triangle is a border. An edge with more than
- * two, or with two of opposite winding, is not manifold and has no neighbours either. Triangles
- * whose first corner is negative are ignored; the corners of the others must be points.
+ * Two triangles are neighbours if no other triangle shares their edge and they are wound alike,
+ * that is, in opposite directions along the edge. An edge with one triangle is a border. An edge
+ * with more than two, or with two of opposite winding, is not manifold and has no neighbours
+ * either. Triangles whose first corner is negative are ignored; the corners of the others must be
+ * indices of points.
  *
- * Cost: O(n); threaded, the same for any number of threads.
+ * Cost: O(n); threaded; the result does not depend on the number of threads.
  */
 class PALPATE_EXPORT TriangleLinks
 {
@@ -36,7 +37,7 @@ public:
   {
     return this->Neighbours[triangle];
   }
-  /// The triangles around a point, in rising order: first and one past the last.
+  /// The triangles around a point, in ascending order: pointers to the first and one past the last.
   std::array<const std::int32_t*, 2> around(std::int32_t point) const noexcept
   {
     const auto i = static_cast<std::size_t>(point);
@@ -49,7 +50,8 @@ public:
   }
   std::size_t borderEdges() const noexcept { return this->BorderEdges; }
   std::size_t nonManifoldEdges() const noexcept { return this->NonManifoldEdges; }
-  /// Number of non-manifold edges of just two triangles: reversing one triangle would repair them.
+  /// Number of non-manifold edges with exactly two triangles: reversing one triangle would repair
+  /// them.
   std::size_t twistedEdges() const noexcept { return this->TwistedEdges; }
 
 private:

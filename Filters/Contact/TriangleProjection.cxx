@@ -16,8 +16,8 @@ struct Region
   TriangleFeature feature;
 };
 
-/// The nearest of the projections on the edges and on the plane. The areas of the latter are taken
-/// from cross products: rounding costs a sliver at most its height.
+/// The nearest of the projections on the edges and on the plane. The areas of the latter are
+/// computed from cross products: the rounding error is at most the height of the sliver.
 Region nearestOnSliver(
   const Vector3& ap, const Vector3& bp, const Vector3& cp, const Vector3& ab, const Vector3& ac)
 {

@@ -12,10 +12,10 @@
 namespace palpate
 {
 using Vector3 = Eigen::Vector3d;
-/// The three points of a triangle, by their numbers.
+/// The three points of a triangle, by index.
 using TriangleCorners = std::array<std::int32_t, 3>;
 
-/// The part of a triangle abc on which its closest point is. Edge i runs from corner i to corner
+/// The part of a triangle abc on which the closest point is. Edge i runs from corner i to corner
 /// i+1 (mod 3).
 enum class TriangleFeature : std::uint8_t
 {
@@ -43,10 +43,10 @@ struct TriangleProjection
 PALPATE_EXPORT TriangleProjection projectOnTriangle(
   const Vector3& tip, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
 
-/// Below this squared sine of the angle at a, rounding destroys the areas of a projection.
+/// If the squared sine of the angle at a is smaller, rounding destroys the areas of a projection.
 constexpr double SliverSine = 1e-8;
 
-/// Position of the closest point of a triangle's plane, relative to the triangle.
+/// Position of a tip's projection on a triangle's plane, relative to the triangle.
 enum class PlaneFoot : std::int8_t
 {
   OnFace = -1,
@@ -56,9 +56,9 @@ enum class PlaneFoot : std::int8_t
   Unknown ///< the triangle is a sliver, or the tip not finite
 };
 
-/// The same result as projectOnTriangle(), bit by bit, if the closest point is on the face. This is
-/// the case of most ticks of a followed contact, hence inline. Otherwise returns an edge beyond
-/// which the point is, and leaves `projection` unchanged.
+/// Computes the result of projectOnTriangle(), bit for bit, if the closest point is on the face.
+/// This is the case in most ticks of a followed contact; therefore the function is inline.
+/// Otherwise returns an edge beyond which the projection is, and leaves `projection` unchanged.
 inline PlaneFoot projectOnFace(const Vector3& tip, const Vector3& a, const Vector3& b,
   const Vector3& c, TriangleProjection& projection) noexcept
 {

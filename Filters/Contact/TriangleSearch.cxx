@@ -48,9 +48,9 @@ SurfacePoint TriangleSearch::closestLocal(const Vector3& tip) noexcept
   {
     const Place near = this->walk(tip);
     const double reach = std::sqrt(near.projection.squaredDistance);
-    if (this->isAtHand(tip, reach) || this->gather(tip, near, reach))
+    if (this->isGathered(tip, reach) || this->gather(tip, near, reach))
     {
-      found = this->searchAtHand(tip, near);
+      found = this->searchGathered(tip, near);
     }
   }
   if (found.triangle < 0)
@@ -149,7 +149,7 @@ bool TriangleSearch::gather(const Vector3& tip, const Place& near, double reach)
   return true;
 }
 
-SurfacePoint TriangleSearch::searchAtHand(const Vector3& tip, const Place& near) const noexcept
+SurfacePoint TriangleSearch::searchGathered(const Vector3& tip, const Place& near) const noexcept
 {
   const Eigen::Vector3f rounded = tip.cast<float>();
   NearestTriangle nearest(tip, this->Tree.Size);

@@ -12,20 +12,21 @@ namespace palpate
 {
 namespace
 {
-/// A triangle seen from above: how deep other triangles are under its plane, over their distance
-/// from it within the plane.
+/// The plane of a triangle, seen along its normal: finds how far other triangles are under the
+/// plane, divided by their distance from the triangle within the plane.
 class TrianglePlane
 {
 public:
   explicit TrianglePlane(const std::array<Vector3, 3>& corners);
 
-  /// The smallest slope b such that every point of another triangle at corner k is at most b times
-  /// its distance from this triangle under the plane; infinite if there is none. The search uses a
-  /// few directions: along any direction that leads away from the triangle, the distance from the
-  /// corner is at most the distance from the triangle. The search stops at a slope <= `enough`.
+  /// The smallest slope b such that every point of another triangle at corner k is below the plane
+  /// by at most b times its distance from this triangle; infinite if there is no such slope. The
+  /// search tests a few directions: along any direction that leads away from the triangle, the
+  /// distance from the corner is at most the distance from the triangle. The search stops at a
+  /// slope <= `enough`.
   double slopeTo(const std::array<Vector3, 3>& other, std::size_t k, double enough) const;
 
-  /// mm.
+  /// In mm.
   double smallestAltitude() const { return this->Altitude; }
 
 private:
@@ -35,9 +36,9 @@ private:
   std::array<Vector3, 3> Corner;
   Vector3 Normal;
   std::array<Vector3, 3> FromEdge;   ///< unit, away from the triangle across edge i
-  std::array<Vector3, 3> FromCorner; ///< unit, between those of the edges that meet there
+  std::array<Vector3, 3> FromCorner; ///< unit, between the FromEdge of the two edges at the corner
   double Altitude;
-  double Rounding; ///< shorter lengths count as 0
+  double Rounding; ///< lengths that are smaller count as 0
 };
 
 TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
@@ -56,7 +57,7 @@ TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // The tip of a needle has no direction: NaN, which gives no slope.
+    // The direction at the tip of a needle is undefined: NaN, which results in no slope.
     this->FromCorner[k] = this->FromEdge[k] + this->FromEdge[(k + 2) % 3];
     this->FromCorner[k] /= this->FromCorner[k].norm();
   }
@@ -126,14 +127,16 @@ float steepnessOf(const PackedMesh& mesh, std::int32_t triangle)
     mesh.visitAround(mesh.corners(triangle)[corner],
       [&](std::int32_t other)
       {
-        // The neighbour across the edge that ends here was visited at the start of that edge.
+        // The neighbour across the edge that ends at this corner was visited at the start of that
+        // edge.
         if (other != triangle && other != mesh.neighbour(triangle, (k + 2) % 3))
         {
           slope = std::max(slope, plane.slopeTo(cornersOf(other), corner, slope));
         }
       });
   }
-  const double rounded = 0.5 * slope / plane.smallestAltitude() * (1.0 + 1e-6); // up, in float
+  // Rounded up, in float.
+  const double rounded = 0.5 * slope / plane.smallestAltitude() * (1.0 + 1e-6);
   return static_cast<float>(rounded);
 }
 } // namespace palpate

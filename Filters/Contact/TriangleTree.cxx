@@ -13,15 +13,15 @@ namespace palpate
 {
 namespace
 {
-/// 8^11 rows of 32 triangles are more than an int32 can count.
+/// A tree of 8^11 rows of 32 triangles would have more triangles than an int32 can count.
 constexpr std::size_t LargestDepth = 12;
 
-/// Tips farther away than this multiple of the body's size are moved to that distance. From farther
-/// away all distances round to the same value, and the search would visit every triangle and choose
-/// a side by chance.
+/// Tips farther away than this multiple of the body's size are moved to that distance. For farther
+/// tips all distances round to the same value; the search would visit every triangle and choose a
+/// side by chance.
 constexpr double FarAway = 1e4;
 
-/// A box with triangles is in reach until a nearer triangle is found; an empty box never is.
+/// A box with triangles is within reach until a nearer triangle is found; an empty box never is.
 static_assert(
   3.0 * 1.1 * (FarAway * SoundMesh::LargestCoordinate) * (FarAway * SoundMesh::LargestCoordinate) <
     static_cast<double>(std::numeric_limits<float>::max()),
@@ -153,7 +153,7 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
       continue;
     }
     const Row distances = this->Levels[next.level][next.row].squaredDistances(rounded);
-    // The boxes in reach, the nearest last, so that it is taken from the stack first.
+    // The boxes within reach, the nearest one last, so that it is taken from the stack first.
     const std::size_t bottom = size;
     std::array<Pending, Width> leaves;
     std::size_t leafCount = 0;
@@ -235,7 +235,7 @@ bool TriangleTree::comesFirst(
   const Row distances = this->Levels[level][a / Width].squaredDistances(rounded);
   const float toA = distances[static_cast<Eigen::Index>(a % Width)];
   const float toB = distances[static_cast<Eigen::Index>(b % Width)];
-  return toA < toB || (toA == toB && a > b); // the order in which closestWithin() takes them
+  return toA < toB || (toA == toB && a > b); // the order in which closestWithin() visits them
 }
 
 std::size_t TriangleTree::memory() const noexcept

@@ -20,11 +20,11 @@ class NearestTriangle;
 /**
  * Finds the closest point of the whole body.
  *
- * A tree of boxes without pointers: the triangles are sorted along a space-filling curve, so each
- * box of the lowest level holds the next four triangles, and each box of a higher level the next
- * eight boxes below. Eight boxes are tested at once, in float with a margin for its rounding, so
- * that the result is exact in the mesh's coordinates. Of triangles that are equally near to the
- * last bit, the one whose boxes are nearer is taken, from the top level down.
+ * A tree of boxes without pointers: the triangles are sorted along a space-filling curve, so that
+ * each box of the lowest level contains the next four triangles, and each box of a higher level the
+ * next eight boxes below. Eight boxes are tested at once, in float with a margin for its rounding,
+ * so that the result is exact in the mesh's coordinates. If triangles are equally near to the last
+ * bit, the one whose boxes are nearer is chosen, from the top level down.
  *
  * Queries neither allocate nor recurse; their stack is bounded by the number of levels. Built in
  * O(n), 7 bytes per triangle. Immutable, safe from any number of threads. The mesh must outlive the
@@ -34,7 +34,7 @@ class PALPATE_EXPORT TriangleTree
 {
 public:
   explicit TriangleTree(const PackedMesh& mesh);
-  /// A copy of the tree of an equal mesh, for this mesh.
+  /// Copies the tree of an equal mesh for use with `mesh`.
   TriangleTree(const TriangleTree& equal, const PackedMesh& mesh)
     : Mesh(mesh)
     , Levels(equal.Levels)
@@ -45,15 +45,15 @@ public:
   TriangleTree(const TriangleTree&) = delete;
   TriangleTree& operator=(const TriangleTree&) = delete;
 
-  /// Globally closest point, in the body's frame; triangle -1 if the body has no usable triangle or
-  /// the tip is not finite. If the tip is farther away than 10000 times the body's size, the point
-  /// is the one closest to the tip moved to this distance.
+  /// Globally closest point, in the body's frame. The triangle is -1 if the body has no usable
+  /// triangle or the tip is not finite. If the tip is farther away than 10000 times the body's
+  /// size, the result is that of a tip moved to this distance.
   SurfacePoint closest(const Vector3& tip) const noexcept;
 
-  /// The same in the mesh's local frame.
+  /// As closest(), in the mesh's local frame.
   SurfacePoint closestLocal(const Vector3& tip) const noexcept;
 
-  /// Whether a tip (local) is farther away than that.
+  /// Whether a tip (local) is farther away than 10000 times the body's size.
   bool isBeyondHorizon(const Vector3& tip) const noexcept
   {
     return tip.cwiseAbs().maxCoeff() > this->Horizon;
@@ -90,12 +90,12 @@ private:
 
   void buildLeaves();
   void buildLevel(const LargeVector<Boxes>& below);
-  /// For a tip within the horizon.
+  /// As closestLocal(), for a tip within the horizon.
   SurfacePoint closestWithin(const Vector3& tip) const noexcept;
-  /// Checks the triangles of a box of the lowest level. `rounded`: the tip in floats.
+  /// Checks the triangles of a box of the lowest level. `rounded` is the tip in floats.
   void searchLeaf(std::size_t leaf, const Vector3& tip, const Eigen::Vector3f& rounded,
     NearestTriangle& nearest) const noexcept;
-  /// Whether the boxes of a triangle are nearer than those of another.
+  /// Whether the boxes of a triangle are nearer than those of another one.
   bool comesFirst(
     const Eigen::Vector3f& rounded, std::int32_t triangle, std::int32_t other) const noexcept;
 
@@ -106,14 +106,14 @@ private:
 };
 
 /**
- * Closest points of a sequence of tips, each near the last: the same as TriangleTree::closestLocal,
- * to the bit, in a fraction of its time.
+ * Closest points of a sequence of tips, each near the preceding one. The results are those of
+ * TriangleTree::closestLocal, bit for bit, in a fraction of the time.
  *
- * From the last closest triangle the search walks over the faces to the face under the tip. This
- * gives a distance that is nearly always the right one; then the search checks whether any triangle
- * is nearer. For this it stores the boxes of 32 triangles each within Radius of Centre, so that
- * tips around there do not need the tree from the top. After a large jump of the tip the whole tree
- * is searched.
+ * The search walks over the faces from the last closest triangle to the face under the tip. The
+ * resulting distance is nearly always the correct one; the search then checks whether any triangle
+ * is nearer. For this check it stores the boxes of 32 triangles each within Radius of Centre, so
+ * that tips in that region need no search from the top of the tree. After a large jump of the tip
+ * the whole tree is searched.
  *
  * Neither allocates nor throws. One search serves one thread; the tree may be shared and must
  * outlive it.
@@ -140,16 +140,16 @@ private:
     TriangleProjection projection;
   };
 
-  /// A triangle near the tip, not always the nearest.
+  /// A triangle near the tip, but not always the nearest.
   Place walk(const Vector3& tip) const noexcept;
-  /// Whether the stored boxes contain everything within `reach` of the tip.
-  bool isAtHand(const Vector3& tip, double reach) const noexcept
+  /// Whether the stored boxes contain all triangles within `reach` of the tip.
+  bool isGathered(const Vector3& tip, double reach) const noexcept
   {
     return (tip - this->Centre).norm() + reach <= this->Radius;
   }
-  /// Stores the boxes around a tip; returns false if they are too many.
+  /// Stores the boxes around a tip; returns false if there are too many.
   bool gather(const Vector3& tip, const Place& near, double reach) noexcept;
-  SurfacePoint searchAtHand(const Vector3& tip, const Place& near) const noexcept;
+  SurfacePoint searchGathered(const Vector3& tip, const Place& near) const noexcept;
 
   const TriangleTree& Tree;
   std::int32_t Last = -1; ///< closest triangle of the last tip

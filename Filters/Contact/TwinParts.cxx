@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Two triangles at the same place.
+/// Two triangles whose corners have the same coordinates.
 struct TwinTriangles
 {
   std::int32_t first;
@@ -20,7 +20,7 @@ struct TwinTriangles
   bool areReversed; ///< they are wound in opposite directions
 };
 
-/// Pairs each triangle of `candidates` with the first triangle at its place.
+/// Pairs each triangle of `candidates` with the first triangle of the same coordinates.
 std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& candidates)
 {
@@ -28,9 +28,9 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const auto placeOf = [coordinates](std::int32_t point)
   {
     const float* p = coordinates + 3 * static_cast<std::size_t>(point);
-    return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // -0 is 0
+    return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // -0 becomes 0
   };
-  // The places of the corners, ascending, and whether an even permutation sorts them.
+  // The coordinates of the corners, in ascending order, and whether an even permutation sorts them.
   const auto placesOf = [&](std::int32_t t)
   {
     const TriangleCorners& corners = triangles[static_cast<std::size_t>(t)];
@@ -158,9 +158,9 @@ private:
   std::vector<TriangleCorners>& Triangles;
   const std::vector<std::int32_t>& Order;
   const std::vector<MeshPart>& Parts;
-  std::vector<std::size_t> PartOf; ///< by triangle
+  std::vector<std::size_t> PartOf; ///< for each triangle
   std::vector<TwinTriangles> Pairs;
-  std::vector<bool> IsCopy; ///< by part
+  std::vector<bool> IsCopy; ///< for each part
 };
 } // namespace
 

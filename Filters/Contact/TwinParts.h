@@ -18,11 +18,11 @@ struct MeshPart
   bool isSolid;
 };
 
-/// Leaves out parts that are copies of another part, or of a piece of it, with points of their own:
-/// the first corner of their triangles becomes -1. Returns the triangles of walls that two solids
-/// share, each pair in sequence.
+/// Leaves out parts that are copies of another part, or of a region of another part, with separate
+/// points: the first corner of their triangles becomes -1. Returns the triangles of walls that two
+/// solids share, each pair in sequence.
 ///
-/// `coordinates`: 3 floats per point; `order`: triangles, part by part. O(n log n), 16 bytes a
+/// `coordinates`: 3 floats per point; `order`: triangles, part by part. O(n log n), 16 bytes per
 /// triangle.
 std::vector<std::int32_t> dropCopiedParts(const float* coordinates,
   std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& order,

@@ -31,8 +31,7 @@ constexpr std::size_t MostReadings = 200; // more readings are averaged
 constexpr int ContactGroups = 160;
 constexpr int BaselineGroups = 40;
 constexpr double Unknown = std::numeric_limits<double>::infinity(); // noise
-constexpr double KinkShare = 0.1; // of the depth of contact: readings this near before contact are
-                                  // grouped as finely
+constexpr double KinkShare = 0.1; // fraction of the depth of contact: groups within it are as fine
 
 /// Averages the readings `first` <= i < `last` over `count` equal intervals of depth.
 void appendGroups(const IndentationCurve& curve, std::size_t first, std::size_t last, int count,
@@ -223,7 +222,7 @@ IndentationCurve arrangeReadings(const IndentationCurve& curve, bool findContact
       std::lower_bound(depths.begin(), depths.end(), depth) - depths.begin());
   };
   std::size_t first = 0;
-  std::size_t middle = 0; // groups are fine from here on
+  std::size_t middle = 0; // groups are fine after this reading
   if (findContact)
   {
     FirstContact& start = arranged.start;

@@ -19,14 +19,14 @@ using Eigen::VectorXd;
 
 constexpr std::size_t FewReadings = 16;
 
-/// The force at the end of a curve on the estimated half-space. One wrong reading does not spoil
-/// it.
+/// The force at the end of a curve on the estimated half-space. A single wrong reading has little
+/// effect on it.
 double endForce(const IndentationCurve& curve)
 {
   return curve.tool->force(curve.deflection.back() - curve.start.depth, curve.start.modulus);
 }
 
-/// The E* that gives the first curve its end force, with the other parameters given.
+/// The E* for which the first curve has its end force, with the other parameters given.
 double matchModulus(BodyParameters body, const IndentationCurve& curve,
   const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -70,7 +70,7 @@ std::vector<BodyParameters> startingBodies(
   return starts;
 }
 
-/// Some of the readings, evenly chosen, including the deepest.
+/// A subset of the readings, evenly chosen, including the deepest one.
 IndentationCurve thin(const IndentationCurve& curve)
 {
   IndentationCurve few;
@@ -128,7 +128,8 @@ std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves, Body
     baselines.push_back(curve.start.baseline);
     few.push_back(thin(curve));
   }
-  // Each start is fitted to few readings; the best result is then fitted to all.
+  // Each start is fitted to a subset of the readings; the best result is then fitted to all
+  // readings.
   FitResiduals coarse(few, model, findContact, kernel);
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();

@@ -23,7 +23,7 @@ namespace palpate
 enum class BodyModel
 {
   HalfSpace,        ///< fits E*
-  GlobalCompliance, ///< fits E*, and C_g in series
+  GlobalCompliance, ///< fits E*, and C_g in series with the half-space
   Layer             ///< fits E*, and h on a rigid base
 };
 
@@ -90,29 +90,29 @@ struct PALPATE_EXPORT BodyFit
   int degreesOfFreedom = 0;
   bool converged = false;
   /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the depths of contact, and
-  /// of the fitted terms of each baseline; +inf where the curves do not determine them.
+  /// of the fitted terms of each baseline; +inf for parameters that the curves do not determine.
   Eigen::VectorXd errorPerNoise;
   /// S, one row for ln E* and one for C_g or ln h: S Sᵀ is their covariance per square newton of
-  /// noise. Empty if the curves do not determine them.
+  /// noise. Empty if the curves do not determine these parameters.
   Eigen::MatrixXd spreadPerNoise;
   /// The smallest sine of the angle between the effect of one parameter on the forces and the
   /// effects of the others. 0 if two parameters cannot be separated.
   double separation = 0.0;
 
-  /// The residual per reading, N.
+  /// The root mean square residual of a reading, N.
   double residual() const;
 };
 
 /**
- * Non-linear least squares (Levenberg and Marquardt) of the force. Parameters: E*, C_g or h; for
- * each curve the depth of first contact, which is 0 unless `findContact`; and the terms of its
- * baseline that its readings determine. Returns nothing if no start leads to a body with finite E*,
- * or if there are no more readings than parameters.
+ * Fits a body by non-linear least squares (Levenberg and Marquardt) of the force. Parameters: E*,
+ * C_g or h; for each curve the depth of first contact (fixed at 0 without `findContact`); and the
+ * terms of its baseline that its readings determine. Returns nothing if no start leads to a body
+ * with finite E*, or if the number of readings does not exceed that of parameters.
  */
 PALPATE_EXPORT std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
-/// The standard error of ln E* per newton of noise if C_g (0 here) were unknown, too.
+/// The standard error of ln E* per newton of noise if C_g (0 here) were also unknown.
 PALPATE_EXPORT double modulusErrorBesideCompliance(
   const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact);
 } // namespace palpate

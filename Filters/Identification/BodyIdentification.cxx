@@ -39,7 +39,7 @@ void sortByDepth(IndentationCurve& curve)
   curve = std::move(sorted);
 }
 
-/// The noise of all curves together.
+/// The common noise of all curves.
 ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
 {
   double squares = 0.0;
@@ -98,7 +98,7 @@ BodyIdentification::BodyIdentification(const IdentificationOptions& options)
 {
 }
 
-/// Returns "" if the fit determines its body, else the reason why not.
+/// Returns "" if the fit determines its body, else the reason why it does not.
 std::string BodyIdentification::checkDetermined(
   const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const
 {
@@ -127,7 +127,7 @@ std::string BodyIdentification::checkDetermined(
   return {};
 }
 
-/// Chooses a model. Returns the reason if none can be chosen, or "".
+/// Chooses a model. Returns the reason if no model can be chosen, or "".
 std::string BodyIdentification::choose(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -182,8 +182,8 @@ std::string BodyIdentification::choose(
   return {};
 }
 
-/// Identifies a body from these readings without a further choice of readings. Returns the reason
-/// of a failure, or "".
+/// Identifies a body from the given readings, without another choice of readings. Returns the
+/// reason of a failure, or "".
 std::string BodyIdentification::judge(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -220,7 +220,7 @@ std::string BodyIdentification::judge(
 }
 
 /// Selects and arranges the readings of all curves that are within small strain, and counts them.
-/// Returns the reason if they do not suffice, or "".
+/// Returns the reason if there are too few, or "".
 std::string BodyIdentification::select(const std::vector<IndentationCurve>& all, const BodyFit& fit,
   std::vector<IndentationCurve>& used, std::size_t& count) const
 {
@@ -266,7 +266,8 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
     used.push_back(arrangeReadings(curve, this->Options.findContact));
   }
 
-  // The readings within small strain depend on the body, so fit and choice of readings alternate.
+  // The readings within small strain depend on the body, so that fit and choice of readings
+  // alternate.
   Judgement judgement;
   result.refusal = this->judge(used, noise, judgement);
   for (int pass = 0; pass < LargestPassCount && judgement.fit; ++pass)
@@ -295,8 +296,8 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
   if (result.refusal.empty())
   {
     this->report(used, given, *judgement.fit, result);
-    const std::string untold = untoldBaseline(*judgement.fit, this->Options.findContact);
-    result.remark = left + (left.empty() || untold.empty() ? "" : "; ") + untold;
+    const std::string missing = undeterminedBaseline(*judgement.fit, this->Options.findContact);
+    result.remark = left + (left.empty() || missing.empty() ? "" : "; ") + missing;
   }
   else if (!left.empty())
   {

@@ -24,31 +24,32 @@ struct IdentificationOptions
   double noise = 0.0;         ///< standard deviation of a force reading, N; 0: estimated
   double poissonsRatio = 0.5; ///< Poisson's ratio of a layer
   LayerBase base = LayerBase::Bonded;
-  bool findContact = true;         ///< false: deflections are measured from first contact
-  double largestStrain = 0.4;      ///< contact radius over tip radius; deeper readings are not used
+  bool findContact = true; ///< false: deflections are measured from first contact
+  /// Contact radius divided by tip radius; deeper readings are not used.
+  double largestStrain = 0.4;
   double largestMisfit = 0.02;     ///< residual as a fraction of the largest force
   double largestUncertainty = 0.5; ///< half the confidence interval of E*, relative
-  /// The relaxation of the body, if it is known; no branch: it is identified.
+  /// The relaxation of the body, if it is known; no branches: the relaxation is identified.
   PronySeries relaxation;
 };
 
 /// The body identified at one site.
 struct IdentifiedBody
 {
-  /// The reason why no body was identified; empty if one was.
+  /// The reason why no body was identified; empty if a body was identified.
   std::string refusal;
 
   BodyParameters body;
   Estimate reducedModulus;             ///< MPa
-  Estimate compliance;                 ///< mm/N, of BodyModel::GlobalCompliance
-  Estimate thickness;                  ///< mm, of BodyModel::Layer
+  Estimate compliance;                 ///< mm/N; for BodyModel::GlobalCompliance
+  Estimate thickness;                  ///< mm; for BodyModel::Layer
   std::vector<Estimate> contactOffset; ///< depth of first contact of each curve, mm
   std::vector<Estimate> forceOffset;   ///< for each curve, N, at first contact
-  std::vector<Estimate> forceDrift; ///< for each curve, N/mm; 0 to 0: its readings do not determine
-                                    ///< it
+  /// For each curve, N/mm; the interval is 0 to 0 if not determined.
+  std::vector<Estimate> forceDrift;
   std::vector<ForceBaseline> baseline; ///< for each curve, from forceOffset and forceDrift
-  /// The relaxation of the body; the other parameters are then the slow response. No branch: an
-  /// elastic body.
+  /// The relaxation of the body; the other parameters then describe the slow response. No branches:
+  /// the body is elastic.
   PronySeries relaxation;
   std::vector<Estimate> relaxationStrength;                       ///< p_i
   std::vector<Estimate> relaxationTime;                           ///< τ_i, s
@@ -56,23 +57,21 @@ struct IdentifiedBody
                                                                   ///< can resolve, s
   double longestTime = std::numeric_limits<double>::quiet_NaN(); ///< longest time that the test can
                                                                  ///< resolve, s
-  std::string remark; ///< readings that were not used, and quantities that the readings do not
-                      ///< determine
+  std::string remark; ///< readings that were not used, and quantities that are not determined
   /// S, one row for ln E* and one for C_g or ln h: S Sᵀ is their covariance, multiplied by the
   /// square of the factor from a standard error to half a 95 % interval.
   Eigen::MatrixXd spread;
 
   double noise = 0.0;  ///< standard deviation of a reading, N, given or estimated
-  double misfit = 0.0; ///< residual of the fit per reading, N; about the noise if the model is
-                       ///< right
+  double misfit = 0.0; ///< residual of the fit per reading, N; about the noise for a suitable model
   double largestForce = 0.0; ///< largest force of the readings used, N
-  bool withinNoise = false;  ///< false: the best model, whose residual exceeds the noise
+  bool withinNoise = false;  ///< false: the residual of the best model exceeds the noise
 
   // The end of the data used, computed from the fitted curves.
   double endForce = 0.0;     ///< N
   double endStiffness = 0.0; ///< dF/dδ, N/mm
   IndentationPoint end;      ///< end of the curve with the largest contact, without C_g
-  double endDepth = 0.0;     ///< depth of that end, mm, without C_g
+  double endDepth = 0.0;     ///< depth at `end`, mm, without C_g
 };
 
 /**
@@ -80,28 +79,29 @@ struct IdentifiedBody
  *
  * Three models are fitted: a half-space (E*), a half-space in series with a global compliance (E*,
  * C_g > 0), and a layer on a rigid base (E*, h; Poisson's ratio given). A model is within the noise
- * if its residual is no larger than the noise (an F test at three standard deviations) and no
- * richer model reduces the residual by more than noise would (a likelihood ratio at 1 %). The
- * result is the simplest model within the noise. If no model is within the noise, it is the model
- * with the least residual, if that is below `largestMisfit`; withinNoise is then false.
+ * if its residual does not exceed the noise (an F test at three standard deviations) and no model
+ * with more parameters reduces the residual by more than noise would (a likelihood ratio at 1 %).
+ * The result is the simplest model within the noise. If no model is within the noise, the result is
+ * the model with the smallest residual, if this residual is below `largestMisfit`; withinNoise is
+ * then false.
  *
  * The laws are those of small strain. Readings deeper than `largestStrain` allows (StrainWindow.h)
- * are not used; `remark` reports this. That depth depends on the body, so fit and choice of
- * readings alternate.
+ * are not used; `remark` reports their number. The largest depth depends on the body, so that fit
+ * and choice of readings alternate.
  *
  * In addition to the body, the fit finds for each curve the depth of first contact, and the offset
  * and the drift of its force with the depth, if the readings before contact determine them
  * (ArrangedReadings.h).
  *
- * A body is refused, with the reason, in these cases: too few readings; readings before contact
- * that are not on a straight line; a global compliance below 0; curves that do not separate the
- * parameters, such as those of flat punches of one radius, which are straight lines for any E*, C_g
- * and h; an uncertainty of E* above `largestUncertainty` if C_g were unknown, too; no model with a
- * small enough residual.
+ * No body is identified, and the reason is returned, in these cases: too few readings; readings
+ * before contact that are not on a straight line; a global compliance below 0; curves that do not
+ * separate the parameters, such as those of flat punches of one radius, which are straight lines
+ * for any E*, C_g and h; an uncertainty of E* above `largestUncertainty` if C_g were also unknown;
+ * no model with a sufficiently small residual.
  *
- * Confidence intervals are those of the linearised problem, from the Jacobian and the noise (given)
- * or the misfit (Student's t). Those of E* and h are symmetric in the logarithm. Cost: a few
- * milliseconds, a tenth of a second for a layer. Immutable and safe to use from any number of
+ * Confidence intervals are those of the linearised problem, from the Jacobian and the given noise
+ * or the misfit (Student's t). The intervals of E* and h are symmetric in the logarithm. Cost: a
+ * few milliseconds, a tenth of a second for a layer. Immutable and safe to use from any number of
  * threads.
  */
 class PALPATE_EXPORT BodyIdentification

@@ -13,10 +13,9 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double OneTime = 2.0;     // times with a smaller ratio are merged
+constexpr double MergeRatio = 2.0;  // times with a smaller ratio are merged
 constexpr int PointsPerDecade = 10; // for the comparison of ψ
-constexpr double Beyond = 5.0; // ψ is compared from the shortest τ divided by this to the longest τ
-                               // times this
+constexpr double TimeMargin = 5.0;  // ψ is compared from (shortest τ)/5 to 5 (longest τ)
 
 /// All branches of the sites, sorted by their times.
 RelaxationSpectrum gather(const std::vector<const IdentifiedBody*>& sites)
@@ -44,7 +43,7 @@ RelaxationSpectrum gather(const std::vector<const IdentifiedBody*>& sites)
 
 double closestRatio(const RelaxationSpectrum& spectrum)
 {
-  double least = OneTime;
+  double least = MergeRatio;
   for (std::size_t i = 0; i + 1 < spectrum.time.size(); ++i)
   {
     least = std::min(least, spectrum.time[i + 1] / spectrum.time[i]);
@@ -64,7 +63,7 @@ CommonRelaxation commonRelaxation(const std::vector<const IdentifiedBody*>& site
     return common;
   }
   RelaxationSpectrum spectrum = gather(sites);
-  while (spectrum.time.size() > PronySeries::LargestCount || closestRatio(spectrum) < OneTime)
+  while (spectrum.time.size() > PronySeries::LargestCount || closestRatio(spectrum) < MergeRatio)
   {
     spectrum = spectrum.merged(spectrum.time.size() - 1);
   }
@@ -84,8 +83,8 @@ CommonRelaxation commonRelaxation(const std::vector<const IdentifiedBody*>& site
     {
       continue;
     }
-    const double first = std::min(own.time[0], spectrum.time.front()) / Beyond;
-    const double last = std::max(own.time[own.count - 1], spectrum.time.back()) * Beyond;
+    const double first = std::min(own.time[0], spectrum.time.front()) / TimeMargin;
+    const double last = std::max(own.time[own.count - 1], spectrum.time.back()) * TimeMargin;
     const auto points = static_cast<Index>(PointsPerDecade * std::log10(last / first)) + 1;
     Eigen::MatrixXd columns(points, branches);
     Eigen::VectorXd wanted(points);

@@ -15,18 +15,19 @@ namespace palpate
 /// can be interpolated between the sites.
 struct CommonRelaxation
 {
-  PronySeries mean; ///< mean over all sites; no branch if no site relaxes
+  PronySeries mean; ///< mean over all sites; no branches if no site relaxes
   /// p_i of each site, one for each branch of `mean`, then zeros.
   std::vector<std::array<double, PronySeries::LargestCount>> strength;
-  /// The largest relative difference of ψ from the site's own ψ, over the times of that site.
+  /// The largest relative difference between this ψ and the ψ identified at a site, over the times
+  /// of that site.
   double worst = 0.0;
 };
 
 /**
  * Times within a factor of two are merged; then the closest and weakest times are merged until four
- * are left. The strengths of each site are fitted to its own ψ(t) (non-negative least squares,
- * evenly in ln t). E* and the other parameters of a site are unchanged. Exact for one site, and for
- * sites with equal times.
+ * remain. The strengths of each site are fitted to the ψ(t) identified there (non-negative least
+ * squares, evenly in ln t). E* and the other parameters of a site are unchanged. Exact for one
+ * site, and for sites with equal times.
  */
 PALPATE_EXPORT CommonRelaxation commonRelaxation(const std::vector<const IdentifiedBody*>& sites);
 } // namespace palpate

@@ -14,9 +14,9 @@ namespace
 {
 // Fraction of the range of deflection. A smaller step back is noise.
 constexpr double TurnShare = 0.1;
-constexpr double RestShare = 0.01;   // of the range: readings this near to the turning point are at
-                                     // rest
-constexpr double NearlyShare = 0.03; // of the range: within it a hold may have begun
+// Fraction of the range: readings closer to a turning point are at rest.
+constexpr double RestShare = 0.01;
+constexpr double NearlyShare = 0.03; // fraction of the range within which a hold may begin
 constexpr double SpeedRatio = 1.5;   // two loads with a smaller ratio have the same speed
 
 /// Readings first..last, both included, all in one phase.
@@ -41,7 +41,8 @@ std::vector<Segment> recordedSegments(const std::vector<CurvePhase>& phases)
   return segments;
 }
 
-/// The turning points, each at least `step` from the one before, with the first and last reading.
+/// The turning points, each at least `step` from the preceding one, with the first and last
+/// reading.
 std::vector<std::size_t> turningPoints(const std::vector<double>& deflection, double step)
 {
   std::vector<std::size_t> turns = { 0 };
@@ -84,7 +85,7 @@ std::vector<Segment> foundSegments(const std::vector<double>& deflection, double
     const bool rises = rise > 0.0;
     Segment segment{ rises ? CurvePhase::Loading : CurvePhase::Unloading, turns[i - 1], turns[i] };
     // A branch begins with the last reading at rest at its first turning point, and ends with the
-    // first reading at rest at its second.
+    // first reading at rest at its second turning point.
     const auto rests = [&](std::size_t reading, std::size_t turn)
     { return std::abs(deflection[reading] - deflection[turn]) <= RestShare * range; };
     if (i > 1)
@@ -151,7 +152,7 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Fraction of the force that is lost between two readings while the depth is at rest.
+/// Relative decrease of the force between two readings while the depth is at rest.
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;
@@ -167,7 +168,7 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
       static_cast<double>(n);
   };
   const std::size_t few = 1 + count / 50;
-  double most = 0.0; // the depth may still rise a little at first
+  double most = 0.0; // the depth may still rise slightly at first
   for (std::size_t i = first; i + few <= first + count / 2 + 1; ++i)
   {
     most = std::max(most, mean(i, few));
@@ -177,7 +178,8 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Finds the largest loss of the holds at the end of a loading, and the ends of all segments.
+/// Computes the largest relative decrease in the holds at the end of a loading, and the ends of all
+/// segments.
 void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
   PreparedCurve& prepared)
 {
@@ -191,7 +193,7 @@ void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments
       continue;
     }
     // A recorded hold, or the readings between the branches, including readings that noise of the
-    // depth has misplaced.
+    // depth has displaced.
     const bool isNext = s + 1 < segments.size();
     const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
     const std::size_t end = isHeld ? segments[s + 1].last

@@ -15,14 +15,15 @@ namespace palpate
 {
 namespace
 {
-constexpr double Clearly = 3.0;       // ratio of the change in one direction to that in the other
-constexpr double LeastInNoise = 8.0;  // in standard deviations of the noise: a larger change of
-                                      // force is not noise
-constexpr double AtRest = 0.25;       // of the change of force: a smaller force is no contact
-constexpr double SomeDepth = 0.1;     // of the range of deflection
-constexpr std::size_t MostFirst = 20; // readings that count as the first
-constexpr double UnitStrain = 0.4;    // contact radius over tip radius, for the check of units
-constexpr double FarTooDeep = 100.0;  // in depths of that strain
+constexpr double SignRatio = 3.0; // ratio of the change in one direction to that in the other
+// In standard deviations of the noise; larger changes are not noise.
+constexpr double NoiseFactor = 8.0;
+// Fraction of the change of force below which there is no contact.
+constexpr double ContactFraction = 0.25;
+constexpr double DepthFraction = 0.1;         // fraction of the range of deflection
+constexpr std::size_t MostStartReadings = 20; // number of readings that count as the first
+constexpr double UnitStrain = 0.4;   // contact radius divided by tip radius, for the check of units
+constexpr double DepthRatio = 100.0; // multiple of the depth of UnitStrain
 
 double median(std::vector<double> values)
 {
@@ -46,8 +47,8 @@ double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDep
 
 std::string fromTo(double from, double to, const char* unit)
 {
-  return "from " + shortly(from + 0.0) + " to " + shortly(to + 0.0) + " " + unit; // + 0.0 avoids
-                                                                                  // "-0"
+  // + 0.0 avoids "-0".
+  return "from " + shortly(from + 0.0) + " to " + shortly(to + 0.0) + " " + unit;
 }
 } // namespace
 
@@ -58,7 +59,7 @@ std::string doubtSigns(const MeasuredCurve& curve)
   {
     return {};
   }
-  const auto few = static_cast<std::ptrdiff_t>(std::min(MostFirst, 1 + count / 100));
+  const auto few = static_cast<std::ptrdiff_t>(std::min(MostStartReadings, 1 + count / 100));
   const double force = median({ curve.force.begin(), curve.force.begin() + few });
   const double depth = median({ curve.deflection.begin(), curve.deflection.begin() + few });
   const auto [low, high] = std::minmax_element(curve.deflection.begin(), curve.deflection.end());
@@ -70,15 +71,15 @@ std::string doubtSigns(const MeasuredCurve& curve)
       [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   };
   sortBy(curve.deflection);
-  const double noise = LeastInNoise * noiseOf(curve, order);
+  const double noise = NoiseFactor * noiseOf(curve, order);
   sortBy(curve.force);
   const std::size_t skipped = std::min<std::size_t>(2, count / 8); // they may be outliers
   const std::size_t lowest = order[skipped];
   const std::size_t highest = order[count - 1 - skipped];
   const double fall = force - curve.force[lowest];
   const double rise = curve.force[highest] - force;
-  const double some = SomeDepth * (*high - *low);
-  if (fall > std::max(Clearly * rise, noise))
+  const double some = DepthFraction * (*high - *low);
+  if (fall > std::max(SignRatio * rise, noise))
   {
     const double deepest = curve.deflection[lowest];
     const std::string forces = fromTo(force, curve.force[lowest], "N");
@@ -88,7 +89,7 @@ std::string doubtSigns(const MeasuredCurve& curve)
         fromTo(depth, deepest, "mm") +
         ": is compression negative here? Then write '# negative: force' in the head of the file";
     }
-    if (deepest < depth - some && std::abs(force) < AtRest * fall)
+    if (deepest < depth - some && std::abs(force) < ContactFraction * fall)
     {
       return "forces fall " + forces + " while the deflection falls " +
         fromTo(depth, deepest, "mm") +
@@ -97,7 +98,7 @@ std::string doubtSigns(const MeasuredCurve& curve)
     }
   }
   const double deepest = curve.deflection[highest];
-  if (rise > std::max(Clearly * fall, noise) && deepest < depth - some)
+  if (rise > std::max(SignRatio * fall, noise) && deepest < depth - some)
   {
     return "the deflection falls " + fromTo(depth, deepest, "mm") + " while forces rise " +
       fromTo(force, curve.force[highest], "N") +
@@ -110,11 +111,11 @@ std::string doubtSigns(const MeasuredCurve& curve)
 std::string doubtUnits(const AxisymmetricTool& tool, double depth)
 {
   const double small = smallStrainDepth(tool, {}, nullptr, UnitStrain);
-  if (!(depth > FarTooDeep * small))
+  if (!(depth > DepthRatio * small))
   {
     return {};
   }
-  const bool isMicro = depth < 1e3 * FarTooDeep * small;
+  const bool isMicro = depth < 1e3 * DepthRatio * small;
   return "the deflection goes " + shortly(depth) +
     " mm beyond first contact, where strains are small to " + shortly(small) + " mm under " +
     tool.specification() + ": is it in " + (isMicro ? "um" : "nm") + "? Then name its column " +

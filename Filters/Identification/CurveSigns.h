@@ -9,19 +9,20 @@
 namespace palpate
 {
 /**
- * Checks the signs of a curve. If deflection or force seems to fall while the tool is pressed in,
- * returns the reason as a question, with the numbers; "" if both rise.
+ * Checks the signs of a curve. If deflection or force seems to decrease while the tool is pressed
+ * in, returns the reason as a question, with the numbers; "" if both increase.
  *
- * The first readings count as those without contact, or with the least contact. Forces are
- * negative if from there they fall, at greater depth, by more than three times as much as they
- * rise. The deflection is negative if it falls while forces rise. Both are negative if forces fall
- * from nearly 0 together with the deflection. A single reading does not count.
+ * The first readings are assumed to be those without contact, or with the least contact. Forces are
+ * negative if they decrease at greater depths, compared with these readings, by more than three
+ * times as much as they increase. The deflection is negative if it decreases while forces increase.
+ * Both are negative if forces decrease from nearly 0 together with the deflection. Single readings
+ * are ignored.
  */
 std::string doubtSigns(const MeasuredCurve& curve);
 
-/// Checks the unit of the deflections of a curve. They are in another unit than mm if the `depth`
-/// (mm) is more than a hundred times the depth of small strains under the tool. Returns the reason
-/// as a question; "" if the unit is plausible.
+/// Checks the unit of the deflections of a curve. They are assumed not to be in mm if the `depth`
+/// (mm) exceeds a hundred times the depth of small strains under the tool. Returns the reason as a
+/// question; "" if the unit is plausible.
 std::string doubtUnits(const AxisymmetricTool& tool, double depth);
 } // namespace palpate
 

@@ -26,7 +26,7 @@ enum Column : std::size_t
   RequiredColumns = Site
 };
 
-/// A column, and the factor for its numbers.
+/// A column, and the factor that converts its numbers.
 struct UnitColumn
 {
   const char* name;
@@ -40,7 +40,7 @@ constexpr std::array<UnitColumn, 6> ForceColumns = { { { "force_N", 1.0 }, { "fo
 constexpr std::array<UnitColumn, 4> TimeColumns = { { { "time_s", 1.0 }, { "time_us", 1e-6 },
   { "time_ms", 1e-3 }, { "time_min", 60.0 } } };
 
-/// The factors for the numbers of a file: units, and -1 for a quantity that falls on pressing.
+/// The factors for the numbers of a file: units, and -1 for a quantity that decreases on pressing.
 struct Factors
 {
   double deflection = 1.0;
@@ -86,7 +86,7 @@ std::string readNegative(std::string_view text, Factors& factors)
   return {};
 }
 
-/// The column of this record that has a quantity in one of its units; the first of `columns` if the
+/// The column of this record with a quantity in one of its units; the first of `columns` if the
 /// record has none of them. `factor` is multiplied by the factor of the column.
 template <std::size_t N>
 const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns, double& factor)
@@ -110,7 +110,7 @@ const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns,
   return found ? found->name : columns.front().name;
 }
 
-/// Reports a column of a quantity whose name has no known unit.
+/// Reports a column whose name has a known quantity but no known unit.
 template <std::size_t N>
 void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
 {
@@ -138,7 +138,7 @@ void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
   }
 }
 
-/// Takes this record for the names of the columns.
+/// Uses this record as the names of the columns.
 void nameColumns(CsvReader& csv, Factors& factors)
 {
   const char* const deflection = findColumn(csv, DeflectionColumns, factors.deflection);
@@ -161,8 +161,8 @@ std::string nameOf(const Eigen::Vector3d& position)
 void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, std::size_t>& index,
   std::vector<MeasuredCurve>& curves)
 {
-  const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) }; // evaluated in
-                                                                                 // this order
+  // Evaluated in this order.
+  const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) };
   const bool isNamed = csv.hasColumn(Site);
   const std::string site = isNamed ? std::string(csv.text(Site))
     : curves.empty()               ? nameOf(position)
@@ -211,7 +211,8 @@ void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, s
   curve.force.push_back(force);
 }
 
-/// Reads the readings, starting with the names of the columns. `read` may already have the tool.
+/// Reads the readings, starting with the names of the columns. The tool of `read` may already be
+/// set.
 std::string readReadings(
   CsvReader& csv, const std::string& name, MeasuredCurves read, MeasuredCurves& curves)
 {
@@ -283,7 +284,7 @@ std::string readCurves(const CurvesTable& table, MeasuredCurves& curves)
   {
     return table.name + ": " + fault;
   }
-  std::size_t records = 0; // the first record is the names of the columns
+  std::size_t records = 0; // the first record contains the names of the columns
   CsvReader csv(
     [&](std::vector<std::string>& fields)
     {

@@ -22,20 +22,20 @@ namespace palpate
  *   A,10,0,50,0.02,0.0013,0.1,loading
  *
  * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be missing. site may be missing
- * in a file with one curve; the site is then named by its position. Columns may be in any order.
+ * in a file with one curve; the name of the site is then its position. Columns may be in any order.
  * Other columns (CsvReader) and other comments are ignored. All rows of a site have the same
- * position. They are in the order in which they were taken, and time does not decrease.
+ * position. They are in the order of measurement, and time does not decrease.
  *
- * Units: the name of a column gives its unit: deflection_nm, _um, _mm, _cm or _m; force_nN, _uN,
- * _mN, _N or _kN; time_us, _ms, _s or _min. Signs: deflection and force rise while the tool is
- * pressed in. A quantity that falls instead is listed in the head, as `# negative: force` or `#
+ * Units: the name of a column contains its unit: deflection_nm, _um, _mm, _cm or _m; force_nN, _uN,
+ * _mN, _N or _kN; time_us, _ms, _s or _min. Signs: deflection and force increase while the tool is
+ * pressed in. A quantity that decreases instead is listed in the head, as `# negative: force` or `#
  * negative: deflection, force`.
  *
  * Returns an error "file:line: reason", or "". After an error `curves` is unchanged.
  */
 PALPATE_EXPORT std::string readCurves(const std::string& path, MeasuredCurves& curves);
 
-/// The same from a stream; `name` stands for the file in errors.
+/// Reads curves from a stream; `name` replaces the file name in errors.
 PALPATE_EXPORT std::string readCurves(
   std::istream& stream, const std::string& name, MeasuredCurves& curves);
 
@@ -43,14 +43,14 @@ PALPATE_EXPORT std::string readCurves(
 /// as texts.
 struct CurvesTable
 {
-  std::string name; ///< stands for the file in errors
+  std::string name; ///< replaces the file name in errors
   std::string tool; ///< specification, such as sphere:6.35
   std::vector<std::string> columns;
   std::size_t rowCount = 0;
   std::function<std::string(std::size_t row, std::size_t column)> field;
 };
 
-/// The same from a table. An error is "name: row 7: reason"; rows count from 0.
+/// Reads curves from a table. Errors have the form "name: row 7: reason"; rows count from 0.
 PALPATE_EXPORT std::string readCurves(const CurvesTable& table, MeasuredCurves& curves);
 } // namespace palpate
 

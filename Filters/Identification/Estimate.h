@@ -16,11 +16,12 @@ struct Estimate
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// `error` is half the width of the interval: of ln value in the first, of value in the second.
+/// `error` is half the width of the interval: of ln value for logarithmicEstimate(), of value for
+/// linearEstimate().
 PALPATE_EXPORT Estimate logarithmicEstimate(double value, double error);
 PALPATE_EXPORT Estimate linearEstimate(double value, double error);
 
-/// The 97.5 % quantile of Student's t (Abramowitz and Stegun 26.7.5; 1e-3 from ν = 5 on).
+/// The 97.5 % quantile of Student's t (Abramowitz and Stegun 26.7.5; error 1e-3 for ν >= 5).
 PALPATE_EXPORT double studentQuantile(double degreesOfFreedom);
 } // namespace palpate
 

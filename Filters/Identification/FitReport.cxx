@@ -41,7 +41,7 @@ std::string leftOut(std::size_t readings, std::size_t of, double largestStrain)
       shortly(largestStrain) + " allows";
 }
 
-std::string untoldBaseline(const BodyFit& fit, bool findContact)
+std::string undeterminedBaseline(const BodyFit& fit, bool findContact)
 {
   const BaselineTerms least = findContact ? *std::min_element(fit.terms.begin(), fit.terms.end())
                                           : BaselineTerms::OffsetAndDrift;

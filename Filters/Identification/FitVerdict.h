@@ -16,8 +16,9 @@ namespace palpate
 namespace FitLimits
 {
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
-// Fractions of the largest force. LeastNoise: no law is more accurate, so a smaller residual does
-// not justify a richer body. LeastError: least noise for intervals, if the readings have none.
+// Fractions of the largest force. LeastNoise: no law is more accurate, so that a smaller residual
+// does not justify more parameters. LeastError: least noise for intervals, if the readings have no
+// noise.
 constexpr double LeastNoise = 0.003;
 constexpr double LeastError = 0.0003;
 constexpr int LargestPassCount = 6;  // of alternating fits and choices of readings
@@ -34,20 +35,20 @@ struct JacobianVerdict
 };
 JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
 
-/// Whether the residual of a fit is within the noise: an F test at three standard deviations.
+/// Whether the residual of a fit is within the noise, by an F test at three standard deviations.
 bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
 
-/// The reason why a global compliance of 0 or less is no body; "" otherwise. `width` is the width
-/// of the interval, per standard error for a newton of noise, N.
+/// The reason why a global compliance <= 0 is not accepted; "" if the compliance is positive.
+/// `width` is the width of the interval, per standard error for a newton of noise, N.
 std::string checkCompliance(const BodyFit& fit, double width);
 
-/// The reason why an arranged curve determines no body, or "": no force rises in it, or it goes
-/// deeper than its unit can mean.
+/// The reason why an arranged curve determines no body, or "": its force does not rise, or its
+/// depth is not plausible in mm.
 std::string checkLoading(const IndentationCurve& curve);
 
-/// The reason why the readings before contact of one of the curves of a fit are no baseline, or "".
-/// They may not be on a straight line, within the noise or `allowed` (N), or the line may drift too
-/// much (LargestDrift), beyond its interval of this `width`.
+/// The reason why the readings before contact of one of the curves of a fit are not a baseline, or
+/// "". They are not on a straight line, within the noise or `allowed` (N), or the drift of the line
+/// exceeds LargestDrift by more than its interval of the width `width`.
 std::string checkBaseline(const std::vector<IndentationCurve>& curves, const BodyFit& fit,
   const ForceNoise& noise, double width, double allowed);
 

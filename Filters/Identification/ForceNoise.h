@@ -19,12 +19,13 @@ struct ForceNoise
 
 /**
  * Estimates the noise as the median of the residuals of parabolas through each run of four
- * neighbouring readings. So the kink at first contact and single outliers do not count. Depths
- * ascend. Readings of several loads at one depth are compared with each other, so that differences
- * between loads count as noise.
+ * neighbouring readings. Therefore the kink at first contact and single outliers have no effect.
+ * Depths must be ascending. Readings of several loadings at one depth are compared with each other,
+ * so that differences between loadings count as noise.
  *
  * A median of absolute deviations is as accurate as 0.37 n independent readings (Rousseeuw and
- * Croux 1993). Overlapping runs share readings, so n/4 is used. NaN for fewer than four readings.
+ * Croux 1993). Overlapping runs share readings; therefore n/4 is used. NaN for fewer than four
+ * readings.
  */
 PALPATE_EXPORT ForceNoise estimateForceNoise(
   const std::vector<double>& deflection, const std::vector<double>& force);

@@ -21,11 +21,10 @@ enum class CurvePhase
 };
 
 /**
- * The readings of one tool at one site, in the order in which they were taken; there may be several
- * loads.
+ * The readings of one tool at one site, in the order of measurement; there may be several loadings.
  *
  * Deflection (mm) and force (N) are > 0 into the body. The origin of the deflection is that of the
- * instrument; the contact point is found later (BodyIdentification.h).
+ * instrument; the contact point is determined later (BodyIdentification.h).
  */
 struct MeasuredCurve
 {
@@ -43,7 +42,7 @@ struct MeasuredCurves
   std::string file;
   ToolSpecification tool;
   std::string toolText;  ///< as in the file
-  std::string synthetic; ///< how computed curves were made; empty: measured
+  std::string synthetic; ///< how computed curves were made; empty: measured curves
   std::vector<MeasuredCurve> curves;
 };
 } // namespace palpate

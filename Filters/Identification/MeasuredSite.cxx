@@ -53,8 +53,8 @@ bool hasTimes(const SiteCurve& curve)
   return time.size() > 1 && time.back() > time.front();
 }
 
-/// Prepares a curve, and judges it without the force of its baseline, which would count in every
-/// energy.
+/// Prepares a curve, and judges it without the force of its baseline, which would contribute to
+/// every energy.
 std::string prepareNet(const ElasticityLimits& limits, bool findContact, SiteCurve& curve)
 {
   std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
@@ -79,8 +79,8 @@ std::string prepareNet(const ElasticityLimits& limits, bool findContact, SiteCur
   return fault;
 }
 
-/// Identifies a body that relaxes; sets the reason of a refusal.
-void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
+/// Identifies a body that relaxes; sets the reason of a failure.
+void identifyAsRelaxing(const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<PressHistory> histories;
   for (const SiteCurve& curve : site.curves)
@@ -92,8 +92,9 @@ void identifyFlow(const BodyIdentification& identification, MeasuredSite& site)
   site.refusal = site.body.refusal;
 }
 
-/// A text that says which loop, hold or speed shows that the site relaxes; "" if none does.
-std::string flowOf(const MeasuredSite& site, const ElasticityLimits& limits)
+/// The loop, hold or effect of speed that shows relaxation of the site, in words; "" if there is
+/// none.
+std::string signOfRelaxation(const MeasuredSite& site, const ElasticityLimits& limits)
 {
   for (const SiteCurve& curve : site.curves)
   {
@@ -129,10 +130,10 @@ void identifySite(
     loadings.push_back(loadsByDepth(*curve.tool, curve.prepared));
   }
   const PronySeries& given = identification.options().relaxation;
-  const std::string flow = flowOf(site, limits);
+  const std::string flow = signOfRelaxation(site, limits);
   if (isJudged && areTimed && (!flow.empty() || given.count > 0))
   {
-    identifyFlow(identification, site);
+    identifyAsRelaxing(identification, site);
     return;
   }
   if (isJudged && !flow.empty())

@@ -28,20 +28,20 @@ struct MeasuredSite
   std::string name;
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
   std::vector<SiteCurve> curves;
-  /// The reason why the site cannot be used; empty if it can.
+  /// The reason why the site cannot be used; empty if it can be used.
   std::string refusal;
   IdentifiedBody body;
 };
 
-/// Collects the curves of each site from several files, each of one tool, in the order of their
-/// appearance. An error names the site that two files put at different places.
+/// Collects the curves of each site from several files, each of one tool, in the order in which
+/// they occur. An error names a site with different positions in two files.
 PALPATE_EXPORT std::string collectSites(
   const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
 
-/// Prepares the curves of the site and identifies its body; sets `refusal` on failure. A site that
-/// shows a loop, a hold or an effect of speed beyond the limits is identified as a relaxing one
-/// (RelaxingIdentification.h), if all its curves have times. If the relaxation is given in the
-/// options, every site with times is identified in this way.
+/// Prepares the curves of the site and identifies its body; sets `refusal` on failure. If a loop, a
+/// hold or an effect of speed exceeds the limits, and all curves have times, a relaxing body is
+/// identified (RelaxingIdentification.h). If the relaxation is given in the options, this is done
+/// for every site with times.
 PALPATE_EXPORT void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site);
 } // namespace palpate

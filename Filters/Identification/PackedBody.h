@@ -13,9 +13,9 @@ namespace palpate
 {
 /**
  * Packs a fitted body, and the first contacts of its curves, into parameters of order one: ln E*;
- * then C_g over a reference, or ln h; then the depths of contact over a reference depth; then,
- * divided by the largest force, the offset and the drift of each baseline that has them. Residuals
- * are relative to the largest force. This is the common base class of all residuals.
+ * then C_g divided by a reference, or ln h; then the depths of contact divided by a reference
+ * depth; then, divided by the largest force, the fitted offset and drift of each baseline.
+ * Residuals are relative to the largest force. This is the common base class of all residuals.
  */
 class PackedBody
 {
@@ -40,7 +40,7 @@ public:
   }
   double force() const { return this->Force; }
   double depth() const { return this->Depth; }
-  /// The C_g that would give the whole depth under the whole force.
+  /// The C_g for which the largest force causes the whole depth.
   double compliance() const { return this->Depth / this->Force; }
 
   BodyParameters body(const Eigen::VectorXd& p) const;
@@ -52,12 +52,12 @@ public:
   }
   ForceBaseline baseline(const Eigen::VectorXd& p, std::size_t curve) const;
 
-  /// Whether a sum of squares is that of a valid body; steps to an invalid body give Astray
-  /// residuals.
+  /// Whether a sum of squares is that of a valid body; steps to an invalid body have residuals of
+  /// Astray.
   static bool isBody(double squares) { return squares < Astray * Astray; }
 
   /// Computes separation, spread, and errors of body and offsets from the Jacobian at the minimum.
-  /// Errors of further parameters stay packed.
+  /// The errors of further parameters are not unpacked.
   void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
   /// The standard error of ln E* per newton of noise, from the same Jacobian.
   double modulusError(const Eigen::MatrixXd& jacobian) const;
@@ -66,13 +66,13 @@ protected:
   /// `starts` are the estimated first contacts of the curves.
   PackedBody(BodyModel model, bool findContact, std::vector<FirstContact> starts);
 
-  /// Packs into the first of the parameters.
+  /// Packs a body into the first parameters of `p`.
   void packBody(const BodyParameters& body, const std::vector<double>& offsets,
     const std::vector<ForceBaseline>& baselines, Eigen::VectorXd& p) const;
   /// The derivatives of a residual with respect to the baseline of its curve.
   void fillBaseline(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
     double deflection, double readings) const;
-  /// Whether a step led to a valid body.
+  /// Whether a step resulted in a valid body.
   static bool isUsable(const BodyParameters& body);
   /// The scale by which ln h or C_g is packed.
   double secondScale() const
@@ -80,12 +80,12 @@ protected:
     return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
   }
 
-  /// The residual if the body is invalid or has no finite force; so large that the method rejects
-  /// the step.
+  /// The residual of an invalid body or a force that is not finite; so large that the method
+  /// rejects the step.
   static constexpr double Astray = 1e3;
 
   BodyModel Model;
-  Eigen::Index Offsets; ///< number of depths of first contact that are fitted
+  Eigen::Index Offsets; ///< number of fitted depths of first contact
   Eigen::Index BaselineInputs = 0;
   Eigen::Index Count = 0; ///< number of residuals
   double Force = 0.0;     ///< largest force, N

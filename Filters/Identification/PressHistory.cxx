@@ -12,15 +12,16 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ManyReadings = 600; // more readings are averaged
-constexpr double DepthShare = 0.005;      // of the range: readings within it are averaged
-constexpr double TimeShare = 0.03;        // of the time since the last turn, for averaging, too
-// Fraction of the range. Points that are farther apart get others between them.
+constexpr std::size_t ManyReadings = 600; // more readings than this are averaged
+constexpr double DepthShare = 0.005; // fraction of the range within which readings are averaged
+// Fraction of the time since the last turn within which readings are averaged.
+constexpr double TimeShare = 0.03;
+// Fraction of the range. Between points that are farther apart, points are inserted.
 constexpr double StepShare = 0.02;
-constexpr double RampShare = 1.0 / 15.0; // of the time of a press: shorter times are not resolved
-constexpr double ContactShare = 0.1; // of the depth: nearer to the estimated contact, the contact
-                                     // may be there
-constexpr double LittleShare = 0.02; // of the depth: a smaller step back is noise
+// Fraction of the time of a press: shorter times are not resolved.
+constexpr double RampShare = 1.0 / 15.0;
+constexpr double ContactShare = 0.1; // fraction of the depth: uncertainty of the estimated contact
+constexpr double LittleShare = 0.02; // fraction of the depth: a smaller reversal is noise
 
 /// The first reading of each group, and the end of the readings.
 std::vector<std::size_t> groupsOf(
@@ -48,7 +49,7 @@ std::vector<std::size_t> groupsOf(
   return starts;
 }
 
-/// The least time between two compared readings, s.
+/// The least time between two points with readings, s.
 double closestReadings(const PressHistory& history)
 {
   double closest = std::numeric_limits<double>::infinity();
@@ -90,7 +91,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
        slack *= 1.5)
   {
     starts = groupsOf(curve, prepared.turns, range, slack);
-    if (slack > 1e6) // there are as many turns as readings
+    if (slack > 1e6) // the number of turns is as large as that of readings
     {
       break;
     }
@@ -106,7 +107,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
     };
     const double time = mean(curve.time);
     const double deflection = mean(curve.deflection);
-    // Adds points of the path between those that are compared. None are needed before contact.
+    // Inserts points of the path between those with readings. None are needed before contact.
     if (g > 0 && std::max(deflection, history.deflection.back()) > contact - ContactShare * range)
     {
       const double lastTime = history.time.back();
@@ -144,7 +145,7 @@ TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vecto
         continue;
       }
       std::size_t end = i;                                       // end of this press
-      double deepest = -std::numeric_limits<double>::infinity(); // deepest of the compared readings
+      double deepest = -std::numeric_limits<double>::infinity(); // deepest point with a reading
       for (; end < history.size() && deflection[end] - offsets[c] > little; ++end)
       {
         deepest = history.readings[end] > 0.0 ? std::max(deepest, deflection[end]) : deepest;

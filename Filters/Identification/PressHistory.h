@@ -23,9 +23,9 @@ struct PressHistory
   std::vector<double> time;       ///< s, never decreasing
   std::vector<double> deflection; ///< mm, from any origin
   std::vector<double> force;      ///< N
-  /// Number of readings averaged at each point; 0: a point of the path that is not compared.
+  /// Number of readings averaged at each point; 0: a point of the path without a reading.
   std::vector<double> readings;
-  IndentationCurve loading; ///< only its loads, arranged, for the start of a fit
+  IndentationCurve loading; ///< the arranged loadings only, for the start of a fit
   ForceNoise noise;         ///< noise of a reading
 
   std::size_t size() const noexcept { return this->time.size(); }
@@ -36,21 +36,21 @@ struct PressHistory
   }
 };
 
-/// Makes a history from a curve with times. If it has more than 600 readings, neighbours in time
-/// are averaged over about 0.5 % of the depth of contact and 3 % of the time since the last turn.
+/// Makes a history from a curve with times. If it has more than 600 readings, readings that are
+/// neighbours in time are averaged over about 0.5 % of the depth of contact and 3 % of the time
+/// since the last turn.
 PALPATE_EXPORT PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curve,
   const PreparedCurve& prepared, bool findContact);
 
 /// The range of relaxation times that a test can resolve, s.
 struct TimeWindow
 {
-  double shortest = 0.0; ///< a fifteenth of the fastest press, or the least time between two
-                         ///< readings
-  double longest = 0.0;  ///< the longest time in contact before the depth turns back
+  double shortest = 0.0; ///< 1/15 of the fastest press, or the least time between readings
+  double longest = 0.0;  ///< the longest time in contact before the depth reverses
 };
 
-/// The window of the compared points. `offsets` is the deflection of first contact of each history,
-/// mm.
+/// The window of the points with readings. `offsets` is the deflection of first contact of each
+/// history, mm.
 PALPATE_EXPORT TimeWindow windowOf(
   const std::vector<PressHistory>& histories, const std::vector<double>& offsets);
 } // namespace palpate

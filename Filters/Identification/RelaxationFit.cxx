@@ -24,10 +24,10 @@ using Eigen::VectorXd;
 constexpr double BranchRatio = 9.210; // χ² with two degrees of freedom, 1 %
 constexpr double Doubt =
   2.0 * BranchRatio;                   // once in a million: for branches that are not determined
-constexpr double LeastTimeRatio = 1.5; // of neighbouring times: closer branches are one
+constexpr double LeastTimeRatio = 1.5; // ratio of neighbouring times; closer branches are merged
 constexpr std::size_t CoarseBlocks = 1;
 
-/// End of a fit: at this relative step, or after this number of evaluations.
+/// End of a fit: a relative step, or a number of evaluations.
 struct Ending
 {
   double tolerance;
@@ -36,7 +36,7 @@ struct Ending
 constexpr Ending Coarse{ 1e-4, 30 }; // with too many branches the steps do not converge
 constexpr Ending Fine{ 1e-7, 200 };  // far below the uncertainty due to noise
 
-/// Start values of fits: the elastic body fitted to the loads, and a body that is nearly local.
+/// Start values of fits: the elastic body fitted to the loadings, and a body that is nearly local.
 std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histories,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -64,8 +64,7 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
     return starts;
   }
   const std::optional<BodyFit> fit = fitBody(loads, model, findContact, kernel);
-  if (fit && !(fit->body.compliance < 0.0)) // negative if the load was pressed with increasing
-                                            // speed
+  if (fit && !(fit->body.compliance < 0.0)) // it is negative if the speed of the loading increased
   {
     add(*fit);
   }

@@ -37,11 +37,11 @@ struct RelaxationProblem
 };
 
 /**
- * The residuals of histories, for Eigen's LevenbergMarquardt. Parameters: as in PackedBody, then ln
- * p_i, then ln τ_i.
+ * The residuals of histories, for Eigen's LevenbergMarquardt. Parameters: those of PackedBody, then
+ * ln p_i, then ln τ_i.
  *
- * Derivatives with respect to the body are exact (the elements do not depend on the body); those
- * with respect to offsets, strengths and times are differences.
+ * Derivatives by the parameters of the body are exact (the elements do not depend on the body);
+ * those by offsets, strengths and times are differences.
  */
 class RelaxationResiduals : public PackedBody
 {
@@ -76,8 +76,8 @@ private:
   RelaxationProblem Problem;
 };
 
-/// The slow curve of a body at the depths of a foundation, then its derivatives with respect to ln
-/// E* and, if the model has it, to C_g or ln h.
+/// The slow curve of a body at the depths of a foundation, then its derivatives by ln E* and, if
+/// the model has such a parameter, by C_g or ln h.
 std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   const RelaxingFoundation& foundation);

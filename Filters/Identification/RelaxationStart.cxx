@@ -16,11 +16,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double TimesPerDecade = 3.0;
-constexpr double LeastForce = 0.1;  // of the largest force: with a smaller force the contact may be
-                                    // about to end
-constexpr double LeastShare = 0.02; // of the whole response: least strength of the slow response
+// Fraction of the largest force below which the contact may be ending.
+constexpr double LeastForce = 0.1;
+// Fraction of the whole response: least strength of the slow response.
+constexpr double LeastShare = 0.02;
 
-constexpr double SomeShare = 0.2; // of the slow response: strength of a branch if none is found
+// Fraction of the slow response: strength of a branch if none is found.
+constexpr double DefaultShare = 0.2;
 
 std::vector<double> timeGrid(const TimeWindow& window)
 {
@@ -143,10 +145,10 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     }
   }
   spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
-  if (spectrum.time.empty()) // the fit then finds that there is no branch
+  if (spectrum.time.empty()) // the fit will then find that there is no branch
   {
     spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
-    spectrum.strength.push_back(SomeShare * spectrum.slow);
+    spectrum.strength.push_back(DefaultShare * spectrum.slow);
   }
   return spectrum;
 }
@@ -154,7 +156,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
 {
   about.body.reducedModulus *= spectrum.slow;
-  // The product of C_g and E*, which determines the shape of the curve, stays unchanged.
+  // The product of C_g and E*, which determines the shape of the curve, is unchanged.
   about.body.compliance /= spectrum.slow;
   about.series = {};
   for (std::size_t i = 0; i < spectrum.time.size(); ++i)

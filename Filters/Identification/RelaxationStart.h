@@ -16,15 +16,15 @@ struct RelaxationSpectrum
   std::vector<double> strength; ///< > 0
   std::vector<double> time;     ///< s, ascending
 
-  /// The same spectrum with at most `count` branches. Close and weak neighbours are merged.
+  /// The spectrum reduced to at most `count` branches. Close and weak neighbours are merged.
   RelaxationSpectrum merged(std::size_t count) const;
 };
 
 /**
- * Estimates the relaxation in the forces of histories, for an approximate body and offsets:
- * non-negative least squares over the slow response and branches at three times per decade of the
- * window, quasi-linear, from the readings above a tenth of the largest force. The result is the
- * start of a fit.
+ * Estimates the relaxation in the forces of histories, for an approximate body and offsets, by
+ * non-negative least squares of the slow response and branches at three times per decade of the
+ * window, with the quasi-linear law, from the readings above a tenth of the largest force. The
+ * result is the start of a fit.
  */
 RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,

@@ -14,7 +14,7 @@ using Eigen::Index;
 constexpr std::size_t BlockSize = RelaxationElements::LargestCount;
 } // namespace
 
-/// A curve as steps in slope of its chords, one for each element.
+/// A curve as increments in slope of its chords, one for each element.
 struct RelaxingFoundation::Prepared
 {
   std::vector<RelaxationElements::Values> weights;
@@ -60,8 +60,8 @@ double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
   {
     return 0.0;
   }
-  auto j = static_cast<Index>(
-    static_cast<double>(last) * std::sqrt(depth / this->Depths[last])); // may be wrong by rounding
+  // Rounding may make the index wrong by one.
+  auto j = static_cast<Index>(static_cast<double>(last) * std::sqrt(depth / this->Depths[last]));
   j = std::clamp<Index>(j, 0, last - 1);
   const double width = this->Depths[j + 1] - this->Depths[j];
   const double t = std::clamp((depth - this->Depths[j]) / width, 0.0, 1.0);
@@ -87,8 +87,8 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
   RelaxationStep step(series, 0.0);
   double lasts = 0.0; // duration of `step`, s
   double before = 0.0;
-  if (history.size() > 1 && history.deflection[0] > offset) // the press began before the first
-                                                            // reading
+  // The press began before the first reading.
+  if (history.size() > 1 && history.deflection[0] > offset)
   {
     const double way = history.deflection[1] - history.deflection[0];
     before = way > 0.0

@@ -16,7 +16,7 @@ namespace palpate
 {
 /**
  * The force of a relaxing body over a history of presses, holds and releases. It uses
- * RelaxationElements, more of them than a servo tick, so that it is accurate enough for a
+ * RelaxationElements, but more elements than a servo tick, so that it is accurate enough for a
  * comparison with readings. The slow curve is given by its forces at the gaps of the elements, D
  * (j/n)², and at its end D. Several curves share the elements.
  *
@@ -34,7 +34,7 @@ public:
     Eigen::VectorXd stiffness;
   };
 
-  /// Elements down to `depth` (mm, > 0), 33 per block.
+  /// Makes elements down to `depth` (mm, > 0), 33 per block.
   RelaxingFoundation(double depth, std::size_t blocks);
 
   /// Depths from 0 to the end, mm; one more than there are elements.
@@ -42,7 +42,7 @@ public:
 
   /// Returns the force of each curve (column) at each point of a history (row), N. `offset` is the
   /// deflection of first contact, mm. A history that begins in contact is extended backwards at its
-  /// first speed.
+  /// initial speed.
   Eigen::MatrixXd follow(const PressHistory& history, double offset, const PronySeries& series,
     const std::vector<SlowCurve>& curves) const;
 

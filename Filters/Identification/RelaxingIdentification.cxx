@@ -20,7 +20,7 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double WideInterval = 0.2; // of E*, relative: leads to a remark
+constexpr double WideInterval = 0.2; // of E*, relative; a wider interval causes a remark
 
 std::string seconds(double time)
 {
@@ -51,7 +51,8 @@ public:
     IdentifiedBody result;
     result.refusal = this->All.empty() ? "there is no loading" : "";
     result.refusal = result.refusal.empty() ? this->judge() : result.refusal;
-    // The readings within small strain depend on the body, so fit and choice of readings alternate.
+    // The readings within small strain depend on the body, so that fit and choice of readings
+    // alternate.
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
     {
@@ -314,7 +315,7 @@ private:
       left += countOf(this->All[c]) - countOf(this->Used[c]);
     }
     for (const std::string& more : { leftOut(left, total, this->Options.largestStrain),
-           untoldBaseline(fit, this->Options.findContact) })
+           undeterminedBaseline(fit, this->Options.findContact) })
     {
       result.remark += (more.empty() ? "" : "; ") + more;
     }
@@ -335,7 +336,7 @@ private:
     }
   }
 
-  /// The times that the test resolves, and those that it does not, in words.
+  /// The times that the test resolves, and those that it does not resolve, in words.
   std::string remarkOn(const IdentifiedBody& result, double modulusError) const
   {
     const PronySeries& series = result.relaxation;

@@ -20,7 +20,7 @@ struct Sensitivity
   double bySecond = 0.0; ///< with respect to C_g or ln h
 };
 
-/// The law of one tool on a body that is being fitted.
+/// The law of one tool on a body during a fit.
 class TrialLaw
 {
 public:

@@ -18,19 +18,19 @@ namespace palpate
 class AxisymmetricTool;
 class ResponseLaw;
 
-/// Values at the points of a body, and their name for error messages. Without values, the constant
-/// applies.
+/// Values at the points of a body, and their name for error messages. If there are no values, the
+/// constant holds at all points.
 struct PointValues
 {
   std::string name;
   std::vector<double> values;
 };
 
-/// The material of a body at each point: constants, and values that override them.
+/// The material of a body at each point: constants, and values that override the constants.
 class PALPATE_EXPORT BodyMaterial
 {
 public:
-  /// The material of points without a value of their own.
+  /// The material of points for which no values are given.
   struct Constants
   {
     Constants(double modulus, double ratio, double layer, LayerBase layerBase, bool excludes,
@@ -54,10 +54,10 @@ public:
     /// base, the whole body is a stack (LayerStack.h). Young's modulus and Poisson's ratio are then
     /// constant.
     std::vector<StackLayer> deeper;
-    std::optional<StackLayer> halfSpace; ///< in place of the rigid base
+    std::optional<StackLayer> halfSpace; ///< used instead of the rigid base
 
     bool isStack() const { return !this->deeper.empty() || this->halfSpace.has_value(); }
-    /// The whole stack. It has no layers if the body is not a stack.
+    /// The whole stack; it has no layers if the body is not a stack.
     LayerStack stack() const;
   };
   /// Values that override the constants. Each array has a value for every point, or no values.
@@ -65,7 +65,7 @@ public:
   {
     PointValues youngsModulus; ///< MPa
     PointValues thickness;     ///< mm, 0 for a half-space
-    PointValues compliance;    ///< in series, mm/N
+    PointValues compliance;    ///< global compliance, in series, mm/N
     PointValues poissonsRatio;
     PointValues second;               ///< thickness of the second layer of a stack, mm
     PointValues complianceError = {}; ///< error of the compliance, mm/N
@@ -74,21 +74,21 @@ public:
 
   /// Checks the constants. Returns "" if they are valid, else an error message.
   std::string checkConstants() const;
-  /// Takes the values of `points` points. Each array has one value per point or none. Returns "" if
+  /// Sets the values of `points` points. Each array has one value per point or none. Returns "" if
   /// the values are valid, else a message that names the point and the value.
   std::string take(Values values, std::size_t points);
 
   ContactSpots spots() const;
   const MaterialRange& range() const noexcept { return this->Range; }
-  /// Sets the range of all pieces, if other processes hold pieces of the body.
+  /// Sets the common range of all pieces, if other processes have pieces of the body.
   void setRange(const MaterialRange& range) { this->Range = range; }
 
-  /// The exponent for storage: the tip's own exponent or 1. Chooses the one with the smaller
-  /// storage error at the softest, stiffest, thinnest and thickest spot of the body.
+  /// The exponent for storage, the tip's own exponent or 1: the one with the smaller storage error
+  /// at the softest, stiffest, thinnest and thickest spot of the body.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
-  /// The largest relative storage error with `exponent` at these four spots. Spots that cannot be
-  /// stored are ignored.
+  /// The largest relative storage error with `exponent` at the four spots of bestExponent(). Spots
+  /// that cannot be stored are ignored.
   double storageError(const ResponseLaw& law, double exponent) const;
 
   /// Describes the model in words.
@@ -101,7 +101,7 @@ private:
   std::string takeModulus(const Values& values, std::size_t points);
 
   Constants Given;
-  std::vector<double> ReducedModulus; ///< empty vectors: the constant applies
+  std::vector<double> ReducedModulus; ///< empty vectors: the constant holds at all points
   std::vector<double> PoissonsRatio;
   std::vector<double> Compliance;
   std::vector<double> Thickness;

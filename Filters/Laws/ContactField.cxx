@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// The thickness of the layer under the contact, mm; 0 on a half-space. Interpolates 1/h, since the
-/// stiffening by a base is proportional to 1/h, and 1/h is 0 on a half-space.
+/// The thickness of the layer under the contact, mm; 0 on a half-space. Interpolates 1/h, because
+/// the stiffening by a base is proportional to 1/h, and 1/h is 0 on a half-space.
 double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weights)
 {
   if (thickness[0] == thickness[1] && thickness[1] == thickness[2])
@@ -75,7 +75,7 @@ double deflectionOf(const AxisymmetricTool& tool, double force, double reducedMo
     0.0, high, 0.5 * high);
 }
 
-/// Radius of a tool's edge that is well within the contact; 0 if the tool has no such edge.
+/// Radius of an edge of the tool that is well within the contact; 0 if there is no such edge.
 double edgeWithin(const AxisymmetricTool& tool, double contactRadius)
 {
   const std::vector<double> kinks = tool.kinks();

@@ -23,13 +23,13 @@ namespace palpate
 /// Input of the field of one contact. Body frame, mm, N.
 struct FieldContact
 {
-  std::int64_t cell = -1;  ///< of the contact on the body; -1: no contact
-  double deflection = 0.0; ///< local and global part together
-  /// Along the normal, > 0 out of the body; used for the modes and the near field.
+  std::int64_t cell = -1;  ///< cell of the body in which the contact is; -1: no contact
+  double deflection = 0.0; ///< sum of the local and the global part
+  /// Along the normal, > 0 out of the body; used by the modes and the near field.
   double force = 0.0;
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::Zero(); ///< outward, unit
-  /// Depth of the tip, mm, where another tool holds the body against this one. The dent is then
+  /// Depth of the tip, mm, if another tool also lowers or supports the surface. The dent is then
   /// less than the deflection.
   double depth = std::numeric_limits<double>::infinity();
 };
@@ -40,18 +40,19 @@ struct FieldTriangle
   /// A global mode of the body at the corners.
   struct Mode
   {
-    double sign = 0.0; ///< s_k
+    double sign = 0.0; ///< s_k of GlobalModes.h
     std::array<Vector3, 3> vectors = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
   };
-  /// mm
+  /// In mm.
   std::array<Vector3, 3> corners = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
   std::array<double, 3> thickness{}; ///< of the layer, mm; 0 on a half-space
   LayerBase base = LayerBase::Bonded;
-  LayerStack stack; ///< the stack whose first layer this is; no layers if the body is not a stack
+  /// The stack to which the first layer belongs; no layers if the body is not a stack.
+  LayerStack stack;
   /// Thickness of the second layer, mm; 0: the thickness in `stack`.
   std::array<double, 3> second{};
   std::vector<Mode> modes;       ///< empty if the response has no global motion
-  std::array<NearField, 3> near; ///< radius 0 if the response is not of true shape
+  std::array<NearField, 3> near; ///< radius 0 if the response has no near field
 };
 
 /// Settings common to all contacts.
@@ -80,15 +81,15 @@ struct FieldSettings
  * the contact. v₀ is δ minus the local deflection and the deflection of the modes.
  *
  * Global part: by the modes φ_k of the body (GlobalModes.h) with their signs s_k, w_k = -F s_k
- * (n·φ_k(X)), where X is the contact. The local deflection is δ - F Σ s_k (n·φ_k(X))², so that the
- * surface meets the tool. Without modes and without R the local part is evaluated at the whole
- * deflection, or at the depth of the tip if that is smaller.
+ * (n·φ_k(X)), where X is the contact point. The local deflection is δ - F Σ s_k (n·φ_k(X))², so
+ * that the surface touches the tool. Without modes and without R, the local part is evaluated at
+ * the whole deflection, or at the depth of the tip if that is smaller.
  *
  * Fade: 1 if reach is 0. Otherwise it is exactly 1 within 3/4 of the reach and within 50° of the
  * contact normal. It falls smoothly to 0 at the reach and at 60°, so that the field has no visible
  * edge.
  *
- * Cost: some µs on a half-space, 1 to 2 ms on a layer.
+ * Cost: a few µs on a half-space, 1 to 2 ms on a layer.
  */
 class PALPATE_EXPORT ContactField
 {
@@ -98,32 +99,33 @@ public:
   static constexpr double FadeBegin = 0.75;           ///< fraction of the reach
 
   ContactField() = default; ///< no contact: the field is zero
-  /// `tool` must outlive the field. `kernel` is the kernel of the last layer. The caller keeps it,
-  /// since making a kernel is expensive.
+  /// `tool` must outlive the field. `kernel` is the kernel of the most recent layer. The caller
+  /// keeps it from one field to the next, because the construction of a kernel is expensive.
   ContactField(const FieldTriangle& triangle, const AxisymmetricTool& tool,
     const FieldContact& contact, const FieldSettings& settings,
     std::shared_ptr<const LayerKernel>& kernel);
 
   /// u_r and u_z at r >= 0, without fade.
   SurfaceDisplacement local(double r) const;
-  /// The factor `fade`. `cosine`: of the angle between the normals of the point and of the contact.
+  /// The factor `fade`. `cosine` is that of the angle between the normals of the point and of the
+  /// contact.
   double fade(double r, double cosine) const;
   /// v: the additional inward displacement of the surface, mm. `away` is the vector from the
   /// contact in its tangent plane.
   double near(const Vector3& away) const;
-  /// The near field times the force (F R, mm). Its radius is 0 if the body has no near field.
-  /// nearDepth() is v₀, mm.
+  /// The near field times the force (F R, mm). Its radius is 0 if the body has no near field. v₀
+  /// (mm) is nearDepth().
   const NearField& nearField() const { return this->Near; }
   double nearDepth() const { return this->NearDepth; }
-  /// One weight per mode of the triangle; empty without a global part.
+  /// One weight per mode of the triangle; empty if there is no global part.
   const std::vector<double>& modeWeights() const { return this->Weights; }
 
   bool isEmpty() const { return !this->Law; }
   double localDeflection() const { return this->Deflection; }
   double contactRadius() const { return this->Radius; } ///< mm; 0 if empty
   double reach() const { return this->Reach; }
-  /// Radius of an edge of the tool within the contact, mm. u_z has a kink there. 0: the tool has no
-  /// edge there.
+  /// Radius of an edge of the tool within the contact, mm. At this radius the slope of u_z jumps.
+  /// 0: the tool has no edge within the contact.
   double kinkRadius() const { return this->Kink; }
   /// The reason why a contact has no local part; "" if it has one.
   const std::string& fault() const { return this->Fault; }
@@ -149,16 +151,16 @@ private:
 /// View of a mode's vectors, 3 numbers per point.
 using ModeSpan = std::variant<const float*, const double*>;
 
-/// Continues a patch across the seams of pieces: enters the points that were reached on other
-/// pieces. Returns false if no piece has points left to visit.
+/// Continues a patch across the seams of pieces: adds the points that were reached on other pieces.
+/// Returns false if no piece has points left to visit.
 using SeamCrossing = std::function<bool(SurfacePatch&)>;
 
 /**
  * Adds the displacement of a field to `displacement`, 3 floats (mm) per point of the patch's mesh.
  * The modes act at every point; the local part acts at the points of the patch. The caller has
  * entered the start points of the patch. `modes` has at least as many modes as the field has
- * weights. Returns false if a mode's displacement is not finite. The bits do not depend on the
- * number of threads.
+ * weights. Returns false if a mode's displacement is not finite. The result is bit for bit the same
+ * for any number of threads.
  */
 PALPATE_EXPORT bool contactField(const ContactField& field, const Vector3& normal,
   const std::vector<ModeSpan>& modes, SurfacePatch& patch, std::size_t points, float* displacement,

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Curvature of the body's surface at a point, 1/mm: the two principal curvatures, positive where
-/// the surface is convex, and their error.
+/// Curvature of the body's surface at a point, 1/mm: the two principal curvatures, positive if the
+/// surface is convex, and their error.
 struct SpotCurvature
 {
   double first = 0.0;
@@ -25,8 +25,8 @@ struct SpotCurvature
 struct ContactSpot
 {
   double reducedModulus = 0.0;  ///< E*, MPa
-  double poissonsRatio = 0.0;   ///< of the layer; a half-space needs E* alone
-  double compliance = 0.0;      ///< in series, mm/N
+  double poissonsRatio = 0.0;   ///< of the layer; a half-space only needs E*
+  double compliance = 0.0;      ///< global compliance, in series, mm/N
   double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
   SpotCurvature curvature = {}; ///< included in the law
   double second = 0.0;          ///< thickness of the second layer of a stack, mm
@@ -39,8 +39,8 @@ struct ContactSpot
   }
 };
 
-/// The body under each point: constants, and arrays that override them. A null array overrides
-/// nothing.
+/// The body under each point: constants, and arrays that override them. If an array is null, the
+/// constant holds at all points.
 struct ContactSpots
 {
   ContactSpot constant;
@@ -49,7 +49,8 @@ struct ContactSpots
   const double* compliance = nullptr;
   const double* thickness = nullptr;
   const double* second = nullptr;
-  double deeperThinnest = 0.0; ///< thinnest of the layers below the first two, mm; 0: no stack
+  /// Thickness of the thinnest layer below the first two, mm; 0: no stack.
+  double deeperThinnest = 0.0;
   const double* complianceError = nullptr;
 
   ContactSpot at(std::size_t i) const

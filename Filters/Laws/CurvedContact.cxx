@@ -12,9 +12,9 @@ namespace palpate
 {
 namespace
 {
-constexpr int NodesBeforeFlat = 16; // of the sag alone, before a flat end is in full contact
+constexpr int NodesBeforeFlat = 16; // of the sag's law, before a flat end is in full contact
 
-/// The sums κ_t+κ₁ and κ_t+κ₂, in order of size.
+/// The sums κ_t+κ₁ and κ_t+κ₂, in ascending order.
 struct Sums
 {
   double smaller;
@@ -56,7 +56,7 @@ SagPoint sagAt(const SagLaw& sag, double radius)
   {
     return { unknown, unknown };
   }
-  // δ/a² and F/a³ hardly change from node to node, so a cubic through four nodes suffices.
+  // δ/a² and F/a³ hardly change from node to node, so that a cubic through four nodes suffices.
   const auto above = std::lower_bound(nodes.radii.begin(), nodes.radii.end(), radius);
   const auto place = static_cast<std::size_t>(above - nodes.radii.begin());
   const std::size_t begin = std::min(place < 2 ? 0 : place - 2, nodes.size() - 4);
@@ -160,7 +160,7 @@ ContactNodes onCurvedBody(
 {
   ContactNodes curved;
   curved.reserve(flat.size() + NodesBeforeFlat);
-  // A flat end has its full radius at the first node, at almost no depth.
+  // A flat end has its full radius at the first node, where the depth is almost 0.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
   const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
   curved.coversTouch = whole == 0.0; // unless the body is convex, the rim touches first
@@ -173,8 +173,8 @@ ContactNodes onCurvedBody(
     {
       const double a = flat.radii[0] * i / NodesBeforeFlat;
       const SagPoint point = sagAt(sag, a);
-      // dF/dδ of the flat end is proportional to a on a half-space only, so it is the difference
-      // quotient of the sag.
+      // dF/dδ of the flat end is proportional to a only on a half-space; therefore the difference
+      // quotient of the sag is used.
       const SagPoint less = sagAt(sag, 0.999 * a);
       const double stiffness = (point.force - less.force) / (point.depth - less.depth);
       curved.add(kappa / sag.curvature * point.depth, factor * kappa / sag.curvature * point.force,

@@ -26,7 +26,7 @@ struct ContactNodes
   std::vector<double> radii;       ///< contact radius, mm
   /// Depth of the tool with that contact radius on the flat body, mm.
   std::vector<double> toolDepths;
-  bool coversTouch = true; ///< false: no law holds above the first node
+  bool coversTouch = true; ///< false: no law is valid above the first node
 
   std::size_t size() const noexcept { return this->depths.size(); }
   void reserve(std::size_t nodes);
@@ -44,7 +44,7 @@ struct LocalState
   /// the radius.
   double toolDepth = -1.0;
   double toolTurn = 1.0; ///< derivative of toolDepth with respect to the depth
-  /// false: no law holds at this depth; the values only lead to the first depth with a law
+  /// false: no law is valid at this depth; the values only serve to find the first depth with a law
   bool isCovered = true;
 };
 
@@ -62,7 +62,7 @@ public:
   {
   }
 
-  /// F (N), dF/dδ (N/mm), contact radius (mm); 0 at δ <= 0, NaN beyond the last node.
+  /// F (N), dF/dδ (N/mm), contact radius (mm); 0 for δ <= 0, NaN beyond the last node.
   IndentationPoint evaluate(double deflection, double reducedModulus) const override;
   LocalState at(double depth) const;
   double deepest() const { return this->Nodes.depths.back(); }
@@ -71,8 +71,8 @@ private:
   ContactNodes Nodes;
 };
 
-/// The sag of the body on the same flat body: a paraboloid of curvature `curvature` (1/mm) that
-/// represents the body's own curvature. On a half-space it has a closed form (Hertz): F = 4/3 κ a³
+/// The contact of the sag, a paraboloid of curvature `curvature` (1/mm) that represents the body's
+/// own curvature, on the same flat body. On a half-space it has a closed form (Hertz): F = 4/3 κ a³
 /// and δ = κ a².
 struct SagLaw
 {
@@ -83,29 +83,29 @@ struct SagLaw
 /**
  * A tool on a curved body: the body's sag is added to the tool's profile.
  *
- * At one contact radius a the depths and the forces of two profiles add, because the contact
- * problem is linear in the profile if its circle is known (Sneddon 1965; the same holds on layers).
- * So the tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and F + κ F_sag(a).
- * dF/dδ does not change, since it depends on a alone.
+ * At one contact radius a the depths and the forces of two profiles can be added, because the
+ * contact problem is linear in the profile if its circle is known (Sneddon 1965; the same is true
+ * on layers). Therefore the tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and
+ * F + κ F_sag(a). dF/dδ does not change, because it depends only on a.
  *
- * A flat end of radius b in full contact depends on the mean curvature alone: F = 2E*b(δ -
- * b²κ_m/3), where δ is the deflection of its centre. On a convex body the flat end is in full
- * contact from κ b² on; before, the law is that of the sag. On a saddle or in a hollow it is in
- * full contact from b² times the larger of |κ₁|, |κ₂| on (wholeFrom). Before, only parts of its rim
- * touch, and no law is known; a power of the depth is used instead.
+ * A flat end of radius b in full contact depends only on the mean curvature: F = 2E*b(δ - b²κ_m/3),
+ * where δ is the deflection of its centre. On a convex body the flat end is in full contact for δ
+ * >= κ b²; at smaller depths the law is that of the sag. On a saddle or in a hollow it is in full
+ * contact for δ >= b² times the larger of |κ₁|, |κ₂| (wholeFrom). At smaller depths only parts of
+ * its rim touch, and no law is known; a power of the depth is used instead.
  *
- * Unequal curvatures act by the geometric mean of both sums: κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t, where
- * κ_t = g(a)/a² of the tool at that circle. F is multiplied by 1 + ln²((κ_t+κ₂)/(κ_t+κ₁))/48. For a
- * sphere the error is 1e-4 up to a ratio of 3 (Hertz's ellipse).
+ * Unequal curvatures are represented by the geometric mean of both sums: κ = √((κ_t+κ₁)(κ_t+κ₂)) -
+ * κ_t, where κ_t = g(a)/a² of the tool at that circle. F is multiplied by 1 +
+ * ln²((κ_t+κ₂)/(κ_t+κ₁))/48. For a sphere the error is 1e-4 up to a ratio of 3 (Hertz's ellipse).
  *
- * If the body is hollow and the tool does not fit into it (a sum below LeastSum of κ_t), no law
- * holds. The result ends there and may be empty. A flat end touches a hollow with its rim first;
- * the result begins where the flat end fits.
+ * If the body is concave and the tool does not fit into it (a sum below LeastSum of κ_t), no law is
+ * valid. The result ends at that depth and may be empty. A flat end touches a hollow with its rim
+ * first; the result begins at the depth at which the flat end is in full contact.
  */
 PALPATE_EXPORT ContactNodes onCurvedBody(
   const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature);
 
-/// Depth (mm) from which a flat end of radius `b` is in full contact with a body that is not
+/// Least depth (mm) at which a flat end of radius `b` is in full contact with a body that is not
 /// convex; 0 for a convex body.
 PALPATE_EXPORT double wholeFrom(double b, const SpotCurvature& curvature);
 

@@ -12,7 +12,7 @@ namespace
 {
 constexpr int PieceCount = 128;
 constexpr int MostSteps = 30;
-// Relative to the depth. The error after the next step is the square of this.
+// Relative to the depth. The error after the next step is the square of this value.
 constexpr double Converged = 1e-5;
 
 double cubic(const std::array<double, 4>& c, double x)
@@ -44,7 +44,7 @@ double ellipse(double one, double other)
   return 1.0 + ratio * ratio / 48.0;
 }
 
-/// The state before full contact of a rim: a power of the depth, up to the depth where the law
+/// The state before full contact of a rim: a power of the depth, up to the depth at which the law
 /// begins.
 LocalState beforeRim(const LocalState& first, double fraction)
 {
@@ -136,8 +136,8 @@ CurvedHalfSpace::Contact CurvedHalfSpace::contactAt(double t, const SpotCurvatur
     body.slope, this->FlatRadius > 0.0 || std::min(body.one, body.other) > LeastSum * tool };
 }
 
-/// A flat end of radius b on a bump before full contact, which begins at a depth of κ_m b². Hertz's
-/// contact, continued linearly once its radius is b.
+/// A flat end of radius b on a bump before full contact, which begins at a depth of κ_m b². The
+/// contact is Hertz's, and is continued linearly as soon as its radius is b.
 LocalState CurvedHalfSpace::sagAlone(double depth, const SpotCurvature& curvature) const
 {
   const double b = this->FlatRadius;
@@ -179,8 +179,8 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
   const double b = this->FlatRadius;
   const auto total = [softness](const LocalState& state)
   { return state.depth + softness * state.force; };
-  // In full contact a flat end depends on the mean curvature alone. On a bump full contact begins
-  // at a depth of κ_m b². On other surfaces the rim touches first, and no law holds before full
+  // In full contact a flat end depends only on the mean curvature. On a bump full contact begins at
+  // a depth of κ_m b². On other surfaces the rim touches first, and no law is valid before full
   // contact.
   const double mean = around.mean();
   const SpotCurvature curvature = b > 0.0 ? SpotCurvature{ mean, mean, 0.0 } : around;
@@ -191,8 +191,8 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
     : b > 0.0 && mean > 0.0 ? this->sagAlone(mean * b * b, around)
                             : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
   const double whole = total(first);
-  // t² divided by the deflection hardly changes, so the next value is extrapolated linearly. The
-  // first value is that of two paraboloids.
+  // t² divided by the deflection hardly changes, so that the next value is extrapolated linearly.
+  // The first value is that of two paraboloids.
   const double flat = std::min(std::sqrt(deflections.front()), end);
   const double radius = this->at(flat).radius;
   const double sum = flat * flat + curvature.mean() * radius * radius;

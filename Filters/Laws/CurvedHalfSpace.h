@@ -14,25 +14,27 @@ namespace palpate
 class AxisymmetricTool;
 
 /**
- * The contact of one tool on a curved half-space (CurvedContact.h) at given depths. It needs no
- * nodes for each curvature.
+ * The contact of one tool on a curved half-space (CurvedContact.h) at given depths, without
+ * separate nodes for each curvature.
  *
  * Two functions are tabulated once per tool: the contact radius a and F/(a t²), as cubic
- * polynomials of t = √depth. Spheres, cones and flats are smooth in t. On a body with curvatures
- * κ₁, κ₂ the depth of the same circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)). Newton's method solves
- * it for t. The force is F + 4/3 a (y - t²) and the stiffness 2a, both times 1 + ln²(B/A)/48. For a
- * flat end in full contact both curvatures are the mean curvature. Error: 1e-7; 1e-4 near the kinks
- * of a profile. Cost: 40 ns per depth. Safe to use from any number of threads.
+ * polynomials of t = √depth. Spheres, cones and flats are smooth functions of t. On a body with
+ * curvatures κ₁, κ₂ the depth of the same circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)). Newton's
+ * method solves this equation for t. The force is F + 4/3 a (y - t²) and the stiffness 2a, both
+ * times 1 + ln²(B/A)/48. For a flat end in full contact both curvatures are the mean curvature.
+ * Error: 1e-7; 1e-4 near the kinks of a profile. Cost: 40 ns per depth. Safe to use from any number
+ * of threads.
  */
 class PALPATE_EXPORT CurvedHalfSpace
 {
 public:
-  /// For a tool that is pressed at most `deepest` (mm) into the flat body.
+  /// For a tool that is pressed to at most the depth `deepest` (mm) into the flat body.
   CurvedHalfSpace(const AxisymmetricTool& tool, double deepest);
 
-  /// Computes the contact at `deflections` (mm), which ascend and are > 0. The contact is in series
-  /// with a compliance of `softness` = C E* (1/mm), not negative; the states are those of the local
-  /// part. Returns false if the tool does not fit into the body at one of the deflections.
+  /// Computes the contact at `deflections` (mm), which are ascending and > 0. The contact is in
+  /// series with a compliance of `softness` = C E* (1/mm), not negative; the states are those of
+  /// the local part. Returns false if the tool does not fit into the body at one of the
+  /// deflections.
   bool solve(const SpotCurvature& around, double softness, const std::vector<double>& deflections,
     LocalState* states) const;
 
@@ -61,7 +63,7 @@ private:
     double slope;
   };
   static Sagging saggingAt(double t, const Circle& circle, const SpotCurvature& curvature);
-  /// The contact on the curved body whose circle belongs to t.
+  /// The contact on the curved body whose circle has the parameter t.
   struct Contact
   {
     LocalState local;
@@ -75,8 +77,10 @@ private:
   double Step; ///< step of t, √mm
   double FlatRadius;
   std::vector<Piece> Pieces;
-  double FirstRadius = 0.0; ///< radius at the end of the first piece, in which it is a power of t
-  double FirstPower = 0.0;  ///< exponent of that power; 0 for a flat end, which has no such power
+  /// radius at the end of the first interval, in which it is a power of t.
+  double FirstRadius = 0.0;
+  /// Exponent of that power; 0 for a flat end, whose radius is not a power of t.
+  double FirstPower = 0.0;
 };
 } // namespace palpate
 

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The range of a body's measurement: the largest force and stiffness of any tool at the site.
+/// The end of the measured range: the largest force and stiffness of any tool at the site.
 struct DataEnd
 {
   double force;     ///< N
@@ -17,11 +17,11 @@ struct DataEnd
 /**
  * The depth, mm, at which a stored curve exceeds the measured range; +inf if it never does.
  *
- * The depths of two tools cannot be compared. The global deflection depends on the force. The size
- * of the strained region depends on the contact radius a. At one point of a half-space or a layer
- * dF/dδ_local depends on a alone, for any tool. The same holds for dF/dδ in series with a
- * compliance. So equal stiffness means equal contact radius, and the data end at the measured force
- * or at the measured stiffness, whichever comes first.
+ * The depths of two tools cannot be compared, because the global deflection depends on the force,
+ * and the size of the strained region depends on the contact radius a. At one point of a half-space
+ * or a layer dF/dδ_local depends only on a, for any tool. The same is true of dF/dδ in series with
+ * a compliance. Therefore equal stiffness means equal contact radius, and the data end at the
+ * measured force or at the measured stiffness, at the smaller of the two depths.
  *
  * `force` and `stiffness` are the n samples of the curve. A tolerance of 1e-3 allows for storage.
  */

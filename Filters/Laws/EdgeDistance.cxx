@@ -23,12 +23,12 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double IncompressibleRatio = 0.5; // Poisson's ratio at which edges are compared
-// Sharpness of 60°; the reach of blunter edges is reduced in proportion.
+// Sharpness of an edge of 60°; the reach of blunter edges is reduced in proportion.
 constexpr double BluntSharpness = 0.2;
-constexpr double Raised = 0.25;   // sine of the largest angle of an edge above the tangent plane
-constexpr double CellsAway = 4.0; // farthest edge found with cells of one size, in cells
-constexpr double Coarser = 3.0;   // ratio of the next cells' size
-// Fraction of the body's width: larger cells do not resolve its shape.
+constexpr double LargestRise = 0.25; // sine of the largest angle of an edge above the tangent plane
+constexpr double LargestCellDistance = 4.0; // farthest edge found with cells of one size, in cells
+constexpr double CellRatio = 3.0;           // ratio of the next cells' size
+// Fraction of the body's width. Larger cells do not resolve the body's shape.
 constexpr double LargestCell = 0.25;
 
 double sharpnessOf(float turn)
@@ -42,7 +42,7 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
 }
 
 /// A width of the body, mm: the middle one of the three lengths of a box whose surface has the same
-/// spread. Does not depend on the axes of the coordinates.
+/// variances. It does not depend on the axes of the coordinates.
 double widthOf(const LinkedSurface& surface)
 {
   double area = 0.0;
@@ -81,8 +81,8 @@ std::vector<double> cellRadii(const LinkedSurface& surface, double contactRadius
   for (;;)
   {
     const double cell = edgeCell(surface, radii.back());
-    const double next = Coarser * cell;
-    if (CellsAway * cell >= reach || next > LargestCell * width)
+    const double next = CellRatio * cell;
+    if (LargestCellDistance * cell >= reach || next > LargestCell * width)
     {
       return radii;
     }
@@ -90,7 +90,8 @@ std::vector<double> cellRadii(const LinkedSurface& surface, double contactRadius
   }
 }
 
-/// Propagates sides outwards over the surface. Each point passes on its nearest side.
+/// Propagates sides outwards over the surface. Each point passes its nearest side on to its
+/// neighbours.
 class SideSpread
 {
 public:
@@ -119,7 +120,7 @@ public:
     using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
-    // `reached`: distance of the front. Nearer points have already found their side.
+    // `reached`: distance of the front. Nearer points already have their side.
     const auto offer = [&](std::int32_t point, std::int32_t side, float reached)
     {
       const auto i = static_cast<std::size_t>(point);
@@ -134,7 +135,7 @@ public:
       const auto away = static_cast<float>(distanceTo(here, one, other));
       const double rise = (0.5 * (one + other) - here).dot(this->Normals[i]);
       if (away < distances[i] && static_cast<double>(away) <= reach &&
-        rise <= Raised * static_cast<double>(away) + 1e-9)
+        rise <= LargestRise * static_cast<double>(away) + 1e-9)
       {
         distances[i] = away;
         front.push({ away, { point, side } });
@@ -180,11 +181,11 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
   const std::vector<double> radii = cellRadii(linked, contactRadius, reach);
   std::vector<SurfaceEdges> found(radii.size());
   shareWork(radii.size(), [&](std::size_t i) { found[i] = findEdges(linked, radii[i]); });
-  double inner = 0.0; // mm: nearer edges were already searched with finer cells
+  double inner = 0.0; // mm; nearer edges were already searched with finer cells
   for (const SurfaceEdges& edges : found)
   {
     const bool isLast = &edges == &found.back();
-    const double outer = isLast ? reach : CellsAway * edges.cell;
+    const double outer = isLast ? reach : LargestCellDistance * edges.cell;
     const auto takeStronger = [this, inner](std::size_t point, const SurfaceSide& side, float away)
     {
       NearEdge& nearest = this->Found[point];

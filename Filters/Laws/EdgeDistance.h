@@ -20,23 +20,24 @@ struct NearEdge
   float distance = Far; ///< mm, straight line
   float turn = 0.0F;    ///< angle by which the surface turns away there, rad
   float border = Far;   ///< distance to the border, mm, straight line
-  bool isSharp = false; ///< the edge is a side between two facets that turn by BluntTurn or more
+  bool isSharp = false; ///< the edge is a side between two facets with a turn of BluntTurn or more
 };
 
 /**
- * Distances of each point of a surface from two things: the convex edge that reduces its force
- * most, and the border.
+ * The distance of each point of a surface from the convex edge that reduces its force most, and
+ * from the border.
  *
- * findEdges (LinkedSurface.h) defines the edges for a contact of radius a. Distant edges must be
- * larger to count: beyond four cells the search uses cells three times as large, and so on, up to a
- * quarter of the body's width. At that size a bump on a face is not an edge, but a wide fillet is.
+ * findEdges (LinkedSurface.h) defines the edges for a contact of radius a. A distant edge must be
+ * larger to be taken into account: beyond four cells the search uses cells three times as large,
+ * and so on, up to a quarter of the body's width. For large cells a bump on a face is not an edge,
+ * but a wide fillet is.
  *
- * The search runs along the surface up to the distance `reach`. It skips an edge more than 15°
- * above the point's tangent plane, because there is material below such an edge, as at the foot of
- * a horn.
+ * The search runs along the surface up to the distance `reach`. It ignores an edge more than 15°
+ * above the point's tangent plane, because there is material below such an edge, for example at the
+ * foot of a horn.
  *
  * Cost: O(n log n), 1 to 3 s for a million triangles on one thread; temporary memory 100 bytes per
- * triangle and thread. The bits do not depend on the number of threads.
+ * triangle and thread. The result is bit for bit the same for any number of threads.
  */
 class PALPATE_EXPORT EdgeDistance
 {
@@ -52,10 +53,10 @@ private:
   std::size_t EdgeCount = 0;
 };
 
-/// Φ of a contact of radius a whose axis is at u = d/a from the straight edge of a wedge: its force
-/// divided by the force far from the edge at the same depth. u >= 0. For flats, paraboloids and
-/// cones it is within 0.03 of Hetényi's two half-spaces (Data/Reference/edges). Other angles are
-/// taken into account by their sharpness.
+/// Φ of a contact of radius a whose axis is at a distance d = u a from the straight edge of a
+/// wedge: its force divided by the force far from the edge at the same depth. u >= 0. For flats,
+/// paraboloids and cones Φ is within 0.03 of Hetényi's two half-spaces (Data/Reference/edges).
+/// `sharpness` represents the angle of the edge.
 PALPATE_EXPORT double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness);
 } // namespace palpate
 

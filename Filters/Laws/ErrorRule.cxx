@@ -16,16 +16,16 @@ namespace palpate
 {
 namespace
 {
-// Factor on the mean of the layers: bounds all of 30 random forces.
+// Factor on the mean of the layers: the result bounds the error of all of 30 random forces.
 constexpr double StackBound = 1.6;
-// Error relative to the loss of force by an edge that is taken into account. Hetényi's law is known
-// to 3 % and the effect of a base to 10 %; a corner is approximated by a product of edges. For
-// other angles edgeSharpness is up to 1.4 times too large.
-constexpr double FeltEdge = 0.2;
-constexpr double FeltWedge = 0.4;
+// Error relative to the loss of force at an edge that the tick takes into account. Hetényi's law is
+// accurate to 3 % and the effect of a base to 10 %; a corner is approximated by a product of edges.
+// For other angles edgeSharpness is up to 1.4 times too large.
+constexpr double EdgeRemainder = 0.2;
+constexpr double WedgeRemainder = 0.4;
 constexpr double RightAngle = 0.5 * Pi;
-constexpr double SomeDegrees = 0.09; // 5°
-constexpr double BorderReach = 2.0;  // contact radii beyond which a border has no effect
+constexpr double AngleTolerance = 0.09; // 5°
+constexpr double BorderReach = 2.0; // distance in contact radii beyond which a border has no effect
 
 /// 2 |C_g E* R_b|, from finite elements on balls and in cavities: the reduction of the global
 /// compliance of a body with mean curvature κ compared with a half-space, per a |κ|.
@@ -164,7 +164,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   const double first = modulusOf(this->Scope.stack->layers.front());
   double above = 0.0; // depth of the layer's top below the surface
   // Below the centre of a uniform pressure on a circle the stress is the pressure times 1 -
-  // (z/√(a²+z²))³. This is the integral of that factor over z.
+  // (z/√(a²+z²))³. This function is the integral of that factor over z.
   const auto taken = [a](double z)
   {
     const double slant = std::hypot(a, z);
@@ -220,8 +220,8 @@ double ErrorRule::curvaturePart(
   const double toolDepth =
     state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
   const double toolCurvature = toolDepth / (a * a);
-  // A flat end in full contact depends on the mean curvature alone. Before full contact no law
-  // holds in a hollow.
+  // In full contact a flat end depends only on the mean curvature. Before full contact no law is
+  // valid in a hollow.
   const double end = this->Tool.smallestContactRadius();
   const bool isWhole = end > 0.0 && a > 0.99 * end;
   const double ellipse = curvature.isFlat()   ? 0.0
@@ -257,7 +257,7 @@ double ErrorRule::edgePart(
   {
     const double turn{ edge.turn };
     const double missing = this->Scope.edges && edge.isSharp
-      ? (std::abs(turn - RightAngle) < SomeDegrees ? FeltEdge : FeltWedge)
+      ? (std::abs(turn - RightAngle) < AngleTolerance ? EdgeRemainder : WedgeRemainder)
       : 1.0;
     sum += missing * part(edge.distance, edgeSharpness(spot.poissonsRatio, turn));
   }

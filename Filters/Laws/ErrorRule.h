@@ -16,10 +16,10 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// Relative errors of a force by neglected or unknown effects.
+/// Relative errors of a force because of neglected or unknown effects.
 struct ErrorParts
 {
-  /// By ResponseLimit; the entry None is the storage error.
+  /// One error per ResponseLimit; the entry None is the storage error.
   std::array<double, ResponseLimitCount> of{};
 
   double& operator[](ResponseLimit limit) { return of[static_cast<std::size_t>(limit)]; }
@@ -28,7 +28,7 @@ struct ErrorParts
   PALPATE_EXPORT ResponseLimit largest() const;
 };
 
-/// The surface at a spot, and its measurement.
+/// The surface at a spot, and the measurement of the material.
 struct SpotSurface
 {
   SpotCurvature curvature; ///< of the mesh, even if the law does not include it
@@ -49,34 +49,34 @@ struct LawScope
 };
 
 /**
- * Relative error of a tool's law at a depth, as a list of parts. The parts are added, since they
+ * Relative error of a tool's law at a depth, as a list of parts. The parts are added, because they
  * may have the same sign. a is the contact radius, F the force, κ_m the body's mean curvature and σ
  * the error of κ_m.
  *
- * - Strain, Thickness: the error of small strain (smallStrainError). On a layer the name is that of
- *   the larger term. With a StrainCorrection it is the error of that correction. In a stack it is
- *   1.6 times the mean over the layers; each layer has its own part of the depth and the pressure
- *   that reaches it.
+ * - Strain, Thickness: the error of small strain (smallStrainError). On a layer the limit is that
+ *   of the larger term. With a StrainCorrection it is the error of that correction. In a stack it
+ *   is 1.6 times the mean over the layers; the strain of each layer follows from its fraction of
+ *   the depth and the pressure on it.
  * - Curvature: if the law does not include the curvature, |κ_m| times 2/3 E* a³/F, to first order
- *   for any tool, and in hollows with a second-order term. If the law includes it, this term is 0.
- *   In both cases: ln²(B/A)/48 of unequal curvatures, and σ times 2/3 E* a³/F. If the body's own
- *   compliance is unknown, also q a |κ_m| for the global compliance, which is less than that of a
- *   half-space: q = 0.46 of a ball. In hollows q is larger for a compressible body, as in a cavity:
- *   0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
+ *   for any tool, and in hollows with a second-order term. If the law includes the curvature, this
+ *   term is 0. In both cases ln²(B/A)/48 of unequal curvatures and σ times 2/3 E* a³/F are added.
+ *   If the body's own compliance is unknown, q a |κ_m| is added for the global compliance, which is
+ *   less than that of a half-space: q = 0.46 for a ball. In hollows q is larger for a compressible
+ *   body, as in a cavity: 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
  * - Edge: 1 - Φ(d/a) of the edge with the largest effect (edgeFactor, edgeSharpness). On a layer it
- *   is multiplied by e^(-d/h), because the base holds the layer. It is 0 if the body's own
- *   compliance is known, which contains this effect. Beyond an open border the unseen body is
- *   assumed to continue: the error is that of a right-angled edge and falls to 0 at a distance of
- *   2a. If the servo tick takes a sharp edge into account, the fraction FeltEdge remains at a right
- *   angle, and FeltWedge at other angles, for which edgeSharpness is less certain. The error is all
- *   of the force if the contact is wider than the whole body.
+ *   is multiplied by e^(-d/h), because the base supports the layer. It is 0 if the body's own
+ *   compliance is known, which contains this effect. Beyond an open border the missing part of the
+ *   body is assumed to exist: the error is that of a right-angled edge and falls to 0 at a distance
+ *   of 2a. If the servo tick takes a sharp edge into account, the fraction EdgeRemainder remains at
+ * a right angle, and WedgeRemainder at other angles, for which edgeSharpness is less certain. The
+ * error is 100 % of the force if the contact is wider than the whole body.
  * - Elements: the error of the compliance times dF/dδ.
- * - None: storage.
+ * - None: the storage error.
  *
  * A measured material already includes the effects of shape and strain on the contact with which it
- * was measured. For curvature and edge, the difference from that contact counts. For strain, which
- * the rule only bounds, the larger of the two counts. The caller adds the error by noise and by the
- * distance of the sites (DataEnd).
+ * was measured. For curvature and edge, the error is the difference from that contact. For strain,
+ * of which the rule is only a bound, it is the larger of the two. The caller adds the error caused
+ * by noise and by the distance of the sites (DataEnd).
  *
  * In series with a compliance a local error is multiplied by the local fraction of the series,
  * k/k_local. Sources: finite elements with finite strain, on layers, balls and in cavities; Hertz
@@ -94,7 +94,7 @@ public:
   {
     return this->at(spot, surface, this->strain(spot), state);
   }
-  /// The same for many depths of one spot: `strain` is strain(spot).
+  /// For many depths of one spot: `strain` is the result of strain(spot).
   ErrorParts at(const ContactSpot& spot, const SpotSurface& surface,
     const StrainCorrection::Course& strain, const LocalState& state) const;
   StrainCorrection::Course strain(const ContactSpot& spot) const;

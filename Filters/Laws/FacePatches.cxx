@@ -19,8 +19,10 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double SameWay = 0.15;   // smallest cosine between the facets of a patch
-constexpr double SmallPatch = 0.2; // fraction of a cell's area: fewer facets do not define a normal
+constexpr double LeastPatchCosine =
+  0.15; // smallest cosine between the normals of facets in a patch
+// Fraction of a cell's area; a smaller area does not define a normal.
+constexpr double LeastArea = 0.2;
 
 double cosineBetween(const Vector3d& one, const Vector3d& other)
 {
@@ -78,7 +80,7 @@ FacePatches::FacePatches(const LinkedSurface& surface, double cell, double longA
   this->findNext();
 }
 
-/// Facets whose centres lie in one cell, and whose normals are alike, form one patch.
+/// Combines facets whose centres are in one cell, and whose normals are similar, to one patch.
 void FacePatches::makePatches(double longArea)
 {
   struct Key
@@ -120,7 +122,7 @@ void FacePatches::makePatches(double longArea)
     first = i == 0 || keys[i].cell != keys[i - 1].cell ? this->Patches.size() : first;
     std::size_t found = first;
     while (found < this->Patches.size() &&
-      !(cosineBetween(this->Patches[found].normal, this->Surface.areas[t]) > SameWay))
+      !(cosineBetween(this->Patches[found].normal, this->Surface.areas[t]) > LeastPatchCosine))
     {
       ++found;
     }
@@ -128,8 +130,8 @@ void FacePatches::makePatches(double longArea)
   }
 }
 
-/// Adds a facet to a patch, or to a new one. At this stage normals and centres are sums, weighted
-/// by area.
+/// Adds a facet to a patch, or to a new one. During this phase normals and centres are sums,
+/// weighted by area.
 void FacePatches::addFacet(std::size_t t, std::size_t patch)
 {
   if (patch == this->Patches.size())
@@ -180,12 +182,12 @@ void FacePatches::joinSmallPatches()
   }
 }
 
-/// The neighbour of a small patch that faces most alike. Long facets, and patches that face too
-/// differently, are excluded. -1 if no neighbour is left.
+/// The neighbour of a small patch with the most similar normal. Long facets, and patches whose
+/// normals differ too much, are excluded. -1 if no neighbour remains.
 int FacePatches::mostAlike(int patch, const std::vector<int>& into) const
 {
   int best = -1;
-  double alike = SameWay;
+  double alike = LeastPatchCosine;
   for (const NextPatch& beside : this->at(patch).next)
   {
     const int next = rootOf(into, beside.patch);
@@ -234,6 +236,6 @@ void FacePatches::findNext()
 
 bool FacePatches::isKnown(const FacePatch& patch) const
 {
-  return patch.isLong || patch.area > SmallPatch * this->Cell * this->Cell;
+  return patch.isLong || patch.area > LeastArea * this->Cell * this->Cell;
 }
 } // namespace palpate

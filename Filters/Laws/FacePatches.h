@@ -11,37 +11,37 @@
 
 namespace palpate
 {
-/// A neighbour of a patch: the two share sides of facets.
+/// A neighbour of a patch: the two patches share sides of facets.
 struct NextPatch
 {
   int patch;
-  bool isSharp; ///< one of these sides turns by PackedMesh::BluntTurn or more
+  bool isSharp; ///< one of the shared sides has a turn of PackedMesh::BluntTurn or more
 };
 
-/// The facets of a cell that face alike, or one long facet.
+/// The facets of a cell with similar normals, or one long facet.
 struct FacePatch
 {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double area = 0.0; ///< mm²
   bool isLong = false;
-  bool isKnown = false;        ///< large enough that its normal can be used
+  bool isKnown = false;        ///< large enough for its normal to be used
   std::vector<NextPatch> next; ///< without duplicates
 };
 
 /**
  * A surface, divided into patches of about the size of a cell. Faces at a right angle are never
- * averaged. A small part of a face at the border of a cell joins the neighbour that faces most
- * alike. So the position of the cells has little influence.
+ * averaged. A small part of a face at the border of a cell joins the neighbour with the most
+ * similar normal, so that the position of the cells has little influence.
  */
 class FacePatches
 {
 public:
-  /// A facet larger than `longArea` (mm²) is a patch of its own. `cell`: size of a cell, mm.
+  /// A facet larger than `longArea` (mm²) is a separate patch. `cell`: size of a cell, mm.
   /// `surface` must outlive this.
   FacePatches(const LinkedSurface& surface, double cell, double longArea);
 
-  /// Number of patches. Some of them have been joined to others and hold no facet.
+  /// Number of patches. Patches that were joined to others have no facets.
   std::size_t size() const { return this->Patches.size(); }
   const FacePatch& at(int patch) const { return this->Patches[static_cast<std::size_t>(patch)]; }
   /// The patch of a facet; -1 for a facet without an area.

@@ -13,7 +13,7 @@
 namespace palpate
 {
 /// A surface that is cut along its sharp edges (CreaseCut). A point on an edge occurs once for each
-/// face that meets there, with the normal of that face. The copies come after the given points.
+/// of the faces at this edge, with the normal of that face. The copies follow the given points.
 class FaceSurface
 {
 public:
@@ -37,7 +37,7 @@ private:
   std::vector<std::int32_t> Triangles;
   std::vector<float> Normals;
   std::vector<std::int32_t> PointOf;
-  std::vector<bool> IsCut; ///< per point: the point is on an edge
+  std::vector<bool> IsCut; ///< for each point: the point is on an edge
 };
 } // namespace palpate
 

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// The terms of a response, and of its error, in addition to small strain on a flat surface; see
+/// The terms of a response and of its error, in addition to small strain on a flat surface; see
 /// vtkToolContactResponse.
 struct LawTerms
 {
@@ -14,11 +14,12 @@ struct LawTerms
   StrainLaw strain;      ///< linear: small strain
   /// Error of the force at which validity ends; 0: validity by ValidityRule.
   double errorTolerance = 0.05;
-  bool storeError = true;        ///< keep the error of each sample
-  bool automatic = false;        ///< leave out terms that change the force little
-  double changeTolerance = 0.01; ///< limit for such terms, relative to the force
-  bool edges = false;            ///< contacts can leave the body over sharp edges (BodyEdges)
-  double tilt = 0.0;             ///< largest tilt of the tool, degrees; 0: upright
+  bool storeError = true; ///< store the error of each sample
+  bool automatic = false; ///< omit terms that change the force little
+  /// Largest change of the force by omitted terms, relative to the force.
+  double changeTolerance = 0.01;
+  bool edges = false; ///< contacts can leave the body over sharp edges (BodyEdges)
+  double tilt = 0.0;  ///< largest tilt of the tool, degrees; 0: upright
 
   bool keepsError() const { return this->storeError && this->errorTolerance > 0.0; }
   /// Small strain on a flat surface, valid until the first assumption fails.

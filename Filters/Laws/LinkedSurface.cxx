@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double SmallestBorder = 4.0; // radius of the largest hole, in contact radii
 
-/// Removes loops shorter than `least` (mm), which are holes of a scan.
+/// Removes loops shorter than `least` (mm), which are holes in a scan.
 void dropHoles(const LinkedSurface& surface, double least, std::vector<SurfaceSide>& border)
 {
   std::map<std::int32_t, std::int32_t> above;

@@ -12,16 +12,17 @@
 
 namespace palpate
 {
-/// A view of a body's triangles in memory. Triangles without an area are ignored.
+/// A view of a body's triangles. Triangles without an area are ignored.
 struct TriangleSpans
 {
-  const double* points = nullptr; ///< x, y, z of each, mm
+  const double* points = nullptr; ///< x, y, z of each point, mm
   std::size_t pointCount = 0;
-  const std::int32_t* triangles = nullptr; ///< three points each
+  const std::int32_t* triangles = nullptr; ///< three point indices each
   std::size_t triangleCount = 0;
 };
 
-/// The distance of the points, mm: the square root of the area per used point. NaN without one.
+/// The mean distance of neighbouring points, mm: the square root of the area per used point. NaN if
+/// there are no used points.
 double pointSpacing(const TriangleSpans& surface);
 
 /// A side of a facet, from point to point.
@@ -29,8 +30,8 @@ struct SurfaceSide
 {
   std::int32_t from;
   std::int32_t to;
-  float turn; ///< angle by which the surface turns away there, rad; 0: a border
-  /// The side belongs to two facets, and turns by PackedMesh::BluntTurn or more.
+  float turn; ///< angle by which the surface turns away at the side, rad; 0: a border
+  /// The side has two facets, and its turn is BluntTurn or more (PackedMesh).
   bool isSharp = false;
 };
 
@@ -56,12 +57,12 @@ struct LinkedSurface
   TriangleLinks links;
 
 private:
-  /// Sets the areas, too.
+  /// Also sets `areas`.
   const std::vector<TriangleCorners>& findCorners();
 };
 
 /// The border of a surface: sides of a single facet, in loops that are longer than the
-/// circumference of a hole of four contact radii (mm). Two sides at the same place are not a
+/// circumference of a hole with a radius of four contact radii (mm). Two coincident sides are not a
 /// border.
 std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius);
 
@@ -71,26 +72,26 @@ struct SurfaceEdges
   static constexpr double LeastTurn = 0.35; ///< rad, 20°
 
   std::vector<SurfaceSide> sides;
-  double cell; ///< size of the cells over which facets were averaged, mm
+  double cell; ///< size of the cells over which normals of facets were averaged, mm
 };
 
 /**
  * Finds the convex edges of a surface for a contact of radius a (mm).
  *
  * Facets are averaged in cells of size a, or of a few facets if the mesh is coarse (FacePatches).
- * So noise of a scan and fine facets are not edges, but a narrow fillet is one. The turn of the
- * surface is measured from patch to patch, and over two patches. On a ball the turn continues
- * beyond the patch at the same rate; beyond an edge it does not. The excess of the turn over that
- * rate is the turn of an edge if it is LeastTurn or more. The edge consists of the facet sides that
- * turn most there.
+ * Therefore noise of a scan and fine facets are not edges, but a narrow fillet is one. The turn of
+ * the surface is measured between neighbouring patches, and over two patches. On a ball the turn
+ * continues beyond the patch at the same rate; beyond an edge it does not. If the excess of the
+ * turn over that rate is LeastTurn or more, it is the turn of an edge. The edge consists of the
+ * facet sides in this region with the largest turns.
  *
  * Cost: O(n log n), 0.5 s for a million triangles on one thread; temporary memory 100 bytes per
  * triangle.
  */
 SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius);
 
-/// Size of the cells over which findEdges() averages facets, mm: the contact radius, or a few
-/// facets of a coarse mesh.
+/// Size of the cells over which findEdges() averages facets, mm: the contact radius, or the size of
+/// a few facets of a coarse mesh.
 double edgeCell(const LinkedSurface& surface, double contactRadius);
 } // namespace palpate
 

@@ -14,12 +14,12 @@ namespace
 {
 constexpr int NodeCount = 64;
 constexpr int LayerNodeCount = 32; // one solution per node at every point; 16 times the error, 2e-5
-// In a hollow the contact is wider at equal depth. So the tool's nodes are twice as deep, for a sum
-// of half the tool's curvature.
-constexpr double ForHollows = 2.1;
-constexpr double ForNegativeCompliance = 3.0;
+// In a hollow the contact is wider at equal depth. Therefore the tool's nodes extend to about twice
+// the depth, which suffices for a sum of half the tool's curvature.
+constexpr double HollowFactor = 2.1;
+constexpr double NegativeComplianceFactor = 3.0;
 // The sag's contact radius must exceed the tool's on any layer.
-constexpr double ForSag = 2.0;
+constexpr double SagFactor = 2.0;
 
 std::vector<double> nodeDepths(double deepest, int count)
 {
@@ -36,7 +36,7 @@ std::vector<double> nodeDepths(double deepest, int count)
 double deepestOf(const AxisymmetricTool& tool, double range, bool deeper)
 {
   return std::min(
-    range * ForHollows * (deeper ? ForNegativeCompliance : 1.0), tool.depthLimit().depth);
+    range * HollowFactor * (deeper ? NegativeComplianceFactor : 1.0), tool.depthLimit().depth);
 }
 
 ContactNodes nodesOf(const std::vector<double>& depths, const LayerCurves::Curve& curve)
@@ -72,7 +72,7 @@ void LocalContact::prepareLayers(const LayerTable::Layers& layers)
   const double deepest = this->HalfSpace.depths.back();
   this->Layers = makeLayerCurves(this->Tool, layers, nodeDepths(deepest, LayerNodeCount));
   this->SagLayers =
-    makeLayerCurves(*this->Sag, layers, nodeDepths(ForSag * deepest, LayerNodeCount));
+    makeLayerCurves(*this->Sag, layers, nodeDepths(SagFactor * deepest, LayerNodeCount));
 }
 
 bool LocalContact::answers(const ContactSpot& spot) const

@@ -17,9 +17,9 @@ class AxisymmetricTool;
 class StrainCorrection;
 
 /**
- * The local contact of one tool, with corrections of the textbook's law: the curvature of the body
- * (CurvedContact.h) and finite strain (StrainCorrection.h). The strain factor is evaluated at the
- * depth at which the tool has the same contact radius on the flat body.
+ * The local contact of one tool, with corrections to the law on a flat body at small strain: the
+ * curvature of the body (CurvedContact.h) and finite strain (StrainCorrection.h). The strain factor
+ * is evaluated at the depth at which the tool has the same contact radius on the flat body.
  *
  * On a half-space each depth is solved (CurvedHalfSpace.h). Elsewhere the contact is interpolated
  * between nodes; see NodeLaw for the error. Cost: 40 ns per depth on a half-space, 0.3 µs with
@@ -29,8 +29,8 @@ class StrainCorrection;
 class PALPATE_EXPORT LocalContact
 {
 public:
-  /// Valid at least to `range` (mm). With `deeper` valid to three times the range, as needed for a
-  /// negative compliance. `tool` and `strain` (null: small strain) must outlive this.
+  /// Valid at least to `range` (mm). With `deeper`, valid to three times the range, as a negative
+  /// compliance requires. `tool` and `strain` (null: small strain) must outlive this.
   LocalContact(
     const AxisymmetricTool& tool, double range, bool deeper, const StrainCorrection* strain);
   ~LocalContact();
@@ -42,10 +42,11 @@ public:
   {
     return this->Strain != nullptr || !spot.curvature.isFlat();
   }
-  /// Whether the law covers the spot: its layer must be thick enough.
+  /// Whether the law is valid at the spot: its layer must be thick enough.
   bool answers(const ContactSpot& spot) const;
-  /// The contact for E* = 1 at a spot for which answers() is true. `fits`: whether the tool fits
-  /// into the body down to the range. If it does not, the law is that of the flat body.
+  /// The contact for E* = 1 at a spot for which answers() is true. `fits` is set to whether the
+  /// tool fits into the body down to the range. If it does not fit, the law is that of the flat
+  /// body.
   NodeLaw law(const ContactSpot& spot, bool& fits) const;
   NodeLaw law(const ContactSpot& spot) const
   {
@@ -53,15 +54,15 @@ public:
     return this->law(spot, fits);
   }
 
-  /// Whether states() can be used: on a half-space whose compliance is not negative, and is 0 with
-  /// finite strain.
+  /// Whether states() can be used: the spot is a half-space, and its compliance is not negative,
+  /// and 0 if strain is finite.
   bool isDirect(const ContactSpot& spot) const
   {
     return !(spot.thickness > 0.0) &&
       (spot.compliance == 0.0 || (spot.compliance > 0.0 && !this->Strain));
   }
   /// Computes the contact for E* = 1 at ascending deflections (mm) of the whole series, up to the
-  /// range. Returns `fits`, as in law().
+  /// range. Returns whether the tool fits, as in law().
   bool states(
     const ContactSpot& spot, const std::vector<double>& deflections, LocalState* states) const;
 

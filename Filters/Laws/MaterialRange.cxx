@@ -83,7 +83,7 @@ void MaterialRange::addRatio(double poissonsRatio)
   {
     ratios.insert(place, poissonsRatio);
   }
-  else if (!known) // too many for the list: only their range is kept
+  else if (!known) // too many for the list: only their range is stored
   {
     ratios.front() = std::min(ratios.front(), poissonsRatio);
     ratios.back() = std::max(ratios.back(), poissonsRatio);

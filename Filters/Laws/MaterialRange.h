@@ -11,12 +11,12 @@
 
 namespace palpate
 {
-/// The range of the materials of a body's points. A law is prepared for this range.
+/// The range of the materials of a body's points, for which a law is prepared.
 class PALPATE_EXPORT MaterialRange
 {
 public:
-  /// `stack`: the layers below every point; the thickness of the first two may vary. Default: no
-  /// stack.
+  /// `stack` contains the layers below every point; the thickness of the first two may vary. By
+  /// default the body is not a stack.
   explicit MaterialRange(LayerBase base, LayerStack stack = {});
 
   void add(const ContactSpot& spot);
@@ -25,20 +25,21 @@ public:
 
   bool hasLayers() const noexcept { return this->layers.thickest > 0.0; }
   bool hasStack() const noexcept { return !this->stack.layers.empty(); }
-  /// The layers. For a stack, includes its kernels, which are made here (StackKernels.h).
+  /// The layers. For a stack, they include its kernels, which are made by this function
+  /// (StackKernels.h).
   LayerTable::Layers prepared() const;
-  /// The range of bodies for a correction by finite strain.
+  /// The range of bodies for the correction of finite strain.
   StrainBodies strainBodies() const;
 
   LayerTable::Layers layers; ///< without layers: thinnest is infinite, thickest 0
-  LayerStack stack;          ///< no layers: no stack
-  /// Thickness of the second layer of the stack, mm; without one as in `layers`.
+  LayerStack stack;          ///< no layers: the body is not a stack
+  /// Thickness of the second layer of the stack, mm; if there is none, as `layers` without layers.
   ThicknessSpan second;
-  bool stiffens = false;     ///< a compliance is negative somewhere
+  bool stiffens = false;     ///< at least one compliance is negative
   bool hasHalfSpace = false; ///< at least one point has no layer
   double leastRatio = 0.5;   ///< smallest Poisson's ratio
   double mostRatio = 0.0;
-  /// The softest, stiffest, thinnest and thickest spot; empty if there are no points.
+  /// The softest, stiffest, thinnest and thickest spots; empty if there are no points.
   std::vector<ContactSpot> extremes;
 
 private:

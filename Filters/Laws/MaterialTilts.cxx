@@ -39,7 +39,8 @@ struct Axis
     return this->nodes < 2 ? this->first
                            : this->first + (this->last - this->first) * node / (this->nodes - 1);
   }
-  /// The weight of a node at a place. Beyond the ends, the weight at the end.
+  /// The weight of a node at a value of the parameter. Beyond the ends of the axis, the weight is
+  /// that at the end.
   double weightOf(int node, double place) const
   {
     if (this->nodes < 2)
@@ -61,7 +62,7 @@ public:
     , Radius(tool.tool().contactRadius(range))
   {
     // The error of linear interpolation is an eighth of the squared spacing times the second
-    // derivative. These spacings keep it to 1 % of the force on layers and in series.
+    // derivative. These spacings limit the error to 1 % of the force on layers and in series.
     constexpr double Thickness = 0.1;
     constexpr double Ratio = 0.05;
     constexpr double Yielding = 0.15;
@@ -122,8 +123,8 @@ public:
       {
         const std::array<int, 4> node = this->nodeOf(law);
         const double place = this->Axes[0].at(node[0]);
-        // A kernel belongs to one Poisson's ratio or one stack. All laws in series with it share
-        // the kernel.
+        // A kernel is valid for one Poisson's ratio or one stack. All laws with the same ratio or
+        // stack in series with a compliance share the kernel.
         made[law].thickness = place > 0.0 ? this->thicknessAt(place) : 0.0;
         const double yielding = this->Axes[3].at(node[3]);
         made[law].yielding = yielding / ((1.0 - yielding) * 2.0 * this->Radius);
@@ -172,8 +173,8 @@ private:
   double thicknessAt(double place) const { return this->Radius * (1.0 / place - 1.0); }
   double yieldingPlace(const ContactSpot& spot) const
   {
-    // If the compliance is so negative that the curve folds, the point has no response and needs no
-    // factor.
+    // If the compliance is so negative that the curve folds, the point has no response and requires
+    // no factor.
     constexpr double Stiffest = -0.4;
     const double yielding =
       std::max(Stiffest, spot.compliance * spot.reducedModulus * 2.0 * this->Radius);
@@ -236,14 +237,14 @@ private:
         densest = density > most ? axis : densest;
         most = std::max(most, density);
       }
-      --this->Axes[densest].nodes; // ends: four axes of two nodes each are sixteen laws
+      --this->Axes[densest].nodes; // the loop ends: four axes of two nodes each have sixteen laws
     }
   }
 
   /// Finds the thinnest layer that has a law down to the range, upright and at the largest tilt.
   void findThinnest(const TiltedHalfSpace& tool, double range)
   {
-    // The least compressible material has the widest contact.
+    // The contact is widest in the least compressible material.
     const std::array<int, 4> first{ 0, this->Axes[1].nodes - 1, 0, 0 };
     double answered = this->Bounds.layers.thinnest;
     std::shared_ptr<const LayerKernel> kernel = this->kernelOf(answered, first);
@@ -256,7 +257,7 @@ private:
         return LayerContact(*tilted, own, thickness).deepest() >= range;
       };
       constexpr double Thicker = 1.1;
-      constexpr int MostSteps = 300; // a factor of 1e12
+      constexpr int MostSteps = 300; // for a factor of 1e12
       for (int step = 0; step < MostSteps && !answers(answered); ++step)
       {
         answered *= Thicker;

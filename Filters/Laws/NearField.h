@@ -11,16 +11,16 @@
 namespace palpate
 {
 /**
- * Part of the response H of a body around a point X of its surface that its modes (GlobalModes) do
- * not describe: the effect of an edge, a base or a nodule. R(d) is the inward displacement of the
- * surface at X + d by 1 N at X, in addition to the dent of a half-space. d is a vector in the
- * tangent plane at X.
+ * The part of the response of a body around a point X of its surface that its modes (GlobalModes)
+ * do not describe: the effect of an edge, a base or a nodule. R(d) is the inward displacement of
+ * the surface at X + d caused by 1 N at X, in addition to the dent of a half-space. d is a vector
+ * in the tangent plane at X.
  *   R(d) = κ² [R₀ + κ g·d + κ² d·Q d],  κ = min(1, ρ/|d|).
- * R is known up to ρ. Beyond ρ it falls with the square of the distance.
+ * R is known up to the radius ρ. Beyond ρ it decreases with the square of the distance.
  */
 struct NearField
 {
-  static constexpr std::size_t Numbers = 12; ///< numbers in storage
+  static constexpr std::size_t Numbers = 12; ///< numbers in the stored array
 
   double depth = 0.0;                              ///< R₀, mm/N
   Eigen::Vector3d slope = Eigen::Vector3d::Zero(); ///< g, 1/N

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Two orthogonal tangents of a normal.
+/// Two orthogonal unit tangents to a normal.
 struct TangentFrame
 {
   Eigen::Vector3d first;
@@ -15,16 +15,17 @@ struct TangentFrame
   explicit TangentFrame(const Eigen::Vector3d& normal);
 };
 
-/// The second fundamental form of a surface at a point, in its tangent frame (t², tu, u²), found in
-/// two ways; 1/mm, positive where convex.
+/// The second fundamental form of a surface at a point, in its tangent frame (t², tu, u²), fitted
+/// in two ways: to the turns of the normals and to the sags of the neighbours. 1/mm, positive if
+/// convex.
 struct PointForm
 {
   Eigen::Vector3d byTurns = Eigen::Vector3d::Zero();
   Eigen::Vector3d bySags = Eigen::Vector3d::Zero();
-  double residual = 0.0;   ///< of the turns, root of the mean square
-  double edgeSquare = 0.0; ///< mean, mm²
+  double residual = 0.0;   ///< root mean square residual of the turns
+  double edgeSquare = 0.0; ///< mean square of the edge lengths, mm²
 
-  /// Of the mean curvatures.
+  /// The difference of the mean curvatures, by sags minus by turns.
   double difference() const
   {
     return 0.5 * (this->bySags[0] + this->bySags[2] - this->byTurns[0] - this->byTurns[2]);
@@ -37,7 +38,7 @@ class PointFormSums
 public:
   explicit PointFormSums(const Eigen::Vector3d& normal);
 
-  /// Adds an edge to a neighbour, mm; `turn` is the difference of the unit normals.
+  /// Adds an edge to a neighbour, mm; `turn` is the difference of the unit normals at its ends.
   void add(const Eigen::Vector3d& edge, const Eigen::Vector3d& turn);
   PointForm fit() const;
 
@@ -46,14 +47,14 @@ private:
 
   Eigen::Vector3d Normal;
   TangentFrame Frame;
-  // Sums over the edges, each multiplied by the edge's length².
-  Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< of (t², 2tu, u²) of the direction
-  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();    ///< the same times the curvature by the turn
-  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();     ///< the same times the curvature by the sag
-  double Square = 0.0;                                ///< of the curvature by the turn
+  // Sums over the edges, each multiplied by the edge's length². p = (t², 2tu, u²) of the direction.
+  Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< of p pᵀ
+  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();    ///< of p times the curvature by the turn
+  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();     ///< of p times the curvature by the sag
+  double Square = 0.0;                                ///< of the squared curvature by the turn
   double Weight = 0.0;
-  double Count = 0.0; ///< of the edges
-  // The same for a tilt of the tangent plane.
+  double Count = 0.0; ///< number of edges
+  // The same sums, for a tilt of the tangent plane.
   Eigen::Matrix<double, 3, 2> Mixed = Eigen::Matrix<double, 3, 2>::Zero();
   Eigen::Matrix2d Tilts = Eigen::Matrix2d::Zero();
   Eigen::Vector2d TiltSags = Eigen::Vector2d::Zero();

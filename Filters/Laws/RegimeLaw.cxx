@@ -44,7 +44,7 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
         spot.curvature = stored.curvature(i);
         if (contact.isDirect(spot))
         {
-          // Solves down to the range, since the range decides whether the tool fits.
+          // Solves down to the range, because the range decides whether the tool fits.
           const std::vector<double> both = { depths[i],
             std::max(depths[i], static_cast<double>(ranges[i])) };
           std::array<LocalState, 2> states;

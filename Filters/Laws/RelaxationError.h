@@ -12,16 +12,16 @@ namespace palpate
 {
 /**
  * Error of the force of a relaxing body with a number of elements (0: the quasi-linear law),
- * relative to the largest force of the motion, for a tool with F ∝ δ^m. It is the worst of ramps,
- * holds, triangles, sines, stop-and-go and random presses down to the curve's last sample, for
- * materials with Σ p from 1 to 4, at 1 kHz (Data/Reference/rate/tick_variants.csv). The table does
- * not include smaller Σ p; they get the same error. Interpolated linearly between the table's m (1,
- * 1.5, 2) and extrapolated above. Interpolated by a power between the table's numbers of elements
- * (4, 8, 16); above 16 extrapolated with the power from 8 to 16. Presses a tenth as deep reach few
- * of the elements: with 16 elements their error is up to four times as large, relative to their own
- * largest force.
+ * relative to the largest force of the motion, for a tool with F ∝ δ^m. It is the largest error of
+ * ramps, holds, triangles, sines, stop-and-go and random presses down to the curve's last sample,
+ * for materials with Σ p from 1 to 4, at 1 kHz (Data/Reference/rate/tick_variants.csv). The table
+ * does not include smaller Σ p; the error is assumed to be the same. It is interpolated linearly
+ * between the table's m (1, 1.5, 2) and extrapolated above, and interpolated by a power between the
+ * table's numbers of elements (4, 8, 16), and above 16 extrapolated with the power from 8 to 16.
+ * Presses to a tenth of the depth use few of the elements: with 16 elements their error is up to
+ * four times as large, relative to their own largest force.
  *
- * The array Error of a response is the error of its slow curve. This error adds to it.
+ * The array Error of a response is the error of its slow curve, to which this error must be added.
  */
 PALPATE_EXPORT double relaxationError(int elements, double exponent);
 
@@ -30,10 +30,10 @@ struct RelaxationNeed
 {
   double strength =
     0.0;               ///< largest Σ p of a point: relative excess of a fast force over a slow one
-  bool isFelt = false; ///< the excess is larger than the tolerance
-  int elements = 0; ///< fewest of 0, 4, 8, 16, 32 that keep the tolerance; 32 if none of them does
-  double error = 0.0;    ///< with `elements`
-  double simplest = 0.0; ///< with 0 elements
+  bool isFelt = false; ///< the excess exceeds the tolerance
+  int elements = 0;    ///< smallest of 0, 4, 8, 16, 32 within the tolerance; 32 if there is none
+  double error = 0.0;  ///< error with `elements` elements
+  double simplest = 0.0; ///< error with 0 elements
 };
 
 /// `points` is the number of points of terms.strength. `tolerance` (> 0) is relative to the force.

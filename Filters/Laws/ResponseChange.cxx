@@ -14,8 +14,8 @@ namespace
 {
 constexpr double StorageExponent = 1.0;
 constexpr int BetweenSamples = 8;
-// Relative difference that counts as larger: forces are floats.
-constexpr double NoticeablyMore = 1e-4;
+// Relative difference above which a change is the larger one; forces are floats.
+constexpr double LeastDifference = 1e-4;
 
 FloatCurve curveOf(const ResponseSpans& spans, std::size_t i)
 {
@@ -57,7 +57,7 @@ ResponseChange largestChange(const ResponseSpans& changed, const ResponseSpans& 
       ofUsual.evaluate(curveOf(usual, i), static_cast<double>(usual.range[i]), depth);
     const double change = with.force / without.force - 1.0;
     if (std::isfinite(change) &&
-      !(std::abs(change) <= (1.0 + NoticeablyMore) * std::abs(largest.force)))
+      !(std::abs(change) <= (1.0 + LeastDifference) * std::abs(largest.force)))
     {
       largest = { change, with.stiffness / without.stiffness - 1.0, depth };
     }

@@ -17,11 +17,11 @@ struct ResponseChange
 
 /**
  * The largest difference in force, by magnitude, of `changed` from `usual` at point `i`. Both are
- * stored with exponent 1. Checks depths that are even in √depth, eight per sample, from 1/samples²
- * of the end to the end. The end is the smallest of `deepest` (mm), both ranges and, with
- * `withinValidity`, both validities. If the changes at several depths are equal to 1e-4, the
- * smallest depth counts. All values are NaN if one of the two has no response, or if no depth is
- * left.
+ * stored with exponent 1. The compared depths are even in √depth, eight per sample, from 1/samples²
+ * of the largest depth to the largest depth. The largest depth is the smallest of `deepest` (mm),
+ * both ranges and, with `withinValidity`, both validities. If the changes at several depths are
+ * equal to 1e-4, the smallest of these depths is returned. All values are NaN if one of the two has
+ * no response, or if there is no depth to compare.
  */
 PALPATE_EXPORT ResponseChange largestChange(const ResponseSpans& changed,
   const ResponseSpans& usual, std::size_t i, double deepest, bool withinValidity);

@@ -17,9 +17,9 @@ namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
 constexpr std::size_t MostBlocks = 20; // the caller may stop after each block
-// In a block, so that the cost of starting threads is small.
+// Points of a block per thread, so that the cost of starting threads is small.
 constexpr std::size_t PointsPerThread = 65536;
-constexpr double AtTouch = 1e-3; // fraction of the first sample's depth
+constexpr double FirstContactDepth = 1e-3; // fraction of the first sample's depth
 
 /// Whether the contact at a spot is the same as on any flat half-space, up to the modulus.
 bool isBare(const ContactSpot& spot)
@@ -45,7 +45,7 @@ void ResponseFiller::estimate(const LocalContact& contact, const LawScope& scope
   this->Measured = measured;
   this->Errors = std::make_unique<ErrorRule>(this->Tool, scope);
   this->Tolerance = tolerance;
-  this->ErrorDepths = { AtTouch * this->Law.depths().front() };
+  this->ErrorDepths = { FirstContactDepth * this->Law.depths().front() };
   this->ErrorDepths.insert(
     this->ErrorDepths.end(), this->Law.depths().begin(), this->Law.depths().end());
   this->FlatStates.clear();

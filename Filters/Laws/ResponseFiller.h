@@ -31,13 +31,14 @@ struct ResponseSpans
   float* validity; ///< mm
   unsigned char* status;
   unsigned char* limit;
-  float* error = nullptr; ///< relative error at each sample; null: not kept
+  float* error = nullptr; ///< relative error at each sample; null: not stored
 };
 
-/// The errors of a measured body at each point; thread-safe. Used if the error is estimated.
+/// The errors of a measured body at each point; thread-safe. Used only if the error is estimated.
 struct MeasuredBodyError
 {
-  /// Relative error of the force at a sample (0 … n-1), by noise and distance of the measurement.
+  /// Relative error of the force at a sample (0 … n-1), caused by noise and distance of the
+  /// measurement.
   std::function<double(std::size_t point, std::size_t sample)> data;
   /// The contact with which the point was measured, for E* = 1. Its radius is 0 if the point was
   /// not measured.
@@ -50,7 +51,8 @@ struct ResponseTerms
 {
   bool curvature = false;                   ///< the body's curvature
   const StrainCorrection* strain = nullptr; ///< finite strain
-  /// Validity ends where the estimated error exceeds this; 0: validity by ValidityRule.
+  /// Validity ends at the depth at which the estimated error exceeds this value; 0: validity by
+  /// ValidityRule.
   double errorTolerance = 0.0;
   const MeasuredBodyError* measured = nullptr; ///< the material was measured
   bool edges = false; ///< the servo tick takes sharp edges into account (BodyEdges)
@@ -61,9 +63,9 @@ struct SurfaceShape
 {
   double width = 0.0; ///< mm, width of the whole body
   /// Largest normal curvature (1/mm), as in ValidityRule. Negative if the point has no triangle
-  /// with an area; its status is then Degenerate.
+  /// with an area; the status of the point is then Degenerate.
   std::function<double(std::size_t)> bound;
-  /// The curvatures. Called only if a term needs them.
+  /// The curvatures. Called only if a term requires them.
   std::function<SpotCurvature(std::size_t)> curvature;
   /// The nearest edge. Called only if the error is estimated. Empty: the body has no edges.
   std::function<NearEdge(std::size_t)> edge = {};
@@ -71,8 +73,8 @@ struct SurfaceShape
 
 /**
  * Fills the arrays of a response point by point: the curve of a law, its validity (ValidityRule.h
- * or ErrorRule.h), and the error at each sample if it is kept. The caller must set the status
- * first. The curve is zero where the status is not Valid.
+ * or ErrorRule.h), and the error at each sample if it is stored. The caller must set the status
+ * first. The curve is zero if the status is not Valid.
  */
 class PALPATE_EXPORT ResponseFiller
 {
@@ -82,23 +84,23 @@ public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
-  /// Switches on the estimate of the error: validity ends where the error exceeds `tolerance`
-  /// (> 0). `contact` belongs to the law. `contact` and `measured` (null: the material is given,
-  /// not measured) must outlive this.
+  /// Enables the estimate of the error: validity ends at the depth at which the error exceeds
+  /// `tolerance` (> 0). `contact` is the local contact of the law. `contact` and `measured` (null:
+  /// the material is given, not measured) must outlive this.
   void estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
     const MeasuredBodyError* measured = nullptr);
 
   /// Fills point `i`. Different points may be filled at the same time. `curvature` (1/mm) as in
-  /// ValidityRule. Negative if the point has no triangle with an area; its status is then
-  /// Degenerate.
+  /// ValidityRule; it is negative if the point has no triangle with an area, and the status of the
+  /// point is then Degenerate.
   void fill(std::size_t i, const ContactSpot& spot, double curvature) const;
-  /// The same, with the surface, which the error needs.
+  /// Fills point `i`, with the surface, which the estimate of the error requires.
   void fill(std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
 
 private:
   /// Fills the curve. Returns the status of the point.
   unsigned char fillCurve(std::size_t i, const ContactSpot& spot, double bound) const;
-  /// Fills the curve, and finds the validity from its error.
+  /// Fills the curve and computes its validity from its error.
   ValidityRule::Answer fillEstimated(
     std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
   template <class StateAt>
@@ -114,7 +116,7 @@ private:
   const MeasuredBodyError* Measured = nullptr;
   std::unique_ptr<ErrorRule> Errors; ///< null: error not estimated
   std::vector<double> ErrorDepths;   ///< mm: first contact, then the depths of the samples
-  /// At these depths, on a flat half-space; empty with finite strain.
+  /// The contact at ErrorDepths on a flat half-space; empty with finite strain.
   std::vector<LocalState> FlatStates;
   double Tolerance = 0.0;
 };
@@ -124,13 +126,13 @@ struct MadeResponse
 {
   bool complete = false;   ///< false: stopped before the end
   double exponent = 0.0;   ///< exponent with the least storage error
-  std::size_t without = 0; ///< points whose status is not Valid
+  std::size_t without = 0; ///< number of points whose status is not Valid
 };
 
 /// Computes the response of a tool at each of `points` points of a body. Fills the spans, whose
 /// status must be set. `range` (mm) must pass the tool's checkDepth. `goOn(fraction)` receives the
-/// completed fraction; the computation stops if it returns false. The bits do not depend on the
-/// number of threads.
+/// completed fraction; the computation stops if it returns false. The result is bit for bit the
+/// same for any number of threads.
 PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
   double range, std::size_t points, const SurfaceShape& shape, const ResponseTerms& terms,
   const ResponseSpans& spans, const std::function<bool(double)>& goOn = {});

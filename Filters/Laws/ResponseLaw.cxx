@@ -41,7 +41,7 @@ std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
 }
 } // namespace
 
-/// A curve for E* = 1 as a law that can be put in series. Its contact radius is unknown.
+/// A curve for E* = 1 as a law that can be in series. Its contact radius is unknown.
 class ResponseLaw::SampledLaw final : public IndentationLaw
 {
 public:
@@ -145,13 +145,13 @@ ResponseStatus ResponseLaw::sample(const ContactSpot& spot, float* force, float*
       ? this->scale(this->HalfSpace, spot.reducedModulus, force, stiffness)
       : this->solve(this->Tool, spot, force, stiffness);
   }
-  return this->orNothing(status, force, stiffness);
+  return this->withZeros(status, force, stiffness);
 }
 
 ResponseStatus ResponseLaw::sample(
   const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const
 {
-  return this->orNothing(this->solve(local, spot, force, stiffness), force, stiffness);
+  return this->withZeros(this->solve(local, spot, force, stiffness), force, stiffness);
 }
 
 ResponseStatus ResponseLaw::sample(
@@ -167,11 +167,11 @@ ResponseStatus ResponseLaw::sample(
     force[i] = static_cast<float>(whole);
     stiffness[i] = static_cast<float>(slope);
   }
-  return this->orNothing(status, force, stiffness);
+  return this->withZeros(status, force, stiffness);
 }
 
-/// Writes zeros unless the status is Valid.
-ResponseStatus ResponseLaw::orNothing(ResponseStatus status, float* force, float* stiffness) const
+/// Writes zeros if the status is not Valid. Returns the status.
+ResponseStatus ResponseLaw::withZeros(ResponseStatus status, float* force, float* stiffness) const
 {
   if (status != ResponseStatus::Valid)
   {
@@ -247,12 +247,12 @@ double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a)
   {
     return this->totalDeflection(spot, this->Tool.depthAtContactRadius(a));
   }
-  // On a layer a is nearly linear in √δ. It is interpolated linearly in √δ between the samples.
+  // On a layer a is nearly linear in √δ, in which it is interpolated linearly between the samples.
   const LayerCurves::Curve curve = this->Stored->sample(spot.place());
   double radius = this->Tool.smallestContactRadius();
   if (a <= radius)
   {
-    return 0.0; // a flat end has this radius from the start
+    return 0.0; // a flat end has this radius at any depth
   }
   double root = 0.0;
   for (int i = 0; i < this->Samples; ++i)

@@ -21,9 +21,9 @@ class StrainCorrection;
 /**
  * The law of one tool, sampled for storage.
  *
- * Half-space: evaluated once for E* = 1, and scaled. Layer: interpolated over the thickness
- * (LayerTable.h), and scaled. Points with a global compliance are solved one by one
- * (SeriesCompliance.h). On request (LocalContact.h) the law includes the spot's curvature
+ * On a half-space the law is evaluated once for E* = 1, and scaled. On a layer it is interpolated
+ * over the thickness (LayerTable.h), and scaled. Points with a global compliance are solved one by
+ * one (SeriesCompliance.h). On request (LocalContact.h) the law includes the spot's curvature
  * (CurvedContact.h), and finite strain multiplies the local force. Safe to use from any number of
  * threads.
  */
@@ -34,41 +34,41 @@ public:
   ResponseLaw(const AxisymmetricTool& tool, double range, int samples);
 
   /// Prepares the law for spots with a layer. `stiffening`: some spots also have a negative
-  /// compliance. The deflection of their layer exceeds the range.
+  /// compliance, so that the deflection of their layer exceeds the range.
   void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
-  /// Includes curvature and finite strain from now on, as in `contact`. `contact` must be made for
-  /// this tool and prepared for the layers.
+  /// Adds the curvature and finite strain of `contact` to the law. `contact` must be made for this
+  /// tool and prepared for the layers.
   void correct(std::shared_ptr<const LocalContact> contact) { this->Contact = std::move(contact); }
 
-  /// Writes n forces (N) and n stiffnesses (N/mm). Writes zeros if the spot has no curve, and
+  /// Writes n forces (N) and n stiffnesses (N/mm). If the spot has no curve, writes zeros and
   /// returns the reason: Folded by the compliance, OutOfReach for a layer too thin for the range,
   /// NotFinite if a number is outside the normal range of a float (1.2e-38 to 3.4e38).
   ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// The same, with a local contact that already exists.
+  /// As above, with a given local contact.
   ResponseStatus sample(
     const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// The same, with the local contact at each of depths().
+  /// As above, with the local contact at each of depths().
   ResponseStatus sample(
     const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const;
 
   /// Depths of the samples, mm.
   const std::vector<double>& depths() const { return this->Depths; }
 
-  /// The law itself at 0 < deflection <= range: F (N) and dF/dδ (N/mm). Error 1e-6 on a layer. NaN
-  /// if the contact is not stable.
+  /// The law without storage at 0 < deflection <= range: F (N) and dF/dδ (N/mm). Error 1e-6 on a
+  /// layer. NaN if the contact is not stable.
   IndentationPoint evaluate(const ContactSpot& spot, double deflection) const;
 
-  /// The deflection (mm) at which the contact radius reaches a. +inf if it never does; on a layer,
-  /// +inf if it does not within the range.
+  /// The deflection (mm) at which the contact radius is a. +inf if no deflection has this radius,
+  /// or on a layer no deflection within the range.
   double deflectionAtContactRadius(const ContactSpot& spot, double a) const;
   /// The deflection of the whole series, mm, at the depth `localDepth` of its local part.
   double totalDeflection(const ContactSpot& spot, double localDepth) const;
 
   /// Largest relative error of the force between 1 and 100 % of the range: float samples, evaluated
-  /// as the kernel does, compared with the law itself. +inf if the spot cannot be sampled.
+  /// as in the kernel, compared with the law without storage. +inf if the spot cannot be sampled.
   double storageError(double exponent, const ContactSpot& spot) const;
 
 private:
@@ -85,8 +85,8 @@ private:
   };
   class SampledLaw;
 
-  /// The body's curvature is left out where the layer is too thin for it. Finite strain is never
-  /// left out.
+  /// Whether the spot is corrected. The body's curvature is ignored if the layer is too thin for
+  /// it. Finite strain is never ignored.
   bool isCorrected(const ContactSpot& spot) const
   {
     return this->Contact && this->Contact->corrects(spot) &&
@@ -94,7 +94,7 @@ private:
   }
 
   static UnitCurve layerCurve(const LayerCurves& table, const ContactSpot& spot);
-  ResponseStatus orNothing(ResponseStatus status, float* force, float* stiffness) const;
+  ResponseStatus withZeros(ResponseStatus status, float* force, float* stiffness) const;
   ResponseStatus scale(
     const UnitCurve& curve, double reducedModulus, float* force, float* stiffness) const;
   ResponseStatus solve(
@@ -109,19 +109,19 @@ private:
   std::shared_ptr<const LayerCurves> Local;  ///< layers, with more samples, for solving in series
   ResponseSampling LocalSampling;
   double LocalRange;
-  std::shared_ptr<const LocalContact> Contact; ///< with corrections; null: none
+  std::shared_ptr<const LocalContact> Contact; ///< with corrections; null: no corrections
 };
 
 /// A tool's law, and its local contact with the corrections. Without a contact (null) the law is
-/// the textbook's.
+/// that of a flat body at small strain.
 struct PreparedLaw
 {
   ResponseLaw law;
   std::shared_ptr<const LocalContact> contact;
 };
 
-/// Makes the law of `tool` to a depth of `range` (mm) in `samples` samples, ready for all bodies
-/// within `bounds`. `hasContact`: with a local contact. `tool` and `strain` (null: small strain)
+/// Makes the law of `tool` to a depth of `range` (mm) with `samples` samples, for all bodies within
+/// `bounds`. `hasContact`: also makes the local contact. `tool` and `strain` (null: small strain)
 /// must outlive the result. Cost: 10 ms to 1 s for the tables of layers, if the body has layers.
 PALPATE_EXPORT PreparedLaw prepareLaw(const AxisymmetricTool& tool, double range, int samples,
   const MaterialRange& bounds, bool hasContact, const StrainCorrection* strain);

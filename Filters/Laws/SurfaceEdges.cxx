@@ -18,14 +18,16 @@ namespace
 {
 using Eigen::Vector3d;
 
-// Largest cosine between two directions if one continues the other.
-constexpr double Opposite = -0.3;
+// Largest cosine between two directions of which one continues the other.
+constexpr double OppositeCosine = -0.3;
 constexpr double SpacingsPerCell = 2.0; // smallest cell, in square roots of the area per point
 constexpr double LongFacet = 4.0;       // area in squared contact radii
-constexpr double MostOfTheTurn = 0.8;   // below this fraction of the turn it is a fillet or a bevel
-// Fraction of the turn so far: a smaller turn leads back behind the edge.
-constexpr double StillTurned = 0.5;
-constexpr double AnotherEdge = 2.0; // times the smallest turn beyond: a larger turn is another edge
+// An edge turns at least by this fraction within two patches; otherwise it is a fillet or a bevel.
+constexpr double SharpFraction = 0.8;
+// Fraction of the turn so far. A smaller total turn means a patch behind the edge.
+constexpr double LeastRemainingTurn = 0.5;
+// Multiple of the smallest turn beyond a patch; a larger turn is that of another edge.
+constexpr double OtherEdgeRatio = 2.0;
 
 class EdgeFinder
 {
@@ -63,14 +65,14 @@ private:
   {
     const Vector3d flat = one - one.dot(normal) * normal;
     const Vector3d beyond = other - other.dot(normal) * normal;
-    return flat.dot(beyond) < Opposite * flat.norm() * beyond.norm();
+    return flat.dot(beyond) < OppositeCosine * flat.norm() * beyond.norm();
   }
 
   /// The rate, rad/mm, at which the surface turns beyond `patch`, as seen from `from`. It is the
-  /// mean of the directions that continue. Beyond a long facet it is the smallest rate, since
-  /// another edge may end that facet. The face behind `from` does not count; at a corner, a face
-  /// beyond another sharp edge does not count either. If none of the next patches is large enough,
-  /// the rate is infinite (unknown), and no turn exceeds it.
+  /// mean over the directions that continue. Beyond a long facet it is the smallest rate, because
+  /// another edge may end that facet. The face behind `from` is ignored; at a corner, a face beyond
+  /// another sharp edge is ignored too. If none of the next patches is large enough, the rate is
+  /// infinite (unknown), and no turn exceeds it.
   double rateBeyond(int from, int patch) const
   {
     const FacePatch& here = this->Patches.at(patch);
@@ -84,7 +86,7 @@ private:
     {
       const FacePatch& beyond = this->Patches.at(next.patch);
       if (next.patch == from || !areOpposite(here.normal, beyond.centre - here.centre, back) ||
-        angleBetween(behind.normal, beyond.normal) < StillTurned * turned)
+        angleBetween(behind.normal, beyond.normal) < LeastRemainingTurn * turned)
       {
         continue;
       }
@@ -101,7 +103,7 @@ private:
     for (const NextPatch& next : known)
     {
       const double turn = this->turn(patch, next.patch);
-      if (next.isSharp && turn > AnotherEdge * leastTurn)
+      if (next.isSharp && turn > OtherEdgeRatio * leastTurn)
       {
         continue;
       }
@@ -117,7 +119,8 @@ private:
     return goesOn ? Infinity : 0.0;
   }
 
-  /// The turn of the surface between two patches, minus the turn at the rate on either side.
+  /// The turn of the surface between two patches, minus the larger of the turns at the rates on
+  /// both sides.
   double excess(int before, int after, int beforeFrom, int afterFrom) const
   {
     const double angle = this->turn(before, after);
@@ -157,7 +160,7 @@ private:
     }
   }
 
-  /// Collects the sides of patches with an edge that turn at least half as much as the sharpest
+  /// Collects the sides of patches with an edge whose turn is at least half that of the sharpest
   /// side of the patch.
   void collectSides()
   {
@@ -185,7 +188,7 @@ private:
         if (turn > 0.0 && turn >= 0.5 * sharpest[patch])
         {
           const double whole{ this->Turns[patch] };
-          const bool isSharp = turn >= PackedMesh::BluntTurn && turn >= MostOfTheTurn * whole;
+          const bool isSharp = turn >= PackedMesh::BluntTurn && turn >= SharpFraction * whole;
           const TriangleCorners& corners = this->Surface.corners[t];
           this->Sides.push_back({ corners[i], corners[(i + 1) % 3], this->Turns[patch], isSharp });
         }

@@ -19,15 +19,16 @@ using PatchVisitor =
 
 /**
  * The patch of a surface around a contact. It contains the entered points and all points connected
- * to them whose normal is within 60° of the contact normal. If `reach` > 0, a point must also be
- * within that distance (mm), or next to a point that is. Entered points always belong to the patch.
+ * to these points whose normal is within 60° of the contact normal. If `reach` > 0, a point must
+ * also be within that distance (mm), or next to a point within it. Entered points always belong to
+ * the patch.
  *
  * The distance is the length of the circular arc that is tangent to the surface at the contact and
  * at the point: chord (θ/2)/sin(θ/2). θ is the angle between the contact normal and the point
  * normal, in the plane of chord and contact normal.
  *
- * The mesh may be a piece. Points at a seam then get the normals of the whole body, and are entered
- * if they were entered on another piece.
+ * The mesh may be a piece. Points at a seam then have the normals of the whole body, and are
+ * entered if they were entered on another piece.
  */
 class PALPATE_EXPORT SurfacePatch
 {
@@ -39,7 +40,7 @@ public:
   bool has(std::int32_t point) const { return this->Seen[static_cast<std::size_t>(point)]; }
   /// Whether entered points have not been visited yet.
   bool isPending() const noexcept { return !this->Front.empty(); }
-  /// Visits the entered points and all points connected to them, each once.
+  /// Visits the entered points and all points connected to them, each point once.
   void visit(const PatchVisitor& visitor);
 
 private:
@@ -55,7 +56,7 @@ private:
 };
 
 /// Visits the patch around a contact on a triangle of the whole body. The corners of the triangle
-/// always belong to it.
+/// always belong to the patch.
 PALPATE_EXPORT void visitSurfacePatch(const BodyMesh& mesh, std::int32_t triangle,
   const Vector3& contact, const Vector3& normal, double reach, const PatchVisitor& visitor);
 } // namespace palpate

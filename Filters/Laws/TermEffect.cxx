@@ -54,10 +54,10 @@ private:
   PreparedLaw Prepared;
 };
 
-/// The value of `change(i)` that is not exceeded at a fraction `share` of the points. Negative
-/// changes are ignored.
+/// The value of `change(i)` that a fraction `share` of the points does not exceed. Negative changes
+/// are ignored.
 template <class Change>
-double largestOfMost(const PressedBody& body, const Change& change)
+double quantile(const PressedBody& body, const Change& change)
 {
   const std::size_t looked = std::min(body.points, MostPoints);
   std::vector<double> changes;
@@ -85,7 +85,7 @@ double changeOfForce(const PressedBody& body, const LawModel& whole, const LawMo
 {
   const ModelledForce reference(body, whole);
   const ModelledForce other(body, less);
-  return largestOfMost(body,
+  return quantile(body,
     [&](std::size_t i)
     {
       const ContactSpot there = reference.spot(i);
@@ -111,7 +111,7 @@ double boundOfStrain(const PressedBody& body, const LawModel& model)
   const MaterialRange& range = model.material.range();
   const ErrorRule rule(body.tool,
     { model.curvature, nullptr, Infinity, 0.0, range.hasStack() ? &range.stack : nullptr });
-  return largestOfMost(body,
+  return quantile(body,
     [&](std::size_t i)
     {
       const ContactSpot spot = force.spot(i);

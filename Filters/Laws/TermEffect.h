@@ -18,9 +18,9 @@ struct PressedBody
 {
   const AxisymmetricTool& tool;
   double range = 0.0;     ///< mm, largest compared depth; within the tool's limit
-  std::size_t points = 0; ///< of the body
+  std::size_t points = 0; ///< number of points of the body
   const SurfaceShape& shape;
-  double share = 0.95; ///< fraction of the points that a result must cover, > 0 to 1
+  double share = 0.95; ///< fraction of the points for which a result is valid, > 0 to 1
 };
 
 /// One model of a body, with more or fewer terms in its law.
@@ -32,17 +32,17 @@ struct LawModel
 };
 
 /**
- * The change of the force from the model `whole` to the model `less`: |F_less/F_whole - 1|, the
- * largest at four depths (1/16, 1/4, 9/16 and all of the range). The result is not exceeded at a
- * fraction `share` of the points. Infinite if only `whole` has a force. Uses some 400 points,
- * evenly spaced by their index; 0 if the body has no points. Cost: making the laws, and 10 to 50 µs
- * per point.
+ * The change of the force between the models `whole` and `less`: |F_less/F_whole - 1|, the largest
+ * at four depths (1/16, 1/4, 9/16 and all of the range). A fraction `share` of the points does not
+ * exceed the result. Infinite if only `whole` has a force. Uses about 400 points, evenly spaced by
+ * their index; 0 if the body has no points. Cost: the construction of the laws, and 10 to 50 µs per
+ * point.
  */
 PALPATE_EXPORT double changeOfForce(
   const PressedBody& body, const LawModel& whole, const LawModel& less);
 
-/// An upper bound of the same change for finite strain in a Neo-Hooke body: by ErrorRule, without
-/// solving.
+/// An upper bound of the change of the force by finite strain in a Neo-Hooke body, computed by
+/// ErrorRule without the solver.
 PALPATE_EXPORT double boundOfStrain(const PressedBody& body, const LawModel& model);
 } // namespace palpate
 

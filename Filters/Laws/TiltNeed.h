@@ -13,18 +13,18 @@ namespace palpate
 struct TiltNeed
 {
   double change = 0.0; ///< largest relative change of the force by any tilt
-  double angle = 0.0;  ///< tilt of the largest change, rad
+  double angle = 0.0;  ///< tilt of that change, rad
   /// Fraction of the points at which no tilt changes the force by more than the tolerance.
   double without = 0.0;
   double torque = 0.0; ///< largest torque, N mm
-  bool isFelt = false; ///< the change exceeds the tolerance at some point
+  bool isFelt = false; ///< the change exceeds the tolerance at one point at least
 };
 
 /**
  * The change of the force by a tilt at equal depth of the tip: at half of each point's range, for
- * eight tilts up to the largest. A tool with a flat or round end that is tilted about its tip is
- * deeper on one side of the tip; the change includes this effect. Uses up to 4096 points, evenly
- * spaced.
+ * eight tilts up to the largest. The deepest point of a tool with a flat or round end that is
+ * tilted about its tip is deeper than the tip; the change includes this effect. Uses up to 4096
+ * points, evenly spaced.
  */
 PALPATE_EXPORT TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance);
 

@@ -10,23 +10,23 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// The validity arrays of a response: one value per point, for the error one value per sample.
+/// The validity arrays of a response: one value per point, and for the error one value per sample.
 struct TrustSpans
 {
   float* validity = nullptr;      ///< mm
   unsigned char* limit = nullptr; ///< ResponseLimit
-  float* error = nullptr;         ///< null: not kept
+  float* error = nullptr;         ///< null: not stored
 };
 
 /**
- * Includes the error of tilts up to the largest of the table (tiltError): the error of the
- * equivalent profile on a layer, and the error of the table on a half-space, at the contact radius
- * that each sample has on a half-space. The result at each sample is the larger of this error and
- * that of the upright law. Validity ends where the error exceeds `tolerance` (> 0); its limit is
- * then Tilt.
+ * Includes the error of tilts up to the largest of the table (tiltError) in the validity: the error
+ * of the equivalent profile on a layer, and the error of the table on a half-space, at the contact
+ * radius that each sample has on a half-space. The error at each sample becomes the larger of this
+ * error and that of the upright law. Validity ends at the depth at which the error exceeds
+ * `tolerance` (> 0); its limit is then Tilt.
  *
- * `arrays` is the response with its tilts, `spots` its material. The bits do not depend on the
- * number of threads.
+ * `arrays` is the response with its tilts, `spots` its material. The result is bit for bit the same
+ * for any number of threads.
  */
 PALPATE_EXPORT void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
   const ResponseArrays& arrays, double tolerance, const TrustSpans& trust);

@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// The curves of a response whose tool may be tilted, at each point, for use offline. The servo
-/// tick uses ContactTilt instead. Safe to use from any number of threads.
+/// The curves of a response with tilt data at each point, for use offline. The servo tick uses
+/// ContactTilt instead. Safe to use from any number of threads.
 class TiltedCurves
 {
 public:
@@ -33,7 +33,7 @@ public:
     double force = 0.0;  ///< N
     double torque = 0.0; ///< M, about the tip, N mm
   };
-  /// At a depth > 0 of the tool's deepest point (mm) and a tilt (rad).
+  /// Evaluates at a depth > 0 of the tool's deepest point (mm) and a tilt (rad).
   Felt at(std::size_t point, double depth, double angle) const
   {
     std::array<double, TiltTerms::MostLaws> weights{ 1.0 };

@@ -7,9 +7,9 @@
 
 namespace palpate
 {
-/// The largest depth to which the error of a curve is within a tolerance. The search goes from the
-/// deepest sample up. Between the samples, which are at even √δ, the error is linear in √δ, as the
-/// strain of a sphere is.
+/// The largest depth to which the error of a curve is within a tolerance. The search begins at the
+/// deepest sample. Between the samples, which are at even √δ, the error is assumed to be linear in
+/// √δ, like the strain of a sphere.
 class TrustedDepth
 {
 public:
@@ -21,8 +21,8 @@ public:
   {
   }
 
-  /// Adds the error at sample k = n … 1, and last the error at first contact, k = 0. Returns true
-  /// as soon as the depth is known.
+  /// Adds the error at sample k = n … 1, and finally the error at first contact, k = 0. Returns
+  /// true as soon as the depth is known.
   bool add(std::size_t k, double error)
   {
     if (!this->Known && error <= this->Tolerance)
@@ -44,7 +44,7 @@ private:
   double Range;
   double Samples;
   double Tolerance;
-  double Below = 0.0; // the error of the previous, deeper sample
+  double Below = 0.0; // error at the preceding, deeper sample
   double Found = 0.0;
   bool Known = false;
 };

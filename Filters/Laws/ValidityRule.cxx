@@ -12,9 +12,9 @@ namespace palpate
 namespace
 {
 constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
-// Angle by which the body's normal may turn under the contact radius, rad.
+// Angle by which the body's normal may turn over the contact radius, rad.
 constexpr double NormalTurn = 0.2;
-// Relative to a layer's thickness: there, finite elements with finite strain
+// Relative to a layer's thickness: at this compression, finite elements with finite strain
 // (Data/Studies/calculix, nu = 0.45) are 4 % above the linear layer; at 0.4 they are 10 % above it.
 constexpr double Compression = 0.2;
 } // namespace
@@ -42,8 +42,8 @@ ValidityRule::Answer ValidityRule::at(const ContactSpot& spot, double curvature)
     }
   };
   const bool layer = spot.thickness > 0.0;
-  // A flat end has its full contact radius from the start, so its strain depends on the depth
-  // alone.
+  // A flat end has its full contact radius at any depth, so that its strain depends only on the
+  // depth.
   const bool widens = this->StrainRadius > this->Tool.smallestContactRadius();
   consider(layer && widens ? this->Law.deflectionAtContactRadius(spot, this->StrainRadius)
                            : this->Law.totalDeflection(spot, this->StrainDepth),

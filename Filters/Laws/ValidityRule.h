@@ -22,7 +22,7 @@ public:
   struct Answer
   {
     double depth;        ///< mm, at most the range
-    ResponseLimit limit; ///< the assumption that fails there; None at the range
+    ResponseLimit limit; ///< the assumption that fails at that depth; None at the range
   };
 
   /// Tool and law must outlive this. `range` (mm) is the range of the law, `bodyWidth` (mm) the
@@ -38,8 +38,8 @@ private:
   const ResponseLaw& Law;
   double Range;
   double StrainDepth;  ///< on a half-space
-  double StrainRadius; ///< the contact radius there
-  double HalfWidth;    ///< of the body
+  double StrainRadius; ///< the contact radius at StrainDepth
+  double HalfWidth;    ///< half the width of the body
   double WidthDepth;   ///< depth on a half-space at which the contact radius is HalfWidth
 };
 } // namespace palpate

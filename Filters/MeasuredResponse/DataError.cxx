@@ -16,7 +16,7 @@ DataError::DataError(
   const SiteMeasurement& measurement, const AxisymmetricTool& tool, double range, int samples)
   : Measurement(measurement)
 {
-  const ResponseSampling sampling(samples, 1.0); // its depths do not depend on the exponent
+  const ResponseSampling sampling(samples, 1.0); // the depths do not depend on the exponent
   const std::shared_ptr<const LayerKernel>& kernel = measurement.Identification->kernel();
   for (int i = 0; i < samples; ++i)
   {
@@ -29,7 +29,7 @@ DataError::DataError(
       const double force = bodyResponse(site->body, tool, kernel, depth).force;
       forces.push_back(std::log(force > 0.0
           ? force
-          : std::numeric_limits<double>::min())); // no force: the error becomes very large
+          : std::numeric_limits<double>::min())); // without force the error is very large
     }
     this->Open.push_back(std::move(open));
     this->LogForces.push_back(std::move(forces));

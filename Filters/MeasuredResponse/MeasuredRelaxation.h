@@ -11,8 +11,9 @@ class vtkPolyData;
 namespace palpate
 {
 /// Attaches the relaxation of the body to the response `name`: times common to the used sites
-/// (CommonRelaxation.h), the mean of the strengths of the sites, and, with several sites, the
-/// strengths at each point, interpolated between them. Attaches nothing if no site relaxes.
+/// (CommonRelaxation.h), the mean of the strengths of the sites, and, if there are several sites,
+/// the strengths at each point, interpolated between the sites. Attaches nothing if no site
+/// relaxes.
 void attachMeasuredRelaxation(
   const SiteMeasurement& measurement, const std::string& name, vtkPolyData* output);
 

@@ -19,10 +19,10 @@ struct SiteMeasurement
 {
   std::vector<MeasuredCurves> Files;
   std::vector<PlacedSite> Sites;
-  std::vector<SiteAnchor> Anchors; ///< for every site
+  std::vector<SiteAnchor> Anchors; ///< for each site
   std::unique_ptr<BodyIdentification> Identification;
   std::unique_ptr<BodyMesh> Mesh;
-  std::unique_ptr<SiteSpread> Spread; ///< for the sites that are used
+  std::unique_ptr<SiteSpread> Spread; ///< for the used sites
   std::vector<const IdentifiedBody*> Used;
 
   std::vector<double> collect(double IdentifiedBody::*member) const
@@ -35,8 +35,8 @@ struct SiteMeasurement
     return values;
   }
 
-  /// Projects the sites on the mesh, and refuses sites that are farther from it than
-  /// `largestDistance` (mm). Returns the root mean square of the distances.
+  /// Projects the sites on the mesh, and refuses sites that are farther than `largestDistance` (mm)
+  /// from the mesh. Returns the root mean square of the distances.
   double place(double largestDistance);
 
   /// The number of refused sites; `reasons` receives their names and reasons.

@@ -28,8 +28,8 @@ constexpr double InLine = 1e-3; // relative to the length of a line of points
 const std::vector<std::string_view> PairColumns = { "from_x_mm", "from_y_mm", "from_z_mm",
   "to_x_mm", "to_y_mm", "to_z_mm" };
 
-/// Reads the numbers of a row, separated by blanks or commas. Returns false if the row has anything
-/// else.
+/// Reads the numbers of a row, separated by blanks or commas. Returns false if the row contains
+/// anything else.
 bool readNumbers(const CsvReader& csv, std::vector<double>& numbers)
 {
   for (std::size_t i = 0; i < csv.size(); ++i)

@@ -45,7 +45,7 @@ SiteSpread::SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& site
         }
       });
   }
-  // A stable sort: the sites of a point stay in order.
+  // The sort is stable, so that the sites of a point remain in order.
   std::stable_sort(
     shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.point < b.point; });
 

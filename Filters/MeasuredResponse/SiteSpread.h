@@ -21,31 +21,31 @@ struct SiteAnchor
 /**
  * Interpolates values that are known at sites to the points of a body.
  *
- * A site counts at a point if the point is within `reach` (mm, straight distance), is connected
- * with the site over the surface within about that distance, and faces the same way, to 60°
- * (visitSurfacePatch). So no value crosses a thin lobe. The weights of a point's sites are those of
- * vtkShepardKernel, 1/d², multiplied by (1 - d/reach)², which is continuous at the end of a site's
- * reach (Franke and Little 1980).
+ * A site contributes to a point if the point is within `reach` (mm, straight distance), is
+ * connected with the site over the surface within about that distance, and its normal is within 60°
+ * of that of the site (visitSurfacePatch). Therefore no value is transferred through a thin lobe.
+ * The weights of a point's sites are those of vtkShepardKernel, 1/d², multiplied by (1 - d/reach)²,
+ * which is continuous at the end of a site's reach (Franke and Little 1980).
  */
 class SiteSpread
 {
 public:
   SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& sites, double reach);
 
-  /// Whether any site reaches the point.
+  /// Whether the point is within the reach of at least one site.
   bool reaches(std::int32_t point) const
   {
     return this->Start[static_cast<std::size_t>(point)] <
       this->Start[static_cast<std::size_t>(point) + 1];
   }
 
-  /// The value at a point, from one value per site. The point must be within reach of a site.
+  /// The value at a point, from one value per site. The point must be within the reach of a site.
   double at(std::int32_t point, const std::vector<double>& values) const;
   /// The weighted root mean square deviation of the sites' values from at(); 0 at a site.
   double deviationAt(std::int32_t point, const std::vector<double>& values) const;
 
 private:
-  std::vector<std::size_t> Start; ///< first site of each point in Site, and the end
+  std::vector<std::size_t> Start; ///< index in Site of the first site of each point, and the end
   std::vector<std::int32_t> Site;
   std::vector<double> Weight;
 };

@@ -91,7 +91,7 @@ struct Reading
   double time;
 };
 
-/// Appends all readings of a body that relaxes, in the order in which they were taken.
+/// Appends all readings of a body that relaxes, in the order of measurement.
 void appendHistory(const PlacedSite& site, std::size_t index,
   const std::shared_ptr<const LayerKernel>& kernel, std::vector<Reading>& readings)
 {

@@ -12,7 +12,7 @@ class vtkTable;
 
 namespace palpate
 {
-/// A site and its place on the body.
+/// A site and its position on the body.
 struct PlacedSite
 {
   MeasuredSite measured;
@@ -25,13 +25,13 @@ struct PlacedSite
 void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table);
 
 /// One row per reading of a loading, with depths from first contact: the measured force, the force
-/// made monotone, and the force of the identified body. For a body that relaxes one row for every
-/// reading, in the order of time (vtkMeasuredContactResponse.h, port 2).
+/// made monotone, and the force of the identified body. For a body that relaxes there is one row
+/// for every reading, in the order of time (vtkMeasuredContactResponse.h, port 2).
 void tabulateCurves(const std::vector<PlacedSite>& sites,
   const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);
 
 /// Reads the readings of one tool from a table with the columns of a file of curves (CurvesFile.h),
-/// as a reader of .csv files makes it. Other columns are ignored. `name` stands for the file in
+/// as made by a reader of .csv files. Other columns are ignored. `name` replaces the file name in
 /// errors. Returns a fault, with the row, or "".
 std::string curvesFromTable(
   vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves);

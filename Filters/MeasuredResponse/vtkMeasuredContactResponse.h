@@ -7,7 +7,7 @@
  * of the body, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
  * finite-element code). Sites with one name in several files are one site, measured with several
  * tools. Curves may also come as tables with the columns of such files, on the optional and
- * repeatable input port 1. A reader of .csv files drops the comments in the head of a file.
+ * repeatable input port 1. A reader of .csv files omits the comments in the head of a file.
  * Therefore the tool of a table is MeasuringTool, and its curves count as measured.
  *
  * For each site the filter separates the loading branches, measures hysteresis and the effect of
@@ -16,10 +16,10 @@
  * half-space in series with a global compliance (E*, C_g), or a layer on a rigid base (E*, h). See
  * CurvePreparation.h, BodyIdentification.h.
  *
- * A site is identified as a relaxing one if it shows a loop, a hold or an effect of speed beyond
- * the limits, and its curves have times. E* and the other parameters are then the slow response.
- * The filter adds strengths and times of up to four branches, from loading, hold and unloading
- * together (RelaxingIdentification.h).
+ * If the curves of a site have times and a loop, a hold or an effect of speed exceeds the limits, a
+ * relaxing body is identified. E* and the other parameters then describe the slow response. The
+ * filter adds strengths and times of up to four branches, from loading, hold and unloading together
+ * (RelaxingIdentification.h).
  *
  * A site is refused, with the reason, if
  * - it is not elastic and its curves have no times,
@@ -30,26 +30,28 @@
  *
  * A warning names the refused sites. It is an error if all sites are refused.
  *
- * The response of any Tool follows from the identified bodies. E*, C_g and 1/h are interpolated
- * over the surface (vtkShepardKernel) within Reach mm of a site, where the surface is connected to
- * the site and faces the same way. So no value crosses a thin lobe.
+ * The response of any Tool is computed from the identified bodies. E*, C_g and 1/h are interpolated
+ * over the surface (vtkShepardKernel) within Reach mm of a site, if the surface is connected to the
+ * site and its normal is similar to that at the site. Therefore no value is transferred through a
+ * thin lobe.
  *
  * Output port 0: the body with the response arrays of vtkToolContactResponse, and
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
  * `IdentifiedThickness` (mm, 0 for a half-space), double;
- * - `Status` 4 OutOfReach where no site reaches: no response there;
+ * - `Status` 4 OutOfReach at points that no site reaches: they have no response;
  * - `Error` and `Validity` as in vtkToolContactResponse. The error at each sample includes the
- * uncertainty at the sites (95 % intervals of the identified body, for this tool), the differences
- * between the sites around the point, and the effect of curvature and edges, as far as it differs
- * from their effect in the readings;
+ *   uncertainty at the sites (95 % intervals of the identified body, for this tool), the
+ *   differences between the sites around the point, and the effect of curvature and edges, as far
+ *   as it differs from their effect in the readings;
  * - `Limit` 6, data: noise and the differences of sites are the largest part of the error; or
- * beyond Validity the tool presses harder (force) or strains more of the body (contact radius, see
- * DataEnd.h) than any tool did in the measurement;
+ *   beyond Validity the force or the contact radius of the tool (see DataEnd.h) exceeds that of
+ *   every tool in the measurement;
  * - `RelaxationStrength` and `RelaxationTime` (field data), if a site relaxes. The curves are then
- * the slow response. The strengths are the mean over the sites, at times that are common to the
- * sites. With several sites the point data `LocalRelaxation` has their strengths, interpolated like
- * E*, 0 out of reach;
- * - field data `Model`: the identified bodies and their data. It says `synthetic` if a file does.
+ *   the slow response. The strengths are the mean over the sites, at times that are common to the
+ *   sites. With several sites the point data `LocalRelaxation` has the strengths of the sites,
+ *   interpolated like E*, 0 out of reach;
+ * - field data `Model`: the identified bodies and their data; it contains `synthetic` if a file is
+ *   synthetic.
  *
  * Output port 1: a vtkTable with a row per site: Site, Verdict (`identified`, or the reason of the
  * refusal), Model, Tools, X, Y, Z, Distance (mm, after registration), ReducedModulus, Compliance,
@@ -61,15 +63,15 @@
  * readings that MaximumStrain excludes, and the quantities that the readings do not determine.
  *
  * Output port 2: a vtkTable with a row per reading of a loading: Deflection (mm, from first
- * contact), Force (N, minus the offset and drift found), MonotoneForce (isotonic regression),
+ * contact), Force (N, minus the identified offset and drift), MonotoneForce (isotonic regression),
  * ModelForce (N), Site, Tool. For a site that relaxes it has a row per reading of the whole test,
- * in the order of time, with Time (s), and ModelForce follows that history.
+ * in the order of time, with Time (s); ModelForce is then computed for that history.
  *
  * @warning Assumes small strain, frictionless tools, and a body that is homogeneous under each
- * site. A body is identified by its response to the measuring tools: E* of a site gives no
- * information about layers thinner than the largest contact radius reached. If too few readings
- * precede the contact, forces count from zero and without drift (ArrangedReadings.h); Remark then
- * says so.
+ * site. A body is identified by its response to the measuring tools: E* of a site contains no
+ * information about layers thinner than the largest measured contact radius. If there are too few
+ * readings before the contact, forces are measured from zero and without drift
+ * (ArrangedReadings.h); Remark then reports this.
  *
  * Cost: up to a tenth of a second per site, or a second for a site that relaxes, on all cores, in
  * addition to the cost of vtkToolContactResponse.
@@ -207,8 +209,8 @@ public:
 
   ///@{
   /**
-   * The relaxation of the body, if it is known: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has its
-   * strength p >= 0, relative to the slow modulus E∞, and its time τ > 0 in seconds; up to four
+   * The relaxation of the body, if it is known: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has a
+   * strength p >= 0, relative to the slow modulus E∞, and a time τ > 0 in seconds; up to four
    * branches. The relaxation is then not identified; E* and the other parameters take the speed of
    * the test into account. Curves without times count as slow. Default: none.
    */
@@ -232,8 +234,8 @@ public:
   ///@{
   /**
    * Contact radius over tip radius up to which readings are used: the strain measure of
-   * vtkToolContactResponse. The laws are those of small strain. Remark gives the number of readings
-   * that are not used. Default 0.4.
+   * vtkToolContactResponse. The laws are those of small strain. Remark contains the number of
+   * readings that are not used. Default 0.4.
    */
   vtkSetMacro(MaximumStrain, double);
   vtkGetMacro(MaximumStrain, double);

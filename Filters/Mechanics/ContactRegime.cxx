@@ -14,7 +14,7 @@ double regimeIndex(
   {
     return nan;
   }
-  // Newton's method on F(x) = force. F is convex, so x decreases from the second step on. A step
+  // Newton's method on F(x) = force. F is convex, so that x decreases after the first step. A step
   // that does not decrease x has reached the rounding error.
   double x = deflection;
   for (int iteration = 0; iteration < 100; ++iteration)

@@ -15,11 +15,11 @@ struct IndentationPoint
 };
 
 /**
- * The force of one tool pressed δ deep into one body, for any modulus of that body: F and dF/dδ are
- * proportional to E* = E/(1-ν²).
+ * The force of one tool that is pressed to a depth δ into one body, for any modulus of that body: F
+ * and dF/dδ are proportional to E* = E/(1-ν²).
  *
- * F(δ) is convex and grows from 0. δ <= 0 gives zeros, NaN gives NaN, and a depth beyond the end of
- * the law gives NaN. Units mm, N, MPa. Immutable and safe to call from any number of threads.
+ * F(δ) is convex and increases from 0. δ <= 0 results in zeros, NaN in NaN, and a depth beyond the
+ * end of the law in NaN. Units mm, N, MPa. Immutable and safe to call from any number of threads.
  */
 class PALPATE_EXPORT IndentationLaw
 {

@@ -3,7 +3,7 @@
  * Marks the classes and functions that the kernels' shared libraries export. All others are hidden.
  *
  * Rule: in an installed header, mark each function and each class that is defined out of line.
- * Headers that are not installed (PRIVATE in palpate_add_kernel) mark nothing. Tests reach
+ * Headers that are not installed (PRIVATE in palpate_add_kernel) have no marks. Tests access
  * internals by linking palpateMechanicsInside and similar archives of the same objects.
  */
 #ifndef PalpateExport_h

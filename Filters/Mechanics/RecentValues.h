@@ -12,8 +12,9 @@
 
 namespace palpate
 {
-/// Results that take long to compute, by their whole input: the last ones used, up to a number and
-/// a sum of bytes. Thread-safe. Keys are compared one by one: meant for tens of values.
+/// A cache of results that take long to compute, found by their complete input. It keeps the most
+/// recently used results, up to a number and a total of bytes. Thread-safe. Keys are compared one
+/// by one, which is suitable for tens of values.
 template <class Key, class Value>
 class RecentValues
 {
@@ -24,7 +25,7 @@ public:
   {
   }
 
-  /// Null if there is none.
+  /// The value of a key; null if there is none.
   std::shared_ptr<const Value> find(const Key& key)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -38,7 +39,7 @@ public:
     return this->All.front().value;
   }
 
-  /// A value of `bytes`, which replaces those that were not used for longest.
+  /// Stores a value with the size `bytes`; the values that were not used for longest are removed.
   void keep(const Key& key, std::shared_ptr<const Value> value, std::size_t bytes)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -53,8 +54,8 @@ public:
     }
   }
 
-  /// The value of a key; if there is none, make() returns it with its bytes, and it is kept. Two
-  /// threads that ask at once may both make it.
+  /// The value of a key. If there is none, make() returns the value and its size, and it is stored.
+  /// Two threads with the same key at the same time may both call make().
   template <class Make>
   std::shared_ptr<const Value> get(const Key& key, const Make& make)
   {
@@ -78,7 +79,7 @@ private:
   std::size_t MostValues;
   std::size_t MostBytes;
   std::mutex Mutex;
-  std::list<Entry> All; ///< the last used first
+  std::list<Entry> All; ///< the most recently used first
 };
 } // namespace palpate
 

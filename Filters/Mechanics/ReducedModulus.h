@@ -13,14 +13,14 @@ inline bool isYoungsModulus(double youngsModulus)
   return std::isfinite(youngsModulus) && youngsModulus > 0.0;
 }
 
-/// Whether nu is a Poisson's ratio for which the half-space laws hold: 0 <= nu <= 0.5.
+/// Whether nu is a Poisson's ratio for which the half-space laws are valid: 0 <= nu <= 0.5.
 inline bool isPoissonsRatio(double poissonsRatio)
 {
   return poissonsRatio >= 0.0 && poissonsRatio <= 0.5;
 }
 
-/// E* = E / (1 - nu^2), in the unit of E (MPa here); the tool is rigid.
-/// NaN if E or nu is outside its range.
+/// E* = E / (1 - nu^2), in the unit of E (MPa); the tool is assumed to be rigid. NaN if E or nu is
+/// outside its range.
 inline double reducedModulus(double youngsModulus, double poissonsRatio)
 {
   if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonsRatio))

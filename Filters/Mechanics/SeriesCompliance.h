@@ -13,18 +13,18 @@ struct SeriesPoint
   double force = 0.0;
   double stiffness = 0.0;
   double localDeflection = 0.0;
-  /// False if no stable point exists: a negative compliance has folded the curve.
+  /// false: no stable point exists, because a negative compliance has folded the curve.
   bool stable = true;
 };
 
 /**
  * Local and global deformation in series: δ = δ_local(F; tool) + C F.
  *
- * The global deformation follows the structural compliance C (mm/N), which does not depend on the
- * tool (St. Venant, Castigliano). The local deformation follows the law of the tool. A negative C
- * (a rigid base close to the surface) is allowed until 1 + C dF/dδ_local = 0, where the curve
- * folds. Solved by Newton's method, which is monotone because F(δ_local) is convex. Cost: about
- * five evaluations of the local law.
+ * The global deformation is C F; the structural compliance C (mm/N) does not depend on the tool
+ * (St. Venant, Castigliano). The local deformation is given by the law of the tool. A negative C (a
+ * rigid base close to the surface) is allowed until 1 + C dF/dδ_local = 0, where the curve folds.
+ * Solved by Newton's method, which is monotone because F(δ_local) is convex. Cost: about five
+ * evaluations of the local law.
  */
 PALPATE_EXPORT SeriesPoint seriesResponse(
   const IndentationLaw& local, double reducedModulus, double compliance, double deflection);

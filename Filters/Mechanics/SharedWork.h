@@ -13,16 +13,16 @@
 
 namespace palpate
 {
-/// Receives the fraction done. Returns false to stop the work.
+/// A function that receives the completed fraction; it returns false to stop the work.
 using WorkObserver = std::function<bool(double)>;
 
 /**
  * Calls work(i) once for each i < count, on threadCount() threads. Each free thread takes the next
- * index. Use it for long items, and forRanges() for short ones. The result of an item must not
- * depend on the thread. Each thread has its own copy of `work`, with its own buffers.
+ * index. It is intended for long items; forRanges() is for short ones. The result of an item must
+ * not depend on the thread. Each thread has a copy of `work`, with separate buffers.
  *
- * `observer` (may be empty) is called only on the calling thread, between its items and at the end.
- * Returns false if the observer stopped the work; items that had begun are finished. `work` must
+ * `observer` (may be empty) is called only by the calling thread, between its items and at the end.
+ * Returns false if the observer stopped the work; items that had begun are completed. `work` must
  * not throw.
  */
 template <class Work>

@@ -9,12 +9,12 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Most = 1024; // a larger number is a typing error
+constexpr std::size_t Most = 1024; // a larger number is assumed to be a typing error
 
 thread_local std::size_t Limit = 0; // 0: no limit
 
-/// PALPATE_THREADS; 0 if it is not set, or not a positive number.
-std::size_t wishOfEnvironment() noexcept
+/// The number in PALPATE_THREADS; 0 if it is not set, or not a positive number.
+std::size_t environmentCount() noexcept
 {
   const char* text = std::getenv("PALPATE_THREADS");
   const long wish = text != nullptr ? std::strtol(text, nullptr, 10) : 0;
@@ -24,7 +24,7 @@ std::size_t wishOfEnvironment() noexcept
 
 std::size_t threadCount() noexcept
 {
-  static const std::size_t wish = wishOfEnvironment();
+  static const std::size_t wish = environmentCount();
   if (Limit > 0)
   {
     return wish > 0 ? std::min(Limit, wish) : Limit;

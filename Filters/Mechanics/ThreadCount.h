@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
  * The number of threads for loops of the kernels: building bodies, finite elements, reduction. The
- * servo tick uses no other threads. No result depends on the number of threads.
+ * servo tick uses no additional threads. No result depends on the number of threads.
  *
  * Default: one thread per core. The environment variable PALPATE_THREADS sets another number; it is
  * read once. Within a ThreadLimit the number is that of the limit, but at most PALPATE_THREADS if
@@ -16,11 +16,11 @@
 
 namespace palpate
 {
-/// The number for loops that the calling thread starts; at least 1.
+/// The number of threads for loops that the calling thread starts; at least 1.
 PALPATE_EXPORT std::size_t threadCount() noexcept;
 
-/// While this object lives, loops started by the same thread use `count` threads. The innermost
-/// limit applies; a limit of 0 changes nothing.
+/// During the lifetime of this object, loops started by the same thread use `count` threads. The
+/// innermost limit applies; a limit of 0 has no effect.
 class PALPATE_EXPORT ThreadLimit
 {
 public:

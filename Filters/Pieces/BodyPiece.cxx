@@ -22,7 +22,7 @@ namespace palpate
 {
 namespace
 {
-/// Copies the arrays of the response that its evaluation reads, for the points `ids` of `from`.
+/// Copies the arrays needed to evaluate the response, for the points `ids` of `from`.
 void copyResponse(vtkPolyData* from, const std::string& name, vtkIdList* ids, vtkPolyData* to)
 {
   for (const ContractArray& contract : ResponseContract)

@@ -28,10 +28,11 @@ struct TipBall
 };
 
 /**
- * The piece of a body on this rank. The triangles around given tips are cut from it.
+ * The piece of a body on this rank. The triangles around given tips can be cut from it.
  *
  * Points and triangles with a coordinate that is not finite are ignored. Built in O(n). Not
- * collective, since the seam is given. The body must not change while this object exists.
+ * collective, because the seam is given. The body must not change during the lifetime of this
+ * object.
  */
 class BodyPiece
 {
@@ -50,10 +51,10 @@ public:
   const Eigen::AlignedBox3d& box() const noexcept { return this->Box; }
 
   /**
-   * The triangles that have a corner in one of the balls, grown by `margin`. In addition, for each
-   * face of `whole`, the box of all pieces, that this piece reaches, one triangle that reaches it;
-   * so the cuts of all ranks together have that box. The cut has the arrays of the response `name`,
-   * SeamArray and CellArray.
+   * The triangles that have a corner in one of the balls, enlarged by `margin`. In addition, for
+   * each face of `whole` (the box of all pieces) that this piece reaches, one triangle that reaches
+   * this face. Therefore the cuts of all ranks together have the box `whole`. The cut has the
+   * arrays of the response `name`, SeamArray and CellArray.
    */
   vtkSmartPointer<vtkPolyData> cut(const std::vector<TipBall>& balls, double margin,
     const Eigen::AlignedBox3d& whole, const std::string& name) const;
@@ -69,8 +70,8 @@ private:
   vtkSmartPointer<vtkPolyData> Body;
   std::vector<double> Points;
   std::vector<std::int32_t> Triangles; ///< three points for each triangle
-  std::vector<char> Finite;            ///< for each triangle
-  std::vector<std::int32_t> Seam;      ///< seam for each point; -1 elsewhere
+  std::vector<char> Finite;            ///< whether each triangle is finite
+  std::vector<std::int32_t> Seam;      ///< index of each point on the seam; -1: not on the seam
   Eigen::AlignedBox3d Box;
   double LongestEdge = 0.0;
   vtkSmartPointer<vtkPolyData> Used; ///< the points that triangles use

@@ -19,8 +19,8 @@ namespace palpate
 {
 namespace
 {
-/// Maps the points of the parts to points of the body. A seam point is added by the first part that
-/// has it; later parts share it.
+/// Maps the points of the parts to points of the body. The first part with a seam point adds it;
+/// later parts share it.
 class Numbering
 {
 public:
@@ -40,7 +40,7 @@ public:
       }
       if (seam >= 0)
       {
-        here.emplace(seam, next); // other parts may share it, but not this part
+        here.emplace(seam, next); // other parts may share the point, but not this part
       }
       news->InsertNextId(i);
       numbers.push_back(next++);

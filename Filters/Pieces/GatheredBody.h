@@ -14,8 +14,8 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * The parts that BodyPiece cut on several ranks, as one body with the response `name`. The points
- * of a seam are merged. The origin of each triangle is stored.
+ * The parts that BodyPiece has cut on several ranks, as one body with the response `name`. The
+ * points of a seam are merged. The origin of each triangle is stored.
  */
 class GatheredBody
 {

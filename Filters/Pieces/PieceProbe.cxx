@@ -20,11 +20,11 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 // In longest edges: one from a triangle to its nearest corner, three that a contact crosses between
-// searches, one for the ring of neighbours there.
+// searches, and one for the ring of neighbours.
 constexpr double FacetRings = 5.0;
 constexpr double SmoothRings = 10.0;
 constexpr double Growth = 1.5;
-constexpr int MostRounds = 12; // then the whole body is gathered
+constexpr int MostRounds = 12; // after that the whole body is gathered
 
 /// The points of each polyline.
 template <class Visit>
@@ -63,7 +63,7 @@ PieceProbe::PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::st
 }
 
 /// Balls that are large enough if the nearest point is touched, and for following a contact that
-/// began there.
+/// began at that point.
 std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentation) const
 {
   std::vector<std::array<double, 3>> own;
@@ -72,7 +72,7 @@ std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentatio
     const Vector3 x = tipAt(tips, i);
     own.push_back({ x.x(), x.y(), x.z() });
   }
-  // Each rank computes the distance of its piece to every tip.
+  // Each rank computes the distance of every tip from its piece.
   const auto all = this->Among.gather(own);
   std::vector<double> distances;
   for (const auto& ofRank : all)
@@ -228,7 +228,7 @@ std::vector<double> PieceProbe::neededRadii(
   forLines(tips,
     [&](const vtkIdType* points, vtkIdType size)
     {
-      double held = 0.0; // largest distance of the followed contact from the previous tip
+      double held = 0.0; // largest distance between the followed contact and the preceding tip
       for (vtkIdType i = 0; i < size; ++i)
       {
         const auto now = static_cast<std::size_t>(points[i]);

@@ -13,19 +13,20 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * Touches a body whose pieces are on several ranks, with tips on any rank. Each rank gathers the
- * part of the body around its own tips; the kernel for one rank runs on that part.
+ * Presses tips, which may be on any rank, into a body whose pieces are on several ranks. Each rank
+ * gathers the part of the body around its own tips; the kernel for one rank then runs on that part.
  *
- * The kernel reads only triangles that are no farther from a tip than its nearest triangle or its
- * last contact, a few rings of neighbours around them, and the box of the body for its frame. So
- * the part consists of all triangles in a ball around each tip, grown by a few longest edges, and
- * of triangles that reach the box. The distances found show afterwards whether a ball was large
- * enough. If not (a contact followed into a thin body), a larger part is gathered. So the result is
- * that of the whole body, except for the order in which normals around a point are summed. The
- * search on smooth patches has no such bound; it gets a wider margin.
+ * The kernel reads only triangles that are no farther from a tip than the nearest triangle or the
+ * last contact, a few rings of neighbours around these triangles, and the box of the body for its
+ * frame. Therefore the part consists of all triangles in a ball around each tip, enlarged by a few
+ * longest edges, and of triangles that touch the box. The computed distances show afterwards
+ * whether a ball was large enough. If not (a contact followed into a thin body), a larger part is
+ * gathered. Therefore the result is that of the whole body, except for the order in which normals
+ * around a point are summed. The search on smooth patches has no such bound; a wider margin is used
+ * for it.
  *
- * Memory: each rank holds the parts around its own tips. In the worst case, with tips all over the
- * body or triangles as long as it, that is the whole body. All calls are collective.
+ * Memory: each rank stores the parts around its own tips. In the worst case, with tips all over the
+ * body or triangles as long as the body, that is the whole body. All calls are collective.
  */
 class PieceProbe
 {
@@ -33,10 +34,10 @@ public:
   /// `piece` must have the response `name`, or be empty.
   PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::string& name);
 
-  /// Computes the contacts of the own tips. Returns the same error on all ranks, or "".
+  /// Computes the contacts of the tips of this rank. Returns the same error on all ranks, or "".
   std::string touch(const PressedTips& pressed, std::vector<PieceTouch>& touched);
 
-  /// The defects of the mesh around the own tips (describeDefects).
+  /// The defects of the mesh around the tips of this rank (describeDefects).
   const std::string& defects() const noexcept { return this->Defects; }
 
 private:

@@ -22,7 +22,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double SameNormal = 1e-4; // per component of unit normals, which a file may have rounded
+// Per component of unit normals, which may have been rounded in a file.
+constexpr double NormalTolerance = 1e-4;
 
 /// A point of a border, as sent to the other ranks.
 struct BorderPoint
@@ -36,7 +37,7 @@ struct BorderPoint
     {
       if (!(std::abs(this->at[k] - other.at[k]) <= tolerance) ||
         !(std::abs(static_cast<double>(this->normal[k]) - static_cast<double>(other.normal[k])) <=
-          SameNormal))
+          NormalTolerance))
       {
         return false;
       }
@@ -52,7 +53,7 @@ struct Edge
   std::int32_t to;
 };
 
-/// The part of a piece within the boxes of other pieces. A seam is possible only there.
+/// The part of a piece within the boxes of other pieces, in which a seam is possible.
 class Overlap
 {
 public:
@@ -68,7 +69,7 @@ public:
       within[i] = std::any_of(others.begin(), others.end(),
         [&x](const Eigen::AlignedBox3d& box) { return box.contains(x); });
     }
-    // Takes all triangles around those points, so that all edges at the points are known.
+    // Includes all triangles around those points, so that all edges at the points are known.
     std::vector<std::int32_t> number(count, -1);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     {
@@ -145,16 +146,16 @@ Eigen::AlignedBox3d boxOf(vtkPolyData* body)
   return box;
 }
 
-/// Finds points at the same place by a grid whose cells are wider than the tolerance.
-class SamePlace
+/// Finds points at the same position by a grid whose cells are wider than the tolerance.
+class PositionGrid
 {
 public:
-  explicit SamePlace(double tolerance)
+  explicit PositionGrid(double tolerance)
     : Tolerance(tolerance)
     , Size(8.0 * tolerance)
   {
   }
-  /// The group of the point: that of an earlier point at the same place, or a new group.
+  /// The group of the point: that of an earlier point at the same position, or a new group.
   std::int32_t groupOf(const BorderPoint& point)
   {
     std::array<std::int64_t, 3> low{};
@@ -200,7 +201,8 @@ private:
   {
     return static_cast<std::int64_t>(std::floor(x / this->Size));
   }
-  /// A key of a cell. Cells may share a key; the comparison of the points distinguishes them.
+  /// The key of a cell. Several cells may have the same key; the comparison of the points
+  /// distinguishes them.
   static std::uint64_t keyOf(const std::array<std::int64_t, 3>& cell)
   {
     std::uint64_t key = 0;
@@ -242,7 +244,7 @@ std::vector<BorderPoint> describe(vtkPolyData* body, const std::vector<std::int3
   return described;
 }
 
-/// The boxes of the other ranks' pieces, grown by the tolerance, which is the same on all ranks.
+/// The boxes of the other ranks' pieces, enlarged by the tolerance, which is the same on all ranks.
 std::vector<Eigen::AlignedBox3d> findOthers(
   const Ranks& ranks, vtkPolyData* body, double& tolerance)
 {
@@ -273,11 +275,11 @@ std::vector<Eigen::AlignedBox3d> findOthers(
   return others;
 }
 
-/// The number of the place for each border point of each rank.
+/// The group of each border point of each rank.
 std::vector<std::vector<std::int32_t>> findGroups(
   const std::vector<std::vector<BorderPoint>>& points, double tolerance)
 {
-  SamePlace place(tolerance);
+  PositionGrid place(tolerance);
   std::vector<std::vector<std::int32_t>> groups(points.size());
   for (std::size_t rank = 0; rank < points.size(); ++rank)
   {
@@ -289,7 +291,7 @@ std::vector<std::vector<std::int32_t>> findGroups(
   return groups;
 }
 
-/// The number as a seam point for each group; -1 if the group is on one rank only.
+/// The index of each group as a seam point; -1 if the group is on one rank only.
 std::vector<std::int32_t> numberSeams(const std::vector<std::vector<std::int32_t>>& groups)
 {
   constexpr int unseen = -1;

@@ -32,18 +32,18 @@ public:
   /// The tangent of the last linearize(); its lower half.
   const Matrix& pattern() const { return this->Tangent; }
 
-  /// The potential, N mm; +inf where the body has turned inside out.
+  /// The potential, N mm; +inf if an element of the body is turned inside out.
   double energy(const Vector& u, double depth) const;
   /// Computes the gradient and the tangent of the potential.
   void linearize(const Vector& u, double depth, Vector& gradient);
-  /// Must be called with each step that was made from the last linearization.
+  /// Updates the pressures for a step. Must be called with each step of the last linearization.
   void follow(const Vector& step);
-  /// Forgets the pressures, for a `u` that was not reached by steps.
+  /// Clears the pressures. To be called if `u` was not reached by steps.
   void restart() { this->Pressures.clear(); }
-  /// All values except the number of iterations. The force is that of the penalty.
+  /// Computes all values except the number of iterations. The force is that of the penalty.
   FinitePoint evaluate(const Vector& u, double depth) const;
-  /// Derivatives with respect to the depth at an equilibrium whose factorized tangent is in
-  /// `solver`: of the displacements, and of the energy of the penalty, N.
+  /// Derivatives by the depth at an equilibrium whose factorized tangent is in `solver`: of the
+  /// displacements, and of the energy of the penalty, N.
   struct Course
   {
     Vector motion;
@@ -93,7 +93,7 @@ private:
 
   ElementVector gather(const Element& element, const Vector& u) const;
   double energyOf(const Element& element, const ElementVector& u, double* leastVolume) const;
-  /// Linearizes one element. `followed` is the pressure that the last step has followed, or null.
+  /// Linearizes one element. `followed` is the pressure after the last step, or null.
   void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* followed,
     ElementVector& gradient, ElementMatrix& tangent, PressureStep& step) const;
   Eigen::Vector2d displacementAt(const SurfacePoint& point, const Vector& u) const;
@@ -113,8 +113,8 @@ private:
   Matrix Tangent;
   // The pressures of elements and of contact are separate unknowns, eliminated from each step. If
   // they were computed from a volume change or a gap out of equilibrium, the tangent would differ
-  // much from that at the solution.
-  std::vector<Eigen::Vector3d> Pressures; ///< empty: computed from the displacements
+  // greatly from that at the solution.
+  std::vector<Eigen::Vector3d> Pressures; ///< empty: to be computed from the displacements
   std::vector<double> ContactPressures;   ///< MPa, < 0
   std::vector<PressureStep> Steps;
   std::vector<Gap> Gaps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh of a FiniteBody: its elements, fixed displacements and numbers of the unknowns.
+// The mesh of a FiniteBody: its elements, fixed displacements and indices of the unknowns.
 #include "Strain/FiniteBody.h"
 
 #include "Strain/GradedMesh.h"
@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Growth = 1.6;
 constexpr double FarAway = 1000.0;      // distance at which a half-space is fixed, in contact radii
-constexpr double PenaltyFactor = 300.0; // times E* per contact radius
+constexpr double PenaltyFactor = 300.0; // multiple of E* per contact radius
 constexpr double ElementsPerFillet = 5.0;
 constexpr double CentralHole = 0.02; // fraction of a ball's radius, where elements would have no
                                      // width
@@ -35,7 +35,7 @@ Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
     -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
-/// The end of a half-space's mesh. It is farther away below stiffer layers.
+/// The end of a half-space's mesh. It is farther away if the layers above are stiffer.
 double farEnd(const FiniteProblem& problem, double above)
 {
   double stiffest = 1.0;
@@ -46,8 +46,8 @@ double farEnd(const FiniteProblem& problem, double above)
   return above + FarAway * stiffest * problem.contactRadius;
 }
 
-/// Depth of the mesh. `above` is the thickness of the finite layers. In a ball the mesh goes almost
-/// to the centre.
+/// Depth of the mesh. `above` is the thickness of the finite layers. The mesh of a ball extends
+/// almost to the centre.
 double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const bool isWholeBall = isHalfSpace && problem.bodyRadius > 0.0;

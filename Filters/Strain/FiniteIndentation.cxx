@@ -16,9 +16,10 @@ namespace
 using Eigen::VectorXd;
 
 constexpr int MostIterations = 14;
-constexpr int MostHalvings = 4;        // of a step of Newton's method, which then has failed
-constexpr int MostCuts = 7;            // halvings of a step in depth
-constexpr double LargestGrowth = 1.3;  // factor of the depth per step: the contact grows with it
+constexpr int MostHalvings = 4; // of a step of Newton's method; after that the method has failed
+constexpr int MostCuts = 7;     // halvings of a step in depth
+// Factor of the depth per step, because the contact grows with the depth.
+constexpr double LargestGrowth = 1.3;
 constexpr double FirstFraction = 0.05; // fraction of the first depth, for the step from the
                                        // undeformed body
 constexpr double Converged = 1e-12; // largest gain of a further iteration, relative to the energy
@@ -35,7 +36,7 @@ public:
     this->Solver.analyzePattern(this->Body.pattern());
   }
 
-  /// Goes from the last depth to this depth. Returns false if it finds no equilibrium.
+  /// Moves from the last depth to this depth. Returns false if no equilibrium is found.
   bool to(double depth, FinitePoint& point)
   {
     int iterations = 0;
@@ -88,7 +89,7 @@ private:
       }
       const VectorXd step = -this->Solver.solve(this->Gradient);
       const double slope = this->Gradient.dot(step);
-      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or the residual is rounding
+      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or only rounding is left
       {
         return std::abs(slope) <= Converged * energy;
       }

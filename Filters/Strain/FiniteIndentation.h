@@ -30,19 +30,19 @@ struct FiniteProblem
 {
   std::vector<FiniteLayer> layers; ///< the last may be a half-space; otherwise the base is rigid
   bool slipBase = false; ///< whether the last layer slips on the rigid base without friction
-  /// Radius of the body's surface, mm. 0: flat. Above 0: a ball that is pressed from two opposite
-  /// sides. Below 0: a spherical cavity that is pressed at one side. The magnitude must be at least
-  /// two contact radii. Layers are shells; the half-space is the rest of the ball, or the body
-  /// around the cavity.
+  /// Radius of the body's surface, mm. 0: a flat surface. > 0: a ball that is pressed from two
+  /// opposite sides. < 0: a spherical cavity that is pressed at one side. The magnitude must be at
+  /// least two contact radii. Layers are shells; the half-space is the rest of the ball, or the
+  /// body around the cavity.
   double bodyRadius = 0.0;
-  /// The largest expected contact radius, mm; the mesh is made for it.
+  /// The largest expected contact radius, mm, for which the mesh is made.
   double contactRadius = 1.0;
   std::vector<double> depths; ///< depths of the tool's tip, mm, ascending, > 0
   /// Length of the elements under the tool, relative to the contact radius; from ShortestEdge to
   /// LongestEdge.
   double edge = 0.05;
 
-  static constexpr double ShortestEdge = 0.002; ///< gives a million elements
+  static constexpr double ShortestEdge = 0.002; ///< corresponds to a million elements
   static constexpr double LongestEdge = 0.5;
 };
 
@@ -57,7 +57,7 @@ struct FinitePoint
   int iterations = 0;         ///< iterations of Newton's method
 };
 
-/// The points found, and the reason why later points are missing.
+/// The computed points, and the reason why later points are missing.
 struct FiniteCurve
 {
   std::vector<FinitePoint> points;
@@ -67,23 +67,24 @@ struct FiniteCurve
 /**
  * Presses a tool of revolution without friction into a layered body at finite strain.
  *
- * Axisymmetric elements with nine nodes and quadratic displacements. The volume change is projected
- * on three linear functions per element (Q2/P1), so that nearly incompressible bodies do not lock.
- * The pressure is eliminated within the element, so that the solution is the minimum of one
- * potential. Energy and stress follow StrainEnergy.h. Contact is a potential ½ε⟨-g⟩² of the signed
- * distance g between points of the deformed surface and the tool; its effect on the force is
- * corrected to first order. Solved by Newton's method. A step that turns an element inside out is
- * shortened. An increment of depth that does not converge is halved.
+ * Elements are axisymmetric, with nine nodes and quadratic displacements. The volume change is
+ * projected on three linear functions per element (Q2/P1), so that nearly incompressible bodies do
+ * not lock. The pressure is eliminated within the element, so that the solution is the minimum of
+ * one potential. Energy and stress are those of StrainEnergy.h. Contact is a potential ½ε⟨-g⟩² of
+ * the signed distance g between points of the deformed surface and the tool; its effect on the
+ * force is corrected to first order. The equations are solved by Newton's method. A step that turns
+ * an element inside out is shortened. An increment of depth that does not converge is halved.
  *
- * The mesh of a half-space ends at a thousand contact radii, multiplied by the ratio by which the
- * half-space is softer than the stiffest layer on it. Its end is fixed (an error of 0.1 %).
+ * The mesh of a half-space ends at a thousand contact radii, multiplied by the ratio of the modulus
+ * of the stiffest layer on the half-space to its own modulus. The nodes at the end are fixed (an
+ * error of 0.1 %).
  *
  * If all layers are linear, kinematics and contact are linear, too: the points of the surface move
  * straight down below the undeformed tool, as in the laws of small strain. The ratio of the two
  * results on the same mesh is the effect of finite strain, almost free of the error of the mesh.
  *
- * `goOn(fraction)` receives the fraction done; if it returns false, the solution stops. Cost: 0.1
- * to 0.3 s per iteration, 5 to 20 iterations per depth. Memory: about 100 MB.
+ * `goOn(fraction)` receives the completed fraction; if it returns false, the solution stops. Cost:
+ * 0.1 to 0.3 s per iteration, 5 to 20 iterations per depth. Memory: about 100 MB.
  */
 PALPATE_EXPORT FiniteCurve pressTool(const ToolOutline& tool, const FiniteProblem& problem,
   const std::function<bool(double)>& goOn = {});

@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double ForSmallStrain = 0.3; // fraction of the time
-constexpr double ReachOfOutline = 3.0; // contact radii
+constexpr double SmallStrainTime = 0.3; // fraction of the time
+constexpr double OutlineReach = 3.0;    // contact radii
 /// A step of the continuation of a rim: factor of its fillet, and factor of the length of its
 /// elements.
 struct Round
@@ -19,10 +19,11 @@ struct Round
   double edge;
 };
 constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
-/// In radii of a rim's fillet. At larger depths the surface creases next to the rim, and c is up to
-/// 1.5 % too low.
+/// Depth in radii of a rim's fillet. At larger depths the surface creases next to the rim, and c is
+/// up to 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-constexpr double TimeLeft = 0.3; // fraction of the remaining time that is left for rounder rims
+constexpr double ReservedTime =
+  0.3; // fraction of the remaining time that is reserved for rounder rims
 
 /// c with one fillet, to the largest depth that has an equilibrium.
 std::vector<double> factorsWith(
@@ -33,13 +34,13 @@ std::vector<double> factorsWith(
     return pressTool(
       outline, problem, [&](double fraction) { return goOn(from + width * fraction); });
   };
-  const FiniteCurve finite = forces(ForSmallStrain, 1.0 - ForSmallStrain);
+  const FiniteCurve finite = forces(SmallStrainTime, 1.0 - SmallStrainTime);
   problem.depths.resize(finite.points.size());
   for (FiniteLayer& layer : problem.layers)
   {
     layer.model = StrainModel::Linear;
   }
-  const FiniteCurve small = forces(0.0, ForSmallStrain);
+  const FiniteCurve small = forces(0.0, SmallStrainTime);
   std::vector<double> factors;
   for (std::size_t k = 0; k < small.points.size(); ++k)
   {
@@ -53,7 +54,7 @@ std::vector<double> factorsWith(
 
 ToolOutline solvedOutline(const AxisymmetricTool& tool, double contactRadius, double fillet)
 {
-  return { tool, ReachOfOutline * contactRadius, fillet };
+  return { tool, OutlineReach * contactRadius, fillet };
 }
 
 std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FiniteProblem& problem,
@@ -67,8 +68,8 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   {
     const double roundness = round.fillet * fillet;
     const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
-    // The last known depth is solved again, to compare both rims. The first depth is the start on
-    // the way to it, as before.
+    // The last known depth is solved again, to compare both rims. The first depth is solved before
+    // it, as with the sharper rim.
     const std::size_t again = std::min<std::size_t>(factors.size(), 2);
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);
@@ -88,7 +89,7 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
     {
       continue;
     }
-    const double width = (1.0 - from) * (1.0 - TimeLeft);
+    const double width = (1.0 - from) * (1.0 - ReservedTime);
     const std::vector<double> found = factorsWith(outline, rest,
       [&](double fraction)
       {

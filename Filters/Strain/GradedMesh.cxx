@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// The size at x: the size of a range inside it, growing with the distance outside it.
+/// The size at x: the size of a range inside it, increasing with the distance outside it.
 double sizeAt(double x, const std::vector<FineRange>& fine, double growth)
 {
   double size = HUGE_VAL;
@@ -35,7 +35,7 @@ std::vector<double> gradedDivision(
     double x = start;
     while (x < stop)
     {
-      // The finer end gives the size, so that the elements become small before a range begins.
+      // The finer end determines the size, so that the elements become small before a range begins.
       const double size = sizeAt(x, fine, growth);
       x += std::min(size, std::max(sizeAt(x + size, fine, growth), size / growth));
       inner.push_back(x);

@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// The line with three nodes on [-1, 1], from which the elements of a FiniteBody are built.
+/// The three-node line element on [-1, 1], of which the elements of a FiniteBody are products.
 namespace palpate::QuadraticLine
 {
 /// Gauss's rule with three points.

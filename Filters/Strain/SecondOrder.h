@@ -8,8 +8,8 @@ namespace palpate
 {
 /**
  * A number with its first and second derivatives with respect to N variables: second-order forward
- * automatic differentiation. With it a strain energy is written as one line, and stress and tangent
- * follow.
+ * automatic differentiation. A strain energy is then written as one line, from which stress and
+ * tangent are computed.
  */
 template <int N>
 struct SecondOrder
@@ -26,7 +26,7 @@ struct SecondOrder
     : value(constant)
   {
   }
-  /// The variable with this index.
+  /// The variable with the index `index`.
   static SecondOrder variable(double value, int index)
   {
     SecondOrder x(value);
@@ -64,7 +64,7 @@ struct SecondOrder
   }
 };
 
-/// f(x) from the value and the first two derivatives of f at x.
+/// f(x), computed from the value and the first two derivatives of f at x.
 template <int N>
 SecondOrder<N> compose(const SecondOrder<N>& x, double f, double first, double second)
 {

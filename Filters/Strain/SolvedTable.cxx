@@ -14,14 +14,13 @@ namespace palpate
 {
 namespace
 {
-// c is linear in √δ near 0, and the mesh cannot resolve contacts of a few elements.
+// c is linear in √δ near 0, and contacts of a few elements cannot be resolved by the mesh.
 const std::vector<double> SolvedRoots = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
 constexpr int RatioNodes = 4;           // one if there is a single value
 constexpr double ThicknessStep = 2.0;   // largest ratio of neighbouring nodes
 constexpr double DeepestFraction = 0.7; // of the thickness of the layers on a rigid base
 constexpr double SolvedError = 0.003;   // error of c due to mesh, far field and interpolation
-constexpr double CornerError = 0.01;    // error of c: a corner's fillet compared with one half as
-                                        // large
+constexpr double CornerError = 0.01;    // error of c: the difference to a fillet half as large
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
 {
@@ -47,7 +46,7 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
-/// Large enough for the thickest layer, and at most a fraction of the thickness everywhere.
+/// The reach is `deepest` for the thickest layers, and at most a fraction of the total thickness.
 StrainReach reachOf(double deepest, const StrainBodies& bodies)
 {
   const LayerStack& stack = bodies.stack;
@@ -65,7 +64,7 @@ StrainReach reachOf(double deepest, const StrainBodies& bodies)
   return reach;
 }
 
-/// The layers for the solver. The top layer gets 1 MPa, since c is dimensionless.
+/// The layers for the solver. The modulus of the top layer is 1 MPa, because c is dimensionless.
 LayerStack solvedStack(const StrainBodies& bodies)
 {
   LayerStack stack = bodies.stack;
@@ -85,7 +84,7 @@ LayerStack solvedStack(const StrainBodies& bodies)
   return stack;
 }
 
-/// Additional error of c for layers with a Poisson's ratio that is not solved.
+/// Additional error of c for layers whose Poisson's ratio is above the largest solved one.
 double ratioError(const LayerStack& stack)
 {
   const auto isBeyond = [](const StackLayer& layer)

@@ -23,7 +23,7 @@ Number exponential(const Number& x)
   return compose(x, e, e, e);
 }
 
-/// exp(x) - 1 - x, which is of second order.
+/// exp(x) - 1 - x, a term of second order.
 template <class Number>
 Number beyondLinear(const Number& x)
 {
@@ -34,8 +34,8 @@ Number beyondLinear(const Number& x)
   return compose(x, value, grown, 1.0 + grown);
 }
 
-/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 due to the volume alone. Its derivative is exactly
-/// (2/3) j (1+j)^(-5/3).
+/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 that is due to the volume change. Its derivative is
+/// exactly (2/3) j (1+j)^(-5/3).
 template <class Number>
 Number volumetricPart(const Number& j)
 {
@@ -92,18 +92,19 @@ template <class Number>
 Number isochoricStretch(const StrainEnergy::Gradient<Number>& h, const Number& j)
 {
   const auto& [a, b, c, d, e] = h;
-  // I₁-3 - 2(J-1), in which the linear parts cancel analytically.
+  // I₁-3 - 2(J-1), in which the linear terms cancel analytically.
   const Number plane = a * d - b * c;
   const Number s = a * a + b * b + c * c + d * d + e * e - 2.0 * (plane + e * (a + d) + e * plane);
   return s * exponential(-2.0 / 3.0 * logOnePlus(j)) + volumetricPart(j);
 }
 
-/// Σ λ̄^α - 3 in logarithmic strains, whose linear parts cancel since their sum is 0.
+/// Σ λ̄^α - 3 in logarithmic strains, whose linear terms cancel because the sum of the strains is
+/// 0.
 template <class Number>
 Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double alpha)
 {
   const auto& [a, b, c, d, e] = h;
-  // C in the plane, minus the identity. The eigenvalues of C are m ± √q (and one more).
+  // C in the plane, minus the identity. The eigenvalues of C in the plane are m ± √q.
   const Number rr = 2.0 * a + a * a + c * c;
   const Number zz = 2.0 * d + d * d + b * b;
   const Number rz = b + c + a * b + c * d;

@@ -12,13 +12,13 @@ namespace palpate
 {
 /**
  * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution.
- * Together with the volumetric energy K/2 (J-1)² (projected by the elements, see
- * FiniteIndentation.h) it is the whole energy. μ = E/2(1+ν), K = E/3(1-2ν): at small strain all
- * models agree with Hooke's law.
+ * The total energy is the sum of this energy and the volumetric energy K/2 (J-1)² (projected by the
+ * elements, see FiniteIndentation.h). μ = E/2(1+ν), K = E/3(1-2ν): at small strain all models agree
+ * with Hooke's law.
  *
- * The energy is written in the displacement gradient H = F-1, so that neither the energy nor the
+ * The energy is expressed by the displacement gradient H = F-1, so that neither the energy nor the
  * stress of a small strain is a difference of large numbers. Far from a contact, where elements are
- * huge, the rounding error of such a difference would exceed the result.
+ * very large, the rounding error of such a difference would exceed the result.
  */
 class PALPATE_EXPORT StrainEnergy
 {
@@ -37,7 +37,7 @@ public:
 
   bool isLinear() const noexcept { return this->Model == StrainModel::Linear; }
 
-  /// J - 1; for a linear material the trace. At -1 and below the body has turned inside out.
+  /// J - 1; for a linear material the trace. For values <= -1 the body is turned inside out.
   template <class Number>
   Number volumeChange(const Gradient<Number>& h) const;
   /// The energy, for J > 0. `volumeChange` is that of h.

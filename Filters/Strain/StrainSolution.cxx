@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-constexpr auto Between = std::chrono::milliseconds(100); // interval between calls of goOn
+constexpr auto CallInterval = std::chrono::milliseconds(100); // interval between calls of goOn
 
 /// One row of a table.
 struct StrainRow
@@ -144,7 +144,7 @@ std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
   return key;
 }
 
-/// Solves all rows. Returns false if `goOn` stopped it.
+/// Solves all rows. Returns false if `goOn` has stopped the solution.
 bool solveRows(std::size_t rows,
   const std::function<void(std::size_t, const std::function<bool(double)>&)>& solve,
   std::size_t threadsAtMost, const std::function<bool(double)>& goOn)
@@ -180,7 +180,7 @@ bool solveRows(std::size_t rows,
   std::unique_lock<std::mutex> lock(mutex);
   while (working > 0)
   {
-    left.wait_for(lock, Between);
+    left.wait_for(lock, CallInterval);
     double sum = 0.0;
     for (const std::atomic<double>& each : done)
     {

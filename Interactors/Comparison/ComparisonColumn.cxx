@@ -36,7 +36,7 @@ namespace
 constexpr double PanelTop = 0.115;
 constexpr double ChartTop = 0.46;
 constexpr int TitleSize = 19;
-// The arrow's scale is kept for forces up to this many times larger or smaller.
+// The arrow's scale is unchanged while the force changes by less than this factor.
 constexpr double SameScale = 4.0;
 
 /// The corner of a cell that is nearest to `place`.

@@ -21,7 +21,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// One of the bodies that are compared. It shows from top to bottom: title, the body under the tool
+/// One of the compared bodies. The column shows from top to bottom: title, the body under the tool
 /// or its regime map, the curves of all tools at the contact, the verdict. Functions that return
 /// text return the error, or "".
 class ComparisonColumn
@@ -32,10 +32,11 @@ public:
   ComparisonColumn(const ComparisonColumn&) = delete;
   ComparisonColumn& operator=(const ComparisonColumn&) = delete;
 
-  /// Occupies the part of the window between two fractions of its width.
+  /// Assigns the column to the part of the window between two fractions of its width.
   void addTo(vtkRenderWindow* window, double left, double right);
 
-  // Sets the body. The verdict is computed when something is shown.
+  // The following functions set the body, tools and material. The verdict is computed when a
+  // contact or point is shown.
   void setBody(vtkPolyData* body, const std::string& title);
   void setTools(const std::vector<ComparedTool>& tools);
   void setMaterial(const ComparedMaterial& material);
@@ -44,9 +45,9 @@ public:
 
   std::string showTip(vtkPolyData* probed, vtkIdType index);
   std::string showSession(vtkHapticSession* session);
-  /// Shows curves and verdict at the point of the body nearest to `place`, mm.
+  /// Shows curves and verdict at the point of the body that is nearest to `place`, mm.
   std::string showPlace(const double place[3]);
-  /// -1: by displacement; otherwise a vtkRegimeMap::MapQuantity of the shown tool.
+  /// -1: the displacement; otherwise a vtkRegimeMap::MapQuantity of the shown tool.
   std::string colorBy(int quantity);
 
   vtkPolyData* body();
@@ -70,7 +71,7 @@ private:
   std::size_t ShownTool = 0;
   vtkIdType JudgedPoint = -1; ///< point of the statement; -1: none, or outdated
   RegimeStatement Statement;
-  double ArrowForce = 0.0; ///< N, force for which the scale of the arrow was chosen
+  double ArrowForce = 0.0; ///< N, force to which the scale of the arrow is adapted
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkContactScene> Scene;

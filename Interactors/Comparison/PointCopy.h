@@ -10,7 +10,7 @@ class vtkPolyData;
 namespace palpate
 {
 /// A body with one point, the data of this point, and the field data of `body`, so that filters
-/// compute for this point alone. It has no cells.
+/// compute only this point. It has no cells.
 vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
 } // namespace palpate
 

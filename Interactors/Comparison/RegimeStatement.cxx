@@ -26,12 +26,12 @@ namespace
 constexpr int Depths = 160; // between 0 and the range, closer together near 0
 constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
-/// The depths at which a point is judged, and the most cautious verdict of the tools so far.
+/// The depths at which a point is evaluated, and the most cautious verdict of the tools so far.
 struct DepthVerdicts
 {
-  std::vector<double> depths; ///< rising
+  std::vector<double> depths; ///< ascending
   std::vector<int> verdicts;
-  std::size_t asked = 0; ///< the depth requested
+  std::size_t asked = 0; ///< index of the requested depth
 };
 
 DepthVerdicts makeDepths(double range, double asked)
@@ -122,7 +122,7 @@ double spreadOf(const std::vector<ToolRegime>& tools)
   return (largest - least) * static_cast<double>(tools.size()) / sum;
 }
 
-/// The results for all tools together.
+/// Computes the common results of all tools.
 void summarize(const DepthVerdicts& all, RegimeStatement& statement)
 {
   const auto sameAs = [&](std::size_t i) { return all.verdicts[i] == all.verdicts[all.asked]; };

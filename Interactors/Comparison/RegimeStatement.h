@@ -13,7 +13,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A tool, and the prefix of its responses on the bodies that are compared.
+/// A tool, and the prefix of its responses on the compared bodies.
 struct ComparedTool
 {
   vtkSmartPointer<vtkContactTool> tool;
@@ -31,31 +31,31 @@ struct ComparedMaterial
 /// Results for one tool pressed at one point: see RegimeLaw.h. NaN if there is no stable contact.
 struct ToolRegime
 {
-  double force = 0.0; ///< N, of the stored response
+  double force = 0.0; ///< N, from the stored response
   double index = 0.0; ///< λ
   double sensitivity = 0.0;
   int verdict = 0;
   double validity = 0.0; ///< of the response, mm
 };
 
-/// The comparison of several tools pressed equally deep at one point of a body.
+/// The comparison of several tools pressed to the same depth at one point of a body.
 struct RegimeStatement
 {
   double deflection = 0.0;       ///< mm
   std::vector<ToolRegime> tools; ///< one per tool, in the order of the tools
   int verdict = 0;               ///< the most cautious verdict of all tools
-  double from = 0.0;             ///< mm: the verdict is the same from here ...
-  double to = 0.0;               ///< ... to here, at most to the end of the responses
+  double from = 0.0;             ///< least depth with the same verdict, mm
+  double to = 0.0;               ///< largest depth with the same verdict, mm, within the responses
   double spread = 0.0;           ///< (largest - smallest force)/mean
-  double validity = 0.0;         ///< mm: the responses of all tools are valid down to here
+  double validity = 0.0;         ///< mm: the responses of all tools are valid down to this depth
 };
 
-/// Judges a point of a body; returns the error in words, or "". A `deflection` (mm) beyond the
-/// range of the responses counts as that range. Takes some milliseconds.
+/// Evaluates a point of a body; returns the error in words, or "". A `deflection` (mm) beyond the
+/// range of the responses counts as that range. Takes a few milliseconds.
 std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
   const ComparedMaterial& material, double deflection, RegimeStatement& statement);
 
-// The statement as text.
+// The following functions return the statement as text.
 std::string verdictInWords(const RegimeStatement& statement);
 /// λ, sensitivity and spread at this depth, and the depths at which the verdict and the responses
 /// are valid.

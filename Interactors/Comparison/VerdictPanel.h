@@ -31,7 +31,7 @@ private:
   vtkSmartPointer<vtkRenderer> Patch;
   vtkSmartPointer<vtkTextActor> Verdict;
   vtkSmartPointer<vtkTextActor> Numbers;
-  vtkSmartPointer<vtkTextActor> Explanation; ///< of the terms
+  vtkSmartPointer<vtkTextActor> Explanation; ///< explanation of the terms
 };
 } // namespace palpate
 

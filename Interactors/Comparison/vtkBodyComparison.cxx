@@ -24,7 +24,7 @@
 
 namespace
 {
-// The centre of the area free of title, legend and caption, in halves of the picture.
+// Offsets of the centre of the area without title, legend and caption, in halves of the picture.
 constexpr double LegendShare = 0.28;
 constexpr double CaptionShare = -0.10;
 constexpr double Zoom = 1.2;
@@ -112,7 +112,7 @@ void vtkBodyComparison::SetShownTool(int tool)
     }
     if (this->Color != Displacement)
     {
-      this->SetColor(this->Color); // the maps show the shown tool
+      this->SetColor(this->Color); // the maps are those of the shown tool
     }
     this->Modified();
   }
@@ -210,7 +210,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   {
     return;
   }
-  // Leaves room for the arrow of the largest force, even if there is no arrow now.
+  // Reserves space for the arrow of the largest force, even if there is no arrow now.
   double unit[3] = { up[0], up[1], up[2] };
   vtkMath::Normalize(unit);
   for (const int side : { Left, Right })

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkBodyComparison
- * @brief two bodies side by side under the same tools and motion: does the shape of the tool
- * matter?
+ * @brief two bodies side by side under the same tools and motion: does the shape of the tool have
+ * an effect?
  *
- * The question of Mahvash and Hayward (2002), section 2: on a body that deforms globally all tools
- * have the same force, on a body that deforms locally they do not.
+ * The class illustrates Mahvash and Hayward (2002), section 2: on a body that deforms globally all
+ * tools have the same force, on a body that deforms locally they do not.
  *
- * Give it a window, two bodies that carry responses of the same tools under the same names, and the
- * tools. Each half of the window shows three parts, from top to bottom. First, the body under the
- * shown tool (vtkContactScene). Second, force over deflection of all tools at the point of contact
- * (vtkResponseChart, dotted beyond validity), with the present point of the shown tool. Third, the
- * verdict in words: λ and tool sensitivity (vtkContactRegime) at Deflection, the spread of the
- * forces, the depths at which the verdict is the same, and the depth to which the responses are
- * valid. The verdict is the most cautious one of all tools. Both bodies share one camera. Axes and
- * force arrows have separate scales, because the forces may differ by a factor of a hundred.
+ * The inputs are a window, two bodies with responses of the same tools under the same names, and
+ * the tools. Each half of the window shows three parts, from top to bottom. First, the body under
+ * the shown tool (vtkContactScene). Second, force over deflection of all tools at the point of
+ * contact (vtkResponseChart, dotted beyond validity), with the present point of the shown tool.
+ * Third, the verdict in words: λ and tool sensitivity (vtkContactRegime) at Deflection, the spread
+ * of the forces, the depths at which the verdict is the same, and the depth to which the responses
+ * are valid. The verdict is the most cautious one of all tools. Both bodies share one camera. Axes
+ * and force arrows have separate scales, because the forces may differ by a factor of a hundred.
  *
- * The bodies are of one material (YoungsModulus, PoissonRatio). The point arrays `GlobalCompliance`
- * (mm/N) and `LayerThickness` (mm), if present, give their support and layers. Material and
- * responses must agree; a map reports an error that names a point where they do not.
+ * Both bodies have the same material (YoungsModulus, PoissonRatio). The point arrays
+ * `GlobalCompliance` (mm/N) and `LayerThickness` (mm), if present, describe their support and
+ * layers. Material and responses must agree; if they do not, a map reports an error that names a
+ * point.
  *
- * ShowTips moves both scenes to one tip each, from vtkToolContactProbe or a recording; ShowSessions
- * moves them to the newest tick of two sessions. Curves and verdict follow the contact from vertex
- * to vertex; one change takes some milliseconds. Color selects the colours of the bodies: the
- * displacement, or one of the maps of vtkRegimeMap. A map takes some seconds per million points
- * when it is first shown.
+ * ShowTips shows one tip in each of both scenes, from vtkToolContactProbe or a recording;
+ * ShowSessions shows the newest tick of two sessions. Curves and verdict are updated when the
+ * contact moves to another vertex; one update takes a few milliseconds. Color selects the colours
+ * of the bodies: the displacement, or one of the maps of vtkRegimeMap. A map takes a few seconds
+ * per million points when it is first shown.
  *
  * Errors are reported by vtkErrorMacro; the function then returns false.
  *

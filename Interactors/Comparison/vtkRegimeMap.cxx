@@ -56,7 +56,7 @@ vtkRegimeMap::vtkRegimeMap()
   this->Mapper->SetScalarModeToUsePointFieldData();
   this->Mapper->SetColorModeToMapScalars(); // verdicts are bytes, but not colours
   this->Mapper->UseLookupTableScalarRangeOn();
-  this->Mapper->InterpolateScalarsBeforeMappingOn(); // crisp borders between the verdicts
+  this->Mapper->InterpolateScalarsBeforeMappingOn(); // sharp borders between the verdicts
   this->Actor->SetMapper(this->Mapper);
   // Little shading, so that colours can be compared with the legend.
   this->Actor->GetProperty()->SetAmbient(0.55);
@@ -114,7 +114,7 @@ void vtkRegimeMap::SetQuantity(int quantity)
   this->Legend->SetTitle(look.title);
   this->Legend->SetLabelFormat(look.format);
   this->Legend->SetNumberOfLabels(look.labels);
-  // The names of the verdicts take the place of the numbers.
+  // The names of the verdicts replace the numbers.
   const bool names = this->Quantity == Verdict;
   this->Legend->SetDrawAnnotations(names);
   this->Legend->SetDrawTickLabels(!names);
@@ -131,7 +131,7 @@ void vtkRegimeMap::PlaceLegend()
     // The legend has the same size in pixels for any width of the viewport.
     const double share = std::min(
       1.0, MapLegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
-    // The names are to the right of the bar; the shift to the left makes room for them.
+    // The names are to the right of the bar; the shift to the left reserves space for them.
     const double shift = this->Quantity == Verdict ? NamesShift : 0.0;
     this->Legend->GetPositionCoordinate()->SetValue(1.0 - (1.0 + shift) * share, 0.2);
     this->Legend->SetWidth(0.85 * share);

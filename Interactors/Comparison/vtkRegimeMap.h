@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRegimeMap
- * @brief shows on a body where the shape of the tool matters, with a legend, in a renderer
+ * @brief shows on a body where the shape of the tool has an effect, with a legend, in a renderer
  *
- * Give it a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
- * - Index, λ: orange where the deformation is global (1), white where it is local (0), violet where
- *   a base close below stiffens the body (-1 and below);
+ * The inputs are a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
+ * - Index, λ: orange if the deformation is global (1), white if it is local (0), violet if a base
+ *   close to the surface stiffens the body (-1 and below);
  * - Sensitivity, S = dlnF/dln(size): from yellow (0: a point force suffices) to dark blue (1.5 and
  *   above);
  * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices.
  *
- * Grey: there is no stable contact. A colour means the same number in every picture, because the
- * ranges do not follow the data. The colours of sensitivity and verdicts differ in lightness, so
- * that they can be distinguished in grey and by colour-blind people. The index is in violet and
- * orange (ColorBrewer's PuOr).
+ * Grey: there is no stable contact. A colour represents the same number in every picture, because
+ * the ranges do not depend on the data. The colours of sensitivity and verdicts differ in
+ * lightness, so that they can be distinguished in grey and by colour-blind people. The index is in
+ * violet and orange (ColorBrewer's PuOr).
  *
  * Cost: the arrays are uploaded once, and again when the quantity changes.
  *

@@ -25,13 +25,13 @@ struct palpate_contact
 
 namespace palpate::c
 {
-/// Copies a reason to `error`, cut to `size`.
+/// Copies a reason to `error`, truncated to `size`.
 void report(const std::string& reason, char* error, std::size_t size);
-/// Reports a fault with its name in C; returns whether there is one.
+/// Reports a fault with the setting's name in C; returns whether there is a fault.
 bool isRefused(const SettingFault& fault, char* error, std::size_t size);
 
-/// Reports nonzero members of `reserved` of the struct `name`: a later header set them, or they are
-/// not initialised. Returns whether there are any.
+/// Reports nonzero members of `reserved` of the struct `name`: a later header has set them, or they
+/// are not initialised. Returns whether there are any.
 template <std::size_t N>
 bool isFromLater(const double (&reserved)[N], const char* name, char* error, std::size_t size)
 {

@@ -52,7 +52,8 @@ palpate::SafetySettings given(const palpate_safety& safety)
   return given;
 }
 
-/// The box of the surface that can be touched; empty (lower above upper) if none can.
+/// The box of the surface that can be touched; empty (lower above upper) if there is no such
+/// surface.
 Eigen::AlignedBox3d boxOf(const palpate::PackedMesh& surface)
 {
   Eigen::AlignedBox3d box;
@@ -77,7 +78,7 @@ std::unique_ptr<palpate::ServoScene> sceneOf(palpate_scene* handle)
   return std::unique_ptr<palpate::ServoScene>(reinterpret_cast<palpate::ServoScene*>(handle));
 }
 
-/// Returns null with the reason in error on failure.
+/// Makes a scene. Returns null on failure, with the reason in `error`.
 std::unique_ptr<palpate::ServoScene> makeScene(const palpate_body* body,
   const palpate_settings* settings, double forceFactor, char* error, std::size_t size)
 {

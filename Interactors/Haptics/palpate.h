@@ -2,14 +2,14 @@
 /*
  * Palpate from C: load a body, step, reset.
  *
- * For a servo loop of your own. palpate_step neither allocates, locks, logs nor throws. The other
+ * For a servo loop of the caller. palpate_step neither allocates, locks, logs nor throws. The other
  * functions may do so; call them outside the loop unless their comment says otherwise. Positions
  * and forces are in the device's frame, in metres and newtons; those in a palpate_tick are in the
  * body's frame, in mm and N, unless noted. Any number of contacts and threads may share a body. A
  * contact serves one thread and must not outlive its body.
  *
- * First come contacts for a loop with its own mapping and safety. From palpate_mapping on follow
- * contacts that include both.
+ * The first part declares contacts for a loop with a separate mapping and safety. The part that
+ * begins with palpate_mapping declares contacts that include both.
  *
  * @code{.c}
  * palpate_tick tick;
@@ -25,15 +25,16 @@
  * @endcode
  *
  * How this interface may change, so that a program works with any later library of the same soname:
- * - Functions, enumerators and macros are only added. Existing ones keep name, arguments and
+ * - Functions, enumerators and macros are only added. Existing ones keep their names, arguments and
  *   meaning.
- * - A struct keeps its size and its members their place. A new member takes space from `reserved`,
- *   and zero in it means the behaviour before it. Initialise every input struct with its
- *   palpate_..._default or palpate_..._of, which sets `reserved` to zero. Functions that can report
- *   a reason refuse a `reserved` that is not zero. Every output struct has zero there.
- * - Each such addition raises PALPATE_API_VERSION by one; palpate.symbols lists the version in
- *   which each function was added. Any other change makes another soname. The soname changes with
- *   the second number of Palpate's version before 1.0, with the first from then on;
+ * - A struct keeps its size and the positions of its members. A new member uses space of
+ *   `reserved`, and zero in it means the behaviour before the addition. Initialise every input
+ *   struct with its palpate_..._default or palpate_..._of, which sets `reserved` to zero. Functions
+ *   that can report a reason reject a `reserved` that is not zero. In every output struct
+ *   `reserved` is zero.
+ * - Each such addition increases PALPATE_API_VERSION by one; palpate.symbols lists the version in
+ *   which each function was added. Any other change causes another soname. The soname changes with
+ *   the second number of Palpate's version before 1.0, and with the first number after that;
  *   PALPATE_API_VERSION continues.
  */
 #ifndef PALPATE_H
@@ -62,8 +63,8 @@ extern "C"
 {
 #endif
 
-  /* The version of the loaded library, "0.1.0", and its PALPATE_API_VERSION. A program may use all
-   * of its header if the library's number is not less than the header's. */
+  /* The version of the loaded library, "0.1.0", and its PALPATE_API_VERSION. A program may use
+   * all of its header if the library's number is not less than the header's number. */
   PALPATE_API const char* palpate_version(void);
   PALPATE_API int palpate_api_version(void);
 
@@ -92,7 +93,7 @@ extern "C"
     PALPATE_ENERGY_CONSISTENT = 2
   };
 
-  /* The surface onto which the tip is projected. */
+  /* The surface on which the tip is projected. */
   enum palpate_contact_surface
   {
     PALPATE_FACETS = 0,
@@ -116,12 +117,12 @@ extern "C"
     int friction_model;  /* enum palpate_friction_model */
     /* Coulomb's coefficient, finite and >= 0; 0, the default: no friction. */
     double friction_coefficient;
-    /* Tangential stiffness of a sticking contact, N/mm, finite and > 0. A loop of period T on a
+    /* Tangential stiffness of a sticking contact, N/mm, finite and > 0. A loop of period T at a
      * device of damping b is stable only up to 2b/T. Not used by PALPATE_SHAPE_DERIVED. */
     double tangential_stiffness;
-    /* PALPATE_ELASTO_PLASTIC only: fraction of the sliding limit below which there is no creep, 0
-     * to 1; and fraction at which half of a further displacement is creep, > 0 and not less than
-     * the first one. */
+    /* PALPATE_ELASTO_PLASTIC only: fraction of the sliding limit below which there is no creep,
+     * 0 to 1; and fraction at which half of a further displacement is creep, > 0 and not less
+     * than the first fraction. */
     double friction_breakaway;
     double friction_stick_radius;
     /* Poisson's ratio of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
@@ -148,47 +149,51 @@ extern "C"
     double reserved[3];
   } palpate_tick;
 
-  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason to
-   * error (which may be null), cut to error_size with its terminating zero. */
+  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason
+   * to error (which may be null), truncated to error_size with its terminating zero. */
   PALPATE_API palpate_body* palpate_body_load(const char* path, char* error, size_t error_size);
   PALPATE_API void palpate_body_free(palpate_body* body);
 
-  /* A contact with the body. Device axes are those of the body, 1 m is 1000 mm, and device_force is
-   * limited to maximum_force (N) in magnitude. Null if body is null or memory is short. */
+  /* A contact with the body. Device axes are those of the body, 1 m is 1000 mm, and
+   * device_force is limited to maximum_force (N) in magnitude. Null if body is null or there is
+   * not enough memory. */
   PALPATE_API palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
 
   /* The default settings: those of palpate_contact_new. */
   PALPATE_API void palpate_settings_default(palpate_settings* settings);
 
-  /* The same with other settings (null: the default). Also null if a setting is out of its range;
-   * the reason, with its name, range and value, goes to error as in palpate_body_load.
+  /* A contact with other settings (null: the default). Also null if a setting is out of its
+   * range; the reason, with its name, range and value, is written to error as in
+   * palpate_body_load.
    */
   PALPATE_API palpate_contact* palpate_contact_new_with(const palpate_body* body,
     double maximum_force, const palpate_settings* settings, char* error, size_t error_size);
   PALPATE_API void palpate_contact_free(palpate_contact* contact);
 
-  /* One tick at a position (m) and a time (s). A position that is not finite gives zero force. */
+  /* Makes one tick at a position (m) and a time (s). The force is zero if the position is not
+   * finite. */
   PALPATE_API void palpate_step(
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
 
-  /* The same with the tool's axis: from the tip to the hand, of any length, in the frame of the
-   * device. Zero: unknown; the tool is then along the body's normal, as in palpate_step. An axis
-   * that is not finite gives zero force. (since 4) */
+  /* Makes one tick with the tool's axis: from the tip to the hand, not normalised, in the frame
+   * of the device. Zero: unknown; the tool is then along the body's normal, as in palpate_step.
+   * The force is zero if the axis is not finite. (since 4) */
   PALPATE_API void palpate_step_pose(palpate_contact* contact, const double position[3],
     const double axis[3], double time, palpate_tick* tick);
 
-  /* Forgets the contact: the next step starts again. */
+  /* Resets the contact: the next step starts without history. */
   PALPATE_API void palpate_reset(palpate_contact* contact);
 
   /* Mapping from the device to the body: x_body = rotation (1000 scale x_device) + translation.
-   * Forces keep their magnitude, so a stiffness of the body is multiplied by scale for the hand. */
+   * Forces keep their magnitude, so that a stiffness of the body is multiplied by scale for the
+   * hand. */
   typedef struct palpate_mapping
   {
     double rotation[9];    /* row by row; its columns are the axes of the device; orthonormal */
     double translation[3]; /* mm */
     double scale;          /* > 0 */
     /* Not 0: the device has two axes, x and y, and moves in the plane that they span through
-     * translation. Only the part of a force in this plane reaches the hand. */
+     * translation. Only the component of a force in this plane acts on the hand. */
     int planar;
     double reserved[4];
   } palpate_mapping;
@@ -196,13 +201,13 @@ extern "C"
   /* The mapping of palpate_contact_new: device axes are those of the body, and 1 m is 1000 mm. */
   PALPATE_API void palpate_mapping_default(palpate_mapping* mapping);
 
-  /* Sets translation and scale of a mapping and keeps its rotation: the least scale that puts the
-   * body, with a free margin (mm) around it, into a workspace of these half extents (m). Returns 1,
-   * or 0 with the reason in error and the mapping unchanged. */
+  /* Sets translation and scale of a mapping and keeps its rotation: the smallest scale for
+   * which a workspace of these half extents (m) contains the body with a free margin (mm)
+   * around it. Returns 1, or 0 with the reason in error and the mapping unchanged. */
   PALPATE_API int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
     const double workspace[3], double margin, char* error, size_t error_size);
 
-  /* A device's specification by its maker. */
+  /* A device's specification by its manufacturer. */
   typedef struct palpate_device
   {
     double maximum_force;      /* N */
@@ -212,8 +217,8 @@ extern "C"
     double sample_time_out;    /* s; a device that is silent for longer is lost. May be infinite */
     double
       delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
-    /* since version 4. N m, about the tip; 0: the device outputs none. And N m/rad, of a sampled
-     * torsion spring, as maximum_stiffness; 0: 0.5 is used. */
+    /* since version 4. N m, about the tip; 0: the device outputs no torque. And N m/rad, of a
+     * sampled torsion spring, as maximum_stiffness; 0: 0.5 is used. */
     double maximum_torque;
     double maximum_torsional_stiffness;
     double reserved[1];
@@ -228,8 +233,8 @@ extern "C"
   {
     int gate;          /* not 0: no force until the tip has been outside once */
     double entry_ramp; /* s, over which the force of the first touch rises from zero; 0: at once */
-    /* Factor of all forces, > 0 to 1. Use the same for all tools that are compared, so that the
-     * device's limits do not change their ratios. */
+    /* Factor of all forces, > 0 to 1. Use the same factor for all compared tools, so that the
+     * device's limits do not change the ratios of their forces. */
     double force_factor;
     int cap_stiffness; /* not 0: no stiffer than maximum_stiffness */
     double maximum_stiffness;
@@ -263,15 +268,16 @@ extern "C"
     PALPATE_STOPPED = 512
   };
 
-  /* A contact with mapping (null: the default), safety and settings (null: the default). While a
-   * button of clutch_buttons is down, the tip stays and the hand moves freely; 0: no clutch. The
-   * contact keeps its body alive, so the caller may free the body earlier. Null with the reason in
-   * error if a number is out of its range or memory is short. */
+  /* A contact with mapping (null: the default), safety and settings (null: the default). While
+   * a button of clutch_buttons is pressed, the tip does not move and the hand moves freely; 0:
+   * no clutch. The contact shares the ownership of its body, so that the caller may free the
+   * body earlier. Null with the reason in error if a number is out of its range or there is not
+   * enough memory. */
   PALPATE_API palpate_contact* palpate_contact_new_safe(const palpate_body* body,
     const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
     unsigned int clutch_buttons, char* error, size_t error_size);
 
-  /* A reading of a device, in its own frame. */
+  /* A reading of a device, in the device's frame. */
   typedef struct palpate_sample
   {
     double position[3];   /* m */
@@ -279,15 +285,15 @@ extern "C"
     unsigned int buttons; /* bit i: button i is down */
     int valid;            /* 0: there is nothing to report; the force is then zero */
     int fresh;            /* 0: nothing new, the last reading is repeated */
-    /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into the
-     * device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown. And
-     * rad/s, or zeros. */
+    /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into
+     * the device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown.
+     * And rad/s, or zeros. */
     double orientation[4];
     double angular_velocity[3];
     double reserved[1];
   } palpate_sample;
 
-  /* Zeros, valid and fresh. */
+  /* Sets all members to zero, but valid and fresh to 1. */
   PALPATE_API void palpate_sample_default(palpate_sample* sample);
 
   /* The input and result of one step of a contact with mapping and safety. */
@@ -304,8 +310,8 @@ extern "C"
     unsigned int acted; /* sum of enum palpate_safety_link */
     int valid;          /* the sample was valid and finite */
     int clutched;       /* the tip stays while the hand moves */
-    /* since version 2. s: how long device_force may be held if no tick follows. A device that ends
-     * its force after this time returns no more energy than was put in. May be infinite. */
+    /* since version 2. s: how long device_force may be held if no tick follows. A device that
+     * ends its force after this time returns no more energy than was put in. May be infinite. */
     double hold_time;
     double
       device_torque[3]; /* since version 4. N m, on the hand about the tip, frame of the device */
@@ -313,38 +319,41 @@ extern "C"
     double reserved[1];
   } palpate_full_tick;
 
-  /* One tick of any contact with the whole sample of a device. For the loop, as palpate_step; time
-   * must increase. palpate_step is this function with a valid, fresh sample without velocity and
-   * buttons. */
+  /* Makes one tick of any contact with the whole sample of a device. For the loop, as
+   * palpate_step; time must increase. palpate_step is this function with a valid, fresh sample
+   * without velocity and buttons. */
   PALPATE_API void palpate_step_sample(
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
-  /* For the loop, after the force is sent and before the wait for the next tick: prefetches the
-   * memory that the next step reads if the hand continues its motion. Changes nothing, takes 50 ns
-   * to some microseconds, may be left out. Without it a step on a new part of a large body is a
-   * third slower. */
+  /* For the loop: prefetches the memory that the next step reads if the hand continues its
+   * motion. To be called after the force is sent, before the wait for the next tick; optional.
+   * Changes nothing, takes 50 ns to a few microseconds. Without it a step on a new part of a
+   * large body is a third slower. */
   PALPATE_API void palpate_foresee(const palpate_contact* contact);
 
-  /* For the loop: no force from the next step on, until palpate_start. */
+  /* For the loop: ends the force from the next step until palpate_start. */
   PALPATE_API void palpate_stop(palpate_contact* contact);
   PALPATE_API void palpate_start(palpate_contact* contact);
 
   /* Another body, tool or material, or other settings, for a contact that may be touching. */
   typedef struct palpate_scene palpate_scene;
 
-  /* The scene keeps its body alive. force_factor (> 0 to 1) belongs to the scene and applies in
-   * addition to palpate_safety.force_factor. Null with the reason in error. */
+  /* Makes a scene, which shares the ownership of its body. force_factor (> 0 to 1) belongs to
+   * the scene and applies in addition to palpate_safety.force_factor. Null with the reason in
+   * error. */
   PALPATE_API palpate_scene* palpate_scene_new(const palpate_body* body,
     const palpate_settings* settings, double force_factor, char* error, size_t error_size);
-  /* Frees a scene that was not given to a contact, or all that palpate_take_retired returned. */
+  /* Frees a scene that was not passed to a contact, or all scenes that palpate_take_retired
+   * returned. */
   PALPATE_API void palpate_scene_free(palpate_scene* scene);
 
-  /* For the loop: passes a scene (null: nothing happens) to the contact, whose force changes to it
-   * within 50 ms, without a jump. A scene passed during a change waits; of several the newest is
-   * used. */
+  /* For the loop: passes a scene (null: no effect) to the contact, whose force changes to that
+   * of the scene within 50 ms, without a jump. A scene passed during a change waits; if several
+   * wait, the newest is used. */
   PALPATE_API void palpate_change(palpate_contact* contact, palpate_scene* scene);
-  /* For the loop: the scenes that the contact no longer needs, or null. Free them outside the loop,
-   * all at once by palpate_scene_free; those not taken are freed with the contact. */
+  /* For the loop: the scenes that the contact no longer needs, or null. Free them outside the
+   * loop, all at once by palpate_scene_free; scenes that are not taken are freed with the
+   * contact. */
   PALPATE_API palpate_scene* palpate_take_retired(palpate_contact* contact);
 
 #ifdef __cplusplus

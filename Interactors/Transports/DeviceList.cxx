@@ -15,13 +15,13 @@ namespace
 constexpr std::uint16_t ForceUsagePage = 0xFF00;
 constexpr std::uint16_t ForceUsage = 0x50;
 
-constexpr std::uint16_t Logitech = 0x046D; ///< vendor number of 3Dconnexion's older devices
+constexpr std::uint16_t Logitech = 0x046D; ///< vendor number of older 3Dconnexion devices
 constexpr std::uint16_t Connexion = 0x256F;
 constexpr std::uint16_t GenericDesktopPage = 0x01;
 constexpr std::uint16_t MultiAxisController = 0x08;
 
-/// Both makers have other products, too. Those with six axes have this usage and product numbers
-/// 0xC6xx.
+/// Both manufacturers also have other products. Their devices with six axes have this usage and
+/// product numbers 0xC6xx.
 bool isSpaceMouse(const HidEntry& entry) noexcept
 {
   const bool axes = (entry.usagePage == GenericDesktopPage && entry.usage == MultiAxisController) ||

@@ -21,40 +21,41 @@ enum class DeviceKind : std::uint8_t
 /// "force" or "SpaceMouse".
 PALPATE_EXPORT const char* inWords(DeviceKind kind) noexcept;
 
-/// A device that is plugged in and that Palpate can drive.
+/// A connected device that Palpate can drive.
 struct ListedDevice
 {
   std::string address; ///< for vtkHapticDevice::Open and `palpate --device`: "hid:PATH"
   DeviceKind kind = DeviceKind::Force;
-  HidEntry entry;       ///< path, maker, name, serial number, ids
-  std::string obstacle; ///< the reason why it cannot be opened, in words; empty: it can
+  HidEntry entry;       ///< path, manufacturer, name, serial number, ids
+  std::string obstacle; ///< the reason why the device cannot be opened; empty: it can be opened
 };
 
-/// The HID devices that are plugged in.
+/// The connected HID devices.
 struct PALPATE_EXPORT DeviceList
 {
   std::vector<ListedDevice> devices; ///< by path
-  /// The reason why devices may be missing, in words ("built without hidapi"); empty: none are.
+  /// The reason why devices may be missing, in words ("built without hidapi"); empty: none are
+  /// missing.
   std::string complaint;
 
   /// One line per device, as printed by `palpate --list-devices`, or a line that says that there is
-  /// none.
+  /// no device.
   std::string describe() const;
 };
 
-/// Lists the devices that are plugged in, without opening them.
+/// Lists the connected devices, without opening them.
 PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
 /// Opens the device at `path` ("/dev/hidraw0") as its kind requires: a HidDevice or a
-/// SpaceMouseDevice (in rate mode). Null, with the reason in words, if it is neither or cannot be
-/// opened.
+/// SpaceMouseDevice (in rate mode). Returns null, with the reason in words, if the device is
+/// neither or cannot be opened.
 PALPATE_EXPORT std::unique_ptr<HapticDevice> openHidDevice(
   const std::string& path, std::string& error, HidBus& bus = systemHidBus());
 
-/// Whether Palpate drives such a device; sets its kind.
+/// Whether Palpate can drive the device; sets its kind.
 PALPATE_EXPORT bool isKnown(const HidEntry& entry, DeviceKind& kind) noexcept;
-/// The entry of the bus for this path; of several usages the one that Palpate drives. If the path
-/// is not listed, the entry has only the path.
+/// The entry of the bus for this path; if it has several usages, the entry of the one that Palpate
+/// uses. If the path is not listed, the entry contains only the path.
 PALPATE_EXPORT HidEntry entryAt(HidBus& bus, const std::string& path);
 } // namespace palpate
 

@@ -11,7 +11,7 @@ namespace
 constexpr int Halvings = 60; // an interval of length 80 becomes shorter than 1e-16
 
 /// Probability of at least `successes` in `trials`, each with probability p of success in (0, 1).
-/// Terms are computed by logarithms, because the coefficients overflow from 1030 trials on.
+/// Terms are computed by logarithms, because the coefficients overflow for 1030 trials and more.
 double upperTail(int successes, int trials, double p)
 {
   double sum = 0.0;
@@ -49,7 +49,7 @@ Proportion proportionOf(int successes, int trials, double confidence)
   result.lower = successes == 0
     ? 0.0
     : rootBetween(0.0, 1.0, [&](double p) { return upperTail(successes, trials, p) - tail; });
-  // The same tail from the other side: at least as many failures.
+  // The same tail for the failures: at least as many failures as observed.
   result.upper = successes == trials ? 1.0
                                      : 1.0 -
       rootBetween(
@@ -68,7 +68,7 @@ double normalQuantile(double p)
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  // erfc is 0 in double precision beyond 38 deviations.
+  // erfc is 0 in double precision beyond 38 standard deviations.
   return rootBetween(
     -40.0, 40.0, [p](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)) - p; });
 }

@@ -17,9 +17,9 @@ struct Proportion
 };
 
 /**
- * The interval of Clopper and Pearson (1934): all probabilities p under which the results "at least
+ * The interval of Clopper and Pearson (1934): all probabilities p for which the results "at least
  * as many successes as observed" and "at most as many" both have a probability of at least (1 -
- * confidence) / 2. It covers any true probability with at least the given confidence, for any
+ * confidence) / 2. It contains the true probability with at least the given confidence, for any
  * number of trials.
  *
  * `successes` must be within 0 … trials and `confidence` within (0, 1); otherwise all results are

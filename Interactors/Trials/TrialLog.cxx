@@ -47,7 +47,7 @@ int chosenBy(const TrialAnswer& answer)
   return answer.choseX ? answer.trial.x : answer.trial.y;
 }
 
-/// The entry for `correct` in a row; empty if no answer is right.
+/// The text of `correct` in a row; empty if no answer is right.
 const char* correctText(const TrialHead& head, const TrialAnswer& answer)
 {
   const int right = isRight(head, answer);
@@ -70,7 +70,7 @@ std::string headText(const TrialHead& head)
     "\n# started: " + head.started + "\n" + Columns + "\n";
 }
 
-/// Reads one line of the head after the first; returns false if it is not such a line.
+/// Reads one line of the head after the first line; returns false if it is not such a line.
 bool readHeadLine(const CsvComment& line, TrialHead& head)
 {
   auto& alternatives = head.alternatives;
@@ -217,11 +217,11 @@ std::string TrialLog::write(const std::string& text)
 std::string TrialLog::fail(int reason)
 {
   this->Fault = "cannot write the trial log '" + this->Path + "': " + std::strerror(reason);
-  this->File.close(); // tries to write once more
+  this->File.close(); // tries once more to write
   std::error_code ignored;
   if (std::filesystem::is_regular_file(this->Path, ignored))
   {
-    std::filesystem::resize_file(this->Path, this->Size, ignored); // removes a partly written row
+    std::filesystem::resize_file(this->Path, this->Size, ignored); // removes an incomplete row
   }
   return this->Fault;
 }

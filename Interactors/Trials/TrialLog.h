@@ -12,11 +12,11 @@
 
 namespace palpate
 {
-/// One of the alternatives compared.
+/// One of the compared alternatives.
 struct TrialAlternative
 {
   std::string name;       ///< one line, as given: "sphere:6.35"
-  double intensity = 0.0; ///< N, of the quantity that the question asks for; 0: none
+  double intensity = 0.0; ///< N, of the compared quantity; 0: none
 };
 
 /// The head of a log.
@@ -24,7 +24,7 @@ struct TrialHead
 {
   std::vector<TrialAlternative> alternatives; ///< two or more
   std::string question;                       ///< one line
-  /// Whether the answer with the larger intensity is right; otherwise no answer is right.
+  /// Whether the answer with the larger intensity is right. If not, there is no right answer.
   bool hasRightAnswer = false;
   std::uint64_t seed = 0;
   double forceFactor = 1.0; ///< common to all alternatives
@@ -38,10 +38,10 @@ struct TrialAnswer
   Trial trial;
   bool choseX = false;
   double seconds = 0.0; ///< from the beginning of the trial to the answer
-  int switches = 0;     ///< between X and Y before the answer
+  int switches = 0;     ///< number of switches between X and Y before the answer
 };
 
-/// A log read back.
+/// A log as read from a file.
 struct TrialRecord
 {
   TrialHead head;
@@ -51,7 +51,7 @@ struct TrialRecord
 /**
  * The log of a blind comparison: a CSV file with a head of lines that begin with '#', then a row
  * per answer. A row is written as soon as the answer is given, so that an aborted session keeps all
- * answers. A row for which the disk has no room is an error, and leaves the rows before it
+ * answers. If the disk has no space for a row, this is an error, and the preceding rows are
  * unchanged.
  *
  *   # palpate trial 1
@@ -62,8 +62,8 @@ struct TrialRecord
  *   trial,x,y,answer,chosen,correct,seconds,switches
  *   1,B,A,X,B,1,3.25,2
  *
- * Alternatives are letters from A on; `correct` is empty if no answer is right. An existing file is
- * not overwritten, because a log cannot be recovered.
+ * Alternatives are the letters A, B, …; `correct` is empty if no answer is right. An existing file
+ * is not overwritten, because a log cannot be recovered.
  */
 class PALPATE_EXPORT TrialLog
 {
@@ -81,11 +81,11 @@ private:
   TrialHead Head;
   std::ofstream File;
   int Rows = 0;
-  std::uintmax_t Size = 0; ///< size of the file without a partly written row
-  std::string Fault;       ///< the first error; nothing more is written after it
+  std::uintmax_t Size = 0; ///< size of the file without an incomplete row
+  std::string Fault;       ///< the first error; after it nothing more is written
 };
 
-/// 1: right, 0: wrong, -1: no answer to this trial is right.
+/// 1: right, 0: wrong, -1: this trial has no right answer.
 PALPATE_EXPORT int isRight(const TrialHead& head, const TrialAnswer& answer);
 
 /// Reads a log. Returns "", or an error that names file and line; `record` is then unchanged.

@@ -15,8 +15,8 @@ namespace
 {
 constexpr double Criterion = 0.75; // half-way between guessing and certainty
 
-/// The difference recognised at the criterion if `difference` is recognised in a fraction of the
-/// trials.
+/// The difference recognised at the criterion, if `difference` is recognised in the fraction
+/// `share` of the trials.
 double differenceAtCriterion(double difference, double share)
 {
   return share > 0.5 ? difference * normalQuantile(Criterion) / normalQuantile(share)
@@ -65,7 +65,7 @@ std::string inWords(double difference)
   return std::isfinite(difference) ? text.str() : "no limit";
 }
 
-/// Whether the two were distinguished, according to the interval.
+/// Whether the two alternatives were distinguished, according to the interval.
 const char* verdict(const Proportion& correct)
 {
   if (correct.lower > 0.5)

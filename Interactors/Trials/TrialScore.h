@@ -14,16 +14,16 @@ namespace palpate
 /// The result for two alternatives. The intervals are those of proportionOf, 95 %.
 struct PairScore
 {
-  int first = 0; ///< number of an alternative
+  int first = 0; ///< index of an alternative
   int second = 0;
-  Proportion firstChosen; ///< how often the first one was chosen
+  Proportion firstChosen; ///< how often the first alternative was chosen
   bool hasRightAnswer = false;
-  Proportion correct; ///< how often the stronger one was chosen
-  /// Difference of the two intensities relative to their mean; 0 if no answer is right.
+  Proportion correct; ///< how often the alternative with the larger intensity was chosen
+  /// Difference of the two intensities relative to their mean; 0 if there is no right answer.
   double difference = 0.0;
-  /// The relative difference that would be recognised in 75 % of the trials, from the estimate and
-  /// from both ends of the interval. Infinite if answers are no better than guesses, 0 if all are
-  /// right.
+  /// The relative difference that would be recognised in 75 % of the trials, computed from the
+  /// estimate and from both ends of the interval. Infinite if answers are no better than guesses, 0
+  /// if all are right.
   double justNoticeable = 0.0;
   double justNoticeableLower = 0.0;
   double justNoticeableUpper = 0.0;
@@ -32,21 +32,21 @@ struct PairScore
 /// The result of a blind comparison.
 struct TrialScore
 {
-  Proportion xChosen;           ///< shows a bias for the first of two if its interval excludes 0.5
+  Proportion xChosen; ///< its interval excludes 0.5 if there is a bias for the first of two
   std::vector<PairScore> pairs; ///< the pairs that were asked
 };
 
 /**
  * Scores a record.
  *
- * The just-noticeable difference follows from the model of two noisy impressions of equal variance
- * (Thurstone 1927; Green and Swets 1966, two-alternative forced choice). The fraction of right
- * answers is p = Φ(d′/√2), and d′ is proportional to the difference D. So 75 % are right at the
- * difference D Φ⁻¹(0.75) / Φ⁻¹(p).
+ * The just-noticeable difference is computed by the model of two noisy impressions of equal
+ * variance (Thurstone 1927; Green and Swets 1966, two-alternative forced choice). The fraction of
+ * right answers is p = Φ(d′/√2), and d′ is proportional to the difference D. Therefore 75 % of the
+ * answers are right at the difference D Φ⁻¹(0.75) / Φ⁻¹(p).
  */
 PALPATE_EXPORT TrialScore scoreTrials(const TrialRecord& record);
 
-/// The score as text for a person, one string per line.
+/// The score as readable text, one string per line.
 PALPATE_EXPORT std::vector<std::string> describeScore(
   const TrialHead& head, const TrialScore& score);
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Least distance between two contacts, mm; used while they have no contact radius yet.
+/// Least distance between two contacts, mm; used as long as they have no contact radius.
 constexpr double LeastDistance = 1e-6;
 
 std::vector<CouplingKnot> knotsOf(const CouplingTerms& terms)

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Forces are settled if the largest change in a round is below this part of the largest force.
+/// Forces are settled if the largest change in a round is below this fraction of the largest force.
 constexpr double Settled = 1e-14;
 } // namespace
 
@@ -93,7 +93,7 @@ void CoupledContacts::load(std::size_t contact) noexcept
     load.isOff = false;
     return;
   }
-  // Extrapolated from the two ticks before.
+  // Extrapolation from the two preceding ticks.
   const double last = load.force;
   load.force = last > 0.0 && load.before > 0.0 ? std::max(0.0, 2.0 * last - load.before) : last;
   load.before = last;
@@ -165,7 +165,7 @@ double CoupledContacts::goRound() noexcept
     {
       change = std::max(change, this->press(i));
       largest = std::max(largest, load.whole);
-      load.force = load.felt();
+      load.force = load.appliedForce();
     }
   }
   return largest > 0.0 ? change / largest : 0.0;
@@ -173,8 +173,8 @@ double CoupledContacts::goRound() noexcept
 
 double CoupledContacts::solveRound() noexcept
 {
-  // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i for contacts that touch; the forces of the
-  // others become 0.
+  // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i for contacts that touch; the forces of the other
+  // contacts become 0.
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MostSolved, MostSolved>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, MostSolved, 1>;
   const std::size_t count = this->Loads.size();
@@ -189,9 +189,9 @@ double CoupledContacts::solveRound() noexcept
     {
       this->press(i);
       largest = std::max(largest, load.whole);
-      lack[i] = load.felt() - load.force;
+      lack[i] = load.appliedForce() - load.force;
       change = std::max(change, std::abs(lack[i]));
-      touches[i] = load.felt() > 0.0 && load.stiffness > 0.0;
+      touches[i] = load.appliedForce() > 0.0 && load.stiffness > 0.0;
     }
   }
   const auto size = static_cast<Eigen::Index>(count);
@@ -218,8 +218,8 @@ double CoupledContacts::solveRound() noexcept
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    // If the compliances are not positive definite (impossible for a body): as if the other forces
-    // stayed.
+    // If the compliances are not positive definite (impossible for a body), the step is that for
+    // constant forces of the other contacts.
     const double step = isSolved ? right[static_cast<Eigen::Index>(i)] : lack[i];
     this->Loads[i].force = std::max(0.0, this->Loads[i].force + step);
   }
@@ -273,7 +273,8 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
         this->Body.coupling->gradient(own.spot, own.pressed.place.triangle, other.spot);
     }
   }
-  // The area coordinates sum to 1, so a common constant of the derivatives has no effect.
+  // The area coordinates have a constant sum, so that an additive constant of the derivatives has
+  // no effect.
   const Eigen::Matrix3d& gradients = own.pressed.place.weightGradients;
   const Vector3 side = own.force *
     (gradients.col(1) * (byWeights[1] - byWeights[0]) +
@@ -359,7 +360,7 @@ Eigen::MatrixXd CoupledContacts::stiffness() const
     Eigen::Map<const Eigen::MatrixXd>(compliances.data(), rows, rows).partialPivLu().inverse();
   const auto size = static_cast<Eigen::Index>(count);
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
-  Eigen::Index next = 0; // of the inverse, column by column
+  Eigen::Index next = 0; // index in the inverse, column by column
   for (std::size_t j = 0; j < count; ++j)
   {
     for (std::size_t i = 0; i < count; ++i)

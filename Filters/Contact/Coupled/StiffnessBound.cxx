@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// Inverts a positive definite matrix with this number of rows in place (Gauss-Jordan). Returns
-/// false if the matrix is not positive definite.
+/// Inverts a positive definite matrix in place (Gauss-Jordan). Returns false if the matrix is not
+/// positive definite.
 bool invert(double* matrix, std::size_t rows) noexcept
 {
   const auto at = [matrix, rows](std::size_t i, std::size_t j) -> double&
@@ -47,8 +47,7 @@ bool invert(double* matrix, std::size_t rows) noexcept
 }
 
 /// An upper bound of the largest eigenvalue of a symmetric matrix: the eighth root of the largest
-/// row sum of its eighth power. It is at most rows^(1/16) times too large. Both arrays are
-/// overwritten.
+/// row sum of its eighth power. It is at most rows^(1/16) times too large. Overwrites both arrays.
 double largestEigenvalue(double* matrix, double* power, std::size_t rows) noexcept
 {
   constexpr int squarings = 3;

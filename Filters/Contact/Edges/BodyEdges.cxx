@@ -11,19 +11,19 @@ namespace
 {
 /// Faces across blunt edges are searched within this multiple of the range.
 constexpr double BluntReach = 6.0;
-/// Faces with less than this part of the fillet do not count; from twice this part on they count in
-/// full.
+/// A face has no weight if its part of the sum of δ^-4 is below this value, and full weight from
+/// twice this value.
 constexpr double LeastPart = 1e-3;
-/// A tip is outside if it is above a plane across a blunt edge that is at most this many depths
-/// away, 1/tan 20°. Planes farther away are ignored.
+/// A tip is outside if it is above a plane across a blunt edge at a distance of at most this many
+/// depths, 1/tan 20°. Planes farther away are ignored.
 constexpr double OutsideWithin = 2.75;
-/// Another face is nearer only if its depth is below this part of the depth under the contact's own
-/// face. So the contact does not alternate between two faces.
+/// Another face is nearer only if its depth is below this fraction of the depth under the contact's
+/// own face. Therefore the contact does not alternate between two faces.
 constexpr double Nearer = 1.0 - 1e-6;
 constexpr std::size_t MostFaces = 8;
-/// Decay of the softness of an edge with x, its distance over the depth of the body: e^-2.75x,
-/// nothing from x = 1.5 on. Within a fiftieth of the depth it is rounded, so that there is no kink
-/// at the edge.
+/// Decay of the softness of an edge with x, its distance divided by the depth of the body:
+/// e^-2.75x, and 0 for x >= 1.5. For x below 1/50 the function is rounded, so that its slope is
+/// continuous at the edge.
 constexpr double Holding = 2.75;
 constexpr double ExtentsAway = 1.5;
 constexpr double RoundedWithin = 0.02;
@@ -35,7 +35,7 @@ struct Fade
   double slope = 0.0;
 };
 
-/// 1 up to half of `end`, 0 from `end` on, without a kink.
+/// 1 up to half of `end`, 0 beyond `end`, with a continuous slope.
 Fade fade(double x, double end) noexcept
 {
   const double t = std::clamp(2.0 * x / end - 1.0, 0.0, 1.0);
@@ -59,8 +59,8 @@ double contactRadius(const EdgeTerms& terms, double depth) noexcept
                                : terms.radius * std::pow(depth, terms.exponent - 1.0);
 }
 
-/// Distance from a triangle within which a sharp edge counts: at least where a contact may extend
-/// beyond it.
+/// Distance from a triangle within which a sharp edge is taken into account: at least as far as a
+/// contact may extend beyond the edge.
 double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcept
 {
   const double least = 2.0 * end * largestRadius;
@@ -69,7 +69,8 @@ double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcep
   return terms.isInCurves ? least : std::max(least, usual);
 }
 
-/// Part r of the fillet, 0 if r is negligible; and the derivative by r.
+/// The weighted part for a face's part r of the sum of δ^-4, 0 if r is negligible; and its
+/// derivative by r.
 Fade partOf(double r) noexcept
 {
   const double t = std::clamp(r / LeastPart - 1.0, 0.0, 1.0);
@@ -95,8 +96,8 @@ struct BodyEdges::Share
   Vector3 byPlace = Vector3::Zero();
 };
 
-/// The faces near blunt edges that the tip is under: the face of the contact, the faces across its
-/// edges, and the faces across theirs.
+/// The faces near blunt edges under which the tip is: the face of the contact, the faces across its
+/// edges, and the faces across the edges of those.
 class BodyEdges::Faces
 {
 public:
@@ -137,8 +138,9 @@ private:
     std::int32_t number = EdgeChains::None; ///< number of the face; None: unknown
     Vector3 normal = Vector3::Zero();
     double depth = 0.0;
-    /// 1 for a neighbour. For a face behind a neighbour it rises from 0 to the weight of the
-    /// neighbour, as the neighbour comes to be as near as the contact's own face.
+    /// 1 for a neighbour. For a face behind a neighbour the weight rises from 0 to the weight of
+    /// the neighbour, as the depth under the neighbour approaches that under the contact's own
+    /// face.
     double weight = 1.0;
     Vector3 weightChange = Vector3::Zero(); ///< gradient by the tip
     double part = 1.0;                      ///< part of the sum of δ^-4
@@ -146,7 +148,7 @@ private:
   };
 
   const Face& own() const noexcept { return this->Known[0]; }
-  /// (δ_own/δ)^4, and its gradient by the tip; a depth decreases along its normal.
+  /// (δ_own/δ)^4, and its gradient by the tip; a depth decreases along the normal of its face.
   double ratio(const Face& face) const noexcept
   {
     const double x = this->own().depth / face.depth;
@@ -258,8 +260,8 @@ private:
       face.part /= sum;
       face.partChange = (face.partChange - face.part * sumChange) / sum;
     }
-    // The part along the contact's own normal is kept separate: a curved surface has a normal of
-    // its own.
+    // The part along the contact's own normal is kept separate, because the normal of a curved
+    // surface differs from that of its face.
     effect.ownNormal = effect.depth / this->own().depth * this->own().part;
     effect.otherNormals = outward - effect.ownNormal * this->own().normal;
   }
@@ -301,7 +303,7 @@ EdgeEffect BodyEdges::at(
   return Faces(*this, tip, triangle, normal, depth).effect();
 }
 
-/// Remaining part of an edge's sharpness at a distance, and its derivative by the distance.
+/// Remaining fraction of an edge's sharpness at a distance, and its derivative by the distance.
 struct BodyEdges::Softness
 {
   double part = 1.0;
@@ -324,8 +326,8 @@ BodyEdges::Softness BodyEdges::softnessAt(double distance) const noexcept
   return { far.value * held, held * (far.slope + far.value * bySlope) };
 }
 
-/// The product of the factors Ψ of all sharp edges of a face. `foot` is the tip's projection on its
-/// plane.
+/// The product of the factors Ψ of all sharp edges of a face. `foot` is the tip's projection on the
+/// plane of the face.
 BodyEdges::Share BodyEdges::shareOf(
   std::int32_t triangle, const Vector3& foot, const Vector3& normal, double depth) const noexcept
 {

@@ -16,11 +16,11 @@ namespace palpate
 struct EdgeEffect
 {
   double depth = 0.0; ///< δ at which the curve is evaluated, mm; <= 0: no contact
-  /// -∇δ, as ownNormal times the normal of the contact's own face plus otherNormals.
+  /// -∇δ = ownNormal times the normal of the contact's own face, plus otherNormals.
   double ownNormal = 1.0;
   Vector3 otherNormals = Vector3::Zero();
-  /// Ψ, the factor of the work at that depth. Its derivatives by the depth (1/mm, 1/mm²) and its
-  /// gradient by the tip's position at constant depth (1/mm).
+  /// Ψ, the factor of the work at that depth, with its derivatives by the depth (1/mm, 1/mm²) and
+  /// its gradient by the tip's position at constant depth (1/mm).
   double share = 1.0;
   double byDepth = 0.0;
   double byDepthTwice = 0.0;
@@ -33,22 +33,24 @@ struct EdgeEffect
  * The sharp convex edges of a body and their effect on a contact that is followed on one face.
  *
  * At an edge with a turn of BluntTurn or more, the contact stays on its face, and the plane of the
- * face continues beyond the edge. The contact has the work W₀(δ) Π Ψ(d/a₀(δ)), where the product is
- * over the chains of edges nearby (EdgeLaw). It ends where this work is zero. So no force drops
- * suddenly and no energy is gained on any path. A base at a depth h reduces the effect of an edge:
+ * face continues beyond the edge. The work of the contact is W₀(δ) Π Ψ(d/a₀(δ)), where the product
+ * is over the chains of edges nearby (EdgeLaw). The contact ends where this work is zero. Therefore
+ * no force drops suddenly and no energy is gained on any path. A base at a depth h reduces the
+ * effect of an edge:
  * the softness 1/Ψ - 1 falls as e^(-2.75 d/h) with the distance d from the edge (finite elements of
  * bonded blocks: 2.5 to 3.1, d/h to 0.5, ν 0.3 and 0.45). An edge has no effect beyond a distance
  * of Reach contact radii or 1.5 h; its effect fades from half of that distance.
  *
  * At a blunt edge the depth combines both faces: δ^-4 = δ_A^-4 + δ_B^-4. This is nearly the smaller
- * of the two, except near the edge, where it is a fillet as large as the tip is deep. Over 1 µm of
- * motion the turning of the force changes it by at most 0.0038 mm/δ of its magnitude. Directly
- * under the edge the force of a sphere is 23 % less than far from it; on an elastic wedge it is 3 %
- * (30°) to 43 % (75°) less. The factor Ψ at sharp edges is then the sum of the factors of the
- * faces, each weighted by its part of that sum.
+ * of the two depths, except near the edge, where the surface of equal depth is rounded with a
+ * radius of about the depth of the tip. The turning of the force changes it by at most 0.0038 mm/δ
+ * of its magnitude per 1 µm of motion. Directly under the edge the force of a sphere is 23 % less
+ * than far from it; on an elastic wedge it is 3 % (30°) to 43 % (75°) less. The factor Ψ at sharp
+ * edges is then the sum of the factors of the two faces, each weighted by the share of its term in
+ * δ^-4.
  *
- * A re-entrant edge needs no treatment: the nearest point of the surface stays on it, and the force
- * turns from one wall to the other.
+ * A re-entrant edge needs no treatment: the nearest point of the surface remains on the edge, and
+ * the force turns from one wall to the other.
  */
 class PALPATE_EXPORT BodyEdges
 {

@@ -34,7 +34,7 @@ CreaseCut::CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t 
   std::vector<std::int32_t> ends;
   for (const PackedMesh::CreaseSide& side : this->Sides)
   {
-    // Its end is the start of the other side.
+    // The end of this side is the start of the other side.
     ends.push_back(this->Triangles[static_cast<std::size_t>(side.triangle)]
                                   [static_cast<std::size_t>(side.edge)]);
   }
@@ -157,7 +157,7 @@ void CreaseCut::partAround(std::int32_t point)
   }
 }
 
-/// Removes edges whose sides are still connected: the parts are the same at both ends.
+/// Removes edges whose two sides are still connected, because the parts are the same at both ends.
 void CreaseCut::dropUncut()
 {
   const auto isWhole = [this](const PackedMesh::CreaseSide& side)

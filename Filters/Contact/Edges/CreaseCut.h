@@ -20,14 +20,15 @@ namespace palpate
 class PALPATE_EXPORT CreaseCut
 {
 public:
-  /// `triangles` are wound alike; `coordinates` has three floats per point. Only the first `usable`
-  /// triangles have an area.
+  /// The triangles of `triangles` are wound alike; `coordinates` has three floats per point. Only
+  /// the first `usable` triangles have an area.
   CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t usable,
     const std::vector<float>& coordinates, const TriangleLinks& links, double leastTurn);
 
   /// Both sides of each edge that is cut, ordered by triangle.
   const std::vector<PackedMesh::CreaseSide>& sides() const noexcept { return this->Sides; }
-  /// The part around its point to which a corner of a triangle belongs; 0 where nothing is cut.
+  /// The part to which a corner of a triangle belongs, among the parts around its point; 0 if the
+  /// surface is not cut there.
   int part(std::size_t triangle, std::size_t corner) const noexcept
   {
     return this->Parts[3 * triangle + corner];

@@ -17,7 +17,7 @@ namespace palpate
 namespace
 {
 constexpr double CornerCosine = 0.8660254037844386; // 30°
-constexpr std::size_t MostSteps = 32;               // of a search along a chain in a tick
+constexpr std::size_t MostSteps = 32;               // in a search along a chain in a tick
 constexpr int MostAround = 64;                      // triangles around a point
 
 Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
@@ -25,7 +25,7 @@ Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
   return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3.0;
 }
 
-/// The next side on the border of the same face, after the end of a side; { -1, 0 } if it is no
+/// The side that follows on the border of the same face at the end of a side; { -1, 0 } if it is no
 /// crease.
 std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t triangle, int edge)
 {
@@ -49,7 +49,7 @@ std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t tria
   return { -1, 0 };
 }
 
-/// The number of the face of each triangle. A face is a set of connected triangles.
+/// The index of the face of each triangle. A face is a set of connected triangles.
 std::vector<std::int32_t> facesOf(const PackedMesh& mesh)
 {
   std::vector<std::int32_t> faces(mesh.triangleCount(), EdgeChains::None);
@@ -179,7 +179,7 @@ void EdgeChains::linkSegments(const PackedMesh& mesh)
         at = segment.*step;
         if (at == static_cast<std::int32_t>(i))
         {
-          break; // closed
+          break; // the chain is closed
         }
       }
     }
@@ -206,22 +206,22 @@ void EdgeChains::roundEnds()
   }
 }
 
-/// Goes from the creases outwards over the triangles. Each triangle stores the nearest chains that
-/// reach it.
+/// Visits the triangles from the creases outwards. Each triangle stores the nearest chains within
+/// whose reach it is.
 void EdgeChains::findNear(const PackedMesh& mesh)
 {
-  struct Told
+  struct Candidate
   {
     double distance;
     std::int32_t triangle;
     std::int32_t segment;
-    bool operator>(const Told& other) const
+    bool operator>(const Candidate& other) const
     {
       return std::tie(this->distance, this->triangle, this->segment) >
         std::tie(other.distance, other.triangle, other.segment);
     }
   };
-  std::priority_queue<Told, std::vector<Told>, std::greater<>> open;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
   this->NearPlaces.assign(mesh.triangleCount(), None);
   const auto hasRoomFor = [this](std::int32_t triangle, std::int32_t chain)
   {
@@ -231,7 +231,7 @@ void EdgeChains::findNear(const PackedMesh& mesh)
         std::none_of(near->begin(), near->end(),
           [&](std::int32_t s) { return s != None && this->segment(s).chain == chain; }));
   };
-  const auto tell = [&](std::int32_t triangle, std::int32_t segment)
+  const auto addCandidate = [&](std::int32_t triangle, std::int32_t segment)
   {
     if (!hasRoomFor(triangle, this->segment(segment).chain))
     {
@@ -240,7 +240,7 @@ void EdgeChains::findNear(const PackedMesh& mesh)
     const Vector3 middle = centroid(mesh, triangle);
     const Place place = this->closest(middle, segment, this->Segments.size());
     const double distance = std::abs(place.distance);
-    double size = 0.0; // a large triangle extends nearer to the edge than its middle
+    double size = 0.0; // a large triangle extends nearer to the edge than its centroid
     for (int k = 0; k < 3; ++k)
     {
       size = std::max(size, (mesh.corner(triangle, k) - middle).norm());
@@ -260,26 +260,26 @@ void EdgeChains::findNear(const PackedMesh& mesh)
   }
   while (!open.empty())
   {
-    const Told told = open.top();
+    const Candidate candidate = open.top();
     open.pop();
-    if (!hasRoomFor(told.triangle, this->segment(told.segment).chain))
+    if (!hasRoomFor(candidate.triangle, this->segment(candidate.segment).chain))
     {
       continue;
     }
-    std::int32_t& place = this->NearPlaces[static_cast<std::size_t>(told.triangle)];
+    std::int32_t& place = this->NearPlaces[static_cast<std::size_t>(candidate.triangle)];
     if (place == None)
     {
       place = static_cast<std::int32_t>(this->NearLists.size());
       this->NearLists.emplace_back().fill(None);
     }
     Near& near = this->NearLists[static_cast<std::size_t>(place)];
-    *std::find(near.begin(), near.end(), None) = told.segment;
+    *std::find(near.begin(), near.end(), None) = candidate.segment;
     for (int edge = 0; edge < 3; ++edge)
     {
-      const std::int32_t across = mesh.neighbour(told.triangle, edge);
+      const std::int32_t across = mesh.neighbour(candidate.triangle, edge);
       if (across >= 0)
       {
-        tell(across, told.segment);
+        addCandidate(across, candidate.segment);
       }
     }
   }
@@ -320,7 +320,7 @@ EdgeChains::Place EdgeChains::closest(
   bool isInside = offset.dot(at.outward) <= 0.0;
   if (isBeyond && !goesOn)
   {
-    // At a point between two segments, or where the crease ends.
+    // At a point between two segments, or at the end of the crease.
     isInside = onward == None || !(isBefore ? this->segment(onward) : at).turnsLeft;
   }
   const double length = offset.norm();

@@ -17,10 +17,11 @@ namespace palpate
  *
  * A chain follows the border of one face, counter-clockwise seen from outside. It ends where the
  * border turns left by more than 30° (the corner of a face), where blunt and sharp edges meet, or
- * where the crease ends. At a corner of a face another chain begins, and each of the two continues
- * straight beyond the corner. Where two faces meet, each face has a chain of its own.
+ * where the crease ends. At a corner of a face the next chain begins, and each of the two continues
+ * straight beyond the corner. At an edge between two faces, each face has a separate chain.
  *
- * Built in O(n log n) on one thread; 4 bytes a triangle and 32 for those within reach. Immutable.
+ * Built in O(n log n) on one thread. Memory: 4 bytes per triangle, and 32 per triangle near a
+ * chain. Immutable.
  */
 class EdgeChains
 {
@@ -40,13 +41,13 @@ public:
     std::int32_t next = None; ///< next segment of the chain
     std::int32_t previous = None;
     std::int32_t chain = None;
-    std::int32_t face = None;  ///< the face it bounds
+    std::int32_t face = None;  ///< the face that the segment bounds
     std::int32_t other = None; ///< the face on the other side
     std::int32_t across;       ///< the triangle on the other side
     bool isBlunt;
-    bool turnsLeft = false;             ///< to the next segment
-    bool goesOnBefore = false;          ///< straight, beyond a corner of the face at its start
-    bool goesOnBehind = false;          ///< the same at its end
+    bool turnsLeft = false;    ///< to the next segment
+    bool goesOnBefore = false; ///< continues straight beyond a corner of the face at its start
+    bool goesOnBehind = false; ///< continues straight beyond a corner of the face at its end
     std::array<double, 2> sharpness;    ///< at its ends, see edgeSharpness
     std::array<Vector3, 2> otherNormal; ///< normal of the other side, at its ends
   };
@@ -58,7 +59,7 @@ public:
     double part = 0.0; ///< fraction of the segment's length
     Vector3 point = Vector3::Zero();
     double distance = 0.0; ///< mm, in the plane of the segment, > 0 on the side of the face
-    Vector3 gradient = Vector3::Zero(); ///< of the distance, by the position asked for
+    Vector3 gradient = Vector3::Zero(); ///< of the distance, by the position given to closest()
   };
 
   /// Distance from a triangle (mm) within which a chain counts as near.
@@ -91,8 +92,8 @@ public:
     return this->Segments[static_cast<std::size_t>(number)];
   }
 
-  /// The local minimum of the distance along a chain, searched from one of its segments. `place` in
-  /// local coordinates. Bounded time: the search stops after a fixed number of segments.
+  /// The local minimum of the distance along a chain, searched from one of its segments. `place` is
+  /// in local coordinates. The time is bounded: the search stops after a fixed number of segments.
   Place closest(const Vector3& place, std::int32_t segment) const noexcept;
 
   double reach() const noexcept { return this->Limits.sharp; }
@@ -110,7 +111,7 @@ private:
 
   Reach Limits;
   std::vector<Segment> Segments;
-  std::vector<PackedMesh::CreaseSide> Sides; ///< while it is built
+  std::vector<PackedMesh::CreaseSide> Sides; ///< only while the object is built
   std::vector<std::int32_t> NearPlaces;
   std::vector<Near> NearLists;
 };

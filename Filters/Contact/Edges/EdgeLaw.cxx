@@ -28,8 +28,8 @@ constexpr TableRow Table[] = {
 #include "Contact/Edges/EdgeLawTable.inc"
 };
 
-/// Where a rigid tool of this exponent leaves the edge of a quarter space: u = -end. For the flat
-/// end, `end` is larger than the theoretical 1, see EdgeLaw.
+/// The position u = -end at which a rigid tool of this exponent leaves the edge of a quarter space.
+/// For the flat end, `end` is larger than the theoretical 1, see EdgeLaw.
 struct Leaving
 {
   double exponent;
@@ -59,15 +59,15 @@ struct Spline
   }
 };
 
-/// Weights of the table's ratios: Lagrange's in ln ψ.
+/// Weights of the table's Poisson's ratios: Lagrange's in ln ψ.
 std::array<double, Ratios> weightsOf(double poissonRatio)
 {
   const double x = std::log(pointLoadSoftness(poissonRatio));
   std::array<double, Ratios> node{};
   std::transform(TableRatios.begin(), TableRatios.end(), node.begin(),
     [](double ratio) { return std::log(pointLoadSoftness(ratio)); });
-  // The parabola is valid only between the nodes. Below the first node: the line through the first
-  // two.
+  // The parabola is valid only between the nodes. Below the first node, the line through the first
+  // two nodes is used.
   if (x < node[0])
   {
     const double part = (x - node[0]) / (node[1] - node[0]);
@@ -85,7 +85,8 @@ std::array<double, Ratios> weightsOf(double poissonRatio)
   return weight;
 }
 
-/// Spline for one exponent of the table, from the end to u = 8. Its last slope is that of the tail.
+/// Spline for one exponent of the table, from the end to u = 8. Its last slope is that of u/(u +
+/// k).
 Spline splineOf(const Leaving& tool, double poissonRatio)
 {
   const std::array<double, Ratios> weight = weightsOf(poissonRatio);
@@ -166,7 +167,7 @@ EdgeLaw::EdgeLaw(const EdgeTerms& terms)
     for (std::size_t k = 0; k < 2; ++k)
     {
       // Tools leave at different u. Beyond the edge each spline is stretched to the common end; at
-      // the edge itself they are not stretched.
+      // the edge itself there is no stretch.
       const double stretch = Ends[lower + k].end / this->End - 1.0;
       const double x = u < 0.0 ? u / this->End : 0.0;
       const Value one = splines[k].evaluate(u * (1.0 + stretch * x * x));
@@ -240,7 +241,7 @@ double pointLoadSoftness(double poissonsRatio)
   {
     ++i;
   }
-  // 1/ψ is nearly linear in ν: within 0.15 % of 0.809 - 0.890 ν from 0.3 on.
+  // 1/ψ is nearly linear in ν: within 0.15 % of 0.809 - 0.890 ν for ν >= 0.3.
   const double part = (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
   return 1.0 / ((1.0 - part) / value[i - 1] + part / value[i]);
 }
@@ -253,8 +254,8 @@ double edgeSharpness(double poissonsRatio, double turn)
   {
     return std::pow(t, 3.4);
   }
-  // The strain at the surface is proportional to 1 - 2ν. Its part is (1+ν)(1-2ν)² 2/9, compared
-  // with cos² inside, whose mean is 1/3.
+  // The strain at the surface is proportional to 1 - 2ν. Its contribution is (1+ν)(1-2ν)² 2/9,
+  // compared with cos² inside, whose mean is 1/3.
   const double n = 1.0 - 2.0 * poissonsRatio;
   const double skin = (1.0 + poissonsRatio) * n * n * 2.0 / 9.0;
   const double part = 0.65 * skin / (1.0 / 3.0 + skin);

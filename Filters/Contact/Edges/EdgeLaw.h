@@ -19,11 +19,11 @@ struct EdgeTerms
   double exponent = 0.0;     ///< m of F ∝ δ^m far inside: 1 flat, 1.5 sphere, 2 cone
   double radius = 0.0;       ///< contact radius at a depth of 1 mm, mm: a₀ = radius δ^(m-1)
   double poissonRatio = 0.5; ///< of the body
-  /// Depth (mm) at which the body is held, by the base of a layer or by its own opposite side. An
-  /// edge farther away than 1.5 of this has no effect. 0: endless.
+  /// Depth (mm) at which the body is fixed, by the base of a layer or by its own opposite side. An
+  /// edge farther away than 1.5 times this depth has no effect. 0: a half-space.
   double extent = 0.0;
-  /// The curves already contain the effect of the edge, as those from finite elements do. Only the
-  /// part beyond the edge is added.
+  /// The curves already contain the effect of the edge, as curves from finite elements do. Then
+  /// only the effect beyond the edge is added.
   bool isInCurves = false;
 
   bool areFelt() const noexcept { return this->exponent > 0.0 && this->radius > 0.0; }
@@ -33,26 +33,26 @@ struct EdgeTerms
 /// number.
 PALPATE_EXPORT std::string faultOfEdges(const EdgeTerms& terms);
 
-/// Terms of a tool that is pressed to `deflection` (mm) on a body of Poisson's ratio ν. Exponent m
-/// and contact radius are those on a half-space at that deflection.
+/// Terms of a tool that is pressed to `deflection` (mm) on a body of Poisson's ratio ν. The
+/// exponent m and the contact radius are those on a half-space at that deflection.
 PALPATE_EXPORT EdgeTerms edgeTermsOf(
   const AxisymmetricTool& tool, double deflection, double poissonRatio);
 
 /**
- * The part of a contact's work that remains near the straight edge of an elastic body:
- * W = W₀(δ) Ψ(u). W₀ is the work at the same depth far inside, u = d/a₀(δ), d the distance of the
- * tool's axis from the edge (> 0 inside), and a₀ the contact radius far inside. From this energy
- * follow
- *   F = F₀ Ψ - W₀ Ψ' u a₀'/a₀,   F_side = W₀ Ψ'/a₀, off the body.
- * So no energy is gained on closed paths, and the tool leaves an elastic body at u = -1 (flat), -√2
- * (paraboloid), -π/2 (cone).
+ * The part of a contact's work that remains near the straight edge of an elastic body: W = W₀(δ)
+ * Ψ(u). W₀ is the work at the same depth far inside, u = d/a₀(δ), d the distance of the tool's axis
+ * from the edge (> 0 inside), and a₀ the contact radius far inside. The forces follow from this
+ * energy:
+ *   F = F₀ Ψ - W₀ Ψ' u a₀'/a₀,   F_side = W₀ Ψ'/a₀, away from the body.
+ * Therefore no energy is gained on closed paths, and the tool leaves an elastic body at u = -1
+ * (flat), -√2 (paraboloid), -π/2 (cone).
  *
  * Ψ of a right-angled edge comes from Hetényi's two overlapping half-spaces
  * (Data/Reference/edges/edge_law.csv). It is a C¹ spline through values and slopes, interpolated
- * between the m of the table by m, and between its ν by ln ψ (pointLoadSoftness). Beyond u = 8 it
- * is u/(u + k). The outer end is changed: normal and sideways force vanish together, for a flat at
- * u = -1.175. With the table alone the sideways force would drop in one step. For an edge of
- * another angle, the softness of the edge, 1/Ψ - 1, is multiplied by its sharpness.
+ * linearly in m between the m of the table, and in ln ψ between its ν (pointLoadSoftness). Beyond u
+ * = 8, Ψ is u/(u + k). The outer end is modified so that normal and sideways force vanish together,
+ * for a flat at u = -1.175; with the table alone the sideways force would drop in one step. For an
+ * edge of another angle, the softness of the edge, 1/Ψ - 1, is multiplied by its sharpness.
  */
 class PALPATE_EXPORT EdgeLaw
 {
@@ -68,9 +68,9 @@ public:
   EdgeLaw() = default;
   explicit EdgeLaw(const EdgeTerms& terms);
 
-  /// `sharpness`: see edgeSharpness(); 1 for a right-angled edge.
+  /// `sharpness` is that of edgeSharpness(); 1 for a right-angled edge.
   Value at(double u, double sharpness) const noexcept;
-  /// The value of -u (> 0) from which Ψ is 0.
+  /// Ψ is 0 for u <= -end(); end() > 0.
   double end() const noexcept { return this->End; }
 
 private:
@@ -92,17 +92,17 @@ private:
   std::array<Node, Cells + 1> Nodes{};
 };
 
-/// ψ of a point load at distance d from a right-angled edge: C = ψ/(2πE* d) is the compliance in
-/// addition to that of a half-space. Within 0.02 (Data/Reference: Hetényi's quarter space).
+/// ψ of a point load at distance d from a right-angled edge: the edge adds C = ψ/(2πE* d) to the
+/// compliance of a half-space. Within 0.02 (Data/Reference: Hetényi's quarter space).
 PALPATE_EXPORT double pointLoadSoftness(double poissonsRatio);
 
-/// ψ of a point load at distance d from an edge at which the surface turns by an angle (rad), over
-/// ψ of a right-angled edge. An edge with a small turn has far less effect than in proportion,
-/// because the missing material would hardly be strained. With t = tan of half the angle: up to a
-/// right angle t³, of which up to a quarter is replaced by t for compressible bodies; beyond a
-/// right angle t^3.4, up to 120° (a thinner wedge counts as 120°). Compared with finite elements it
-/// is at most 1.4 times as large, or larger by 0.13 of a right angle's value, and never smaller
-/// (Data/Reference/edges/wedge_point_law.csv).
+/// ψ of a point load at distance d from an edge at which the surface turns by the angle `turn`
+/// (rad), divided by ψ of a right-angled edge. The effect of an edge with a small turn is far less
+/// than proportional to the turn, because the missing material would hardly be strained. With t =
+/// tan of half the angle: up to a right angle t³, of which up to a quarter is replaced by t for
+/// compressible bodies; beyond a right angle t^3.4, up to 120° (a thinner wedge counts as 120°).
+/// Compared with finite elements the result is at most 1.4 times as large, or larger by 0.13 of the
+/// value of a right angle, and never smaller (Data/Reference/edges/wedge_point_law.csv).
 PALPATE_EXPORT double edgeSharpness(double poissonsRatio, double turn);
 } // namespace palpate
 

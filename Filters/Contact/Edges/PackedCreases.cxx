@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How PackedMesh::Builder cuts a mesh along its creases and marks the cuts.
+// The part of PackedMesh::Builder that cuts a mesh along its creases and marks the cuts.
 #include "Contact/PackedMeshBuilder.h"
 
 #include "Contact/Edges/CreaseCut.h"
@@ -50,7 +50,7 @@ void PackedMesh::Builder::cutCreases()
       if (hasTwins)
       {
         std::int32_t& first = this->Joined[t][k];
-        first = partOf(first, part); // numbered before its twin
+        first = partOf(first, part); // its number is lower than that of its twin
         point = partOf(point, part);
         this->Twins.resize(this->PointCount, -1);
         this->Twins[static_cast<std::size_t>(point)] = first;
@@ -69,7 +69,7 @@ void PackedMesh::Builder::cutCreases()
   this->Links = std::make_unique<TriangleLinks>(this->joined(), this->PointCount);
 }
 
-/// An edge that has no neighbour because of a cut is not a border edge.
+/// Marks edges that have no neighbour because of a cut, and no longer counts them as border edges.
 void PackedMesh::Builder::markCreases()
 {
   this->Mesh.Found.borderEdges -= this->Mesh.Creases.size();
@@ -108,7 +108,7 @@ void PackedMesh::Builder::markCreases()
 
 void PackedMesh::Builder::computeCornerNormals()
 {
-  std::map<std::int32_t, Vector3> sums; // by the number of the uncut point
+  std::map<std::int32_t, Vector3> sums; // by the index of the uncut point
   const auto visitParts = [this](const auto& visit)
   {
     for (std::size_t point = 0; !this->Mesh.Creases.empty() && point < this->PointCount; ++point)

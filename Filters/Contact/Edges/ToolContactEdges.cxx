@@ -45,7 +45,7 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
   const EdgeEffect effect = this->onNearestFace(place);
   if (!(effect.depth > 0.0) && effect.depth + this->Sunk > 0.0 && effect.share > 0.0)
   {
-    return this->end(ContactState::None); // the lowered surface does not reach the tool
+    return this->end(ContactState::None); // the tool does not reach the lowered surface
   }
   if (!(effect.depth > 0.0 && effect.share > 0.0))
   {
@@ -54,11 +54,11 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
       return this->feelWithoutEdges();
     }
     this->Tracker.reset();
-    this->IsLetGo = true;
+    this->IsReleased = true;
     return this->end(ContactState::None);
   }
   place.signedDistance = -effect.depth;
-  if (place.onCrease) // beyond the edge: on the continued plane of the face
+  if (place.onCrease) // beyond the edge: on the extended plane of the face
   {
     place.projection.point =
       this->LastTip + place.normal.dot(place.projection.point - this->LastTip) * place.normal;
@@ -72,7 +72,7 @@ Contact ToolContact::feelEdges(ContactPlace& place) noexcept
   }
   if (result.state == ContactState::None)
   {
-    return this->comeOff();
+    return this->endDetached();
   }
   this->applyEdges(effect, response, result);
   this->keepOutward(place, result);
@@ -84,7 +84,7 @@ Contact ToolContact::feelWithoutEdges() noexcept
 {
   this->IsWithoutEdges = true;
   this->Tracker.reset();
-  return this->feel(this->Tracker.update(this->LastTip), this->LetDown);
+  return this->feel(this->Tracker.update(this->LastTip), this->Lowering);
 }
 
 void ToolContact::applyEdges(
@@ -93,7 +93,7 @@ void ToolContact::applyEdges(
   const double work =
     this->work(response, effect.depth) + (this->IsInTime ? this->Relaxation.storedEnergy() : 0.0);
   const double before = result.normalForce;
-  const Vector3 beside = result.force - result.normalForce * result.normal; // of unlike curves
+  const Vector3 beside = result.force - result.normalForce * result.normal; // due to unlike curves
   const double force = result.normalForce * effect.share + work * effect.byDepth;
   result.stiffness = result.stiffness * effect.share + 2.0 * result.normalForce * effect.byDepth +
     work * effect.byDepthTwice;

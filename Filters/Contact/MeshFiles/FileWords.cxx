@@ -68,7 +68,8 @@ bool FileWords::number(float& value, std::string_view& wrong)
 {
   wrong = this->word();
   const std::string_view digits = wrong.substr(wrong.size() > 1 && wrong[0] == '+' ? 1 : 0);
-  double read = 0.0; // reading a float would reject numbers too small for it
+  // Double, because reading a float would reject numbers that are too small for it.
+  double read = 0.0;
   const bool isNumber = readNumber(digits, read);
   value = isNumber ? static_cast<float>(read) : 0.0F;
   return isNumber && std::isfinite(value);

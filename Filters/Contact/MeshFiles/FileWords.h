@@ -14,23 +14,23 @@ namespace palpate
 class FileWords
 {
 public:
-  /// `continued`: a character that at the end of a line joins the next line to it; 0: none.
+  /// `continued`: a character that at the end of a line continues it on the next line; 0: none.
   FileWords(std::istream& stream, char continued = '\0')
     : Stream(stream)
     , Continued(continued)
   {
   }
 
-  /// Goes to the next line; false at the end of the file.
+  /// Moves to the next line; returns false at the end of the file.
   bool nextLine();
-  /// The next word of the line; "" at its end. Valid until the next line.
+  /// Returns the next word of the line; "" at its end. Valid until the next line.
   std::string_view word();
-  /// Reads the next word as a finite number; otherwise sets `wrong` to the word.
+  /// Reads the next word as a finite number; if it is none, returns false and sets `wrong` to it.
   bool number(float& value, std::string_view& wrong);
   /// Number of the line, from 1.
   std::size_t lineNumber() const { return this->Number; }
 
-  /// The word, or its beginning, in quotes.
+  /// The word, or the beginning of a long word, in quotes.
   static std::string shown(std::string_view word);
 
 private:

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Parts = 3; // of a corner
+constexpr std::size_t Parts = 3; // indices of a corner: point, texture coordinate, normal
 constexpr std::array<const char*, Parts> PartNames = { "vertex", "texture coordinate", "normal" };
 
 class ObjReader
@@ -115,7 +115,7 @@ private:
     this->Mesh.starts.push_back(static_cast<std::int64_t>(this->Mesh.corners.size()));
   }
 
-  /// v, v/t, v//n or v/t/n.
+  /// Reads a corner: v, v/t, v//n or v/t/n.
   bool readCorner(std::string_view text)
   {
     const std::string_view whole = text;
@@ -165,7 +165,7 @@ private:
     return true;
   }
 
-  /// Checks the numbers at the end, because a corner may name a later vertex.
+  /// Checks the largest indices at the end, because a corner may refer to a later vertex.
   void checkLargest()
   {
     for (std::size_t part = 0; part < Parts && this->Mesh.fault.empty(); ++part)
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  /// Keeps the normals if each point of a face has one and only one.
+  /// Keeps the normals if each point of a face has exactly one.
   void attachNormals()
   {
     if (this->LeftOut > 0)
@@ -224,11 +224,11 @@ private:
 
   FileWords Words;
   FileMesh Mesh;
-  std::vector<float> Normals;               ///< as the file lists them
+  std::vector<float> Normals;               ///< in the order of the file
   std::vector<std::int64_t> CornerNormals;  ///< of each corner; -1: none
   std::array<std::int64_t, Parts> Counts{}; ///< number of lines so far
   std::array<std::int64_t, Parts> Largest{};
-  std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest number
+  std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest index
   std::size_t LeftOut = 0;
 };
 } // namespace

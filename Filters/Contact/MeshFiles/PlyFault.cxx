@@ -12,13 +12,13 @@
 
 namespace
 {
-constexpr std::uint64_t LongestFace = 255; // corners: a buffer in vtkPLYReader
-constexpr std::size_t LongestLine = 4000;  // characters: a buffer in vtkPLY
+constexpr std::uint64_t LongestFace = 255; // corners; size of a buffer in vtkPLYReader
+constexpr std::size_t LongestLine = 4000;  // characters; size of a buffer in vtkPLY
 
 struct Property
 {
   std::string name;
-  int countSize; // bytes of a list's length, 0 if not a list
+  int countSize; // bytes of the length of a list, 0 if it is not a list
   int size;      // bytes of a value
   bool whole;    // an integer
 };
@@ -83,7 +83,8 @@ bool hasCoordinates(const Element& element)
   return has("x") && has("y") && has("z");
 }
 
-/** vtkPLYReader takes the first element for the vertices. */
+/** The fault of the elements, or "". vtkPLYReader assumes that the first element is the
+ * vertices. */
 std::string elementFault(const PlyHeader& header)
 {
   bool vertices = false;
@@ -161,7 +162,7 @@ std::string readHeader(std::istream& file, PlyHeader& header)
   return "its header does not end";
 }
 
-/** Reads the values of a file in order. A failed stream marks the end. */
+/** Reads the values of a file in order. A failed stream means the end. */
 class Values
 {
 public:
@@ -172,7 +173,7 @@ public:
   {
   }
 
-  /** A row of an ASCII file is a line. */
+  /** Moves to the next row: a line of an ASCII file. */
   bool nextRow()
   {
     if (this->ascii && std::getline(this->stream, this->line))
@@ -183,7 +184,8 @@ public:
     return this->stream.good() && this->line.size() <= LongestLine;
   }
 
-  /** Reads a value as unsigned, so that a negative one is large; in a binary file, the bytes. */
+  /** Reads a value as unsigned, so that a negative one appears large; from a binary file, its
+   * bytes. */
   bool next(int size, std::uint64_t& value)
   {
     if (this->ascii)

@@ -27,7 +27,7 @@ std::string lowerCase(std::string_view word)
   return lower;
 }
 
-/// Numbers each point, three to a facet.
+/// Adds the facets: three consecutive points for each.
 FileMesh withFacets(FileMesh mesh)
 {
   const std::size_t points = mesh.points.size() / 3;
@@ -48,7 +48,7 @@ FileMesh faulty(const std::string& fault)
   return mesh;
 }
 
-/// Reads facets from text. Keywords must be in order, on one line or several.
+/// Reads facets from text. Keywords must be in order; they may be on one line or several.
 class AsciiFacets
 {
 public:
@@ -81,7 +81,7 @@ private:
       {
         this->expect(isSolid != this->IsOpen && this->Corners == NoFacet, word);
         this->IsOpen = isSolid;
-        return; // the rest is a name
+        return; // the rest of the line is a name
       }
       this->readWord(word);
     }
@@ -142,7 +142,7 @@ private:
     this->expect(isNamed, "facet");
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Words.word(); // any value: some writers leave it undefined
+      this->Words.word(); // skips any value: some programs write an undefined one
     }
   }
 
@@ -171,7 +171,7 @@ private:
   FileMesh Mesh;
   std::string Fault;
   bool IsOpen = false;   ///< within a solid
-  int Corners = NoFacet; ///< of this facet so far
+  int Corners = NoFacet; ///< number of corners of the current facet
 };
 
 std::uint32_t wordAt(const unsigned char* bytes)
@@ -216,7 +216,7 @@ FileMesh readBinary(std::istream& file, std::uint64_t facets, std::uint64_t size
   return withFacets(std::move(mesh));
 }
 
-/// Whether a text begins with a word, after a byte order mark and blanks.
+/// Whether a text begins with "solid", possibly after a byte order mark and blanks.
 bool beginsWithSolid(const std::string& head)
 {
   const std::size_t mark = head.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;

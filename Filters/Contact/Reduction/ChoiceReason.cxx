@@ -22,7 +22,7 @@ std::string text(const ChoiceSpread& spread)
   return least == words.str() ? least : least + " to " + words.str();
 }
 
-/// Rounded down, so that "100 %" means all points.
+/// The fraction in percent, rounded down, so that "100 %" means all points.
 std::string percentOfPoints(double share)
 {
   std::ostringstream words;

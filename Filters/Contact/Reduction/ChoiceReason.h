@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// A sentence about the choice: the form chosen, its error, the reason why no simpler form
-/// suffices, and where the law does not hold. `before`: numbers per point of the original.
+/// A sentence about the chosen form, its error, the reason why no simpler form suffices, and the
+/// points at which the law does not hold. `before`: numbers per point of the original response.
 PALPATE_EXPORT std::string choiceReason(
   const ResponseChoice& choice, const ChoiceSettings& settings, int before);
 } // namespace palpate

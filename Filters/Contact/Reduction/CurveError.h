@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A curve as n forces, then n stiffnesses.
+/// A curve as a vector of n forces, then n stiffnesses.
 struct SampledCurve
 {
   const Eigen::VectorXd& columns;
@@ -24,11 +24,12 @@ struct SampledCurve
   }
 };
 
-/// The largest error of curves, and its point; += keeps the larger error, or the first of two equal
-/// ones.
+/// The largest error of several curves, and its point. += keeps the larger error, or the first of
+/// two equal errors.
 struct CurveError
 {
-  double force = 0.0; ///< |F' - F|/F, or /F_1 before the first sample; inf if not finite
+  /// |F' - F|/F, with F_1 instead of F before the first sample; inf if not finite.
+  double force = 0.0;
   double slope = 0.0; ///< |K' - K| over the largest K of the curve
   std::size_t point = 0;
 

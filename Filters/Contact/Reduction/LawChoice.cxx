@@ -13,14 +13,14 @@ namespace
 {
 constexpr std::size_t SampleSize = 8192;
 
-/// The values after storage as float.
+/// The values after rounding to float, as they are stored.
 template <class Matrix>
 Matrix asStored(const Matrix& values)
 {
   return values.template cast<float>().template cast<double>();
 }
 
-/// Number of errors within the tolerance, and the largest error; += adds.
+/// Number of curves within the tolerance, and the largest error; += adds up.
 struct Kept
 {
   std::size_t count = 0;
@@ -43,7 +43,7 @@ struct Kept
   }
 };
 
-/// Arrays of up to 2 SampleSize points, evenly spaced.
+/// The arrays of up to 2 SampleSize points, evenly spaced.
 class SampledPoints
 {
 public:
@@ -81,7 +81,7 @@ private:
   ResponseArrays Arrays;
 };
 
-/// The error of a curve with its best coefficients, as stored.
+/// The error of a curve with its best coefficients, rounded as they are stored.
 double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& laws,
   Eigen::VectorXd& coefficients)
 {
@@ -93,8 +93,8 @@ double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& 
   return curveError({ curve, curves.sampling() }, { reduced, curves.sampling() }, range, 0).force;
 }
 
-/// The multiple of a law in the middle of the curves. A fraction (1 - share)/2 of the curves is
-/// left out at each end.
+/// The multiple of a law that is in the middle of the curves. A fraction (1 - share)/2 of the
+/// curves is ignored at each end.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& law, double share)
 {
   std::vector<double> scales(sample.count());
@@ -109,11 +109,11 @@ Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& 
     static_cast<std::size_t>(0.5 * (1.0 - share) * static_cast<double>(scales.size() - 1));
   const double least = scales[out];
   const double most = scales[scales.size() - 1 - out];
-  // Relative errors to both ends are the same at the harmonic mean.
+  // At the harmonic mean, the relative errors to both ends are equal.
   return asStored(Eigen::MatrixXd(2.0 * least * most / (least + most) * law));
 }
 
-/// Whether all points have the curve of the first, and its range, bit by bit.
+/// Whether all points have the curve and the range of the first point, bit for bit.
 bool isOneCurve(const ResponseArrays& arrays, const ReducibleCurves& curves)
 {
   const auto columns = static_cast<std::size_t>(arrays.basis ? arrays.laws : arrays.samples);
@@ -133,8 +133,8 @@ bool isOneCurve(const ResponseArrays& arrays, const ReducibleCurves& curves)
   return true;
 }
 
-/// The number of curves that the laws keep within the tolerance. errorOf(curves, i, coefficients)
-/// finds the coefficients, use(i, coefficients) receives them.
+/// The number of curves that the laws reproduce within the tolerance. errorOf(curves, i,
+/// coefficients) finds the coefficients; use(i, coefficients) receives them.
 template <class Error, class Use>
 Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorOf, const Use& use)
 {
@@ -147,8 +147,8 @@ Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorO
     });
 }
 
-/// Accepts the laws if they keep the tolerance at the required fraction of the points: first of the
-/// sample, then of all.
+/// Accepts the laws if the required fraction of the points is within the tolerance, first of the
+/// sample, then of all points.
 template <class Error>
 bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const ReducibleCurves& sample, const Eigen::MatrixXd& laws, const ChoiceSettings& settings,
@@ -210,7 +210,7 @@ bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Redu
   const Eigen::MatrixXd laws = asStored(leadingLaws(sample, std::max(most, 1)));
   if (!laws.allFinite())
   {
-    return false; // forces that are zero or not finite
+    return false; // forces are zero or not finite
   }
   const Eigen::MatrixXd one = middleLaw(sample, laws.leftCols(1), settings.share);
   const Eigen::VectorXd law = one.col(0);

@@ -7,18 +7,18 @@
 namespace palpate
 {
 /**
- * The effect of an error of each column of a curve on the relative error of the force around it:
- * 1/F_i for forces; for slopes the largest change of a Hermite cubic, 4/27 of slope times interval,
- * over F_i.
+ * The largest relative error of the force that a unit error of each column of a curve causes: 1/F_i
+ * for forces; for slopes the largest change of a Hermite cubic, 4/27 of slope times interval,
+ * divided by F_i.
  */
 Eigen::VectorXd columnWeights(
   const Eigen::VectorXd& curve, const ResponseSampling& sampling, double range);
 
 /**
  * Up to `most` laws, one per column, the most important first: the leading eigenvectors of the Gram
- * matrix of the curves. Each curve is divided by its force at full range, and columns are weighted
- * as above at their mean. The first law is 1 N at full range. There must be curves, with positive
- * forces.
+ * matrix of the curves. Each curve is divided by its force at full range, and the columns are
+ * weighted by columnWeights() of the mean curve. The first law is scaled to 1 N at full range.
+ * There must be at least one curve, and forces must be positive.
  */
 Eigen::MatrixXd leadingLaws(const ReducibleCurves& curves, int most);
 

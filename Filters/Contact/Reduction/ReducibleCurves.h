@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// The curves of the points that have a response: n forces, then n stiffnesses, from either stored
-/// form.
+/// The curves of the points that have a response: n forces, then n stiffnesses. They are read from
+/// either stored form.
 class ReducibleCurves
 {
 public:
@@ -25,8 +25,8 @@ public:
   const ResponseSampling& sampling() const { return this->Sampling; }
   Eigen::VectorXd curve(std::size_t i) const;
 
-  /// Sums by add(sum, i) over every `step`-th curve. The blocks are summed in order, so that the
-  /// result does not depend on the threads.
+  /// Calls add(sum, i) for every `step`-th curve and returns the total. The sums of blocks are
+  /// added in order, so that the result does not depend on the number of threads.
   template <class Sum, class Add>
   Sum sum(const Sum& zero, const Add& add, std::size_t step = 1) const;
 
@@ -39,7 +39,8 @@ private:
 template <class Sum, class Add>
 Sum ReducibleCurves::sum(const Sum& zero, const Add& add, std::size_t step) const
 {
-  constexpr std::size_t BlockSize = 8192; // the smallest range that forRanges gives a thread
+  // Size of the smallest range that forRanges gives a thread.
+  constexpr std::size_t BlockSize = 8192;
   const std::size_t items = (this->count() + step - 1) / step;
   const std::size_t blocks = (items + BlockSize - 1) / BlockSize;
   std::vector<Sum> sums(blocks, zero);

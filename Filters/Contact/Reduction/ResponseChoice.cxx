@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// Finds regime, validity, depths and ranges of the points that have a response.
+/// Evaluates regime, validity, depths and ranges of the points that have a response.
 void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
   const ChoiceEvidence& evidence, const ChoiceSettings& settings)
 {
@@ -56,7 +56,7 @@ double secant(const ReducibleCurves& curves, std::size_t i, const Eigen::VectorX
   return curve[curves.sampling().samples() - 1] / curves.range(i);
 }
 
-/// The largest |k δ - F| up to the range, over F at the range; inf if a value is not finite.
+/// The largest |k δ - F| up to the range, divided by F at the range; inf if a value is not finite.
 double lossOf(const ReducibleCurves& curves, std::size_t i)
 {
   const Eigen::VectorXd curve = curves.curve(i);
@@ -79,7 +79,7 @@ double lossOf(const ReducibleCurves& curves, std::size_t i)
   return loss;
 }
 
-/// Results of springs at some points.
+/// Results of springs at a range of points.
 struct SpringsFound
 {
   std::size_t kept = 0;
@@ -97,8 +97,8 @@ struct SpringsFound
   }
 };
 
-/// F = k δ. With one range: k times one law. Otherwise the force at the range, k range, times one
-/// law plus k times another.
+/// Stores F = k δ. If all points have one range, F is k times one law. Otherwise F is the force at
+/// the range, k range, times one law plus k times another.
 void storeSprings(
   ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves)
 {

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::size_t ScreenSize = 4096; // points on which a form is tested first
 
-/// The values after storage as float.
+/// The values after rounding to float, as they are stored.
 template <class Matrix>
 Matrix stored(const Matrix& values)
 {
@@ -28,7 +28,7 @@ Eigen::VectorXd storedCoefficients(
     lawCoefficients(curve, columnWeights(curve, curves.sampling(), curves.range(i)), laws)));
 }
 
-/// The curve at other samples.
+/// The curve of point i, sampled at the depths of `sampling`.
 Eigen::VectorXd resampled(
   const ReducibleCurves& curves, std::size_t i, const ResponseSampling& sampling)
 {
@@ -46,8 +46,8 @@ Eigen::VectorXd resampled(
   return stored(samples);
 }
 
-/// The error of the curves reduced(i) over all i. It is tested on some first, which may suffice to
-/// reject the form.
+/// The error of the curves reduced(i) over all i. Some curves are tested first, which may suffice
+/// to reject the form.
 template <class Reduced>
 CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampling,
   double tolerance, const Reduced& reduced)
@@ -55,7 +55,8 @@ CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampli
   const auto add = [&](CurveError& error, std::size_t i)
   {
     const Eigen::VectorXd right = curves.curve(i);
-    const Eigen::VectorXd& other = reduced(i); // extends the lifetime of a value
+    // Binding to a reference extends the lifetime of a temporary.
+    const Eigen::VectorXd& other = reduced(i);
     error += curveError(
       { right, curves.sampling() }, { other, sampling }, curves.range(i), curves.point(i));
   };
@@ -94,7 +95,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
     });
 }
 
-/// The law in the middle of all curves, which are multiples of one law.
+/// The law that is in the middle of all curves, which are multiples of one law.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& curves, const Eigen::MatrixXd& law)
 {
   struct Span
@@ -114,7 +115,7 @@ Eigen::MatrixXd middleLaw(const ReducibleCurves& curves, const Eigen::MatrixXd& 
       const double scale = storedCoefficients(curves, i, law)[0];
       partial += { scale, scale };
     });
-  // Relative errors to both ends are the same at the harmonic mean.
+  // At the harmonic mean, the relative errors to both ends are equal.
   return stored(Eigen::MatrixXd(2.0 * span.least * span.most / (span.least + span.most) * law));
 }
 

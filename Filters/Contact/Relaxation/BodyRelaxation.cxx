@@ -14,7 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// The depth d of the whole curve at which its local part is `local`: d - C F(d) = local.
+/// The depth d of the whole curve at which the depth of its local part is `local`: d - C F(d) =
+/// local.
 double wholeDepth(const ResponseField& whole, std::int32_t point, double compliance, double local)
 {
   return increasingRoot(
@@ -26,7 +27,7 @@ double wholeDepth(const ResponseField& whole, std::int32_t point, double complia
     local, whole.range(point), local + compliance * whole.evaluate(point, local).force);
 }
 
-/// Whether the stiffness of a curve never falls with depth, except by noise.
+/// Whether the stiffness of a curve never falls with depth, except for noise.
 bool isConvex(const ResponseField& curves, std::int32_t point)
 {
   constexpr int chords = 16;
@@ -96,7 +97,8 @@ void BodyRelaxation::separate(const PackedMesh& mesh, const ResponseArrays& arra
         }
         const auto compliance = static_cast<double>(arrays.relaxation.elasticCompliance[i]);
         const double end = whole.range(point);
-        // At least a thousandth of the range: a body that only bends as a whole has no local part.
+        // At least a thousandth of the range, because a body that only bends as a whole has no
+        // local part.
         const double local =
           std::max(end - compliance * whole.evaluate(point, end).force, 1e-3 * end);
         range[i] = static_cast<float>(local);

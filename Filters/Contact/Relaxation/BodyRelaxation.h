@@ -14,8 +14,7 @@
 namespace palpate
 {
 /**
- * The relaxation data of a body, as a tick uses them: the same for all points, or one set per
- * point.
+ * The relaxation data of a body for the servo tick: one set for all points, or one set per point.
  *
  * A part of the compliance may be elastic and in series (RelaxationTerms::elasticCompliance). Then
  * only the rest of the curve relaxes: δ = δ_local + C F. The curves of the local part are stored in
@@ -26,7 +25,8 @@ namespace palpate
 class PALPATE_EXPORT BodyRelaxation
 {
 public:
-  /// `response` is that of the body, for the same mesh; it must outlive this object.
+  /// `response` is the response of the body at the points of the same mesh; it must outlive this
+  /// object.
   BodyRelaxation(
     const PackedMesh& mesh, const ResponseField& response, const ResponseArrays& arrays);
 
@@ -39,7 +39,7 @@ public:
   /// Whether the stiffness of all these curves rises with depth, except for noise. Other curves can
   /// only be used with one element (QuasiLinearElement).
   bool areConvex() const noexcept { return this->AreConvex; }
-  /// A point with a curve if the curves of all points are the same; else -1.
+  /// If the curves of all points are the same: a point that has a curve; else -1.
   std::int32_t sameEverywhere() const noexcept { return this->Same; }
   bool isPerPoint() const noexcept { return !this->Strength.empty(); }
 
@@ -54,14 +54,14 @@ public:
     }
     return this->Radius > 0.0 ? this->Radius * std::pow(depth, this->Exponent - 1.0) : 0.0;
   }
-  /// The largest Σ p_i of a point.
+  /// The largest Σ p_i of all points.
   double strongest() const noexcept;
   /// p_i at a point.
   RelaxationStep::Branches strength(std::int32_t point) const noexcept;
   /// p_i blended over three points.
   RelaxationStep::Branches strength(
     const TriangleCorners& points, const Vector3& weights) const noexcept;
-  /// Blended, mm/N; 0 if the whole curve relaxes.
+  /// Blended elastic compliance, mm/N; 0 if the whole curve relaxes.
   double elasticCompliance(const TriangleCorners& points, const Vector3& weights) const noexcept;
 
 private:

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double Nowhere = -std::numeric_limits<double>::infinity();
 
-/// Fraction of new material after a path of length `way` at a contact radius: 1 - e^(-way/2a).
+/// Fraction of new material after a path of length `way`, for a contact radius: 1 - e^(-way/2a).
 double shareOfWay(double way, double radius) noexcept
 {
   const double x = 0.5 * way / radius;
@@ -154,7 +154,8 @@ void ContactRelaxation::pressElements(
       ++used;
     }
     this->Nodes.chordsOf(curve, used, this->Chords);
-    // Evaluated on the present curve: a difference between this curve and the last is no increment.
+    // Evaluated on the present curve: the difference between this curve and the last one is not an
+    // increment.
     before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   }
   this->LastRest = before;
@@ -195,8 +196,8 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcep
   {
     return tip;
   }
-  // The force rises with the depth, so the root is between these bounds. The slope has steps, so a
-  // secant method with a bracket finds the root (Illinois).
+  // The force rises with the depth, so that the root is between these bounds. The slope has steps;
+  // therefore a secant method with a bracket (Illinois) finds the root.
   double high = tip;
   double overHigh = compliance * atTip;
   double low = tip - overHigh;
@@ -231,7 +232,7 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcep
 
 void ContactRelaxation::pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept
 {
-  // The stored force is scaled to the present curve.
+  // The stored force is scaled to the curve of this tick.
   const double same = this->OneDepth > 0.0 ? curve.evaluate(this->OneDepth).force : 0.0;
   if (same > 0.0 && this->OneSlow > 0.0)
   {
@@ -275,7 +276,8 @@ double ContactRelaxation::secantCompliance() const noexcept
 
 Vector3 ContactRelaxation::slide(const Vector3& contactPoint, const Vector3& normal) noexcept
 {
-  // Ratio of tangential to normal stiffness: 2 (1-ν)/(2-ν) of a flat end on an incompressible body.
+  // Ratio of tangential to normal stiffness: 2 (1-ν)/(2-ν) for a flat end on an incompressible
+  // body.
   constexpr double tangential = 2.0 / 3.0;
   const double way = this->Drag.advance(contactPoint, normal);
   const double radius = this->Body->contactRadius(this->Depth);
@@ -326,7 +328,7 @@ double ContactRelaxation::stiffening() const noexcept
 {
   const double felt = this->Step.sampledStiffening();
   // The force of the one element is multiplied by the ratio of the capped to the full slow force,
-  // so that its memory counts as m times as stiff.
+  // so that its memory acts as m times as stiff.
   return this->IsOne ? 1.0 + std::max(this->Body->exponent(), 1.0) * (felt - 1.0) : felt;
 }
 

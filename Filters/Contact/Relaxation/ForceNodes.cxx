@@ -22,7 +22,8 @@ ForceNodes::ForceNodes(const ResponseSampling& sampling, double range, int eleme
     Node& node = this->Nodes[j];
     if (at.lower < 0)
     {
-      // Below the first sample the curve is taken as δ^m. The deviation is not part of the chords.
+      // Below the first sample the curve is approximated by δ^m. The deviation is not part of the
+      // chords.
       node.weights[0] = std::pow(this->Gaps[j] / sampling.depth(0, range), sampling.exponent());
       continue;
     }
@@ -39,7 +40,7 @@ void ForceNodes::chordsOf(
 {
   const bool isSampled = curve.hasRange(this->Range);
   const std::size_t last = this->Count - 1;
-  double before = 0.0; // the curve's own force
+  double before = 0.0; // force of the curve at the preceding node
   double begin = 0.0;  // force at the start of the chord
   double slope = 0.0;
   int lower = -1;

@@ -13,27 +13,28 @@ namespace palpate
 {
 /**
  * Depths between which a curve is replaced by its chords, for RelaxationElements: g_j = range
- * (j/N)², j = 0..N, where curves of that range have their samples. With N = 16 and the usual 8
- * samples every second node is a sample, and the nodes between are sums of two samples: the chords
- * of a curve need no root and no power. Curves of another range are evaluated node by node.
+ * (j/N)², j = 0..N. Curves of that range have their samples at such depths. With N = 16 and the
+ * usual 8 samples, every second node is a sample, and a node in between is a weighted sum of two
+ * samples: the chords of a curve need no root and no power. Curves of another range are evaluated
+ * node by node.
  */
 class PALPATE_EXPORT ForceNodes
 {
 public:
   using Values = RelaxationElements::Values;
 
-  /// Without nodes.
+  /// Creates an object without nodes.
   ForceNodes() = default;
-  /// `elements` from 1; `range` in mm.
+  /// `elements` is at least 1; `range` in mm.
   ForceNodes(const ResponseSampling& sampling, double range, int elements) noexcept;
 
   /// Number of nodes, N + 1.
   std::size_t count() const noexcept { return this->Count; }
   const RelaxationElements::Gaps& gaps() const noexcept { return this->Gaps; }
 
-  /// The chords of a curve, f_N. Each begins at a gap with a force (N) and has a slope (N/mm). No
-  /// chord is less steep than the one before. The steps of the slopes are the weights of the
-  /// elements.
+  /// The chords of a curve, f_N. Each begins at a node with a force (N) and has a slope (N/mm). No
+  /// chord is less steep than the preceding one. The increments of the slopes are the weights of
+  /// the elements.
   struct Chords
   {
     Values force{};
@@ -44,14 +45,15 @@ public:
   /// Computes the first `count` chords. The last of all chords is the tangent at the end of the
   /// range.
   void chordsOf(const BlendedResponse& curve, std::size_t count, Chords& chords) const noexcept;
-  /// The chord over a depth > 0.
+  /// The chord at a depth > 0.
   std::size_t chordAt(double depth) const noexcept
   {
     const std::size_t last = this->Count - 1;
     const double place = std::sqrt(depth * this->InverseRange) * static_cast<double>(last);
     const std::size_t chord =
       place < static_cast<double>(last) ? static_cast<std::size_t>(place) : last;
-    return depth > this->Gaps[chord] ? chord : chord - 1; // where two chords meet: the first
+    // At the depth of a node: the chord that ends there.
+    return depth > this->Gaps[chord] ? chord : chord - 1;
   }
   /// f_N; 0 at a depth of 0 or less.
   double slowForce(const Chords& chords, double depth) const noexcept
@@ -65,7 +67,7 @@ public:
   }
 
 private:
-  /// F at a node, from the forces and stiffnesses of sample `lower` and the next.
+  /// Weights of F at a node, for the forces and stiffnesses of sample `lower` and the next sample.
   struct Node
   {
     int lower = 0;

@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// Response of a body to a tilted tool, as a tick uses it: the table of the laws and the weights of
-/// each point. Immutable, safe from any number of threads.
+/// Response of a body to a tilted tool, for the servo tick: the table of the laws and the weights
+/// of each point. Immutable, safe from any number of threads.
 class BodyTilt
 {
 public:
@@ -46,7 +46,7 @@ public:
     }
     return all;
   }
-  /// The weights at a place of a triangle, blended from its three points.
+  /// The weights at a point of a triangle, blended from its three corners.
   Weights weights(const TriangleCorners& points, const Vector3& areas) const noexcept
   {
     if (!this->isPerPoint())

@@ -13,11 +13,10 @@ namespace palpate
 {
 namespace
 {
-/// Largest turn of a tool in one tick, rad. The followed point is as deep as if the tool had turned
-/// by it.
+/// Largest turn of a tool in one tick, rad. The drop of the followed point allows for such a turn.
 constexpr double MostTurn = 0.035;
-/// Below this angle (rad) the axis counts as the normal: its direction across the normal is
-/// uncertain.
+/// Below this angle (rad) the axis counts as parallel to the normal, because its direction across
+/// the normal is uncertain.
 constexpr double Upright = 1e-9;
 
 Vector3 sumOfNormals(
@@ -78,7 +77,7 @@ double ContactTilt::turn(
   if (!(this->NormalLength > 0.0))
   {
     this->NormalLength = 1.0;
-    this->Normal = this->Axis; // opposite normals have no sum: the tool counts as upright
+    this->Normal = this->Axis; // the sum of opposite normals is zero: the tool counts as upright
   }
   else
   {

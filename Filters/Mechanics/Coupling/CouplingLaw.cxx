@@ -15,7 +15,7 @@ namespace
 /// the error is e^(-8/x) to the power of that number: negligible at x = 40.
 constexpr int Angles = 512;
 
-/// g at x of either sign, since M is even.
+/// g at x of either sign, because M is even.
 double shareOf(const LayerKernel& kernel, double x)
 {
   double sum = 0.0;
@@ -35,7 +35,8 @@ double slopeOf(const LayerKernel& kernel, double x)
   return (8.0 * difference(step) - difference(2.0 * step)) / (12.0 * step);
 }
 
-/// K/(2E*h) of a flat end of radius a on the layer. Any tool with this contact radius has the same.
+/// K/(2E*h) of a flat end of radius a on the layer; it is the same for any tool with this contact
+/// radius.
 double stiffnessOf(const LayerKernel& kernel, double ratio)
 {
   return ratio * (LayerKernel::weights() * kernel.at(ratio).flat).sum();

@@ -18,16 +18,16 @@ struct CouplingKnot
 };
 
 /**
- * The compliance of a body at one place under a force at another place at distance r: C(r) = g /
- * (πE* r). On a half-space g = 1 (Boussinesq). The surface of a layer of thickness h moves by W(kh)
- * times that of a half-space (LayerKernel), which gives
+ * The compliance of a body at one point of its surface under a force at another point at a distance
+ * r: C(r) = g / (πE* r). On a half-space g = 1 (Boussinesq). The displacement of the surface of a
+ * layer of thickness h is W(kh) times that of a half-space (LayerKernel), which results in
  *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
  * On a rigid base g is negative beyond about one thickness, where the surface bulges, and decays to
  * 0 soon after.
  *
- * Cubic polynomials between 79 knots, within 2e-6 of g; beyond x = 39 g is constant. The law also
- * gives the contact radius a for a stiffness K, for any tool whose pressure vanishes at the rim: on
- * a half-space K = 2E* a. Immutable and safe to use from any number of threads.
+ * g is stored as cubic polynomials between 79 knots, within 2e-6; for x > 39 it is constant. The
+ * law also relates the contact radius a to a stiffness K, for any tool whose pressure vanishes at
+ * the rim: on a half-space K = 2E* a. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT CouplingLaw
 {
@@ -39,7 +39,7 @@ public:
   CouplingLaw() = default;
   /// The law of a layer or of a stack; h and E* are those of the top layer. Takes about 10 ms.
   explicit CouplingLaw(const LayerKernel& kernel);
-  /// A law from the KnotCount knots of another law; no knots: a half-space.
+  /// A law from the KnotCount knots of another law. Without knots: the law of a half-space.
   explicit CouplingLaw(std::vector<CouplingKnot> knots)
     : Knots(std::move(knots))
   {

@@ -87,7 +87,7 @@ bool CsvReader::columns(std::vector<std::string_view> names, std::size_t require
   this->Names = std::move(names);
   this->Place.assign(this->Names.size(), Absent);
   this->FieldCount = this->size();
-  this->Begin = this->Stream ? this->Begin : 0; // rows of a table are numbered from here
+  this->Begin = this->Stream ? this->Begin : 0; // rows of a table are counted from here
   for (std::size_t i = 0; i < this->Names.size(); ++i)
   {
     const auto found = std::find(this->Fields.begin(), this->Fields.end(), this->Names[i]);

@@ -15,14 +15,15 @@
 namespace palpate
 {
 /**
- * Comma-separated values, record by record (RFC 4180). Palpate reads every table in a file with it.
+ * Comma-separated values, record by record (RFC 4180). Palpate reads the tables of all files with
+ * this class.
  *
  * If the first record has a semicolon, semicolons separate the fields, and numbers may have a
  * decimal comma, as spreadsheets write them in many languages. All numbers of a file must use the
- * same decimal mark. A field in double quotes may hold separators, ends of line, and quotes as "".
- * Blanks around a field are dropped. The reader ignores a byte order mark, empty lines, lines that
- * begin with '#' (after `comment` has received them), and columns that the caller did not name.
- * Lines end with LF or CR LF.
+ * same decimal mark. A field in double quotes may contain separators, ends of line, and quotes as
+ * "". Blanks around a field are removed. The reader ignores a byte order mark, empty lines, lines
+ * that begin with '#' (after `comment` has received them), and columns that the caller did not
+ * name. Lines end with LF or CR LF.
  *
  *   CsvReader csv(path);
  *   csv.header({ "time_s", "force_N" }, 2);
@@ -32,8 +33,8 @@ namespace palpate
  *   }
  *   return csv.fault();
  *
- * The first fault is kept and ends the reading: "file:line: reason"; a fault of a field also
- * names its column. No exception is thrown except std::bad_alloc.
+ * The first fault is kept and ends the reading: "file:line: reason"; a fault of a field also names
+ * its column. The only exception is std::bad_alloc.
  */
 class PALPATE_EXPORT CsvReader
 {
@@ -42,10 +43,10 @@ public:
   using Records = std::function<bool(std::vector<std::string>& fields)>;
 
   explicit CsvReader(std::string path);
-  /// The stream must outlive the reader; `name` stands for the file in errors.
+  /// The stream must outlive the reader; `name` replaces the file name in errors.
   CsvReader(std::istream& stream, std::string name);
   /// Reads a table that is already in memory: first the names of its columns, then its rows. Errors
-  /// are "name: row 7: reason"; rows count from 0.
+  /// have the form "name: row 7: reason"; rows count from 0.
   CsvReader(Records records, std::string name);
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
@@ -53,30 +54,30 @@ public:
   /// Called with the text of a comment, without its '#'. Returns a fault, or "".
   std::function<std::string(std::string_view text)> comment;
 
-  /// Goes to the next record. Returns false at the end or after a fault. Once the columns have
+  /// Moves to the next record. Returns false at the end or after a fault. After the columns have
   /// names, a record with another number of fields is a fault.
   bool next();
-  /// Reads the next record and takes it for the names of the columns.
+  /// Reads the next record and calls columns() for it.
   bool header(std::vector<std::string_view> names, std::size_t required);
-  /// Takes this record for the names of the columns: `names` in any order. The first `required`
-  /// names must be present, and no name may occur twice. From then on the number of a column is its
-  /// index in `names`; before, its index in the record. The texts of the names must outlive the
-  /// reader.
+  /// Uses the current record as the names of the columns: `names` in any order. The first
+  /// `required` names must be present, and no name may occur twice. Afterwards the number of a
+  /// column is its index in `names`; before, its index in the record. The texts of the names must
+  /// outlive the reader.
   bool columns(std::vector<std::string_view> names, std::size_t required);
-  /// Whether the columns `begin` <= i < `end` exist. If only some of them do, that is a fault.
+  /// Whether the columns `begin` <= i < `end` exist. If only some of these columns exist, this is a
+  /// fault.
   bool hasColumns(std::size_t begin, std::size_t end);
   bool hasColumn(std::size_t column) const { return this->Place[column] != Absent; }
 
   std::size_t size() const { return this->Fields.size(); }
-  /// "" for a missing column.
+  /// The text of a field; "" for a missing column.
   std::string_view text(std::size_t column) const;
   /// The number in a field; 0 and a fault if it is not a finite number.
   double number(std::size_t column);
-  /// Whether the last record read ends with a line break. Without one the file may have been cut
-  /// short.
+  /// Whether the last record ends with a line break. If not, the file may have been truncated.
   bool endsLine() const { return this->EndsLine; }
 
-  /// Sets a fault for the last record read. Returns false.
+  /// Sets a fault for the last record. Returns false.
   bool fail(const std::string& what);
   /// The fault; "" if nothing is wrong.
   const std::string& fault() const { return this->Fault; }
@@ -96,13 +97,13 @@ private:
   Records Table;
   std::string Name;
   std::string Line;
-  char Separator = '\0'; ///< '\0': not known yet, or a table
+  char Separator = '\0'; ///< '\0': not yet known, or a table
   char DecimalMark = '\0';
   std::size_t LineCount = 0;
-  std::size_t Begin = 0; ///< line of the last record read; for a table, the number of rows read
+  std::size_t Begin = 0; ///< line of the last record; for a table, the number of rows read
   bool EndsLine = true;
   std::vector<std::string> Fields;
-  std::size_t FieldCount = 0; ///< fields of every record; 0: any number
+  std::size_t FieldCount = 0; ///< number of fields of every record; 0: any number
   std::vector<std::string_view> Names;
   std::vector<std::size_t> Place; ///< index of each name among the fields
   std::string Fault;

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// One record of comma-separated values for writing, which CsvReader reads back: numbers to the
-/// same bits. Texts are quoted if necessary.
+/// One record of comma-separated values for writing. CsvReader reads the numbers back bit for bit.
+/// Texts are quoted if necessary.
 class CsvRow
 {
 public:

@@ -11,7 +11,7 @@ namespace palpate
 {
 /// A file mapped into memory for reading. Pages are loaded on access and shared with other
 /// processes that map the file. If the file is truncated while it is mapped, further reading ends
-/// the program (SIGBUS): replace files by WholeFile.
+/// the program (SIGBUS): files must therefore be replaced by means of WholeFile.
 class PALPATE_EXPORT MappedFile
 {
 public:

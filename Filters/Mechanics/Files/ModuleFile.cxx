@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// File names of a module: with the version, as programs that link it ask for, and without.
+/// File names of a module: with the version, as programs that link the module require, and without.
 std::array<std::string, 2> namesOf(const std::string& module)
 {
   const std::string name = "lib" + module + ".so";

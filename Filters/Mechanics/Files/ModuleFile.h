@@ -9,8 +9,8 @@
 namespace palpate
 {
 /**
- * The functions of a module: a library that the core does not link, since most scenes do not need
- * it. A module has its own table of functions, derived from this one, and defines
+ * The functions of a module: a library that the core does not link, because most scenes do not need
+ * it. A module has a table of functions, derived from this table, and defines
  *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
@@ -26,15 +26,15 @@ struct LoadedModule
 };
 
 /**
- * Loads lib`name`.so, with or without the version appended. The function looks in the folder of
- * Palpate's libraries first, then in the system's search path for libraries. It refuses a file
- * without `name`Module, and a module of another version. A module stays loaded. Any thread may call
- * this function, except from the servo tick.
+ * Loads lib`name`.so, with or without the version appended. The function searches the folder of
+ * Palpate's libraries first, then the system's search path for libraries. It rejects a file without
+ * the function `name`Module, and a module of another version. A module remains loaded. Any thread
+ * may call this function, but not the servo tick.
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);
 
 /// The end of a sentence "… needs ": the name of the module, the fault of loadModule, and the
-/// command that makes the module.
+/// command that builds the module.
 PALPATE_EXPORT std::string missingModule(const std::string& name, const std::string& fault);
 } // namespace palpate
 

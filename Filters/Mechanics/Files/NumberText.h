@@ -12,7 +12,8 @@
 
 namespace palpate
 {
-/// Whether the whole text is one finite number; otherwise `value` is undefined.
+/// Reads the whole text as one finite number; returns whether it is one. If not, `value` is
+/// undefined.
 template <class Number>
 bool readNumber(std::string_view text, Number& value)
 {
@@ -26,7 +27,7 @@ bool readNumber(std::string_view text, Number& value)
   return isWhole;
 }
 
-/// The shortest decimals that read back to the same bits.
+/// The shortest decimals that are read back to the same bits.
 template <class Number>
 std::string shortestDecimals(Number value)
 {
@@ -34,7 +35,7 @@ std::string shortestDecimals(Number value)
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
 }
 
-/// Three significant digits, for messages.
+/// A number with three significant digits, for messages.
 inline std::string shortly(double value)
 {
   char buffer[32];
@@ -42,7 +43,7 @@ inline std::string shortly(double value)
   return buffer;
 }
 
-/// A fraction as "1.3 %": two digits, or a whole per cent from 99.5 % on.
+/// A fraction as "1.3 %", with two digits, or without decimals for 99.5 % and more.
 inline std::string inPercent(double fraction)
 {
   char buffer[32];

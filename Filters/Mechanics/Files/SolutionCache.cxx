@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// "" if nothing is cached.
+/// The folder of the cache; "" if nothing is cached.
 std::filesystem::path folder()
 {
   const auto variable = [](const char* name) { return std::getenv(name); };

@@ -12,18 +12,18 @@
 namespace palpate
 {
 /**
- * A cache of solutions, found by their problem: text files in $PALPATE_CACHE, else
- * $XDG_CACHE_HOME/palpate, else ~/.cache/palpate, named `kind`-HASH.txt. The first line of a file
- * is the key. A file is written whole or not at all. A file that cannot be read or written, has
- * another key, or does not have `count` finite values is ignored: the result is then empty. With
- * PALPATE_CACHE empty nothing is cached.
+ * A cache of solutions, identified by a text that describes the problem, `key`. The solutions are
+ * text files in $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate, named
+ * `kind`-HASH.txt. The first line of a file is the key. A file is written completely or not at all.
+ * A file that cannot be read or written, has another key, or does not have `count` finite values is
+ * ignored: the result is then empty. If PALPATE_CACHE is empty, nothing is cached.
  */
 PALPATE_EXPORT std::vector<double> readSolution(
   const std::string& kind, const std::string& key, std::size_t count);
 PALPATE_EXPORT void writeSolution(
   const std::string& kind, const std::string& key, const std::vector<double>& values);
 
-/// A number of 16 digits for a text or for the bytes of an array, the same in every build.
+/// A hash of 16 digits for a text or for the bytes of an array, the same in every build.
 PALPATE_EXPORT std::string digest(std::string_view text);
 } // namespace palpate
 

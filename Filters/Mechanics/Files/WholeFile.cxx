@@ -28,8 +28,8 @@ std::string errorText(const std::string& path, int reason)
   return "cannot write '" + path + "': " + std::strerror(reason);
 }
 
-/// The path of a file with links resolved. "" if the path exists but is not a file, or has no name
-/// any more.
+/// The path of a file with links resolved. "" if the path exists but is not a file, or no longer
+/// has a name.
 std::string targetOf(const std::string& path)
 {
   std::error_code failed;
@@ -113,7 +113,7 @@ std::string WholeFile::open()
   {
     return problem;
   }
-  // The user may have the right to write to such a target, but not to read it.
+  // The user may have the right to write to such a target, but not the right to read it.
   const int access = this->isFile() ? O_RDWR | O_CREAT : O_WRONLY;
   this->File = ::open(this->Unfinished.c_str(), access | O_TRUNC | O_CLOEXEC, UsualMode);
   return this->File >= 0 ? std::string() : this->error(errno);

@@ -11,34 +11,35 @@
 namespace palpate
 {
 /**
- * A file that is written as a whole. The data go to PATH.part in the same folder, which replaces an
- * old file once all data are on the disk. Until then, and after any failure, the old file is
- * unchanged. A link is followed. A terminal, a pipe or /dev/null is written to directly.
+ * A file that is written completely or not at all. The data are written to PATH.part in the same
+ * folder, which replaces an old file as soon as all data are on the disk. Until then, and after any
+ * failure, the old file is unchanged. Links are followed. A terminal, a pipe or /dev/null is
+ * written directly.
  *
  * Errors are "cannot write 'PATH': ", then the system's reason.
  */
 class PALPATE_EXPORT WholeFile
 {
 public:
-  /// Why such a file cannot be written: its folder is missing or not writable, or the path itself
-  /// is a folder. "" if it can be written. Changes nothing.
+  /// The reason why such a file cannot be written: its folder is missing or not writable, or the
+  /// path is a folder. "" if the file can be written. Changes nothing.
   static std::string obstacle(const std::string& path);
 
   explicit WholeFile(std::string path);
-  /// Removes an unfinished file, unless keepLines() kept it.
+  /// Removes an unfinished file, unless keepLines() has kept it.
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Returns an error, or "".
+  /// Opens the file. Returns an error, or "".
   std::string open();
-  /// Does nothing after a failure; finish() reports the failure.
+  /// Adds bytes. Does nothing after a failure, which finish() reports.
   void write(const void* bytes, std::size_t size) noexcept;
   void write(std::string_view text) noexcept { this->write(text.data(), text.size()); }
-  /// Writes everything to the disk, then renames the file. Returns an error, or "".
+  /// Writes all data to the disk, then renames the file. Returns an error, or "".
   std::string finish();
-  /// After an error of finish(): keeps the unfinished file up to its last whole line if it has at
-  /// least `least` lines. Returns the number of lines kept, 0 if none.
+  /// After an error of finish(): keeps the unfinished file up to its last complete line if it has
+  /// at least `least` lines. Returns the number of lines kept, 0 if none.
   std::size_t keepLines(std::size_t least);
 
   /// The path of the unfinished file, for writers that open a file by its name.

@@ -26,12 +26,12 @@ constexpr double FlatDeepest = 1.3;   // radii
 constexpr double LayerDeepest = 0.5;  // thicknesses
 // Largest depth relative to the thinnest layer. Beyond the end of the table c is extrapolated
 // (StrainTable.h), and its error grows.
-constexpr double LayerAnswers = 0.7;
-// A table is used up to this many times its largest depth, with a growing error.
-constexpr double Beyond = 1.8;
-constexpr double BeyondLayers = 2.25;
+constexpr double LayerLimit = 0.7;
+// A table is used up to this multiple of its largest depth, with a growing error.
+constexpr double HalfSpaceExtension = 1.8;
+constexpr double LayerExtension = 2.25;
 constexpr double TableError = 0.003; // due to mesh, far field and interpolation
-// For a sharp flat, since the table's flat has a rounded rim.
+// Error for a sharp flat end, because the flat end of the table has a rounded rim.
 constexpr double FlatError = 0.015;
 constexpr double FlatLayerError = 0.022; // difference from another code's result for a sharp flat
 constexpr double ConeError = 0.005;
@@ -118,12 +118,14 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
 {
   ToolSpecification found;
   const StrainTable::Axes axes{ ratios(), {}, roots() };
-  if (isTool(tool, ToolShape::Sphere, found) && deepest <= Beyond * SphereDeepest * found.Radius)
+  if (isTool(tool, ToolShape::Sphere, found) &&
+    deepest <= HalfSpaceExtension * SphereDeepest * found.Radius)
   {
     return std::make_unique<StrainTable>(
       axes, flattened(Sphere), StrainReach{ SphereDeepest * found.Radius }, false, TableError);
   }
-  if (isTool(tool, ToolShape::Flat, found) && deepest <= Beyond * FlatDeepest * found.Radius)
+  if (isTool(tool, ToolShape::Flat, found) &&
+    deepest <= HalfSpaceExtension * FlatDeepest * found.Radius)
   {
     return std::make_unique<StrainTable>(
       axes, flattened(Flat), StrainReach{ FlatDeepest * found.Radius }, false, FlatError);
@@ -155,14 +157,14 @@ std::unique_ptr<StrainTable> neoHookeOnLayers(
     return nullptr;
   }
   const double radius = found.Radius;
-  if (isSphere && deepest <= LayerAnswers * thinnest && thinnest >= TableLayers[0] * radius &&
+  if (isSphere && deepest <= LayerLimit * thinnest && thinnest >= TableLayers[0] * radius &&
     thickest <= *(std::end(TableLayers) - 1) * radius)
   {
     return layerTable(
       TableLayers, Layers, radius, StrainReach{ Infinity, LayerDeepest }, TableError);
   }
   const StrainReach reach = thickLayerReach(found.Shape, radius);
-  if (thinnest < ThickLayers[0] * radius || deepest > BeyondLayers * reach.at(thinnest, 0.0))
+  if (thinnest < ThickLayers[0] * radius || deepest > LayerExtension * reach.at(thinnest, 0.0))
   {
     return nullptr;
   }

@@ -32,8 +32,8 @@ double smallStrainError(
   const double n = (1.0 - 2.0 * poissonsRatio) / (1.0 - poissonsRatio);
   if (!(depthOverThickness > 0.0))
   {
-    // The residual is of second order: 0.009 at s = 0.3, 0.033 at 0.55. At ν below 0.3 the slope is
-    // that of the sphere's table at ν = 0.
+    // The residual is of second order: 0.009 at s = 0.3, 0.033 at 0.55. For ν below 0.3 the slope
+    // is that of the sphere's table at ν = 0.
     constexpr double atLeast = 4.0 / 7.0;
     const double slope = -0.148 + 0.61 * n + 0.8 * std::max(0.0, n - atLeast);
     return std::abs(slope) * pressure +

@@ -18,7 +18,7 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// The bodies for a correction.
+/// The range of bodies for a correction.
 struct StrainBodies
 {
   double leastRatio = 0.45; ///< Poisson's ratio
@@ -34,10 +34,10 @@ struct StrainBodies
 };
 
 /**
- * The effect of finite strain on the force of one tool at the same depth: the exact law of small
+ * The effect of finite strain on the force of one tool at the same depth: the exact force at small
  * strain is multiplied by c = F_finite/F_small. The stiffness is c k_small + F_small dc/dδ.
  *
- * Stored tables of the solver cover Neo-Hooke
+ * Stored tables of the solver cover a Neo-Hooke body
  * - on a half-space: below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the
  *   radius, to δ = 1.3 R) and a cone (45° to 75°);
  * - on a bonded layer of half to four radii: below a sphere (to δ = h/2);
@@ -46,20 +46,20 @@ struct StrainBodies
  * At larger depths the error grows (NeoHookeTables.h).
  *
  * All other cases are solved at four Poisson's ratios (or the single one), at thicknesses in a
- * ratio of 2 or less (in a stack, of its first two layers), and at eight depths: to 0.7 of all
- * layers on a rigid base, beyond which the error grows. A curve takes 3 s to a minute on all
- * threads, and has the same bits for any number of threads. Results are cached by content in
- * $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate. With PALPATE_CACHE empty
- * nothing is cached.
+ * ratio of 2 or less (in a stack, of its first two layers), and at eight depths: to 0.7 of the
+ * total thickness on a rigid base, beyond which the error grows. A curve takes 3 s to a minute on
+ * all threads; it is bit for bit the same for any number of threads. Results are cached by content
+ * in $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate. If PALPATE_CACHE is
+ * empty, nothing is cached.
  *
  * All layers of a stack have the same strain law, each with its own modulus and Poisson's ratio.
  * They are bonded to each other; the rigid base may slip. Layers that slide on each other are
- * refused: the two sides of the interface move apart, which the solver's mesh cannot represent.
+ * rejected: the two sides of the interface move apart, which the solver's mesh cannot represent.
  *
- * Poisson's ratios above 0.495 get the c of 0.495 and an error for the difference. A tool with a
- * corner is solved with a fillet of a tenth of the contact radius, and a rounder one at larger
- * depths (FiniteOverSmall.h). It gets an error of 1 % (half the fillet changes c by up to 0.5 %).
- * Safe to use from any number of threads.
+ * For Poisson's ratios above 0.495 c is that of 0.495, with an error for the difference. A tool
+ * with a corner is solved with a fillet of a tenth of the contact radius, and of a larger fraction
+ * at larger depths (FiniteOverSmall.h). An error of 1 % is added for the fillet (half the fillet
+ * changes c by up to 0.5 %). Safe to use from any number of threads.
  */
 class PALPATE_EXPORT StrainCorrection
 {
@@ -96,13 +96,13 @@ private:
 };
 
 /// Makes a correction for depths up to `deepest` (mm). Returns a fault that names the wrong value,
-/// or "". `made` stays null after a fault, for the linear model, and if `goOn(fraction)` returned
+/// or "". `made` remains null after a fault, for the linear model, and if `goOn(fraction)` returned
 /// false.
 PALPATE_EXPORT std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& law,
   const StrainBodies& bodies, double deepest, const std::function<bool(double)>& goOn,
   std::unique_ptr<StrainCorrection>& made);
 
-/// Whether makeStrainCorrection of Neo-Hooke works without the solver.
+/// Whether makeStrainCorrection of a Neo-Hooke body works without the solver.
 PALPATE_EXPORT bool isStrainTabulated(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest);
 } // namespace palpate

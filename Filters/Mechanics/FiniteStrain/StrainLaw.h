@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Models of the stress of a soft body over strain.
+/// Models of the stress of a soft body as a function of strain.
 enum class StrainModel
 {
   Linear,   ///< small strain
@@ -22,8 +22,7 @@ enum class StrainModel
 /// |α| ≤ 50, 0 < b ≤ 50.
 PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
 
-/// The resistance of a body to large strain, with the parameter of the model: α of Ogden, b of
-/// Demiray.
+/// The strain law of a body: a model and its parameter (α of Ogden, b of Demiray).
 struct StrainLaw
 {
   StrainModel model = StrainModel::Linear;

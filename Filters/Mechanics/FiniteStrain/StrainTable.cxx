@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostNodes = 4;
-// Fraction of the last root over which c is extrapolated linearly. A curve that ends with the table
-// thus keeps its slope there, whichever nodes around the end are read.
-constexpr double Straight = 0.25;
+// Fraction of the last root over which c is extrapolated linearly. Therefore a curve that ends with
+// the table keeps its slope at the end, independent of which nodes near the end are evaluated.
+constexpr double LinearFraction = 0.25;
 
 /// Lagrange's polynomials on the nodes around a position.
 struct Weights
@@ -123,7 +123,7 @@ StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, 
     const double weight = ratio.value[i] * height.value[j] * lower.value[l];
     if (weight == 0.0)
     {
-      continue; // the end of that row does not matter
+      continue; // the end of that row has no effect
     }
     const std::size_t row =
       ((ratio.begin + i) * heights + height.begin + j) * lowers + lower.begin + l;
@@ -155,15 +155,16 @@ StrainFactor StrainTable::Course::at(double depth) const
   }
   const bool beyond = root > known;
   const double further = known < roots.back() ? 0.0 : std::max(0.0, root - known);
-  const double straight = std::min(further, Straight * known);
+  const double straight = std::min(further, LinearFraction * known);
   const double slope = found.slope; // per root
   found.factor += slope * straight;
-  const bool moves = depth > 0.0 && (!beyond || (further > 0.0 && further < Straight * known));
+  const bool moves =
+    depth > 0.0 && (!beyond || (further > 0.0 && further < LinearFraction * known));
   found.slope = moves ? slope * 0.5 * root / depth : 0.0;
   if (beyond && !this->Table->Constant)
   {
-    // Error beyond the end: c may change as much as it did up to the end over the same distance,
-    // and its slope by half.
+    // Error beyond the end: c may change as much as it changed up to the end over the same
+    // distance, and its slope by half.
     const double asBefore =
       std::max(std::abs(found.factor - 1.0), this->Table->Error) * (root / known - 1.0);
     const double bent = std::abs(slope) * (0.5 * straight + (further - straight));

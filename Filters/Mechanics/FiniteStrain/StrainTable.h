@@ -18,13 +18,13 @@ struct StrainFactor
   double error = 0.0;
 };
 
-/// The depth of a table for layers of total thickness H: 1/δ_max = 1/endless + 1/(fraction H),
-/// which is as smooth in H as c.
+/// The largest depth of a table for layers of total thickness H: 1/δ_max = 1/endless + 1/(fraction
+/// H), which is as smooth a function of H as c.
 struct StrainReach
 {
   double endless;        ///< on infinitely thick layers, mm; may be infinite
-  double fraction = 0.0; ///< part of H; 0: independent of the thickness
-  double below = 0.0;    ///< thickness of the layers below the two that vary, mm; part of H
+  double fraction = 0.0; ///< fraction of H; 0: independent of the thickness
+  double below = 0.0;    ///< thickness of the layers below the two that vary, mm; included in H
 
   double at(double thickness, double second) const noexcept
   {
@@ -34,14 +34,14 @@ struct StrainReach
 };
 
 /**
- * c of one tool over Poisson's ratio, thickness of the layer (in a stack, of its first two layers)
- * and depth. Cubic polynomials through four nodes (or as many as there are) over ν, ln h and
- * √(δ/δ_max), in which c is smooth: for a sphere c - 1 is nearly proportional to √δ. The depth 0 is
- * an additional node, where c is 1 or, for a tool without a length (cone), the same as at every
- * depth.
+ * c of one tool as a function of Poisson's ratio, thickness of the layer (in a stack, of its first
+ * two layers) and depth. It is interpolated by cubic polynomials through four nodes (or all, if
+ * there are fewer) over ν, ln h and √(δ/δ_max), in which c is smooth: for a sphere c - 1 is nearly
+ * proportional to √δ. The depth 0 is an additional node, where c is 1 or, for a tool without a
+ * length (cone), the same as at every depth.
  *
- * Beyond the last root c is extrapolated linearly for a quarter of that root, and is constant from
- * there on. A row may end early if no equilibrium was found; beyond its end c is constant at once.
+ * Beyond the last root c is extrapolated linearly for a quarter of that root, and is constant after
+ * that. A row may end early if no equilibrium was found; beyond its end c is constant immediately.
  * The error grows with the distance from the end.
  */
 class PALPATE_EXPORT StrainTable
@@ -58,14 +58,14 @@ public:
   };
 
   /// `factors` are ordered by ratio, then thickness, then second, then root. An unknown factor is
-  /// 0, and so are all after it in its row. `constant`: c does not depend on depth. `error`:
-  /// relative error at the nodes.
+  /// 0, and so are all following factors of its row. `constant`: c does not depend on depth.
+  /// `error`: relative error at the nodes.
   StrainTable(
     Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error);
 
   static constexpr std::size_t MostRoots = 16;
 
-  /// c over the depth alone, for one body.
+  /// c as a function of depth only, for one body.
   class Course
   {
   public:
@@ -79,7 +79,7 @@ public:
     std::array<double, MostRoots + 1> Factors{}; ///< at depth 0 and at the roots
   };
 
-  /// These functions do not allocate. A course takes 0.2 µs, each depth of it 30 ns.
+  /// These functions do not allocate. A course takes 0.2 µs, and each of its depths 30 ns.
   Course course(double poissonsRatio, double thickness, double second = 0.0) const;
   StrainFactor at(double depth, double poissonsRatio, double thickness, double second = 0.0) const
   {
@@ -94,7 +94,7 @@ private:
   std::vector<double> Factors;
   std::vector<double> Known; ///< last known root of each row
   StrainReach Reach;
-  bool ThickestEnds = false; ///< some row of the thickest layer ends early
+  bool ThickestEnds = false; ///< at least one row of the thickest layer ends early
   bool Constant;
   double Error;
 };

@@ -125,7 +125,7 @@ ToolOutline::Node ToolOutline::addCorner(
     return isApex ? first : last;
   }
   const double longest = LargestCut * part.length();
-  if (isApex) // the sphere that touches the flank
+  if (isApex) // the sphere that is tangent to the flank
   {
     const double r = std::min(fillet * std::sin(turn), longest);
     Node flank = part.at(part.from() + r);
@@ -161,7 +161,7 @@ ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
   }
   for (int i = 1; i <= PiecesPerSmooth; ++i)
   {
-    // Denser towards the axis, where a power law is curved most.
+    // Points are denser near the axis, where the curvature of a power law is largest.
     const double t = static_cast<double>(i) / PiecesPerSmooth;
     goTo(start + (part.end() - start) * t * t);
   }

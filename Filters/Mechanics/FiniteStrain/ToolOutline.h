@@ -12,9 +12,9 @@
 namespace palpate
 {
 /**
- * A tool's outline in the half plane (r, z), with z = 0 at its tip and growing into the tool. It
- * consists of circular arcs joined without corners, so that the distance is smooth enough for
- * Newton's method. Where the tool has a corner (the apex of a cone, the rim of a flat) the outline
+ * A tool's outline in the half plane (r, z); z is 0 at the tip and increases into the tool. The
+ * outline consists of circular arcs joined without corners, so that the distance is smooth enough
+ * for Newton's method. At a corner of the tool (the apex of a cone, the rim of a flat) the outline
  * has a fillet, which changes the result: a fillet of a tenth of its radius reduces the force of a
  * flat end by 8 %.
  *
@@ -23,8 +23,9 @@ namespace palpate
 class PALPATE_EXPORT ToolOutline
 {
 public:
-  /// The outline of `tool` out to the radius `reach`, and straight beyond it (both mm, > 0). A
-  /// corner gets a fillet of radius `fillet`, or a smaller one if its sides are shorter.
+  /// The outline of `tool` up to the radius `reach`, and straight beyond it (both mm, > 0). A
+  /// corner is replaced by a fillet of radius `fillet`, or of a smaller radius if its sides are
+  /// shorter.
   ToolOutline(const AxisymmetricTool& tool, double reach, double fillet);
 
   /// A signed distance, > 0 outside the tool, and its derivatives with respect to (r, z).
@@ -36,15 +37,16 @@ public:
   };
   Distance distance(const Eigen::Vector2d& point) const;
 
-  /// z of the outline at r; +inf beyond its wall.
+  /// z of the outline at r; +inf beyond the tool's wall.
   double height(double r) const;
 
-  /// Ranges of radii (from, to) of the fillets, mm; a mesh must be fine there. Empty without
-  /// corners.
+  /// Ranges of radii (from, to) of the fillets, mm, for which a mesh must be fine. Empty if there
+  /// are no corners.
   const std::vector<std::pair<double, double>>& fillets() const { return this->Fillets; }
 
 private:
-  /// An arc from a point in a direction. The tool is on its left; `curvature` > 0 turns left.
+  /// An arc that starts at a point in a direction. The tool is on its left; an arc with `curvature`
+  /// > 0 turns left.
   struct Arc
   {
     Eigen::Vector2d from;

@@ -71,8 +71,8 @@ double LayerContact::solveRadius(double deflection, Contact& contact) const
     contact = this->contactAt(std::nextafter(this->LargestRadius, 0.0));
     return deflection <= this->Deepest ? this->LargestRadius : NotANumber;
   }
-  // Secant steps on log δ over log a, which is nearly linear for every tool. A bracket limits the
-  // steps.
+  // Secant steps of log δ as a function of log a, which is nearly linear for every tool. A bracket
+  // limits the steps.
   double below = this->SmallestRadius;
   double above = this->LargestRadius;
   const auto inside = [&](double a) {

@@ -15,11 +15,12 @@ namespace palpate
 /**
  * A tool pressed into an elastic layer of thickness h on a rigid base, bonded or slipping.
  *
- * The exact linear solution (LayerKernel.h) for any axisymmetric tool: with y₁ the solution for a
- * flat punch and Γ the resolvent,
+ * The law is the exact linear solution (LayerKernel.h) for any axisymmetric tool. With y₁ the
+ * solution for a flat punch and Γ the resolvent,
  *   δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt.
- * E* = E/(1-ν²) with the ν of the kernel. Valid for a <= LayerKernel::LargestRatio h; larger depths
- * give NaN. Small strain requires δ << h, in addition to the limit of the tool (depthAtStrain).
+ * E* = E/(1-ν²) with the ν of the kernel. The law is valid for a <= LayerKernel::LargestRatio h;
+ * larger depths result in NaN. Small strain requires δ << h, in addition to the limit of the tool
+ * (depthAtStrain).
  *
  * Cost: 10 to 30 µs per evaluation of a smooth tool. Immutable and safe to use from any number of
  * threads.
@@ -34,11 +35,11 @@ public:
   IndentationPoint evaluate(double deflection, double reducedModulus) const override;
   double contactRadius(double deflection) const;
 
-  /// Depth (mm) at which the contact radius reaches a. 0 below the smallest contact radius, +inf
-  /// from the largest radius on, NaN if a exceeds LargestRatio h.
+  /// Depth (mm) at which the contact radius is a. 0 for a below the smallest contact radius, +inf
+  /// for the largest contact radius and above, NaN if a exceeds LargestRatio h.
   double depthAtContactRadius(double a) const;
 
-  /// The largest valid δ, mm; +inf if the contact radius of the tool stays within LargestRatio h.
+  /// The largest valid δ, mm; +inf if the contact radius of the tool never exceeds LargestRatio h.
   double deepest() const noexcept { return this->Deepest; }
 
   const AxisymmetricTool& tool() const noexcept { return this->Tool; }
@@ -62,7 +63,7 @@ private:
   double Thickness;
   ProfileQuadrature Quadrature;
   double SmallestRadius;
-  double LargestRadius; ///< of the validity
+  double LargestRadius; ///< contact radius up to which the law is valid
   double LargestDepth;  ///< δ at LargestRadius
   double Deepest;
 };

@@ -20,12 +20,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 there
+constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at this ω
 constexpr int OmegaPanels = 20;
-constexpr double LeastOmega = 1.0 / 4096; // for a stack: deep layers matter at small ω
+constexpr double LeastOmega = 1.0 / 4096; // for a stack: deep layers have an effect at small ω
 
-// Ranges of a/h, narrow enough that a polynomial of degree 15 through Chebyshev points follows the
-// solution to 1e-10 even where a layer is nearly incompressible.
+// Ranges of a/h, narrow enough for a polynomial of degree 15 through Chebyshev points to
+// approximate the solution to 1e-10 even for a nearly incompressible layer.
 constexpr std::array<double, 9> RatioEnds = { 0.0, 0.25, 0.6, 1.1, 1.8, 2.8, 4.3, 6.5,
   LayerKernel::LargestRatio };
 constexpr int RatioPoints = 16;
@@ -36,7 +36,8 @@ struct Transform
   double radial; ///< V - V(∞)
 };
 
-/// Both fall as e^(-2ω). They are written with e = e^(-2ω), so that nothing overflows or cancels.
+/// Both transforms fall as e^(-2ω). The formulas use e = e^(-2ω), so that nothing overflows or
+/// cancels.
 Transform transformAt(double omega, double nu, LayerBase base)
 {
   const double e = std::exp(-2.0 * omega);
@@ -166,8 +167,8 @@ std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonsRatio, Lay
 template <class SampledTransform>
 void LayerKernel::tabulate(const SampledTransform& transform)
 {
-  // M and L are analytic within |Im s| < 2, so the pieces have length 1. M and L fall only as 1/s²
-  // and 1/s, and LayerSurface needs them up to this end.
+  // M and L are analytic within |Im s| < 2, so that the pieces have length 1. M and L decrease only
+  // as 1/s² and 1/s, and LayerSurface needs them up to this end.
   const double end = 4.0 * LargestRatio;
   this->Normal = { end, static_cast<int>(end), [&](double s) { return transform.cosine(s); } };
   this->Radial = { end, static_cast<int>(end), [&](double s) { return transform.sine(s); } };
@@ -188,7 +189,7 @@ void LayerKernel::tabulate(const SampledTransform& transform)
 
 LayerKernel::Matrix LayerKernel::scaledSystem(double ratio) const
 {
-  // Scaled by the square roots of the weights, I + K is symmetric. It is positive definite since
+  // Scaled by the square roots of the weights, I + K is symmetric. It is positive definite because
   // the elastic energy is positive.
   const Samples x = ratio * nodes();
   const Samples root = weights().sqrt();

@@ -24,23 +24,23 @@ enum class LayerBase
 /**
  * Contact on an elastic layer on a rigid base, for one Poisson's ratio and any tool.
  *
- * Under an axisymmetric pressure p the surface of a layer of thickness h moves by (Hankel
+ * Under an axisymmetric pressure p the surface displacement of a layer of thickness h is (Hankel
  * transforms, ω = kh, κ₀ = 3-4ν)
  *   û_z = 2 W(ω) p̂ / (k E*),   û_r = -2 V(ω) p̂ / (k E*),
  *   bonded  W = (2κ₀ sinh 2ω - 4ω)/D,  V = [2κ₀(1-2ν)(cosh 2ω - 1) - 4ω²]/(2(1-ν) D),
  *           D = 2κ₀ cosh 2ω + 4ω² + 1 + κ₀²,
  *   slip    W = (cosh 2ω - 1)/D,       V = [(1-2ν) sinh 2ω - 2ω]/(2(1-ν) D),
  *           D = sinh 2ω + 2ω.
- * With π p̂ = E* ∫_0^a y(t) cos kt dt the contact of a tool of reduced profile g is the integral
- * equation (Lebedev and Ufliand 1958)
+ * With π p̂ = E* ∫_0^a y(t) cos kt dt, the contact of a tool of reduced profile g is described by
+ * the integral equation (Lebedev and Ufliand 1958)
  *   y(x) + (1/πh) ∫_0^a y(t) [M((t+x)/h) + M((t-x)/h)] dt = δ - g(x),  y(a) = 0 under a smooth rim,
  *   M(s) = ∫_0^∞ (W-1) cos ωs dω,   F = 2E* ∫_0^a y dt.
  *
  * The equation is solved by Nyström's method at 48 Gauss nodes for two right-hand sides. The
  * solutions depend only on a/h and are tabulated when the kernel is built, which takes about 20 ms.
- * 0 <= ν <= 0.5, a/h <= LargestRatio. The table agrees with the direct solution to 1e-10. A stack
- * of layers has another W and V, and the same equation. Immutable and safe to use from any number
- * of threads.
+ * 0 <= ν <= 0.5, a/h <= LargestRatio. The table agrees with the direct solution to 1e-10. For a
+ * stack of layers W and V differ, but the equation is the same. Immutable and safe to use from any
+ * number of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {
@@ -49,17 +49,17 @@ public:
   static constexpr double LargestRatio = 10.0;
   using Samples = Eigen::Array<double, NodeCount, 1>;
 
-  /// Smooth functions of t = x/a on the nodes of the rule on [0, 1].
+  /// Smooth functions of t = x/a at the nodes of the rule on [0, 1].
   struct Solution
   {
-    Samples flat;      ///< y for δ - g = 1: a flat punch pressed by 1
+    Samples flat;      ///< y for δ - g = 1: a flat punch pressed to the depth 1
     Samples resolvent; ///< Γ(1, t): y(a) = f(a) - ∫_0^1 Γ(1, t) f(t) dt for δ - g = f
   };
 
   LayerKernel(double poissonsRatio, LayerBase base);
-  /// The same kernel; the last 64 stay in the process. Thread-safe.
+  /// Returns a kernel from a cache of the last 64 kernels of the process. Thread-safe.
   static std::shared_ptr<const LayerKernel> shared(double poissonsRatio, LayerBase base);
-  /// The kernel of a stack without fault (LayerStack.h); h, ν and E* are those of its top layer.
+  /// The kernel of a stack without fault (LayerStack.h); h, ν and E* are those of the top layer.
   /// Takes about 50 ms.
   explicit LayerKernel(const LayerStack& stack);
 
@@ -70,21 +70,22 @@ public:
 
   /// M(s), 0 <= s <= 4 LargestRatio.
   double normal(double s) const noexcept { return this->Normal.evaluate(s); }
-  /// L(s) = ∫_0^∞ (V - V(∞)) sin ωs dω, which gives the radial displacement in the same way.
+  /// L(s) = ∫_0^∞ (V - V(∞)) sin ωs dω, used for the radial displacement as M is for the normal
+  /// one.
   double radial(double s) const noexcept { return this->Radial.evaluate(s); }
 
   /// The solution for a/h = ratio, 0 <= ratio <= LargestRatio, from the table.
   Solution at(double ratio) const;
-  /// The same, solved directly.
+  /// The solution for a/h = ratio, solved directly.
   Solution solve(double ratio) const;
-  /// u with u(x) + ∫_0^1 K(x, t) u(t) dt = right(x), all on the nodes, for a/h = ratio; K(x, t) =
-  /// (a/πh) [M((x+t) a/h) + M((x-t) a/h)].
+  /// The solution u of u(x) + ∫_0^1 K(x, t) u(t) dt = right(x), at the nodes, for a/h = ratio; K(x,
+  /// t) = (a/πh) [M((x+t) a/h) + M((x-t) a/h)].
   Samples solve(double ratio, const Samples& right) const;
 
-  /// The rule on [0, 1].
+  /// Nodes and weights of the rule on [0, 1].
   static const Samples& nodes();
   static const Samples& weights();
-  /// Value at 0 <= t <= 1 of the polynomial through samples on the nodes.
+  /// Value at 0 <= t <= 1 of the polynomial through samples at the nodes.
   static double interpolate(const Samples& samples, double t);
 
 private:
@@ -99,7 +100,8 @@ private:
   std::shared_ptr<const LayerStack> Stack;
   PiecewiseChebyshev Normal;
   PiecewiseChebyshev Radial;
-  std::vector<Eigen::Matrix<double, 2 * NodeCount, Eigen::Dynamic>> Table; ///< one per range of a/h
+  /// One matrix per range of a/h.
+  std::vector<Eigen::Matrix<double, 2 * NodeCount, Eigen::Dynamic>> Table;
 };
 } // namespace palpate
 

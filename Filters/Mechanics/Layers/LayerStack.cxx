@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-// At small k the two fields of a thin layer differ little. Below kh = 1e-3 doubles would lose all
+// At small k the two fields of a thin layer are nearly equal. For kh < 1e-3 doubles would lose all
 // digits; long doubles keep seven.
 using Real = long double;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
@@ -25,8 +25,8 @@ Real shearModulus(const StackLayer& layer)
   return static_cast<Real>(layer.youngsModulus) / (2.0L * (1.0L + layer.poissonsRatio));
 }
 
-/// The two fields that decay from a face, at the distance Z from it: displacements (A, B), and
-/// tractions (τ, σ) on a cut parallel to the face, divided by kμ.
+/// The two fields that decay from a face, at the distance Z from the face: displacements (A, B),
+/// and tractions (τ, σ) on a cut parallel to the face, divided by kμ.
 struct Fields
 {
   Matrix2 displacement;
@@ -109,13 +109,13 @@ Matrix2 topStiffness(const LayerStack& stack, Real k)
 }
 
 /// W and V.
-struct Both
+struct TransformPair
 {
   double normal;
   double radial;
 };
 
-Both transformAt(const LayerStack& stack, double omega)
+TransformPair transformAt(const LayerStack& stack, double omega)
 {
   const StackLayer& top = stack.layers.front();
   const Matrix2 compliance =
@@ -170,12 +170,12 @@ StackTransform stackTransform(const LayerStack& stack, double omega)
   const double least = LeastWaveNumber * top.thickness / thinnest;
   if (omega >= least)
   {
-    const Both at = transformAt(stack, omega);
+    const TransformPair at = transformAt(stack, omega);
     return { at.normal - 1.0, at.radial - limit };
   }
-  const Both first = transformAt(stack, least);
-  const Both second = transformAt(stack, 2.0 * least);
-  const Both third = transformAt(stack, 3.0 * least);
+  const TransformPair first = transformAt(stack, least);
+  const TransformPair second = transformAt(stack, 2.0 * least);
+  const TransformPair third = transformAt(stack, 3.0 * least);
   const double t = omega / least - 2.0;
   const auto parabola = [t](double at1, double at2, double at3)
   { return at2 + 0.5 * t * (at3 - at1) + 0.5 * t * t * (at3 - 2.0 * at2 + at1); };

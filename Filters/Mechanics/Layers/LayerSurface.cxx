@@ -129,7 +129,7 @@ double LayerSurface::outside(double r) const
   return halfSpace + 2.0 / Pi * layer;
 }
 
-/// Load inside r over 2E*.
+/// Load within the radius r divided by 2E*.
 double LayerSurface::loadInside(double r) const
 {
   if (r >= this->Radius)

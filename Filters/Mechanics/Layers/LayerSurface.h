@@ -19,21 +19,21 @@ class LayerContact;
  * With y of LayerKernel.h, and its continuation outside the contact
  *   w(x) = (1/πh) ∫_0^a y(t) [M((t+x)/h) + M((t-x)/h)] dt,
  *   q(x) = (1/πh) ∫_0^a y(t) [L((x+t)/h) + L((x-t)/h)] dt,  L odd,
- * the surface moves by
+ * the displacement of the surface is
  *   r <= a  u_z = δ - f(r),
  *   r > a   u_z = (2/π) [∫_0^a (δ-g) dx/√(r²-x²) + ∫_a^r w dx/√(r²-x²)],
  *   u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r - (2/π) ∫_0^{π/2} q(r sin θ) sin θ dθ,
- * where F(r) is the load inside r. Unlike on a half-space the surface bulges: u_z < 0 at some
- * distance if the layer is nearly incompressible. All displacements decay within a few h.
+ * where F(r) is the load within the radius r. Unlike on a half-space the surface bulges: u_z < 0 at
+ * some distance if the layer is nearly incompressible. All displacements decay within a few h.
  *
- * Building it takes about 1 ms per contact, then each point about 3 µs. Immutable and safe to use
+ * The constructor takes about 1 ms per contact, each point about 3 µs. Immutable and safe to use
  * from any number of threads.
  */
 class PALPATE_EXPORT LayerSurface
 {
 public:
-  /// All displacements are zero unless 0 < deflection <= contact.deepest(). `contact` and its tool
-  /// must outlive this object.
+  /// All displacements are zero except for 0 < deflection <= contact.deepest(). `contact` and its
+  /// tool must outlive this object.
   LayerSurface(const LayerContact& contact, double deflection);
 
   /// Displacement of the point that was at distance r >= 0 from the axis before contact, mm.
@@ -46,7 +46,7 @@ private:
   const LayerContact& Contact;
   double Deflection;
   double Radius = 0.0;             ///< a; 0 without contact
-  double Reach = 0.0;              ///< beyond it all displacements have decayed
+  double Reach = 0.0;              ///< beyond this radius all displacements have decayed
   double Integral = 0.0;           ///< ∫_0^a y dt = F/2E*
   LayerKernel::Samples Correction; ///< (δ - g) - y on the nodes of the kernel
   PiecewiseChebyshev Normal;       ///< w(x)

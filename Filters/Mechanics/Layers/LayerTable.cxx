@@ -38,7 +38,8 @@ double thinnestAnswered(
   return above;
 }
 
-/// The input of a table. Kernels of a stack are shared by content: their address is enough.
+/// The input of a table. Kernels of a stack are shared by content, so that their address identifies
+/// them.
 struct CurvesKey
 {
   std::string tool;

@@ -16,7 +16,7 @@
 
 namespace palpate
 {
-/// Data in which the points of a layered body differ.
+/// The properties in which the points of a layered body differ.
 struct LayerPlace
 {
   double thickness = 0.0;     ///< of the layer, or of a stack's first layer, mm
@@ -24,7 +24,7 @@ struct LayerPlace
   double poissonsRatio = 0.0; ///< of a single layer; unused for a stack
 };
 
-/// One tool at fixed depths at all layered places of a body. Safe to use from any number of
+/// One tool at fixed depths, for all layered points of a body. Safe to use from any number of
 /// threads.
 class PALPATE_EXPORT LayerCurves
 {
@@ -35,10 +35,10 @@ public:
   /// that of the layer, or of the first layer of a stack.
   using Curve = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-  /// Whether the curve of a place is valid down to the last depth: the contact radius must stay
-  /// within LayerKernel::LargestRatio thicknesses.
+  /// Whether the curve of a point is valid down to the last depth: the contact radius must not
+  /// exceed LayerKernel::LargestRatio thicknesses.
   virtual bool answers(const LayerPlace& place) const noexcept = 0;
-  /// The curve of a place; NaN unless answers(place).
+  /// The curve of a point; NaN if answers(place) is false.
   virtual Curve sample(const LayerPlace& place) const = 0;
 
   const std::vector<double>& depths() const noexcept { return this->Depths; }
@@ -54,23 +54,24 @@ protected:
 
 /**
  * One tool at fixed depths on layers of many thicknesses: the exact solution at Chebyshev points of
- * x = c/(c + h), c the contact radius at the last depth, and polynomials between them. If Poisson's
- * ratio varies continuously, it is interpolated in the same way.
+ * x = c/(c + h), where c is the contact radius at the last depth, and polynomials between these
+ * points. If Poisson's ratio varies continuously, it is interpolated in the same way.
  *
- * Meant for a body with a different thickness at each point. Building takes about 20 ms per
- * Poisson's ratio, for any tool; then a point takes less than a microsecond. F and dF/dδ agree with
- * LayerContact to 1e-7. If Poisson's ratio has more than DistinctRatios values, they agree to 1e-5
- * for a < 2h. Immutable and safe to use from any number of threads.
+ * It is intended for a body with a different thickness at each point. The constructor takes about
+ * 20 ms per Poisson's ratio, for any tool; then a point takes less than a microsecond. F and dF/dδ
+ * agree with LayerContact to 1e-7. If Poisson's ratio has more than DistinctRatios values, they
+ * agree to 1e-5 for a < 2h. Immutable and safe to use from any number of threads.
  */
 class PALPATE_EXPORT LayerTable final : public LayerCurves
 {
 public:
   /// Up to this many values of Poisson's ratio are tabulated separately.
   static constexpr int DistinctRatios = 32;
-  static constexpr int ThicknessPoints = 40; ///< thicknesses that are solved for
+  /// Number of thicknesses for which the contact is solved.
+  static constexpr int ThicknessPoints = 40;
 
   /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed) and
-  /// the values of Poisson's ratio that occur, ascending. For a stack also its kernels.
+  /// the occurring values of Poisson's ratio, ascending. For a stack also its kernels.
   struct Layers
   {
     LayerBase base = LayerBase::Bonded;
@@ -80,7 +81,7 @@ public:
     std::shared_ptr<const StackKernels> stack = {};
   };
 
-  /// `depths` (mm) ascend.
+  /// `depths` (mm) must be ascending.
   LayerTable(const AxisymmetricTool& tool, const Layers& layers, std::vector<double> depths);
 
   bool answers(const LayerPlace& place) const noexcept override
@@ -106,18 +107,18 @@ private:
 
   double Thinnest = 0.0;
   double Scale = 1.0;
-  double Begin = 0.0; ///< the interval of x begins here
+  double Begin = 0.0; ///< lower end of the interval of x
   double End = 0.0;
   std::vector<double> Ratios;
   double FirstRatio;
   double LastRatio;
   bool RatiosAreChebyshev = false;
-  std::vector<Curves> Tables; ///< F, dF/dδ and a by depth; one per value of Poisson's ratio
+  std::vector<Curves> Tables; ///< F, dF/dδ and a by depth; one per Poisson's ratio
 };
 
 /// Curves of the tool on these layers at these depths (mm, ascending): a LayerTable, or for a stack
-/// a StackTable. The last 64 tables stay in the process and are found by their input, since a law
-/// is prepared several times for one body. Thread-safe.
+/// a StackTable. The last 64 tables are cached in the process and found by their input, because a
+/// law is prepared several times for one body. Thread-safe.
 PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(const AxisymmetricTool& tool,
   const LayerTable::Layers& layers, const std::vector<double>& depths);
 } // namespace palpate

@@ -32,9 +32,10 @@ struct ThicknessSpan
  * of ln h: 6 to 16 per layer, depending on the width of the span, or one if the thickness is
  * constant.
  *
- * Smooth functions of the thicknesses are interpolated between the nodes. For stacks with moduli of
- * 1 to 50 to 1 and thicknesses of 1 to 20, the forces agree to 1e-3 with those of a kernel of their
- * own (StackTableTest.cxx). A kernel takes about 50 ms, on all threads. The kernels suit any tool.
+ * Smooth functions of the thicknesses are interpolated between the nodes. For stacks with ratios of
+ * moduli of 1 to 50 and of thicknesses of 1 to 20, the forces agree to 1e-3 with those of a
+ * separate kernel (StackTableTest.cxx). A kernel takes about 50 ms, on all threads. The kernels are
+ * independent of the tool.
  */
 class PALPATE_EXPORT StackKernels
 {
@@ -43,7 +44,7 @@ public:
   /// the spans. `second` is ignored for a single layer.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
 
-  /// The same; the last ones are kept in the process, up to 1000 kernels. Thread-safe.
+  /// Returns kernels from a cache of the process, which contains up to 1000 kernels. Thread-safe.
   static std::shared_ptr<const StackKernels> shared(
     const LayerStack& stack, const ThicknessSpan& first, const ThicknessSpan& second);
 

@@ -16,16 +16,17 @@ namespace palpate
 {
 /**
  * One tool at fixed depths on a stack whose first two layers vary in thickness: the exact solution
- * at the nodes of StackKernels, and between them polynomials of ln F, ln dF/dδ and ln a over ln h.
+ * at the nodes of StackKernels, and polynomials of ln F, ln dF/dδ and ln a over ln h between the
+ * nodes.
  *
- * Building takes about 1 ms per node and 8 depths; then a place takes 1 to 2 µs. A place has no
- * curve if its first layer is so thin that the contact radius exceeds LayerKernel::LargestRatio
+ * The constructor takes about 1 ms per node and 8 depths; then a point takes 1 to 2 µs. A point has
+ * no curve if its first layer is so thin that the contact radius exceeds LayerKernel::LargestRatio
  * times the thickness; this limit is accurate to a tenth of that thickness.
  */
 class PALPATE_EXPORT StackTable final : public LayerCurves
 {
 public:
-  /// `depths` (mm) ascend.
+  /// `depths` (mm) must be ascending.
   StackTable(const AxisymmetricTool& tool, std::shared_ptr<const StackKernels> kernels,
     std::vector<double> depths);
 
@@ -35,7 +36,7 @@ public:
 private:
   void leaveOutTheThinnest(const AxisymmetricTool& tool);
 
-  std::shared_ptr<const StackKernels> Kernels; ///< null: no place has a curve
+  std::shared_ptr<const StackKernels> Kernels; ///< null: no point has a curve
   Eigen::MatrixXd Logarithms;                  ///< of F, dF/dδ and a by depth; one column per node
 };
 } // namespace palpate

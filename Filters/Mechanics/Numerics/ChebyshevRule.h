@@ -12,8 +12,8 @@
 namespace palpate
 {
 /**
- * Interpolation in the N Chebyshev points of the first kind on [-1, 1], descending from near 1, by
- * the barycentric formula (Berrut and Trefethen 2004, eq. 4.2 and 5.3). Stable for any N.
+ * Interpolation at the N Chebyshev points of the first kind on [-1, 1], in descending order, by the
+ * barycentric formula (Berrut and Trefethen 2004, eq. 4.2 and 5.3). Stable for any N.
  */
 template <int N>
 class ChebyshevRule
@@ -61,10 +61,11 @@ private:
 };
 
 /**
- * A function of one variable on [0, end], stored as Chebyshev series of 16 terms on equal pieces.
+ * A function of one variable on [0, end], stored as Chebyshev series of 16 terms on pieces of equal
+ * length.
  *
- * If the function is analytic around each piece, within the length of one piece, it is reproduced
- * to about 1e-13 of its size there.
+ * If the function is analytic in a neighbourhood of each piece of the size of the piece, it is
+ * reproduced to about 1e-13 of its magnitude there.
  */
 class PALPATE_EXPORT PiecewiseChebyshev
 {
@@ -74,7 +75,7 @@ public:
   PiecewiseChebyshev() = default;
   PiecewiseChebyshev(double end, int pieces, const std::function<double(double)>& function);
 
-  /// 0 beyond the end: functions stored in this way have decayed there.
+  /// The function at x; 0 beyond the end, where functions stored in this way have decayed.
   double evaluate(double x) const noexcept;
 
 private:

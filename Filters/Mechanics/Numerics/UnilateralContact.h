@@ -10,33 +10,35 @@
 
 namespace palpate
 {
-/// A body that yields under forces on its nodes; its compliance is symmetric and positive definite.
+/// A body that deforms under forces at its nodes; its compliance is symmetric and positive
+/// definite.
 class PALPATE_EXPORT CompliantNodes
 {
 public:
   virtual ~CompliantNodes() = default;
-  /// Computes the forces on the nodes `active` that move these nodes as wanted. The other nodes
-  /// carry no force.
+  /// Computes the forces at the nodes `active` that cause the displacements `wanted` of these
+  /// nodes. The other nodes carry no force.
   virtual void press(
     const std::vector<int>& active, const Eigen::VectorXd& wanted, Eigen::VectorXd& forces) = 0;
-  /// Computes the motion of all nodes under forces on the active ones.
+  /// Computes the displacements of all nodes under forces at the active nodes.
   virtual void move(
     const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) = 0;
 };
 
 /**
- * Signorini's problem at nodes: forces p ≥ 0 under which every node i moves by at least b_i, and
- * each node that carries a force by exactly b_i.
+ * Signorini's problem at nodes: forces p ≥ 0 under which the displacement of every node i is at
+ * least b_i, and exactly b_i at each node with a force.
  *
- * Active sets: the nodes of a guessed contact are pressed to b. Then nodes that pull leave the set,
- * and nodes that were penetrated join it (primal–dual active set, Hintermüller, Ito and Kunisch
- * 2003). All nodes change at once; if the sets do not settle, one node at a time.
+ * Active sets: the nodes of an assumed contact are displaced by b. Then nodes with tensile forces
+ * leave the set, and penetrated nodes join the set (primal–dual active set, Hintermüller, Ito and
+ * Kunisch 2003). All nodes change at once; if the sets do not settle, they change one node at a
+ * time.
  */
 class PALPATE_EXPORT UnilateralContact
 {
 public:
-  /// `active` (ascending) is the first guess on input and the nodes in contact on output. Returns
-  /// false if the sets did not settle.
+  /// `active` (ascending) contains the first guess on input and the nodes in contact on output.
+  /// Returns false if the sets did not settle.
   bool solve(CompliantNodes& nodes, const Eigen::VectorXd& wanted, std::vector<int>& active,
     Eigen::VectorXd& forces);
   /// Number of sets that the last solution tried.

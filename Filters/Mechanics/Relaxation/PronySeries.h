@@ -55,9 +55,9 @@ PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
 /// Reads "0.5:0.1,0.3:2": strength:seconds of each branch; "" means no branches. Returns a fault,
-/// or "". `series` changes only if there is no fault.
+/// or "". `series` is changed only if there is no fault.
 PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);
-/// Writes the series as text that reads back to the same bits.
+/// Writes the series as text that is read back to the same bits.
 PALPATE_EXPORT std::string textOf(const PronySeries& series);
 } // namespace palpate
 

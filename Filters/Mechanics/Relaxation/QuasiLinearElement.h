@@ -9,10 +9,10 @@
 namespace palpate
 {
 /**
- * A single relaxing element, as a simpler form of RelaxationElements. It uses the force of the
- * curve, y = f(δ), instead of a depth (quasi-linear, Fung). Exact for a flat-ended tool and during
- * loading; otherwise within 10 to 12 % of the largest force. Meant for curves that are not convex,
- * and where speed matters more.
+ * A single relaxing element, a simpler form of RelaxationElements. It uses the force of the curve,
+ * y = f(δ), instead of a depth (quasi-linear, Fung). It is exact for a flat-ended tool and during
+ * loading; otherwise the error is within 10 to 12 % of the largest force. It is intended for curves
+ * that are not convex, and for cases in which speed is more important.
  */
 class QuasiLinearElement
 {
@@ -24,7 +24,7 @@ public:
     this->reset();
     this->Slow = force;
   }
-  /// Changes to another curve that is `factor` times as stiff.
+  /// Changes to another curve, `factor` times as stiff.
   void scale(double factor) noexcept
   {
     this->Slow *= factor;
@@ -33,7 +33,7 @@ public:
       strain *= factor;
     }
   }
-  /// A time step to the slow force f(δ), N; 0 without contact. Returns the force.
+  /// Makes a time step to the slow force f(δ), N; 0 without contact. Returns the force.
   double press(double slow, const RelaxationStep& step) noexcept
   {
     double free = step.stiffening * this->Slow;
@@ -52,8 +52,8 @@ public:
     this->Force = (1.0 + step.stiffening) * (now - free);
     return this->Force;
   }
-  /// Use instead of press(): a step by an increment of either sign, without separation. Returns the
-  /// part of the force due to memory.
+  /// Replaces press(): makes a step with an increment of either sign, without separation. Returns
+  /// the memory force.
   double follow(double increment, const RelaxationStep& step) noexcept
   {
     double sum = 0.0;
@@ -63,11 +63,11 @@ public:
       sum += step.strength[i] * this->Strain[i];
     }
     this->Slow += increment;
-    this->Force = 1.0; // counts as contact, since the force may pull
+    this->Force = 1.0; // counts as contact, because the force may be tensile
     return sum;
   }
 
-  /// The result of follow() without making the step.
+  /// The result of follow(); the state is not changed.
   double foresee(double increment, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;

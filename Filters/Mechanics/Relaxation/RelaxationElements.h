@@ -15,21 +15,21 @@
 namespace palpate
 {
 /**
- * A foundation that relaxes: parallel elements, each of which begins at its own gap g_j below the
- * surface and carries
+ * A foundation that relaxes: parallel elements, each of which begins at a gap g_j below the surface
+ * and carries the force
  *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
- * where u is the depth of the element, δ - g_j while it is in contact. An element does not pull:
- * out of contact it creeps back with q = 0.
+ * where u is the depth of the element, δ - g_j during contact. An element carries no tensile force:
+ * out of contact it recovers with q = 0.
  *
- * The force of a slow curve f is F = Σ w_j q_j. The weights w_j are the steps in slope of the
+ * The force of a slow curve f is F = Σ w_j q_j. The weights w_j are the increments in slope of the
  * chords of f between the gaps. In the limit of close gaps this is exact for every body and tool
  * with nested contact areas (Lee and Radok 1960; Ting 1966), and for any history: presses, holds,
  * releases, new contacts in a dent that has not recovered. The state of an element depends only on
  * depth and time, not on f, so that blended curves share the elements.
  *
- * A step is exact for a depth that changes at constant speed. Elements are stepped in blocks of
- * four, except those that were never touched: about 40 ns for 17 elements and two branches. Nothing
- * allocates or throws.
+ * A step is exact for a depth that changes at constant speed. Elements are computed in blocks of
+ * four, except those that were never touched: about 40 ns for 17 elements and two branches. No
+ * function allocates or throws.
  */
 class RelaxationElements
 {
@@ -45,7 +45,7 @@ private:
 public:
   static constexpr std::size_t LargestCount = 33;
   static constexpr std::size_t BlockSize = 4;
-  /// One number per element, padded to whole blocks.
+  /// One number per element, padded to complete blocks.
   using Values = std::array<double, (LargestCount + BlockSize - 1) / BlockSize * BlockSize>;
 
   /// Depths at which the elements begin, mm, ascending; infinite for missing elements.
@@ -63,10 +63,10 @@ public:
     Values Depths;
   };
 
-  /// Sets all elements to rest, untouched.
+  /// Resets all elements to the initial state.
   void reset() noexcept { *this = {}; }
 
-  /// Sets equilibrium at this depth.
+  /// Sets the equilibrium at a constant depth.
   void rest(double depth, const Gaps& gaps) noexcept
   {
     this->reset();
@@ -78,8 +78,8 @@ public:
     this->Touched = this->Awake;
   }
 
-  /// First part of a time step: computes the depth of each element without contact. Must be
-  /// followed by press().
+  /// First part of a time step: computes the depth that each element would have without contact.
+  /// press() must follow.
   void relax(const RelaxationStep& step) noexcept
   {
     withBranches(step.count, [&](auto branches) { this->relaxAll<branches>(step); });
@@ -101,7 +101,8 @@ public:
     }
   }
 
-  /// The Σ w_j q_j that press() would give at this depth. Call it between relax() and press().
+  /// The Σ w_j q_j that press() would cause at this depth. To be called between relax() and
+  /// press().
   double forceAt(double depth, const Gaps& gaps, const Values& weights,
     const RelaxationStep& step) const noexcept
   {
@@ -124,7 +125,7 @@ public:
   {
     return (head(weights, this->Awake) * head(this->Force, this->Awake)).sum();
   }
-  /// The part of the force due to memory: Σ w_j (q_j - (δ - g_j)⁺).
+  /// The memory force: Σ w_j (q_j - (δ - g_j)⁺).
   double memoryOf(const Values& weights, double depth, const Gaps& gaps) const noexcept
   {
     const auto slow = (depth - head(gaps.depths(), this->Awake)).max(0.0);
@@ -216,8 +217,8 @@ private:
         return use(std::integral_constant<std::size_t, PronySeries::LargestCount>());
     }
   }
-  // Works on whole blocks. Depth, strains and free depth of elements that are not awake are 0 and
-  // stay so, since the tool does not reach their gaps.
+  // Computes whole blocks. Depth, strains and free depth of elements that are not awake are and
+  // remain 0, because the tool does not reach their gaps.
   template <std::size_t Branches>
   void relaxAll(const RelaxationStep& step) noexcept
   {
@@ -253,7 +254,7 @@ private:
 
   void fallAsleep() noexcept
   {
-    constexpr double little = 1e-12; // mm: the force is negligible
+    constexpr double little = 1e-12; // mm; the force at this depth is negligible
     for (; this->Awake > 0 && !(this->Force[this->Awake - 1] > 0.0); --this->Awake)
     {
       const std::size_t last = this->Awake - 1;

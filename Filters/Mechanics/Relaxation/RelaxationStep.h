@@ -36,7 +36,7 @@ struct RelaxationStep
     }
     this->sum();
   }
-  /// Changes the strengths.
+  /// Sets the strengths.
   void setStrength(const Branches& strengths) noexcept
   {
     this->strength = strengths;
@@ -63,7 +63,7 @@ struct RelaxationStep
     {
       return (1.0 - std::exp(-x)) / x;
     }
-    // Terms in groups of four, which are independent. The first term left out, x^11/12!, is 5e-16.
+    // Terms in groups of four, which are independent. The first omitted term, x^11/12!, is 5e-16.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x * (1.0 / 2)) + x2 * (1.0 / 6 - x * (1.0 / 24));

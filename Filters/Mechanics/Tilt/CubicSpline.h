@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The cubic over [0, 1] that is 0 at the start, from its value at the end and the slopes at both
-/// ends (Hermite).
+/// The cubic over [0, 1] with the value 0 at the start, a given value at the end, and given slopes
+/// at both ends (Hermite).
 class CubicCell
 {
 public:
@@ -41,8 +41,8 @@ struct SplinePoint
   double bend;
 };
 
-/// The cubic spline through samples at four or more ascending places. Each end has the given slope;
-/// without one, a single cubic spans the last two cells. Linear beyond the ends.
+/// The cubic spline through samples at four or more ascending positions. An end may have a given
+/// slope; otherwise a single cubic spans the last two cells. Linear beyond the ends.
 class CubicSpline
 {
 public:

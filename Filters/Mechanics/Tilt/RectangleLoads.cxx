@@ -76,7 +76,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
   room(this->Along, this->Count / 2);
 }
 
-/// Fourier transform of each column. Order gives the order of the result.
+/// Fourier transform of each column. Order contains the order of the result.
 void RectangleLoads::transform(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;
@@ -159,8 +159,8 @@ void RectangleLoads::toSpectrum(const std::vector<double>& field, std::size_t ro
     }
   }
   this->transform(this->Along);
-  // Separates the two real rows of each complex row. The first row gives the part that is even
-  // under k → -k and conjugation, the second row the odd part.
+  // Separates the two real rows of each complex row. The even part under k → -k and conjugation
+  // belongs to the first row, the odd part to the second row.
   const std::size_t wide = this->Across.width;
   this->Across.real.assign(whole * wide, 0.0);
   this->Across.imaginary.assign(whole * wide, 0.0);

@@ -59,7 +59,7 @@ TiltWork pressedInto(const AxisymmetricTool& tool, const TiltBody& body, double 
     return { none, none, none };
   }
 
-  // Integrates from kink to kink. After a kink the force may begin like any power of the depth.
+  // Integrates from kink to kink. After a kink the force may start like any power of the depth.
   std::vector<double> radii = tool.kinks();
   if (std::isfinite(tool.largestContactRadius()))
   {

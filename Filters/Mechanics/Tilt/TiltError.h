@@ -9,16 +9,16 @@ namespace palpate
 /// A tilted contact on a layer, in dimensionless numbers.
 struct TiltedLayer
 {
-  double radius = 0.0;  ///< contact radius of the upright tool, pressed as deep into a half-space,
+  double radius = 0.0;  ///< contact radius of the upright tool at the same depth in a half-space,
                         ///< divided by the thickness of the layer; 0 on a half-space
   double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
   double rim = 0.0;     ///< κ h/D for a tool with a flat end (TiltTerms::dropScale), else 0
 };
 
 /**
- * The relative error of the force of a tilted tool on a bonded layer, computed from its equivalent
- * profile of revolution (TiltedTool.h). The reason is that the base acts differently on a contact
- * that is longer than wide, or on a rim.
+ * The relative error of the force of a tilted tool on a bonded layer that is computed from the
+ * equivalent profile of revolution (TiltedTool.h). The error arises because the base acts
+ * differently on a contact that is longer than wide, or on a rim.
  *
  * Let T be the stretch (at least 1), ρ the radius times √T, g = ρ³/(ρ³ + 0.22) and s the rim. The
  * error is the larger of

@@ -19,8 +19,8 @@ namespace
 constexpr double Degree = Pi / 180.0;
 constexpr double Margin = 4.0 * Degree; // between the largest tilt and the tilt at which the flank
                                         // touches the body along its length
-constexpr double LargestOfAll = 80.0 * Degree; // at larger tilts the body's surface is not a plane
-constexpr double WidthsAway = 1e6;             // from the tip, where a flank has its final slope
+constexpr double LargestTilt = 80.0 * Degree; // at larger tilts the body's surface is not a plane
+constexpr double FarRadius = 1e6;             // from the tip, where a flank has its final slope
 
 /// A point of the profile.
 struct Place
@@ -36,7 +36,8 @@ DeepestPoint seenTilted(const Place& place, double angle)
   return { std::max(0.0, place.r * sine - place.f * cosine), place.r * cosine + place.f * sine };
 }
 
-/// The deepest point of a sampled profile: one of its points, since it is straight between them.
+/// The deepest point of a sampled profile: one of its points, because the profile is straight
+/// between points.
 Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
 {
   const double sine = std::sin(angle);
@@ -143,7 +144,7 @@ double flankAngle(const AxisymmetricTool& tool)
   }
   double reach = std::max(1.0, tool.smallestContactRadius());
   reach = tool.kinks().empty() ? reach : std::max(reach, tool.kinks().back());
-  const double far = WidthsAway * reach;
+  const double far = FarRadius * reach;
   return std::atan((tool.profile(2.0 * far) - tool.profile(far)) / far);
 }
 } // namespace
@@ -159,7 +160,7 @@ DeepestPoint deepestPoint(const AxisymmetricTool& tool, double angle)
 
 double largestTilt(const AxisymmetricTool& tool)
 {
-  return std::clamp(flankAngle(tool) - Margin, 0.0, LargestOfAll);
+  return std::clamp(flankAngle(tool) - Margin, 0.0, LargestTilt);
 }
 
 std::string checkTilt(const AxisymmetricTool& tool, double angle)
@@ -175,12 +176,12 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
       " degrees only and lies on the body when the tool is tilted; there is no law for a tilt of ",
       angle / Degree, " degrees");
   }
-  constexpr double Rounding = 1e-9; // of angles converted from degrees
+  constexpr double Rounding = 1e-9; // rounding of angles converted from degrees
   return angle <= largest + Rounding
     ? ""
     : joined("a tilt of ", angle / Degree, " degrees is too much for this tool: ",
-        largest < LargestOfAll ? "its flank lies on the body soon after "
-                               : "there is no law beyond ",
+        largest < LargestTilt ? "its flank lies on the body soon after "
+                              : "there is no law beyond ",
         largest / Degree, " degrees");
 }
 
@@ -191,10 +192,10 @@ double dropScaleOf(const AxisymmetricTool& tool)
   // the deepest point is proportional to the tilt.
   constexpr double First = 0.02;
   constexpr double Half = 0.5;
-  constexpr double OfARim = 3.0; // a flat end is in full contact from D = 3 h on
+  constexpr double RimScale = 3.0; // a flat end is in full contact for D >= 3 h
   return deepestPoint(tool, First * angle).offset > Half * deepestPoint(tool, angle).offset &&
       deepestPoint(tool, angle).offset > 0.0
-    ? OfARim
+    ? RimScale
     : 0.0;
 }
 
@@ -203,9 +204,9 @@ ToolDrop::ToolDrop(const AxisymmetricTool& tool, double largest)
 {
   for (int k = 0; k < Angles; ++k)
   {
-    // Not at 0 itself: a rim is the deepest point at any tilt above 0.
-    constexpr double Hardly = 1e-9;
-    const double angle = std::max(Hardly, static_cast<double>(k) / (Angles - 1)) * largest;
+    // The angle is not exactly 0, because a rim is the deepest point only for tilts above 0.
+    constexpr double LeastAngle = 1e-9;
+    const double angle = std::max(LeastAngle, static_cast<double>(k) / (Angles - 1)) * largest;
     const DeepestPoint deepest = deepestPoint(tool, angle);
     this->Nodes.push_back(k == 0 ? 0.0 : deepest.drop);
     this->Nodes.push_back(deepest.offset);

@@ -20,12 +20,12 @@ namespace
 {
 constexpr int Depths = 9;
 constexpr int Angles = 13;
-constexpr double Aside = 0.01;      // step in y for differences
-constexpr double AlmostNone = 0.25; // fraction of the first x that replaces x = 0
-// The half-space is solved to this many times the range: its spline is inaccurate at the end, and
-// the contact on a layer is that of a half-space pressed deeper.
-constexpr double OnHalfSpace = 1.6;
-constexpr double OnLayers = 4.0;
+constexpr double AngleStep = 0.01;     // step in y for differences
+constexpr double LeastFraction = 0.25; // fraction of the first x that replaces x = 0
+// The half-space is solved to this multiple of the range: its spline is inaccurate at the end, and
+// the contact on a layer is that of a half-space at a larger depth.
+constexpr double HalfSpaceFactor = 1.6;
+constexpr double LayerFactor = 4.0;
 
 /// η and its derivatives with respect to x, to y, and to both.
 using Node = std::array<double, 4>;
@@ -86,10 +86,11 @@ public:
   }
 
 private:
-  /// x of a node. There is no contact at x = 0: a small x replaces it, and at() extrapolates to 0.
+  /// x of a node. At x = 0 there is no contact; a small x is used instead, and at() extrapolates to
+  /// 0.
   static double placeAt(int depth)
   {
-    return (depth > 0 ? static_cast<double>(depth) : AlmostNone) / (Depths - 1);
+    return (depth > 0 ? static_cast<double>(depth) : LeastFraction) / (Depths - 1);
   }
   double depthAt(int depth) const { return this->Range * placeAt(depth) * placeAt(depth); }
 
@@ -118,7 +119,7 @@ private:
     return nodes;
   }
 
-  /// Nodes at a tilt: derivatives by differences in y, and in x by F = dW/dD.
+  /// Nodes at a tilt: the derivatives are differences in y, and in x follow from F = dW/dD.
   std::vector<Node> tilted(int node, double y) const
   {
     const double depth = this->depthAt(node);
@@ -126,13 +127,13 @@ private:
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
     std::array<Ratio, 3> rim{};    // ρ
     std::array<Ratio, 3> missed{}; // ratio of the half-space's work to the profile's
-    // At y and on both sides of it; at the largest tilt at two points on one side.
-    const bool isLast = y + Aside > 1.0;
+    // At y and on both sides of it; at the largest tilt at y and two points below.
+    const bool isLast = y + AngleStep > 1.0;
     const std::array<double, 3> steps = { 0.0, isLast ? 2.0 : -1.0, 1.0 };
     const std::array<double, 3> slope = { isLast ? 3.0 : 0.0, 1.0, isLast ? -4.0 : -1.0 };
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const double angle = this->Largest * (y - Aside * steps[i]);
+      const double angle = this->Largest * (y - AngleStep * steps[i]);
       tools[i] = this->HalfSpace.equivalent(angle);
       if (this->HalfSpace.dropScale() > 0.0)
       {
@@ -158,8 +159,10 @@ private:
           (tau.byDepth / tau.value + missed[i].byDepth / missed[i].value -
             rim[i].byDepth / rim[i].value);
       }
-      const auto byY = [&slope](const std::array<double, 3>& values) {
-        return (slope[0] * values[0] + slope[1] * values[1] + slope[2] * values[2]) / (2.0 * Aside);
+      const auto byY = [&slope](const std::array<double, 3>& values)
+      {
+        return (slope[0] * values[0] + slope[1] * values[1] + slope[2] * values[2]) /
+          (2.0 * AngleStep);
       };
       nodes.push_back({ eta[0], byX[0], byY(eta), byY(byX) });
     }
@@ -181,8 +184,8 @@ std::string countFault(const std::vector<TiltBody>& bodies)
     : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", but is ", bodies.size());
 }
 
-/// The reason why a tool, upright or at the largest tilt, cannot be pressed so deep into a body; ""
-/// if it can.
+/// The reason why a tool, upright or at the largest tilt, cannot be pressed to the depth `range`
+/// into a body; "" if it can.
 std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const TiltBody& body)
 {
@@ -203,7 +206,7 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
       (answers(middle) ? answered : unanswered) = middle;
     }
     constexpr double Degrees = 57.29577951308232;
-    return joined("on ", body.describe(), " the tool's law is known to ", answered, " mm only",
+    return joined("on ", body.describe(), " the tool's law is valid only to ", answered, " mm",
       angle > 0.0 ? joined(" when it is tilted by ", angle * Degrees, " degrees") : std::string(),
       ", not to the range of ", range, " mm");
   }
@@ -251,7 +254,7 @@ std::string checkTiltDemand(const AxisymmetricTool& tool, double range, double l
 
 double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered)
 {
-  return std::min((isLayered ? OnLayers : OnHalfSpace) * range, tool.depthLimit().depth);
+  return std::min((isLayered ? LayerFactor : HalfSpaceFactor) * range, tool.depthLimit().depth);
 }
 
 MadeTilt makeTiltTable(

@@ -18,8 +18,7 @@ struct DeepestPoint
   double offset = 0.0; ///< x = dh/dθ, its lateral distance from the tip, mm, >= 0
 };
 
-/// τ and its derivatives, with respect to the depth D at fixed tilt and to the tilt θ at fixed
-/// depth.
+/// τ and its derivatives, by the depth D at fixed tilt and by the tilt θ at fixed depth.
 struct TiltFactor
 {
   double value = 1.0;
@@ -28,13 +27,13 @@ struct TiltFactor
   double byAngle = 0.0;      ///< 1/rad
 };
 
-/// Parameters of a TiltTable, as they are stored.
+/// Parameters of a TiltTable in stored form.
 struct TiltTerms
 {
   double range = 0.0;   ///< D_m, mm, > 0
   double largest = 0.0; ///< largest tilt, rad, > 0 and less than a right angle
-  /// κ >= 0. κ is 3 for a tool with a flat end, which touches with its rim: its force depends on
-  /// the ratio of depth and drop.
+  /// κ >= 0. κ is 3 for a tool with a flat end, which touches with its rim, so that its force
+  /// depends on the ratio of depth and drop.
   double dropScale = 0.0;
   int depths = 0; ///< nodes x_i = i/(depths - 1), 2 or more
   int angles = 0; ///< nodes y_j = j/(angles - 1), 2 or more
@@ -51,29 +50,29 @@ struct TiltTerms
 PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
 
 /**
- * The effect of tilt on the force of a tool. W_0(D) is the work of pressing the upright tool D
- * deep. The work of the tool tilted by θ, with its deepest point D deep, is
+ * The effect of tilt on the force of a tool. W_0(D) is the work of pressing the upright tool to the
+ * depth D. If the deepest point of the tool tilted by θ is at the depth D, its work is
  *   W(D, θ) = W_0(D) τ(D, θ),  D = δ + h(θ),
  * where δ is the depth of its tip, on the axis, and h the drop of its deepest point. Force and
- * torque follow from this one energy, so that closed paths gain no energy:
+ * torque follow from this energy, so that closed paths gain no energy:
  *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ.
  * F is along the body's normal. M is about the tip, towards the upright position. τ(D, 0) = 1.
  *
  * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1,
- * except for a tool with a flat end, whose force falls fast with the tilt: there ρ is that of a
- * flat end on a half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Beyond D_m η is
+ * except for a tool with a flat end, whose force falls fast with the tilt: then ρ is that of a flat
+ * end on a half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Beyond D_m, η is
  * constant; a tilt beyond θ_m counts as θ_m. h is the cubic Hermite interpolant of drops and
  * offsets.
  *
- * A body whose points differ in more than their modulus has several laws, and each point has its
- * weights, whose sum is 1. Immutable; allocates and throws nothing after construction.
+ * A body whose points differ in more than their modulus has several laws, and each point has
+ * weights with the sum 1. Immutable; no function allocates or throws after construction.
  */
 class PALPATE_EXPORT TiltTable
 {
 public:
   TiltTable() = default;
-  /// `drops`: h and dh/dθ at each θ_k. `nodes`: η and its derivatives with respect to x, to y and
-  /// to both, for each law, each x, each y. The numbers must pass faultOf.
+  /// `drops`: h and dh/dθ at each θ_k. `nodes`: η and its derivatives by x, by y and by both, for
+  /// each law, each x, each y. The numbers must pass faultOf.
   TiltTable(const TiltTerms& terms, const double* drops, const double* nodes);
 
   /// The fault of the data, with the number, or "".
@@ -102,7 +101,7 @@ public:
   DeepestPoint deepest(double angle) const noexcept;
   /// τ at D > 0, mm, and θ >= 0, rad; one weight per law.
   TiltFactor at(double depth, double angle, const double* weights) const noexcept;
-  /// The same for a table with one law.
+  /// The factor of a table with one law.
   TiltFactor at(double depth, double angle) const noexcept
   {
     constexpr double whole = 1.0;

@@ -12,19 +12,20 @@ class AxisymmetricTool;
 struct TiltedForce
 {
   double perModulus = 0.0; ///< F/E*, mm²
-  double work = 0.0; ///< work done, over E*, mm³; its relative error is the square of that of the
-                     ///< pressures
+  /// Work divided by E*, mm³; its relative error is the square of that of the pressures.
+  double work = 0.0;
   double area = 0.0; ///< area of the contact, mm²
 };
 
 /**
- * The force of a tool tilted by θ, its deepest point D deep in a half-space, by boundary elements.
- * The surface of the tool is sampled on a plane of `pixels` x `pixels` rectangles fitted to the
- * contact; the pressures are >= 0, without penetration anywhere (Polonsky and Keer 1999, conjugate
- * gradients, here at a given depth). The true surface is used, with flank and wall.
+ * The force of a tool tilted by θ, with its deepest point at the depth D in a half-space, by
+ * boundary elements. The surface of the tool is sampled on a plane of `pixels` x `pixels`
+ * rectangles fitted to the contact; the pressures are >= 0, and there is no penetration (Polonsky
+ * and Keer 1999, conjugate gradients, here at a given depth). The true surface is used, with flank
+ * and wall.
  *
- * Error of the force with 64 and 128 pixels: smooth tools 1e-4 and 2e-5; sharp rims, which become a
- * staircase, 5e-3 and 2.5e-3. Cost: 10 and 80 ms.
+ * Error of the force with 64 and 128 pixels: 1e-4 and 2e-5 for smooth tools; 5e-3 and 2.5e-3 for
+ * sharp rims, which become a staircase. Cost: 10 and 80 ms.
  *
  * D > 0, mm; θ >= 0, rad, up to the largest tilt (largestTilt); `pixels` is a power of two, >= 32.
  */

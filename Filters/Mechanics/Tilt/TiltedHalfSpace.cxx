@@ -32,8 +32,8 @@ constexpr std::size_t MostSamples = 200; // down to 1e-7 of the least depth, for
 constexpr double Smallest = 1e-9; // contact radius over depth, a lower bound for the solver's
                                   // result
 
-/// Makes the contact radii grow with the depth. Where the solver's error makes them decrease, they
-/// are replaced by their mean over the depth, which keeps the force.
+/// Makes the contact radii increase with the depth. If the solver's error makes them decrease, they
+/// are replaced by their mean over the depth, which preserves the force.
 void makeMonotone(std::vector<TiltedTool::Sample>& samples)
 {
   std::vector<double> radii;
@@ -152,7 +152,7 @@ void TiltedHalfSpace::solveRows(double depth)
     }
     else if (this->rimRatio(at, angles[1]) < 1.0)
     {
-      // At a very small tilt only the depth of the tip matters: W(D, θ) = W(D - h, 0).
+      // At a very small tilt only the depth of the tip has an effect: W(D, θ) = W(D - h, 0).
       const TiltWork upright = pressedInto(this->Tool, {}, at);
       slope = this->Drop.at(0.0).offset * (2.0 / at - upright.force / upright.work);
     }
@@ -170,7 +170,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle
 {
   if (!(angle > 0.0) || this->Is == Kind::Sphere)
   {
-    return { std::shared_ptr<void>(), &this->Tool }; // not owned
+    return { std::shared_ptr<void>(), &this->Tool }; // not owned by the result
   }
   return this->Is == Kind::Flat ? this->flat(angle) : this->fromRows(angle);
 }
@@ -181,7 +181,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) cons
   constexpr double Least = 1e-4;
   constexpr double Whole = 3.0; // full contact of the end
   constexpr int Lower = 60;     // points from the least q to 1
-  constexpr int Upper = 40;     // points from there to full contact, ever denser
+  constexpr int Upper = 40;     // points from q = 1 to full contact, increasingly dense
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;
   std::vector<TiltedTool::Sample> samples;
@@ -218,7 +218,8 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
       false);
   }
   const CubicSpline stored = this->over(angle);
-  // For a flat end from a depth at which only its rim touches; for others from the first row.
+  // For a flat end the samples begin at a depth at which only its rim touches; for others at the
+  // first row.
   const double drop = this->DropScale > 0.0 ? this->Drop.at(angle).drop : 0.0;
   constexpr double OnRim = 0.02; // D/h up to which the force is nearly a power of the depth
   const double begin = drop > 0.0 ? std::min(first.depth, OnRim * drop) : first.depth;
@@ -239,7 +240,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
   auto tool = std::make_shared<const TiltedTool>(name, samples, false);
   if (drop > 0.0)
   {
-    // A kink where the whole end comes into contact.
+    // a(D) has a kink at the depth at which the whole end is in contact.
     tool = std::make_shared<const TiltedTool>(name, std::move(samples), false,
       std::vector<double>{ tool->contactRadius(this->DropScale * drop) });
   }
@@ -253,7 +254,7 @@ TiltWork TiltedHalfSpace::workOf(
   const double depth = upright.depth;
   const TiltWork& at = upright.at;
   const SplinePoint eta = stored.at(std::log(depth));
-  double logarithm = eta.value; // of η; its derivatives follow
+  double logarithm = eta.value; // of η; its derivatives follow from it
   double logarithmSlope = eta.slope;
   double logarithmBend = eta.bend;
   if (!this->IsFaceted)

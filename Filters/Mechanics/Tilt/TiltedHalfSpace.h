@@ -15,14 +15,14 @@
 namespace palpate
 {
 /**
- * One tool on a half-space at any tilt up to a largest one. With its equivalent profiles
- * (TiltedTool.h) it also serves for layers.
+ * One tool on a half-space at any tilt up to a largest one. The equivalent profiles of the tool
+ * (TiltedTool.h) also serve for layers.
  *
- * The object stores τ = W(D, θ)/W(D, 0), whose derivatives give force and contact radius: the work
- * of boundary elements is smoother than their force. τ is 1 for spheres and has a closed form for
- * flat ends (TiltedFlat.h). For cones, which have no length, it depends on the angle alone. Other
- * tools are solved (TiltedContact.h) at about thirteen depths and angles; blunted cones only where
- * more than the tip touches.
+ * The object stores τ = W(D, θ)/W(D, 0), whose derivatives determine force and contact radius: the
+ * work of boundary elements is smoother than their force. τ is 1 for spheres and has a closed form
+ * for flat ends (TiltedFlat.h). For cones, which have no length, it depends only on the angle.
+ * Other tools are solved (TiltedContact.h) at about thirteen depths and angles; blunted cones only
+ * at depths at which more than the tip touches.
  *
  * The splines over θ and ln D are splines of τ^-1.2. For a sampled profile, whose facets touch the
  * body one after the other, they are splines of ln τ; for a tool with a flat end, of τ divided by
@@ -30,7 +30,7 @@ namespace palpate
  * flat ends 3e-3 (TiltNodesTest.cxx).
  *
  * Cost: 1 to 4 s for a tool that is solved, on all threads, otherwise negligible; 0.1 ms for
- * equivalent(). The bits do not depend on the number of threads.
+ * equivalent(). The result is bit for bit the same for any number of threads.
  */
 class PALPATE_EXPORT TiltedHalfSpace
 {
@@ -39,11 +39,11 @@ public:
   /// (rad) that checkTilt allows. `tool` must outlive this object.
   TiltedHalfSpace(const AxisymmetricTool& tool, double depth, double largest);
 
-  /// The equivalent profile of the tilted tool, over the depth of its deepest point. It may be the
-  /// tool itself. Valid slightly beyond the largest tilt.
+  /// The equivalent profile of the tilted tool, as a function of the depth of its deepest point. It
+  /// may be the tool itself. Valid slightly beyond the largest tilt.
   std::shared_ptr<const AxisymmetricTool> equivalent(double angle) const;
 
-  /// The work on the half-space itself, without an equivalent profile.
+  /// The work on the half-space, without an equivalent profile.
   TiltWork pressed(double depth, double angle) const;
 
   const AxisymmetricTool& tool() const { return this->Tool; }
@@ -83,7 +83,7 @@ private:
   ToolDrop Drop;
   double DropScale;
   Kind Is = Kind::Solved;
-  bool IsFaceted = false; ///< then the splines are of ln τ, not of τ^-1.2
+  bool IsFaceted = false; ///< the splines are of ln τ, not of τ^-1.2
   std::vector<Row> Rows;
   std::vector<Upright> Uprights; ///< the deepest first
 };

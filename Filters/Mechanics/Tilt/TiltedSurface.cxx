@@ -37,7 +37,7 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
     return height < limit ? height : Infinity;
   }
   // Steps upwards until the point is inside the tool. The flank of a convex tool may end above, so
-  // that a higher point may be outside again.
+  // that a higher point may again be outside.
   constexpr int Steps = 16;
   double low = bottom;
   double lowValue = this->insideAt(x, y, low);
@@ -54,7 +54,7 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
   {
     return Infinity;
   }
-  // False position with halved ends (Illinois), or bisection at a wall.
+  // Regula falsi with halved end values (Illinois), or bisection at a wall.
   double z = high;
   for (int i = 0; i < 60 && high - low > 1e-13 * (limit + this->Drop); ++i)
   {
@@ -83,8 +83,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
 
 SurfaceBox TiltedSurface::below(double limit) const
 {
-  // The radii whose lowest point is below the limit. The search goes away from the deepest point,
-  // in steps that are finer near it.
+  // Searches the radii whose lowest point is below the limit, starting at the deepest point in
+  // steps that are finer near it.
   const double wall = this->Tool.largestContactRadius();
   const auto isLow = [&](double r)
   { return this->Tool.profile(r) * this->Cosine - r * this->Sine + this->Drop < limit; };
@@ -127,7 +127,7 @@ SurfaceBox TiltedSurface::below(double limit) const
     const double r = inner + (outer - inner) * i / Radii;
     add(r, this->Tool.profile(r));
   }
-  if (outer >= wall) // and up along the wall
+  if (outer >= wall) // the box also extends upwards along the wall
   {
     const double rim = this->Tool.profile(wall);
     const double rise = limit - (rim * this->Cosine - wall * this->Sine + this->Drop);

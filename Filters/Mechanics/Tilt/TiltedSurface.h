@@ -24,7 +24,7 @@ public:
 
   /// Height of the tool above the plane at (x, y), mm; +inf if it exceeds `limit`.
   double heightAt(double x, double y, double limit) const;
-  /// The smallest box found that contains all places where the height is less than `limit`.
+  /// The smallest box found that contains all points where the height is less than `limit`.
   SurfaceBox below(double limit) const;
 
 private:
@@ -34,7 +34,7 @@ private:
   double Sine;
   double Cosine;
   double Drop;
-  double Deepest = 0.0; ///< radius of the deepest point
+  double Deepest = 0.0; ///< distance of the deepest point from the axis
 };
 } // namespace palpate
 

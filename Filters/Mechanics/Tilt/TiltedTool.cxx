@@ -186,10 +186,10 @@ double TiltedTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // D/a grows with D if the contact grows more slowly than the depth.
-  constexpr double Away = 1e6;
-  double low = this->Samples.front().depth / Away;
-  double high = this->Samples.back().depth * Away;
+  // D/a increases with D if the contact radius increases more slowly than the depth.
+  constexpr double FarFactor = 1e6;
+  double low = this->Samples.front().depth / FarFactor;
+  double high = this->Samples.back().depth * FarFactor;
   if (low / this->radiusAt(low) > ratio)
   {
     return 0.0;

@@ -10,11 +10,12 @@
 namespace palpate
 {
 /**
- * Cone of semi-angle α with a spherical tip of radius R, tangent to it at b = R cos α. Up to a = b
- * an exact sphere. Beyond, with c = cot α, q = √(a²-b²), A = arccos(b/a), L = ln[(R+a)/(R sin α+q)]
+ * Cone of semi-angle α with a spherical tip of radius R, tangent to the cone at b = R cos α. For a
+ * <= b the tool is an exact sphere. For a > b, with c = cot α, q = √(a²-b²), A = arccos(b/a), L =
+ * ln[(R+a)/(R sin α+q)]
  *   δ = g(a) = a L + c a A,
  *   F = 2E* (a δ - G),  G = ∫_0^a g dx = ½ [(a²-R²) L + R a - q R/sin α + c a² A]
- * (g: Popov and Hess 2015; G by parts). The strain is measured by a/R, R the radius of the tip.
+ * (g: Popov and Hess 2015; G by parts). The strain measure is a/R, with R the radius of the tip.
  */
 class BluntedConeTool final : public AxisymmetricTool
 {

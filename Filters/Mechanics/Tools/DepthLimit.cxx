@@ -22,8 +22,8 @@ struct Sample
 };
 
 /// Samples of g between the kinks, evenly spaced before the first kink. After a kink r the samples
-/// are denser, since g may start like a square root. Further out their distance is proportional to
-/// x, since g changes over lengths of r, however far the next kink is.
+/// are denser, because g may start like a square root. At larger x their distance is proportional
+/// to x, because g changes over lengths of r, however far away the next kink is.
 std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
   const std::vector<double>& kinks, double outer)
 {
@@ -56,8 +56,8 @@ std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedPr
   return samples;
 }
 
-/// Radii where the gap may close: after each maximum of g, up to twice the distance to the end of
-/// the dip.
+/// Radii at which the gap may close: after each maximum of g, up to twice the distance to the end
+/// of the dip.
 std::vector<double> candidates(const std::vector<Sample>& samples)
 {
   std::vector<double> radii;
@@ -111,7 +111,7 @@ double closingDepth(const std::vector<Sample>& samples, double r, double height)
     integral += (p.g - slope * p.x) * (angle - std::asin(p.x / r)) + slope * (rootP - rootQ);
     if (q.g <= deepest)
     {
-      continue; // no contact ends here
+      continue; // no contact has this radius
     }
     deepest = q.g;
     const double over = q.g * (1.0 - 2.0 / Pi * angle - Tolerance) - height + 2.0 / Pi * integral;

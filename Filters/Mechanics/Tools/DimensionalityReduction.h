@@ -13,10 +13,10 @@
  * for a tool that touches smoothly, δ for a flat end.
  *
  * `kinks` are the radii, ascending, at which g is not analytic. After a kink g may start like a
- * square root, and at the axis like any power above 0. The integrals go from kink to kink and are
- * transformed so that these starts are analytic too, with 32 Gauss points next to the start and 64
- * on the rest. Accuracy: about 1e-11 if g has no singularity within 1 % of a beyond a, for r/a down
- * to 1e-10 and for r as near as 1e-7 to a kink.
+ * square root, and at the axis like any power above 0. The integrals are computed from kink to kink
+ * and transformed so that these starts are analytic too, with 32 Gauss points next to the start and
+ * 64 on the rest. Accuracy: about 1e-11 if g has no singularity within 1 % of a beyond a, for r/a
+ * down to 1e-10 and for r as near as 1e-7 to a kink.
  */
 namespace palpate::reduction
 {
@@ -34,16 +34,16 @@ double reducedSlope(
 /// F/E* = 2 ∫_0^a (δ-g) dx.
 double force(const Function& profile, double a, double deflection, const Radii& kinks = {});
 
-/// p(r)/E* = (1/π) [∫_r^a g'(x) dx/√(x²-r²) + step/√(a²-r²)], 0 <= r <= a. On the axis +inf if
-/// g'(0) > 0.
+/// p(r)/E* = (1/π) [∫_r^a g'(x) dx/√(x²-r²) + step/√(a²-r²)], 0 <= r <= a. On the axis it is +inf
+/// if g'(0) > 0.
 double pressure(const Function& slope, double r, double a, double step, const Radii& kinks = {});
 
 /// u_z(r) = (2/π) ∫_0^a (δ-g) dx/√(r²-x²), r > a.
 double normalDisplacementOutside(
   const Function& profile, double r, double a, double deflection, const Radii& kinks = {});
 
-/// Load inside r over E*: 2 [∫_0^a (δ-g) dx - ∫_r^a (δ-g) t dt/√(t²-r²)], 0 < r < a, integrated by
-/// parts so that it keeps its relative accuracy as r → 0.
+/// Load within the radius r divided by E*: 2 [∫_0^a (δ-g) dx - ∫_r^a (δ-g) t dt/√(t²-r²)], 0 < r <
+/// a, integrated by parts so that it keeps its relative accuracy as r → 0.
 double loadInside(const Function& slope, double r, double a, double step, const Radii& kinks = {});
 } // namespace palpate::reduction
 

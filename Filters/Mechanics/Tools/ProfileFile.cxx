@@ -15,7 +15,7 @@ std::string readProfile(const std::string& file, std::vector<ProfilePoint>& poin
     {
       csv.fail("'" + std::string(csv.text(0)) + "' is not a profile point r_mm,f_mm");
     }
-    // A header has two names. A first line that begins like a number is a wrong point, not a
+    // A header has two names. A first line that begins like a number is an invalid point, not a
     // header.
     else if (!isFirst || csv.text(0).find_first_of("0123456789+-.") == 0)
     {

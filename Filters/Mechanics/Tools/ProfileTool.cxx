@@ -284,7 +284,7 @@ double ProfileTool::depthAtContactRadius(double a) const
   {
     return std::isnan(a) ? a : a > 0.0 ? Infinity : 0.0;
   }
-  // The highest level so far, since g may dip.
+  // The largest g so far is used, because g may decrease.
   double level = this->reducedProfile(a);
   for (const Rise& rise : this->Rises)
   {
@@ -302,7 +302,8 @@ double ProfileTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // Finds the first rise at which δ/a = g(a)/a exceeds the ratio, then the crossing before it.
+  // Finds the first rise at which δ/a = g(a)/a exceeds the ratio, then the crossing before that
+  // rise.
   double low = 0.0;
   for (const Rise& rise : this->Rises)
   {
@@ -311,7 +312,7 @@ double ProfileTool::depthAtStrain(double ratio) const
     {
       if (rise.step == 0 && this->Steps[0].unit.radius() == 0.0 && low == 0.0)
       {
-        return 0.0; // the first segment is a cone: one strain at every depth
+        return 0.0; // the first segment is a cone, with the same strain at every depth
       }
       const double begin = std::max(low, this->Steps[rise.step].unit.radius());
       const double a = increasingRoot(

@@ -19,30 +19,30 @@ struct ProfilePoint
 };
 
 /**
- * Tool sampled from its axis outward: straight between the points, with a vertical wall at the last
- * point.
+ * A tool sampled from its axis outward: straight between the points, with a vertical wall at the
+ * last point.
  *
- * Its slope steps by m_i at r_i. In closed form, with A_i = arccos(r_i/a) and r_i < a,
+ * Its slope changes by m_i at r_i. In closed form, with A_i = arccos(r_i/a) and r_i < a,
  *   δ = Σ m_i a A_i,  F = 2E* (a δ - ½ Σ m_i [a² A_i - r_i √(a²-r_i²)]).
- * For depths beyond g of the wall, a flat punch is added. Points on a smooth profile give its law
- * with an error that falls with the square of their spacing. Two points (0, 0), (R, 0) make a flat
- * punch.
+ * For depths beyond g of the wall, a flat punch is added. Points on a smooth profile approximate
+ * its law with an error proportional to the square of their spacing. Two points (0, 0), (R, 0)
+ * define a flat punch.
  *
- * If a concave profile would touch outside the circle of contact, the law ends there
- * (DepthLimit.h). Next to an edge r_i the pressure is infinite: +inf at a convex edge, -inf at a
- * concave one.
+ * If a concave profile would touch the body outside the circle of contact, the law ends at that
+ * depth (DepthLimit.h). Next to an edge r_i the pressure is infinite: +inf at a convex edge, -inf
+ * at a concave one.
  *
- * No tip radius: the strain is measured by δ/a. Cost: proportional to the number of points, about
- * 30 ns per point for force and radius, 2 µs per point for pressure and displacements. The
- * construction of a profile that is not convex costs the square of that number, 0.1 s for a
- * thousand points.
+ * There is no tip radius: the strain measure is δ/a. Cost: proportional to the number of points,
+ * about 30 ns per point for force and radius, 2 µs per point for pressure and displacements. The
+ * construction of a profile that is not convex takes time proportional to the square of the number
+ * of points, 0.1 s for a thousand points.
  */
 class PALPATE_EXPORT ProfileTool final : public AxisymmetricTool
 {
 public:
   /// The fault of the points, which names the first wrong point; empty if nothing is wrong.
   static std::string check(const std::vector<ProfilePoint>& points);
-  /// The same for the last point, if the points before it have no fault.
+  /// The fault of the last point, if the points before it have no fault.
   static std::string checkLast(const std::vector<ProfilePoint>& points);
 
   /// The points must pass check(): two or more, the first (0, 0), r increasing, f >= 0.
@@ -74,7 +74,7 @@ private:
     SlopeStep unit;
     double change;
   };
-  /// A running maximum of g at x = √(r²+t²); r is the radius of the step before it.
+  /// A point x = √(r²+t²) at which g reaches a new maximum; r is the radius of the preceding step.
   struct Rise
   {
     std::size_t step;

@@ -118,7 +118,7 @@ double RoundedFlatTool::radiusAt(double deflection) const
 
 double RoundedFlatTool::forcePerModulus(double a, double deflection) const
 {
-  // 2 (a δ - ∫ g dx): the integral is small where a was rounded to b.
+  // 2 (a δ - ∫ g dx): the integral is small if a was rounded to b.
   const double b = this->Radius;
   return 2.0 * a * deflection -
     b * (b * (b / (3.0 * this->EdgeRadius))) * integralOfExcess(tangent(a, b));

@@ -12,8 +12,8 @@ namespace palpate
  * Flat punch of radius b with a rounded edge, f = (r-b)²/2R_e for r > b: with A = arccos(b/a) and
  * q = √(a²-b²)
  *   δ = (a/R_e) (q - bA),  F = E* [(4a²-b²) q - 3a²bA]/(3R_e)
- * (Schubert 1942; Popov and Hess 2015). It starts as a flat punch of radius b; the pressure is
- * finite everywhere. No tip radius: the strain is measured by δ/a = (q - bA)/R_e.
+ * (Schubert 1942; Popov and Hess 2015). At first contact it is a flat punch of radius b; the
+ * pressure is finite everywhere. There is no tip radius: the strain measure is δ/a = (q - bA)/R_e.
  */
 class RoundedFlatTool final : public AxisymmetricTool
 {

@@ -9,7 +9,7 @@ namespace palpate
 /**
  * The profile f = max(r-b, 0), whose slope steps from 0 to 1 at radius b >= 0. Truncated cones and
  * piecewise linear profiles are sums of such steps. At equal contact radius the reduced profile,
- * pressure, displacement and load of a sum of profiles are the sums of those of its parts.
+ * pressure, displacement and load of a sum of profiles are the sums of those of the profiles.
  *
  *   g(x) = x A, A = arccos(b/x), x > b;  ∫_0^a g dx = (a²A - b q)/2, q = √(a²-b²)
  * (Popov and Hess 2015). b = 0 is the cone. Results per unit reduced modulus.
@@ -32,7 +32,7 @@ public:
   double pressure(double r, double a) const;
   /// u_z at r > a, mm, pressed to δ = g(a).
   double normalDisplacementOutside(double r, double a) const;
-  /// Load inside r at 0 < r < a, mm².
+  /// Load within the radius r at 0 < r < a, mm².
   double loadInside(double r, double a) const;
 
 private:

@@ -41,7 +41,7 @@ struct ToolSpecification
   std::vector<ProfilePoint> Profile = {};
 };
 
-/// The texts that parseTool accepts, for help texts: "flat:R, sphere:R, …".
+/// The texts that parseTool accepts, for the help of programs: "flat:R, sphere:R, …".
 PALPATE_EXPORT const char* toolSyntax();
 
 /// The fault of the specification, which names the parameter and its value; empty if nothing is
@@ -56,7 +56,7 @@ PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecificatio
  *   flat:R  sphere:R  paraboloid:R  cone:DEGREES  truncated:R,DEGREES  blunted:R,DEGREES
  *   rounded:R,EDGE  power:EXPONENT,COEFFICIENT  profile:FILE.csv  profile:r1,f1;r2,f2;…
  * in mm and degrees from the axis. The second form of a profile is recognised by its ';'.
- * specification() writes this form, so that a stored response needs no file. Files: see
+ * specification() writes the second form, so that a stored response needs no file. For files see
  * ProfileFile.h. On failure the function returns false, sets `error`, and leaves the specification
  * unchanged.
  */
@@ -67,15 +67,16 @@ PALPATE_EXPORT bool parseTool(
 PALPATE_EXPORT std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool);
 
 /// The same tool with all lengths multiplied by `factor` > 0: its force law is F(δ) → factor²
-/// F(δ/factor). A cone, and a power law of exponent 1, have no length: for them tan α grows by the
-/// factor. Null if the tool's specification cannot be parsed, or the scaled one is invalid.
+/// F(δ/factor). A cone, and a power law of exponent 1, have no length: their tan α is multiplied by
+/// the factor instead. Null if the tool's specification cannot be parsed, or the scaled one is
+/// invalid.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
   const AxisymmetricTool& tool, double factor);
 
-/// "name:v1,v2" in shortest decimals.
+/// Formats "name:v1,v2" with the shortest decimals.
 PALPATE_EXPORT std::string formatTool(
   const std::string& name, std::initializer_list<double> values);
-/// "profile:r1,f1;r2,f2;…" in shortest decimals.
+/// Formats "profile:r1,f1;r2,f2;…" with the shortest decimals.
 PALPATE_EXPORT std::string formatProfile(const std::vector<ProfilePoint>& points);
 } // namespace palpate
 

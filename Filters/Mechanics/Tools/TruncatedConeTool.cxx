@@ -62,7 +62,7 @@ double TruncatedConeTool::radiusAt(double deflection) const
 
 double TruncatedConeTool::forcePerModulus(double a, double deflection) const
 {
-  // With a A cot α = δ, the angle computed from δ stays accurate where a was rounded to b.
+  // With a A cot α = δ, the angle computed from δ remains accurate if a was rounded to b.
   return a *
     (deflection + this->Slope * this->Edge.radius() * std::sin(deflection / (this->Slope * a)));
 }

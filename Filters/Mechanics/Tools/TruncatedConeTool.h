@@ -12,8 +12,8 @@ namespace palpate
 /**
  * Cone of semi-angle α cut to a flat of radius b, f = (r-b) cot α for r > b: with A = arccos(b/a)
  *   δ = a A cot α,  F = E* cot α [a²A + b√(a²-b²)]
- * (Ejike 1969; Popov and Hess 2015). It starts as a flat punch of radius b; the pressure is
- * infinite at the edge r = b. No tip radius: the strain is measured by δ/a = A cot α.
+ * (Ejike 1969; Popov and Hess 2015). At first contact it is a flat punch of radius b; the pressure
+ * is infinite at the edge r = b. There is no tip radius: the strain measure is δ/a = A cot α.
  */
 class TruncatedConeTool final : public AxisymmetricTool
 {

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// The double that is `steps` units in the last place away from `value`.
+/// The double that is `steps` units in the last place above `value`.
 double further(double value, int steps)
 {
   const double towards = std::copysign(std::numeric_limits<double>::infinity(), steps);
@@ -20,7 +20,7 @@ double further(double value, int steps)
   return value;
 }
 
-/// The position whose image is `tip` to the bit, if there is one near its inverse image.
+/// The position whose image is `tip` bit for bit, if there is one near its inverse image.
 Eigen::Vector3d positionOf(const Eigen::Vector3d& tip, const WorkspaceMapping& mapping)
 {
   // Largest error of two multiplications in each direction, in units of the last place.

@@ -12,32 +12,33 @@
 namespace palpate
 {
 /**
- * Replays a trajectory as a device: a hand that repeats the same path, whatever the force.
+ * Replays a trajectory as a device: a hand that repeats the recorded path, whatever the force.
  *
  * The times of the file are those of the loop. At the time of a row the sample is the recorded one
- * to the bit: position, velocity, buttons, valid, fresh. Of several rows of equal time the last one
- * is used. Between two rows position and velocity are linear in time, at any rate of the loop; next
- * to a row that is not valid they are constant. Before the first row and after the last one
- * (isAtEnd) the hand rests at that row.
+ * bit for bit: position, velocity, buttons, valid, fresh. If several rows have the same time, the
+ * last of them is used. Between two rows position and velocity are linear in time, at any rate of
+ * the loop; next to a row that is not valid they are constant. Before the first row the hand rests
+ * at that row, after the last row (isAtEnd) at the last row.
  *
- * An axis is replayed as the smallest rotation that gives it, exact to rounding. Between two rows
- * with an axis the shaft turns at constant speed.
+ * An axis is replayed as the smallest rotation that results in this axis, exact to rounding.
+ * Between two rows with an axis the shaft turns at constant speed.
  *
- * Frames: a file has the tip (body frame, mm). A recording (RecordingDevice) also has the device's
- * position. This position is then replayed, so that the loop may have another mapping than the
- * recording. Without it the tip is mapped back through `mapping`, which the loop must use too. The
- * result is a position whose image is the tip to the bit; with a rotation in the mapping the last
- * bit may differ. Rows without a tip are samples that are not valid.
+ * Frames: a file contains the tip (body frame, mm). A recording (RecordingDevice) also contains the
+ * device's position. In that case this position is replayed, so that the loop may have another
+ * mapping than the recording. Otherwise the tip is mapped back through `mapping`, which the loop
+ * must use too. The result is a position whose image is the tip bit for bit; with a rotation in the
+ * mapping the last bit may differ. Rows without a tip are samples that are not valid.
  */
 class PALPATE_EXPORT ReplayDevice final : public HapticDevice
 {
 public:
-  /// The times of the rows must not decrease (readTrajectory). Without rows no sample is valid.
+  /// The times of the rows must not decrease (readTrajectory). If there are no rows, no sample is
+  /// valid.
   ReplayDevice(const Trajectory& trajectory, const WorkspaceMapping& mapping,
     const DeviceSpecification& specification = {});
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// Not valid if `time` is not finite. O(log n).
+  /// The sample is not valid if `time` is not finite. O(log n).
   DeviceSample read(double time) noexcept override;
   bool write(const Eigen::Vector3d& force) noexcept override
   {

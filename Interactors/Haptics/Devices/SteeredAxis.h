@@ -11,22 +11,22 @@
 namespace palpate
 {
 /**
- * The axis of a tool in a hand that is steered from another thread: the counterpart of
- * SteeredTarget for orientations.
+ * The axis of a tool in a hand that another thread steers: the counterpart of SteeredTarget for
+ * orientations.
  *
- * The shaft turns towards the axis of the last turnTo by the shortest way, without spin; the
- * remaining angle decays as e^(-Δt/τ). The axis is unknown until the first turnTo, and starts at
- * the axis given there. The zero vector makes the axis unknown again. turnTo is for one thread,
- * moveOn for the servo thread; neither waits.
+ * The shaft turns towards the axis of the last turnTo by the shortest rotation, without spin; the
+ * remaining angle decays as e^(-Δt/τ). The axis is unknown until the first turnTo, which sets it
+ * without a motion. The zero vector makes the axis unknown again. turnTo is for one thread, moveOn
+ * for the servo thread; neither waits.
  */
 class PALPATE_EXPORT SteeredAxis
 {
 public:
   static constexpr double TimeConstant = 0.03; ///< s, as in SteeredTarget
 
-  /// `axis` has any length, in the frame of the device; no effect if it is not finite.
+  /// `axis` need not have unit length, in the frame of the device; no effect if it is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
-  /// Advances to `time` (s). No motion at the first call, or if time goes back.
+  /// Advances to `time` (s). There is no motion in the first call, or if time decreases.
   void moveOn(double time) noexcept;
   const ToolOrientation& orientation() const noexcept { return this->Orientation; }
 

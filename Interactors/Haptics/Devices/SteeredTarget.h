@@ -10,11 +10,11 @@
 namespace palpate
 {
 /**
- * The target of a hand that is steered from another thread, for example by a mouse.
+ * The target of a hand that another thread steers, for example by a mouse.
  *
- * The target is set in steps at display rate. The position x approaches it as x ← target + (x -
- * target) e^(-Δt/τ), without jumps or ringing at servo rate. steerTo is for one thread, moveOn for
- * the servo thread; neither waits.
+ * The target is set in steps at display rate. The position x approaches it at servo rate as x ←
+ * target + (x - target) e^(-Δt/τ), without jumps or oscillation. steerTo is for one thread, moveOn
+ * for the servo thread; neither waits.
  */
 class PALPATE_EXPORT SteeredTarget
 {
@@ -24,10 +24,10 @@ public:
   explicit SteeredTarget(const Eigen::Vector3d& start);
 
   void steerTo(const Eigen::Vector3d& target) noexcept { this->Told.write(target); }
-  /// Advances to `time` (s). No motion at the first call, or if time goes back. Returns false,
-  /// without motion, while the target is not finite.
+  /// Advances to `time` (s). There is no motion in the first call, or if time decreases. Returns
+  /// false, without motion, while the target is not finite.
   bool moveOn(double time) noexcept;
-  /// m
+  /// The position, m.
   const Eigen::Vector3d& position() const noexcept { return this->Position; }
 
 private:

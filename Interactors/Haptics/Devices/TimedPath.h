@@ -16,23 +16,23 @@ struct WayPoint
 {
   double time = 0.0;                                  ///< s, not decreasing along a path
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m
-  /// Axis of the tool, from tip to hand, of any length; zero: unknown.
+  /// Axis of the tool, from tip to hand, not normalised; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
 /**
  * A path in time: linear between its way points, at rest before the first and after the last. Two
- * way points of the same time are a jump: from that time on the later one counts.
+ * way points of the same time are a jump: at that time and later, the second one is used.
  *
  * The axis turns at constant speed from one way point to the next. If one of the two has no axis,
  * the axis is unknown between them.
  *
- * A look-up costs O(log n) and allocates nothing.
+ * A look-up costs O(log n) and does not allocate.
  */
 class PALPATE_EXPORT TimedPath
 {
 public:
-  /// A stretch of uniform motion.
+  /// An interval of uniform motion.
   struct Ramp
   {
     Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< at the given time, m
@@ -53,10 +53,10 @@ public:
   Eigen::Vector3d at(double time) const noexcept;
   /// The axis of the tool, unit; zero if it is unknown.
   Eigen::Vector3d axisAt(double time) const noexcept;
-  /// The motion of the path from `time` on. An empty path rests at zero.
+  /// The motion of the path after `time`. An empty path rests at zero.
   Ramp rampAt(double time) const noexcept;
 
-  /// The first way point that is not finite or earlier than the one before, in words; or "".
+  /// The first way point that is not finite or earlier than the preceding one, in words; or "".
   std::string fault() const;
 
 private:

@@ -3,7 +3,7 @@
 
 namespace palpate
 {
-// Not in the header: otherwise every file that includes a device would compile a singular value
+// Not in the header, because every file that includes a device would then compile a singular value
 // decomposition.
 ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
 {

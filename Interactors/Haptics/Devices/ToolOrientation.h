@@ -22,7 +22,8 @@ inline ToolOrientation orientationNotTold() noexcept
   return { 0.0, 0.0, 0.0, 0.0 };
 }
 
-/// Whether the orientation is known, that is, not zero. Of any length; true for NaN.
+/// Whether the orientation is known, that is, not zero. The quaternion need not have unit length;
+/// NaN counts as known.
 inline bool isTold(const ToolOrientation& orientation) noexcept
 {
   return !orientation.coeffs().isZero(0.0);
@@ -42,23 +43,24 @@ inline Eigen::Vector3d shaftOf(const ToolOrientation& orientation) noexcept
   return unit * Eigen::Vector3d::UnitZ();
 }
 
-/// The smallest rotation that puts the shaft along `axis`, of any length. Unknown if `axis` is zero
-/// or not finite.
+/// The smallest rotation that makes the shaft parallel to `axis`, which need not have unit length.
+/// The orientation is unknown if `axis` is zero or not finite.
 PALPATE_EXPORT ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept;
 
-/// The rotation by a rotation vector, which is along the axis and as long as the angle, rad.
+/// The rotation by a rotation vector, whose direction is the axis and whose length is the angle,
+/// rad.
 inline ToolOrientation turnedBy(const Eigen::Vector3d& rotation) noexcept
 {
   const double angle = rotation.norm();
   const double half = 0.5 * angle;
-  // sin(half)/angle; for small angles by its series, which is exact to rounding there
+  // sin(half)/angle; for small angles by its series, which is exact to rounding
   const double share = angle > 1e-5 ? std::sin(half) / angle : 0.5 - half * half / 12.0;
   const Eigen::Vector3d vector = share * rotation;
   return { std::cos(half), vector.x(), vector.y(), vector.z() };
 }
 
-/// The smallest rotation from one axis to another, both of any length except zero, as a rotation
-/// vector, rad. For opposite axes it is about some axis perpendicular to them.
+/// The smallest rotation from one axis to another, which need not have unit length but must not be
+/// zero, as a rotation vector, rad. For opposite axes it is about an arbitrary perpendicular axis.
 inline Eigen::Vector3d leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
 {
   const Eigen::Vector3d across = from.cross(to);

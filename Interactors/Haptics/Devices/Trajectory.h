@@ -17,16 +17,17 @@ struct TrajectoryRow
   /// Axis of the tool, from tip to hand, body frame, unit; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
-  /// A file has only its point, deflection, normal force, memory, friction, torque and state.
+  /// In a file only its point, deflection, normal force, memory force, friction, torque and state.
   Contact contact;
   double idealForce = 0.0; ///< magnitude of the total force before any limit of the device, N
 
-  /// The device, in its own frame; m, m/s, N.
+  /// The reading of the device, in its frame, and the sent force; m, m/s, N.
   DeviceSample sample;
   Eigen::Vector3d sentForce = Eigen::Vector3d::Zero();
   bool isTaken = false; ///< whether the device accepted the force
 
-  /// A tick without a valid sample has no tip: `tip` is (0, 0, 0), and the state is Invalid.
+  /// Whether the tick has a tip. A tick without a valid sample has none: `tip` is (0, 0, 0), and
+  /// the state is Invalid.
   bool hasTip() const noexcept
   {
     return this->contact.state != ContactState::Invalid || !this->tip.isZero(0.0);
@@ -37,11 +38,11 @@ struct TrajectoryRow
 struct Trajectory
 {
   std::vector<TrajectoryRow> rows;
-  bool hasContact = false; ///< rows have the contact
-  bool hasDevice = false;  ///< rows have the device
-  bool hasAxis = false;    ///< rows have the tool's axis
-  bool hasTorque = false;  ///< rows have the torque of the contact
-  bool hasMemory = false;  ///< rows have the memory part of the contact's force
+  bool hasContact = false; ///< whether rows contain the contact
+  bool hasDevice = false;  ///< whether rows contain the device's reading
+  bool hasAxis = false;    ///< whether rows contain the tool's axis
+  bool hasTorque = false;  ///< whether rows contain the torque of the contact
+  bool hasMemory = false;  ///< whether rows contain the memory force of the contact
 };
 } // namespace palpate
 

@@ -12,7 +12,7 @@
 /// The columns of a trajectory file: their names, and the conversion of rows to numbers and back.
 namespace palpate::TrajectoryTable
 {
-constexpr std::size_t ContactBegin = 4; ///< before it: time and tip
+constexpr std::size_t ContactBegin = 4; ///< the preceding columns are time and tip
 constexpr std::size_t DeviceBegin = 14;
 constexpr std::size_t MemoryBegin = 27; ///< of the contact, if the body relaxes
 constexpr std::size_t AxisBegin = 28;
@@ -24,8 +24,8 @@ using Numbers = std::array<double, ColumnCount>;
 
 Numbers numbersOf(const TrajectoryRow& row);
 /// Converts numbers to a row. Uses the numbers of [ContactBegin, DeviceBegin) if `hasContact`, and
-/// those of [DeviceBegin, MemoryBegin) if `hasDevice`. Returns the first fault of these or of the
-/// axis, or "".
+/// those of [DeviceBegin, MemoryBegin) if `hasDevice`. Returns the first fault of these numbers or
+/// of the axis, or "".
 std::string rowOf(const Numbers& numbers, bool hasContact, bool hasDevice, TrajectoryRow& row);
 } // namespace palpate::TrajectoryTable
 

@@ -12,65 +12,68 @@ namespace palpate
 constexpr double MillimetresPerMetre = 1000.0;
 
 /**
- * Maps the frame of the device (m) to the frame of the body (mm) and back: the only place where
- * units change. x_body = R (1000 scale x_device) + t. Forces keep their magnitude, so a stiffness K
- * of the body is `scale` K for the hand.
+ * Maps the frame of the device (m) to the frame of the body (mm) and back; no other class converts
+ * these units. x_body = R (1000 scale x_device) + t. Forces keep their magnitude, so that a
+ * stiffness K of the body is `scale` K for the hand.
  *
  * An axis is rotated by R, a torque by det R Rᵀ, because a reflection reverses its sign. Angles are
- * equal on both sides, so a torque is divided by the factor of lengths: M_device (N m) = det R Rᵀ
- * M_body (N mm) / (1000 scale). The work at the device (J) is then that in the body (N mm) divided
- * by 1000 scale, for F · v and M · ω alike. So a passive scene is passive for the hand.
+ * equal in both frames, so that a torque is divided by the factor of lengths: M_device (N m) = det
+ * R Rᵀ M_body (N mm) / (1000 scale). The work at the device (J) is then that in the body (N mm)
+ * divided by 1000 scale, for F · v as well as for M · ω. Therefore a passive scene is passive for
+ * the hand.
  *
- * A planar device (two axes) moves along its own x and y: z is ignored, and only the part of a
- * force in the plane reaches the hand. In the body, this plane goes through `translation` and is
- * spanned by the first two columns of the rotation. Only the part of a torque about z reaches the
- * hand.
+ * A planar device (two axes) moves along its x and y: z is ignored, and only the component of a
+ * force in the plane acts on the hand. In the body, this plane passes through `translation` and is
+ * spanned by the first two columns of the rotation. Only the component of a torque about z acts on
+ * the hand.
  */
 class PALPATE_EXPORT WorkspaceMapping
 {
 public:
   WorkspaceMapping() = default;
-  /// `rotation` must be orthonormal (its columns are the axes of the device in the body; with
-  /// determinant -1 for a device of left-handed axes), `scale` positive, `translation` in mm.
+  /// `rotation` must be orthonormal (its columns are the axes of the device in the body's frame;
+  /// the determinant is -1 for a device with left-handed axes), `scale` positive, `translation` in
+  /// mm.
   WorkspaceMapping(
     const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, double scale);
-  /// For a planar device: the plane goes through `origin` (mm); the device's x is along `right` and
-  /// its y along `up`, orthogonal unit vectors in the body.
+  /// The mapping of a planar device: the plane passes through `origin` (mm); the device's x is
+  /// along `right` and its y along `up`, orthogonal unit vectors in the body's frame.
   static WorkspaceMapping inPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& right,
     const Eigen::Vector3d& up, double scale);
 
-  /// The same for a planar device.
+  /// The same mapping, for a planar device.
   WorkspaceMapping planar() const noexcept;
-  /// The same axes, with the least scale that puts a body's box (mm, corner to corner), with a free
-  /// `margin` (mm, >= 0) around it, into a workspace of these half extents (m), both with the same
-  /// centre. For a planar device only x and y of the workspace are used, and the plane cuts the box
-  /// at its centre. An invalid box or workspace gives a scale with a fault.
+  /// A mapping with the same axes and the smallest scale for which the workspace, with the half
+  /// extents `workspace` (m), contains a body's box (mm, corner to corner) with a free `margin`
+  /// (mm, >= 0) around it. Both have the same centre. For a planar device only x and y of the
+  /// workspace are used, and the plane intersects the box at its centre. For an invalid box or
+  /// workspace the resulting scale has a fault.
   WorkspaceMapping fitted(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper,
     const Eigen::Vector3d& workspace, double margin) const noexcept;
 
-  /// The first of Rotation, Translation and Scale that is not finite or out of its range. The
-  /// rotation must be orthonormal to RotationTolerance.
+  /// The fault of the first of Rotation, Translation and Scale that is not finite or out of its
+  /// range. The rotation must be orthonormal to RotationTolerance.
   SettingFault fault() const;
   static constexpr double RotationTolerance = 1e-6; ///< of RᵀR, for numbers with 7 digits
 
   Eigen::Vector3d toBody(const Eigen::Vector3d& devicePosition) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& bodyPosition) const noexcept;
-  /// m/s to mm/s.
+  /// Converts m/s to mm/s.
   Eigen::Vector3d velocityToBody(const Eigen::Vector3d& deviceVelocity) const noexcept;
   Eigen::Vector3d forceToDevice(const Eigen::Vector3d& bodyForce) const noexcept;
   Eigen::Vector3d forceToBody(const Eigen::Vector3d& deviceForce) const noexcept;
-  /// Unit vector to unit vector.
+  /// Converts a unit vector to a unit vector.
   Eigen::Vector3d axisToBody(const Eigen::Vector3d& deviceAxis) const noexcept;
   Eigen::Vector3d axisToDevice(const Eigen::Vector3d& bodyAxis) const noexcept;
-  /// N mm to N m, and back.
+  /// Converts N mm to N m, and back.
   Eigen::Vector3d torqueToDevice(const Eigen::Vector3d& bodyTorque) const noexcept;
   Eigen::Vector3d torqueToBody(const Eigen::Vector3d& deviceTorque) const noexcept;
-  /// The components that the device has, of a position, velocity or force (frame of the device):
+  /// The components of a position, velocity or force (frame of the device) that the device has:
   /// without z if it is planar.
   Eigen::Vector3d inReach(const Eigen::Vector3d& deviceVector) const noexcept;
-  /// mm to m.
+  /// Converts mm to m.
   double lengthToDevice(double bodyLength) const noexcept;
-  /// N/mm to N/m: a stiffness of the body as the device must render it.
+  /// Converts N/mm to N/m: a stiffness of the body as the device must render it.
   double stiffnessToDevice(double bodyStiffness) const noexcept;
 
   const Eigen::Matrix3d& rotation() const noexcept { return this->Rotation; }

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// Largest credit, in multiples of K_max, of a hold that is much shorter than the period, as after
+/// Largest credit, as a multiple of K_max, of a hold that is much shorter than the period, as after
 /// a late hold.
 constexpr double LargestCredit = 2.0;
 
@@ -74,8 +74,8 @@ double PassivityControl::givenByTurn() const noexcept
   {
     const SpatialVector moved = this->movedTo(position, orientation);
     const double passed = time - this->ReadTime;
-    // For several ticks without a new reading: their mean force, as if the hand moved at constant
-    // speed.
+    // For several ticks without a new reading the mean force is used, as if the hand moved at
+    // constant speed.
     const SpatialVector held =
       passed > 0.0 ? (this->Impulse + (time - this->SentTime) * this->Force) / passed : this->Force;
     const double credit =
@@ -90,7 +90,7 @@ double PassivityControl::givenByTurn() const noexcept
     {
       this->Energy -= this->givenByTurn();
     }
-    // not finite after a jump of 1e150 m
+    // it is not finite after a jump of 1e150 m
     this->Energy = std::isfinite(this->Energy) ? this->Energy : 0.0;
     this->Velocity = passed > 0.0 ? moved / passed : this->Velocity;
   }
@@ -120,7 +120,7 @@ double PassivityControl::givenInGap(const SpatialVector& moved) const noexcept
   return std::min(holds * most, std::max(this->Taken.dot(moved), along));
 }
 
-/// The largest acceleration that a hand has by itself along a direction, m/s².
+/// The largest acceleration of the hand itself along a direction, m/s².
 double PassivityControl::accelerationOfHand(const SpatialVector& direction) const noexcept
 {
   return direction.isAngular() ? direction.linear.norm() * HandAcceleration +
@@ -128,7 +128,7 @@ double PassivityControl::accelerationOfHand(const SpatialVector& direction) cons
                                : HandAcceleration;
 }
 
-/// The least mass that a force along a direction accelerates, kg.
+/// The smallest mass that a force along a direction accelerates, kg.
 double PassivityControl::handleAlong(const SpatialVector& direction) const noexcept
 {
   const double lever = this->Lever;
@@ -138,29 +138,29 @@ double PassivityControl::handleAlong(const SpatialVector& direction) const noexc
                                : LightestHandle;
 }
 
-/// The largest displacement of a hand by itself along a direction in a time.
+/// The largest displacement of the hand itself along a direction in the time `time`.
 double PassivityControl::wayOfHand(const SpatialVector& direction, double time) const noexcept
 {
   return std::max(0.0, direction.dot(this->Velocity)) * time +
     0.5 * this->accelerationOfHand(direction) * time * time;
 }
 
-/// The size up to which a force may be sent while other forces are under way.
+/// The magnitude up to which a force may be sent while other delayed forces may act.
 double PassivityControl::allowedUnderWay(
   const SpatialVector& force, double size, double energy) const noexcept
 {
-  const double whatever = this->UnderWay.largestWithin(2.0 * this->Stiffness * energy);
-  if (!(size > whatever))
+  const double unconditional = this->UnderWay.largestWithin(2.0 * this->Stiffness * energy);
+  if (!(size > unconditional))
   {
-    return whatever;
+    return unconditional;
   }
-  // f (displacement of the hand + f t²/2m) = E
+  // Solves f (displacement of the hand + f t²/2m) = E for f, where t is the duration of all holds.
   const double time = this->Period * static_cast<double>(this->UnderWay.late() + 1);
   const SpatialVector direction = force / size;
   const double way = this->wayOfHand(direction, time);
   const double perForce = 0.5 * time * time / this->handleAlong(direction);
   const double most = (std::sqrt(way * way + 4.0 * perForce * energy) - way) / (2.0 * perForce);
-  return std::max(whatever, most);
+  return std::max(unconditional, most);
 }
 
 double PassivityControl::storable(double force, double depth, double torque) const noexcept

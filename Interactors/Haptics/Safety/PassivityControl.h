@@ -15,11 +15,11 @@
 namespace palpate
 {
 /**
- * A force with a torque, or a displacement with a rotation, as one vector of six. Torques are
- * divided by a length ℓ and rotations are multiplied by it. So all components are in N, or all in
- * m, and the product of a force and a displacement is their work.
+ * A force with a torque, or a displacement with a rotation, as one vector of six components.
+ * Torques are divided by a length ℓ and rotations are multiplied by ℓ. Therefore all components are
+ * in N, or all in m, and the product of a force and a displacement is their work.
  *
- * Without an angular part every result is that of the linear part alone, to the bit.
+ * Without an angular part every result is bit for bit that of the linear part alone.
  */
 struct SpatialVector
 {
@@ -36,7 +36,7 @@ struct SpatialVector
     return this->linear.squaredNorm() + this->angular.squaredNorm();
   }
   double norm() const noexcept { return std::sqrt(this->squaredNorm()); }
-  /// Norm whose squares neither overflow nor vanish.
+  /// The norm, computed so that its squares neither overflow nor underflow.
   double stableNorm() const noexcept
   {
     const double straight = this->linear.stableNorm();
@@ -67,15 +67,17 @@ inline SpatialVector operator/(const SpatialVector& vector, double divisor) noex
 }
 
 /**
- * The forces that were sent last. If a device's readings and forces are late by up to so many ticks
- * together, each of these forces may be the one that acts now. Without delay no force is stored.
+ * The most recently sent forces. If a device's readings and forces are delayed by up to n ticks
+ * together, each of the last n + 1 forces may be the one that acts now. Without delay no force is
+ * stored.
  */
 class ForcesUnderWay
 {
 public:
   static constexpr std::size_t Most = 32; ///< ticks of delay
 
-  /// `delay` and `period` in s. A delay of more than Most ticks counts as Most, NaN as none.
+  /// `delay` and `period` in s. A delay of more than Most ticks counts as Most ticks, NaN as no
+  /// delay.
   ForcesUnderWay(double delay, double period) noexcept
     : Late(delay > 0.0 && period > 0.0
           ? static_cast<std::size_t>(std::ceil(std::min(delay / period, 1.0 * Most) - 1e-9))
@@ -92,8 +94,8 @@ public:
     this->Forces[this->Newest] = force;
   }
 
-  /// The largest energy, J, that the hand may have got on a displacement (m) that took so many
-  /// ticks; may be negative.
+  /// The largest energy, J, that the hand may have received in a displacement (m) during the given
+  /// number of ticks; may be negative.
   double mostGiven(const SpatialVector& moved, std::size_t ticks) const noexcept
   {
     double most = this->at(0).dot(moved);
@@ -105,7 +107,7 @@ public:
   }
 
   /**
-   * The largest force f such that Σ max(|F_i|, f)² over the coming late() + 1 holds is at most
+   * The largest force f such that Σ max(|F_i|, f)² over the next late() + 1 holds is at most
    * `square`. |F_i| is the largest force that may still act i holds from now. 0 if there is no such
    * f.
    */
@@ -118,7 +120,7 @@ public:
     {
       largest[i] = std::max(largest[i + 1], this->at(this->Late - 1 - i).norm());
     }
-    // From the strongest force down: the holds with weaker forces share the rest of `square`.
+    // In descending order of the forces: the holds with weaker forces share the rest of `square`.
     double left = square;
     for (std::size_t i = 0; i <= this->Late; ++i)
     {
@@ -148,82 +150,86 @@ private:
  * Prevents the device from returning more energy to the hand than it has received: a passivity
  * observer and controller in the time domain (Hannaford and Ryu 2002), on the force actually sent.
  *
- * A force F_k is held while the hand moves from x_k to x_k+1, so its work is exactly F_k · (x_k+1 -
- * x_k), whatever the motion in between. The hold makes a spring K a generator: the held force is
- * too small while pressing, and too large while releasing. Every hold leaks K |x_k+1 - x_k|²/2; a
- * press and release at speed v leaks F_max v T. No chain can prevent this before it has happened;
- * the damping b of the device itself must cover it. In a hold of length dt this damping dissipates
- * at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a maker may allow at the period T is
- * 2b/T (Colgate and Schenkel 1997). So with b = K_max T/2 the observer counts
+ * A force F_k is held while the hand moves from x_k to x_k+1, so that its work is exactly F_k ·
+ * (x_k+1 - x_k), whatever the motion in between. The hold makes a spring K a generator of energy:
+ * the held force is too small while pressing, and too large while releasing. Every hold generates K
+ * |x_k+1 - x_k|²/2; a press and release at speed v generates F_max v T. No safety chain can prevent
+ * this before it has happened; the damping b of the device itself must compensate it. In a hold of
+ * length dt this damping dissipates at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a
+ * manufacturer may allow at the period T is 2b/T (Colgate and Schenkel 1997). Therefore, with b =
+ * K_max T/2, the observer counts
  *   E_k+1 = E_k - F_k · d + b |d|²/dt,  d = x_k+1 - x_k,
  * and allows a force up to |F_k| = √(2 K_max E_k). Then, for any next d,
  *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
- * so no motion, however sudden, extracts more energy than was put in, except the energy that the
- * device's own damping dissipates in the same holds. There is no prediction, no estimate of
- * velocity, no chatter at rest. A device's specification has K_max = b/T: then half of the damping
- * is credited, and the other half brings the device to rest.
+ * no motion, however sudden, extracts more energy than was put in, except the energy that the
+ * device's own damping dissipates in the same holds. The method needs no prediction and no estimate
+ * of velocity, and does not oscillate at rest. A device's specification has K_max = b/T: then half
+ * of the damping is credited, and the other half brings the device to rest.
  *
  * The control does not act on a passive scene: for F = -∇U with U >= 0 and no second derivative
  * above K_max,
  *   U_k+1 <= U_k - F_k · d + K_max |d|²/2, so E_k >= U_k, and |F_k|² <= 2 K_max U_k,
- * so the force is never above the bound, whatever the motion. The force sent has the direction of
- * the scene's force and is never larger; a spring that is too stiff is rendered as a softer one. A
- * scene that uses all of the credit would oscillate for ever, as a spring of K_max does on a device
- * without a hand. So while the force requested exceeds the bound, b and K_max above are multiplied
- * by a fraction. It is the ratio of bound and request, but not less than SmallestShare, and it
- * lasts until there is no force. The rest of the damping makes the motion decay.
+ * so that the force is never above the bound, whatever the motion. The sent force has the direction
+ * of the scene's force and is never larger; a spring that is too stiff is rendered as a softer
+ * spring. A scene that uses all of the credit would oscillate for ever, as a spring of K_max does
+ * on a device without a hand. Therefore, while the requested force exceeds the bound, b and K_max
+ * above are multiplied by a fraction: the ratio of bound and request, but at least SmallestShare.
+ * The fraction applies until there is no force. The rest of the damping makes the motion decay.
  *
- * When readings are missing, the force is removed at once, and the motion of the hand in the last
- * hold is unknown. Then the control counts the energy that the hand may have got, and none that the
- * hand may have put in. This energy is F · d to the position where the hand is found again or, if
- * larger, F times the displacement along F at the last speed and the acceleration of a hand
+ * When readings are missing, the force is removed immediately, and the motion of the hand in the
+ * last hold is unknown. Then the control counts the energy that the hand may have received, and no
+ * energy that the hand may have put in. This energy is F · d up to the position in the next reading
+ * or, if larger, F times the displacement along F at the last speed and the acceleration of a hand
  * (HandAcceleration). It is at most F²/(2 K_max), the most that any motion can extract from one
  * hold.
  *
- * A hold longer than T can make E negative, at most by the leak of this hold: then there is no
- * force until the motion has made up for it. A later instability could use the energy that friction
- * and damping took from the hand, and the credit of long motion. So E is limited to the energy that
- * the scene can store now, max(|F| depth, F²/(2 K_max)), and to 0 without force. If the force is
- * changed on purpose (a ramp, another body), grant() counts the energy of the new force as put in.
+ * A hold longer than T can make E negative, at most by the energy generated in this hold: then
+ * there is no force until the motion has compensated it. A later instability could use the energy
+ * that friction and damping took from the hand, and the credit of long motion. Therefore E is
+ * limited to the energy that the scene can store now, max(|F| depth, F²/(2 K_max)), and to 0
+ * without force. If the force is changed intentionally (a ramp, another body), grant() counts the
+ * energy of the new force as put in.
  *
- * **Delay.** The control cannot detect that a device reports its position late, or applies its
- * force late. Given a bound n of both delays together, in ticks, it counts for each displacement
- * the most that any of the forces under way may have given, max_j F_k-j · d, j = 0..n. It allows a
- * force such that the n + 1 holds in which this force may act, with the forces sent before it,
- * extract no more than E. The energy of these holds is Σ |F|²/(2 K_max) or, if that allows a larger
- * force, the energy for a hand at its present speed and the acceleration of a hand. Without delay
- * this is the rule above, to the bit. A spring passes unchanged up to about K_max/(2n + 1) (Colgate
- * and Schenkel's b > K (T/2 + nT)).
+ * **Delay.** The control cannot detect that a device reports its position or applies its force with
+ * a delay. Given a bound n of both delays together, in ticks, the control counts for each
+ * displacement the largest energy that any of the delayed forces may have returned, max_j F_k-j ·
+ * d, j = 0..n. It allows a force such that the n + 1 holds in which this force may act, together
+ * with the forces sent before, extract no more than E. The energy of these holds is Σ |F|²/(2
+ * K_max) or, if that allows a larger force, the energy for a hand at its present speed and the
+ * acceleration of a hand. Without delay this is bit for bit the rule above. A spring passes
+ * unchanged up to about K_max/(2n + 1) (Colgate and Schenkel's b > K (T/2 + nT)).
  *
  * **Torque.** Given the largest torsional stiffness K_θ, the control counts the work of force and
  * torque in one account, F · d + M · φ, where φ is the rotation in the hold. It credits b_θ = K_θ
  * T/2 for rotations, as b for displacements. With torques divided and rotations multiplied by ℓ =
- * √(K_θ/K_max), all of the above, including the proof, holds for vectors of six (SpatialVector):
- * force and torque are scaled by one factor so that F²/(2 K_max) + M²/(2 K_θ) <= E. M · φ is the
- * exact work if the hold turns about one axis; otherwise it is exact to second order in φ. An
- * unknown rotation counts as the one that gives most energy, M²/(2 K_θ). Without torque all is as
- * above, to the bit.
+ * √(K_θ/K_max), all of the above, including the proof, is valid for vectors of six components
+ * (SpatialVector): force and torque are scaled by one factor so that F²/(2 K_max) + M²/(2 K_θ) <=
+ * E. M · φ is the exact work if the hold turns about one axis; otherwise it is exact to second
+ * order in φ. An unknown rotation counts as the rotation that returns most energy, M²/(2 K_θ).
+ * Without torque the results are bit for bit those above.
  */
 class PALPATE_EXPORT PassivityControl
 {
 public:
-  /// J: a debt that is ignored, so that rounding does not cut the force of a passive scene.
+  /// J: a negative energy that is ignored, so that rounding does not reduce the force of a passive
+  /// scene.
   static constexpr double Slack = 1e-9;
   /// The least fraction of the device's damping that is credited to the scene while the control
   /// limits the force.
   static constexpr double SmallestShare = 0.5;
   /// While readings are missing, the hand is assumed to accelerate along a force F by at most
-  /// HandAcceleration + F/LightestHandle, m/s²: 2 g by itself, and the acceleration by F of a
-  /// released handle of this mass, kg.
+  /// HandAcceleration + F/LightestHandle, m/s²: the hand itself by 2 g, and a released handle of
+  /// the mass LightestHandle (kg) by the force.
   static constexpr double HandAcceleration = 20.0;
   static constexpr double LightestHandle = 0.05;
-  /// The same for rotations, rad/s² and kg m².
+  /// The same quantities for rotations, rad/s² and kg m².
   static constexpr double HandTurning = 1000.0;
   static constexpr double LightestInertia = 1e-5;
 
   /// K_max in N/m; infinite: all forces pass; negative or NaN: none. T and the bound of the delay
-  /// (0: none) in s; at most ForcesUnderWay::Most periods of delay count. K_θ in N m/rad; infinite:
-  /// torques pass uncounted; 0, negative or NaN: there are no torques.
+  /// (0: no delay) in s; at most ForcesUnderWay::Most periods of delay are taken into account. K_θ
+  /// in N m/rad; infinite: torques pass and are not counted; 0, negative or NaN: there are no
+  /// torques.
   PassivityControl(double maximumStiffness, double period, double delay = 0.0,
     double maximumTorsionalStiffness = 0.0) noexcept;
 
@@ -236,13 +242,13 @@ public:
   void bound(double force, double depth, double torque = 0.0) noexcept;
   /// Counts the energy that this force, depth and torque can store as put in by the hand.
   void grant(double force, double depth, double torque = 0.0) noexcept;
-  /// The part of the force that may be sent now.
+  /// Returns the part of the force that may be sent now.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) noexcept;
   Wrench limit(const Wrench& wrench) noexcept;
-  /// The force that has left the chain in this tick.
+  /// Stores the force that the safety chain sends in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept;
   void sent(double time, const Wrench& wrench) noexcept;
-  /// There is no reading, and the force is zero until the next one.
+  /// Begins an interruption: there is no reading, and the force is zero until the next one.
   void interrupt(double time) noexcept;
   void reset() noexcept;
 
@@ -251,11 +257,11 @@ public:
   /// missing.
   double holdTime() const noexcept;
 
-  /// The part of E, J, that the last force does not need. It may move to the account of another
-  /// device in the same scene. 0 while readings are missing, and for a device with delay.
+  /// The part of E, J, that the last force does not need. It may be transferred to the account of
+  /// another device in the same scene. 0 while readings are missing, and for a device with delay.
   double spare() const noexcept;
-  /// Increases E, or decreases it by no more than spare(). If one account gives the energy that
-  /// another one gets, all hands together get no more than they have put in.
+  /// Increases E, or decreases it by no more than spare(). If the energy taken from one account is
+  /// added to another, all hands together receive no more than they have put in.
   void transfer(double energy) noexcept { this->Energy += energy; }
 
   /// E, J.
@@ -265,10 +271,10 @@ public:
 
 private:
   SpatialVector scaled(const Wrench& wrench) const noexcept;
-  /// The displacement and rotation of a hold that ends there.
+  /// The displacement and rotation of a hold that ends at this reading.
   SpatialVector movedTo(
     const Eigen::Vector3d& position, const ToolOrientation& orientation) const noexcept;
-  /// The energy that an unknown rotation may have given, J.
+  /// The largest energy that an unknown rotation may have returned, J.
   double givenByTurn() const noexcept;
   double storable(double force, double depth, double torque) const noexcept;
   double givenInGap(const SpatialVector& moved) const noexcept;
@@ -276,7 +282,7 @@ private:
   double handleAlong(const SpatialVector& direction) const noexcept;
   double wayOfHand(const SpatialVector& direction, double time) const noexcept;
   double allowedUnderWay(const SpatialVector& force, double size, double energy) const noexcept;
-  /// The largest force, of this size or less, that may be sent, N.
+  /// The largest force, up to the magnitude `size`, that may be sent, N.
   double allowed(const SpatialVector& force, double size) noexcept;
   void send(double time, const SpatialVector& force) noexcept;
 
@@ -287,18 +293,18 @@ private:
   double Lever;              ///< ℓ, m; 0: torques are not counted
   std::size_t SentTicks = 0; ///< since ReadTime
   double Energy = 0.0;
-  double Share = 1.0; ///< of the device's damping that is credited
+  double Share = 1.0; ///< fraction of the device's damping that is credited
   bool HasPosition = false;
   Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< of the last reading
-  ToolOrientation Orientation = orientationNotTold(); ///< likewise
-  double ReadTime = 0.0;                              ///< and its time
-  SpatialVector Force;                                ///< sent last
+  ToolOrientation Orientation = orientationNotTold(); ///< of the last reading
+  double ReadTime = 0.0;                              ///< time of the last reading, s
+  SpatialVector Force;                                ///< the last sent force
   double SentTime = 0.0;
   SpatialVector Impulse;      ///< of the forces sent since ReadTime, N s
   SpatialVector Velocity;     ///< between the last two readings, m/s
-  bool IsInterrupted = false; ///< readings are missing since ReadTime
+  bool IsInterrupted = false; ///< readings have been missing since ReadTime
   SpatialVector Taken;        ///< the force before the interruption, N
-  double Held = 0.0;          ///< how long Taken had been held, s
+  double Held = 0.0;          ///< duration for which Taken had been held, s
   ForcesUnderWay UnderWay;    ///< last member, because it is large and rarely read
 };
 } // namespace palpate

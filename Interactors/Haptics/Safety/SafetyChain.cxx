@@ -122,7 +122,7 @@ SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
   {
     return limited;
   }
-  // The last step of a ramp belongs to the ramp.
+  // The last step of a ramp is still part of the ramp.
   const bool changing = input.changing || gate < 1.0 || this->LastGateShare < 1.0;
   this->LastGateShare = gate;
   Wrench passive = this->controlPassivity(input, changing, wanted, limited);
@@ -147,7 +147,8 @@ Eigen::Vector3d SafetyChain::shapeTorque(
 [[gnu::hot]] Wrench SafetyChain::controlPassivity(
   const SafetyInput& input, bool changing, const Wrench& wanted, const Wrench& limited) noexcept
 {
-  // Without a gate the energy of the first force is granted, because the caller chose no gate.
+  // Without a gate the energy of the first force is granted, because the caller has chosen to have
+  // no gate.
   const bool isGiven = changing || this->Passivity.isNew();
   if (input.fresh || this->Passivity.isNew())
   {

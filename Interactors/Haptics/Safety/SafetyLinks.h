@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Links that weaken or end a force: the ramp of intended changes, then the small links of
+// Links that reduce or end a force: the ramp of intended changes, then the small links of
 // SafetyChain, in its order.
 #ifndef palpate_SafetyLinks_h
 #define palpate_SafetyLinks_h
@@ -12,26 +12,26 @@
 namespace palpate
 {
 /**
- * A factor of a force that moves between 0 and 1 without a jump: linear in time, 50 ms for the
+ * A factor of a force that changes between 0 and 1 without a jump: linear in time, in 50 ms for the
  * whole range.
  *
- * Among all ramps of 50 ms the linear one has the least maximum rate (a smooth step has 1.5 times
- * that). So a force s(t) F changes per tick of length T by no more than the change of F plus |F| T
- * / 50 ms. A late tick counts for at most MaximumStep: a stall makes the ramp longer, not the step
- * larger.
+ * Among all ramps of 50 ms the linear one has the smallest maximum rate (a smooth step has 1.5
+ * times that rate). Therefore the change of a force s(t) F per tick of length T is at most the
+ * change of F plus |F| T / 50 ms. The step of a late tick is limited to MaximumStep: a stall makes
+ * the ramp longer, not the step larger.
  */
 class ForceRamp
 {
 public:
   static constexpr double Duration = 0.05;   ///< s
-  static constexpr double MaximumStep = 0.1; ///< of the range, per tick: 5 ms
+  static constexpr double MaximumStep = 0.1; ///< fraction of the range per tick: 5 ms
 
   explicit ForceRamp(double share) noexcept
     : Share(share)
   {
   }
 
-  /// Moves towards `target` (0 to 1) for `elapsed` s, >= 0; returns the new factor.
+  /// Changes the factor towards `target` (0 to 1) for `elapsed` s, >= 0; returns the new factor.
   double advance(double target, double elapsed) noexcept
   {
     const double step = std::min(elapsed / Duration, MaximumStep);
@@ -46,14 +46,14 @@ private:
 
 /**
  * The first link. A session that begins, or continues after a loss, with the tool inside the body
- * must not push the tool out with the force of that depth. The gate is closed until the tip has
- * been outside once. With a ramp, the first contact after that is soft: the factor grows linearly
- * from 0 over the given time from the start of that contact.
+ * must not push the tool out with the force of its depth. The gate is closed until the tip has been
+ * outside once. With a ramp, the first contact after that is soft: the factor grows linearly from 0
+ * over the given time after the start of that contact.
  */
 class EntryGate
 {
 public:
-  /// `ramp` in s; 0 or NaN: none. Without `closes` the gate is always open.
+  /// `ramp` in s; 0 or NaN: no ramp. If `closes` is false, the gate is always open.
   EntryGate(bool closes, double ramp) noexcept
     : Closes(closes)
     , Ramp(ramp)
@@ -95,9 +95,9 @@ private:
 };
 
 /**
- * The slew limit: between two ticks the force changes by no more than the rate times the time
- * between them, along the straight line to its target. It starts from the force sent last, zero at
- * first, so that a force which later links remove does not return at once.
+ * The slew limit: between two ticks the force changes along the straight line to its target, by no
+ * more than the rate times the time between the ticks. The line starts at the last sent force,
+ * initially zero, so that a force which later links remove does not return in one step.
  */
 class ForceRateLimit
 {
@@ -124,7 +124,7 @@ public:
     }
     return most > 0.0 ? Eigen::Vector3d(this->Last + most / size * change) : this->Last;
   }
-  /// The force that has left the chain in this tick.
+  /// Stores the force that the safety chain sends in this tick.
   void sent(double time, const Eigen::Vector3d& force) noexcept
   {
     this->Last = force;
@@ -141,11 +141,11 @@ public:
 private:
   double Rate;
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
-  bool HasTime = false; ///< false: no time has passed yet
+  bool HasTime = false; ///< false: there is no preceding tick
   double LastTime = 0.0;
 };
 
-/// Limits the magnitude of the force and keeps its direction.
+/// Limits the magnitude of the force; the direction is unchanged.
 class ForceLimit
 {
 public:
@@ -155,11 +155,11 @@ public:
   {
   }
 
-  /// `force` is finite.
+  /// `force` must be finite.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) const noexcept
   {
-    // The plain norm, unless its squares overflow or underflow; this keeps the bits of earlier
-    // versions.
+    // The ordinary norm, unless its squares overflow or underflow; this keeps the results of
+    // earlier versions bit for bit.
     const double plain = force.norm();
     const double size = plain > 1e-100 && plain < 1e100 ? plain : force.stableNorm();
     return size <= this->Maximum ? force : Eigen::Vector3d(this->Maximum / size * force);
@@ -170,9 +170,9 @@ private:
 };
 
 /**
- * Whether the device still reports the hand. Without a new reading for longer than its time-out the
- * device is lost, until it reports again. The device is also lost after a pause of the loop of this
- * length, and when the clock goes back.
+ * Checks whether the device still reports the hand. A device without a new reading for longer than
+ * its time-out is lost, until it reports again. It is also lost after a pause of the loop of this
+ * length, and when the clock decreases.
  */
 class SampleWatchdog
 {
@@ -183,7 +183,8 @@ public:
   {
   }
 
-  /// Call it in every tick with a valid sample; `fresh`: the sample is new. True: no force now.
+  /// Must be called in every tick with a valid sample; `fresh`: the sample is new. If the result is
+  /// true, there must be no force now.
   bool isLost(double time, bool fresh) noexcept
   {
     if (!this->HasTime)
@@ -205,20 +206,20 @@ public:
     }
     return wentBack || isOld;
   }
-  /// The result that isLost would have at that time.
+  /// The result that isLost would have at the time `time`.
   bool wouldBeLost(double time) const noexcept
   {
     const double since = this->HasTime ? time - this->LastFresh : 0.0;
     return (this->HasTime && time < this->LastTime) || !(since <= this->TimeOut);
   }
-  /// Whether readings that are missing or not valid now are a gap: the last new one is not older
-  /// than the time-out, or than LongestGap if there is no time-out.
+  /// Whether readings that are missing or not valid now are a gap: the last new reading is not
+  /// older than the time-out, or than LongestGap if there is no time-out.
   bool isGap(double time) const noexcept
   {
     const double longest = std::isinf(this->TimeOut) ? LongestGap : this->TimeOut;
     return this->HasTime && time >= this->LastTime && time - this->LastFresh <= longest;
   }
-  /// The time-out starts again with the next call.
+  /// Restarts the time-out with the next call.
   void reset() noexcept { this->HasTime = false; }
 
   static constexpr double LongestGap = 0.02; ///< s: the usual time-out

@@ -9,11 +9,11 @@
 
 namespace palpate
 {
-/// Text that says how the force sent differs from the ideal one: the factor and the other links
-/// that acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if none acted.
+/// Describes how the sent force differs from the ideal force: the factor and the other links that
+/// acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if no link acted.
 PALPATE_EXPORT std::string describeSafety(std::uint16_t acted, double forceFactor);
 
-/// Example: "force ×0.12", with two digits.
+/// Describes the force factor with two digits, for example "force ×0.12".
 PALPATE_EXPORT std::string describeForceFactor(double forceFactor);
 } // namespace palpate
 

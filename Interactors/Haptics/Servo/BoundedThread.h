@@ -11,10 +11,11 @@
 namespace palpate
 {
 /**
- * A thread whose owner waits for it only for a limited time: for calls into a driver that may hang.
+ * A thread for whose end the owner waits only for a limited time: for calls into a driver that may
+ * hang.
  *
- * finish waits for the end of the work up to a limit. After that the thread is detached and goes on
- * alone, so the work must own everything that it uses.
+ * finish waits for the end of the work up to a limit. After that the thread is detached and
+ * continues alone; therefore the work must own all data that it uses.
  */
 class BoundedThread
 {
@@ -29,8 +30,8 @@ public:
   BoundedThread(const BoundedThread&) = delete;
   BoundedThread& operator=(const BoundedThread&) = delete;
 
-  /// Waits up to `limit` for the end of the work; returns whether it ended. The caller must have
-  /// asked the work to end before.
+  /// Waits up to `limit` for the end of the work; returns whether it ended. Before this call, the
+  /// caller must have requested the work to end.
   bool finish(std::chrono::milliseconds limit)
   {
     if (!this->Thread.joinable())

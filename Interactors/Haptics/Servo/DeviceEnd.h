@@ -31,21 +31,21 @@ struct Tick
   Eigen::Vector3d appliedForce = Eigen::Vector3d::Zero(); ///< deviceForce, body frame, N
   /// Axis of the tool, body frame, unit, from tip to hand; zero if the device does not report it.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  /// Torques about the tip, as the forces: deviceTorque in the device frame, N m; the others in the
-  /// body frame, N mm.
+  /// Torques about the tip, corresponding to the forces above: deviceTorque in the device frame, N
+  /// m; the others in the body frame, N mm.
   Eigen::Vector3d deviceTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedTorque = Eigen::Vector3d::Zero();
   double forceFactor = 1.0; ///< ratio of applied to ideal force by the device fit (DeviceFit)
   double holdTime = 0.0;    ///< s: how long deviceForce may be held (SafetyChain)
-  /// Share of idealForce that comes from the scene of `contact`: less than 1 during a ramp.
+  /// Fraction of idealForce that comes from the scene of `contact`: less than 1 during a ramp.
   double sceneShare = 1.0;
-  std::uint32_t scene = 0; ///< number of that scene: how many changes came before
+  std::uint32_t scene = 0; ///< index of that scene: the number of preceding changes
   std::uint32_t buttons = 0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
   bool valid = false;      ///< the device reported its position
-  bool fresh = false;      ///< and the sample is new
-  bool clutched = false;   ///< the tip stays while the hand moves
+  bool fresh = false;      ///< the sample is valid and new
+  bool clutched = false;   ///< the tip does not move while the hand moves
 
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
   /// The force and torque that are sent.
@@ -53,27 +53,28 @@ struct Tick
 };
 
 /**
- * Decouples the hand from the tip, so that a small workspace reaches a large body. While one of its
- * buttons is held, the tip stays and the hand moves freely. On release the tip follows the hand
- * again from where the tip is, with a constant offset.
+ * Decouples the hand from the tip, so that a small workspace suffices for a large body. While one
+ * of the clutch buttons is held, the tip does not move and the hand moves freely. After the release
+ * the tip follows the hand again from its position, with a constant offset.
  *
  * The force fades to zero within 50 ms after the button is pressed and returns within 50 ms after
- * its release (ForceRamp), in or out of contact. So neither tip nor force jumps. A closed gate
- * stays closed, because the clutch does not move the tip out of the body.
+ * its release (ForceRamp), in or out of contact. Therefore neither tip nor force jumps. A closed
+ * gate remains closed, because the clutch does not move the tip out of the body.
  *
- * Positions are the tip's, in the body's frame, mm. No heap; nothing throws.
+ * Positions are those of the tip, in the body's frame, mm. No heap memory is used; no function
+ * throws.
  */
 class Clutch
 {
 public:
-  /// `buttons`: the clutch is held while any of these bits of DeviceSample::buttons is set; 0:
-  /// there is no clutch.
+  /// `buttons`: the clutch is held while any of these bits of DeviceSample::buttons is set; 0: no
+  /// clutch.
   explicit Clutch(std::uint32_t buttons = 0) noexcept
     : Buttons(buttons)
   {
   }
 
-  /// Returns the position of the tip when the mapping puts the hand at `hand` (finite), `elapsed` s
+  /// Returns the position of the tip if the mapping places the hand at `hand` (finite), `elapsed` s
   /// after the last tick.
   Eigen::Vector3d follow(
     const Eigen::Vector3d& hand, std::uint32_t buttons, double elapsed) noexcept
@@ -93,30 +94,30 @@ public:
   }
 
   bool isHeld() const noexcept { return this->Held; }
-  /// Share of the force that reaches the hand: 1 while the tip follows the hand, 0 while the hand
-  /// moves freely.
+  /// Fraction of the force that acts on the hand: 1 while the tip follows the hand, 0 while the
+  /// hand moves freely.
   double forceShare() const noexcept { return this->Force.share(); }
 
-  /// Puts the tip where the mapping puts it, as at the start.
+  /// Removes the offset, so that the tip is at the position of the mapping again.
   void reset() noexcept { *this = Clutch(this->Buttons); }
 
 private:
   std::uint32_t Buttons;
   bool Held = false;
-  bool Moved = false; ///< Offset is in use: adding a zero offset would turn -0 into +0
+  bool Moved = false; ///< whether Offset is used: adding a zero offset would change -0 to +0
   Eigen::Vector3d Tip = Eigen::Vector3d::Zero();
-  Eigen::Vector3d Offset = Eigen::Vector3d::Zero(); ///< tip minus hand
+  Eigen::Vector3d Offset = Eigen::Vector3d::Zero(); ///< position of the tip minus that of the hand
   ForceRamp Force{ 1.0 };
 };
 
 /**
  * The part of a servo step that belongs to one device: mapping, clutch and safety chain. In a tick,
- * read() takes the sample, follow() returns the pose of the tool, feel() takes the force of the
- * scene at that pose, and send() puts the force for the device into the tick. Between follow() and
- * feel() the caller steps the contact. Without a valid sample there is no tip, so follow() and
- * feel() are left out.
+ * read() receives the sample, follow() returns the pose of the tool, feel() receives the force of
+ * the scene at that pose, and send() writes the force for the device to the tick. Between follow()
+ * and feel() the caller steps the contact. Without a valid sample there is no tip, so that follow()
+ * and feel() are not called.
  *
- * Nothing here allocates, locks or throws; for one thread.
+ * No function allocates, locks or throws; for one thread.
  */
 class PALPATE_EXPORT DeviceEnd
 {
@@ -129,13 +130,13 @@ public:
   void read(const DeviceSample& sample, double time, Tick& tick, SafetyInput& input) noexcept;
   /// Returns the pose of the tool, `elapsed` s after the last tick.
   ToolPose follow(double elapsed, Tick& tick) noexcept;
-  /// Takes the force of the scene at that pose.
+  /// Receives the force of the scene at the pose of follow().
   void feel(const SceneForce& felt, Tick& tick, SafetyInput& input) noexcept;
-  /// Ends a tick. Returns true if the force was ended, not only changed; the caller must then
-  /// forget the contact.
+  /// Ends a tick. Returns true if the force was ended, not only changed; the caller must then end
+  /// the contact.
   bool send(const SafetyInput& input, Tick& tick) noexcept;
 
-  /// Whether a sample at that time gets no force, whatever the scene (SafetyChain::isEnded).
+  /// Whether no force is sent for a sample at that time, whatever the scene (SafetyChain::isEnded).
   bool isEnded(double time) const noexcept { return this->Chain.isEnded(time); }
 
   void stop() noexcept { this->Chain.stop(); }
@@ -156,8 +157,8 @@ private:
   SafetySettings Safety;
   Clutch Hand;
   StiffnessLimits Limits;
-  bool IsSound;      ///< the mapping has no fault
-  double Held = 1.0; ///< share of the force in the last tick
+  bool IsSound;      ///< whether the mapping has no fault
+  double Held = 1.0; ///< fraction of the force in the last tick
 };
 } // namespace palpate
 

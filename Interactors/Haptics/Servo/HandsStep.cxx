@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// The pose of a hand that is not in the scene.
-ToolPose nowhere() noexcept
+/// The pose of a hand that has no effect on the scene.
+ToolPose absentPose() noexcept
 {
   return ToolPose(Vector3::Constant(NotANumber));
 }
@@ -44,7 +44,7 @@ HandsStep::HandsStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>&
   this->AtWork.resize(count);
   this->Wanted.resize(count);
   const std::size_t contacts = std::max<std::size_t>(count, 1);
-  this->Poses.assign(contacts, nowhere());
+  this->Poses.assign(contacts, absentPose());
   this->Current = sceneFor(std::move(scene), contacts);
 }
 
@@ -140,7 +140,7 @@ void HandsStep::read(const DeviceSample* samples, double time, double elapsed) n
     Tick& tick = this->Ticks[i];
     tick = Tick();
     this->Inputs[i] = SafetyInput();
-    this->Poses[i] = nowhere();
+    this->Poses[i] = absentPose();
     this->Ends[i].read(samples[i], time, tick, this->Inputs[i]);
     if (!tick.valid)
     {

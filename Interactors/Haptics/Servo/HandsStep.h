@@ -17,23 +17,23 @@ namespace palpate
 /**
  * One step of a servo loop for several devices on one body; ServoStep is for one device. All
  * devices are read and their contacts are stepped together (CoupledContacts: on a body with
- * coupling each contact moves the surface under the others). Each force passes its own mapping,
+ * coupling each contact lowers the surface under the others). Each force passes a separate mapping,
  * clutch and safety chain.
  *
- * A device whose sample is not valid, or that is silent or stopped, loses only its own contact: its
- * force is zero in the same tick, and the contact has no effect on the others in that tick. A gap
- * of the readings ends the contact here, unlike in ServoStep. A tool whose gate is closed, or whose
- * hand is decoupled by the clutch, is still in the body and affects the others.
+ * If the sample of a device is not valid, or its watchdog has expired or it is stopped, only its
+ * own contact ends: its force is zero in the same tick, and the contact has no effect on the others
+ * in that tick. A gap of the readings ends the contact, unlike in ServoStep. A tool whose gate is
+ * closed, or whose hand is decoupled by the clutch, is still in the body and affects the others.
  *
- * The stiffness cap of each device includes how much stiffer the contacts are together: no motion
- * of all hands, in or out, is stiffer than the device's limit. On a body with coupling the
- * passivity controls share one account of energy, because the energy that one hand put in comes out
- * at another hand when the first one unloads. In each tick, the energy that no force needs moves to
- * the hands where the scene stores it. All hands together get no more than they have put in, plus
- * the energy that the damping of their devices dissipates.
+ * The stiffness cap of each device takes into account how much stiffer all contacts are together:
+ * no motion of all hands, in or out, is stiffer than the device's limit. On a body with coupling
+ * the passivity controls share one account of energy, because the energy that one hand has put in
+ * is returned to another hand when the first one unloads. In each tick, the energy that no force
+ * needs is transferred to the hands at which the scene stores it. All hands together receive no
+ * more than they have put in, plus the energy that the damping of their devices dissipates.
  *
- * A change of the scene passes through zero force: the forces of all hands fade to zero within 50
- * ms, then rise to those of the new scene within another 50 ms.
+ * During a change of the scene the force passes through zero: the forces of all hands fade to zero
+ * within 50 ms, then rise to those of the new scene within another 50 ms.
  *
  * step() and all other noexcept functions neither allocate, free, lock nor throw. All functions are
  * for one thread.
@@ -51,14 +51,14 @@ public:
     std::uint32_t clutchButtons = 0;
   };
 
-  /// `scene` is not null; if it is made for another number of hands, it is made again. 1 to Most
-  /// hands: further ones are ignored.
+  /// `scene` must not be null; if it is made for another number of hands, it is made again. 1 to
+  /// Most hands; further hands are ignored.
   HandsStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>& hands);
 
   std::size_t count() const noexcept { return this->Ends.size(); }
 
-  /// One sample per hand. Returns one tick per hand, valid until the next step. `time` as in
-  /// ServoStep.
+  /// Makes a step with one sample per hand. Returns one tick per hand, valid until the next step.
+  /// `time` as in ServoStep.
   const std::vector<Tick>& step(const DeviceSample* samples, double time) noexcept;
   const std::vector<Tick>& ticks() const noexcept { return this->Ticks; }
 
@@ -66,14 +66,14 @@ public:
   void rehearse(double elapsed) const noexcept { this->Current->together->rehearse(elapsed); }
 
   /// Changes to another scene. Returns false for null, or if the scene is made for another number
-  /// of hands; such a scene is only retired.
+  /// of hands; such a scene is only returned by takeRetired().
   bool change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Waiting || this->Fade.share() < 1.0; }
   std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
 
   void stop() noexcept;
   void start() noexcept;
-  /// Stops one hand alone.
+  /// Stops only one hand.
   void stop(std::size_t hand) noexcept;
   void start(std::size_t hand) noexcept { this->Ends[hand].start(); }
   void reset() noexcept;
@@ -86,7 +86,7 @@ public:
   {
     return this->Ends[hand].safety();
   }
-  /// J, as the hand's own safety chain observes it.
+  /// J, as observed by the hand's safety chain.
   double energy(std::size_t hand) const noexcept { return this->Ends[hand].energy(); }
 
 private:
@@ -100,16 +100,16 @@ private:
   std::vector<DeviceEnd> Ends;
   std::vector<Tick> Ticks;
   std::vector<SafetyInput> Inputs;
-  std::vector<ToolPose> Poses; ///< not finite for a hand without a tip, or whose force is ended
+  std::vector<ToolPose> Poses; ///< not finite for a hand without a tip, or with an ended force
   /// Hands whose gate is open and whose force did not end in the last tick.
   std::vector<char> AtWork;
-  std::vector<double> Wanted; ///< J, missing in each account
+  std::vector<double> Wanted; ///< J, the missing energy of each account
   std::unique_ptr<ServoScene> Current;
-  std::unique_ptr<ServoScene> Waiting; ///< null unless the forces are fading out
+  std::unique_ptr<ServoScene> Waiting; ///< null except while the forces fade out
   std::unique_ptr<ServoScene> Retired;
   ForceRamp Fade{ 1.0 };
   std::uint32_t Changes = 0;
-  double LastTime; ///< NaN: no step yet
+  double LastTime; ///< NaN: there was no step yet
 };
 } // namespace palpate
 

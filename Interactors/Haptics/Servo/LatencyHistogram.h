@@ -12,10 +12,10 @@
 namespace palpate
 {
 /**
- * Counts of durations by length, and the longest duration. In nanoseconds.
+ * Counts durations by length, and stores the longest duration. In nanoseconds.
  *
- * Classes are 1 ns wide up to 64 ns. From there each doubling has 32 classes, so that a class is at
- * most 1/32 as wide as the durations in it are long. The last class takes everything from 68 s on.
+ * Classes are 1 ns wide up to 64 ns. Above, each doubling has 32 classes, so that the width of a
+ * class is at most 1/32 of its durations. The last class contains all durations of 68 s and more.
  */
 class PALPATE_EXPORT LatencyCounts
 {
@@ -30,15 +30,15 @@ public:
   /// Number of durations in a class.
   std::uint64_t count(std::size_t index) const noexcept { return this->Counts[index]; }
   std::uint64_t total() const noexcept;
-  /// The least duration that `share` (0 to 1) of all durations do not exceed. It is never below the
-  /// true value, and less than 1/32 above it. 0 if there is no duration.
+  /// The smallest duration that a fraction `share` (0 to 1) of all durations does not exceed. It is
+  /// never below the true value, and less than 1/32 above it. 0 if there is no duration.
   std::int64_t quantile(double share) const noexcept;
   /// The longest duration, exactly. 0 if there is none.
   std::int64_t worst() const noexcept { return this->Worst; }
 
   /// The durations counted after `earlier`, an earlier reading of the same histogram. `worstSince`
-  /// is the longest of them, as far as it is known. If `worstSince` is not in the highest class
-  /// that has a count, the upper end of that class is reported instead.
+  /// is the longest of these durations, as far as it is known. If `worstSince` is not in the
+  /// highest class with a count, the upper end of that class is used instead.
   LatencyCounts since(const LatencyCounts& earlier, std::int64_t worstSince) const noexcept;
 
 private:
@@ -53,11 +53,11 @@ private:
  * Counts durations in one thread while another thread reads. Neither thread ever waits.
  *
  * add is for one thread: at most two stores, no read-modify-write. read and reset are for one other
- * thread. The count of a class only grows, and a reader never sees it smaller than before: a later
- * reading contains all of an earlier one. A reading may lack durations that were added during it.
- * Its total and quantiles are still those of one set of counts, and worst() always belongs to a
- * class that has a count. reset does not change the counts: it stores them as a baseline, so that
- * the counting thread has nothing to do for it.
+ * thread. The count of a class only grows, and a reader never sees it decrease: a later reading
+ * contains all durations of an earlier one. A reading may lack durations that were added during it.
+ * Its total and quantiles are nevertheless those of one set of counts, and worst() always belongs
+ * to a class with a count. reset does not change the counts: it stores them as a baseline, so that
+ * the counting thread is not involved.
  */
 class PALPATE_EXPORT LatencyHistogram
 {
@@ -81,7 +81,7 @@ private:
 
   std::array<std::atomic<std::uint64_t>, LatencyCounts::Classes> Counts{};
   std::atomic<std::int64_t> Worst{ 0 };
-  LatencyCounts Baseline; ///< the counts at the last reset; used by the reading thread only
+  LatencyCounts Baseline; ///< the counts at the last reset; used only by the reading thread
 };
 } // namespace palpate
 

@@ -9,12 +9,12 @@
 namespace palpate
 {
 /**
- * Passes the newest value from one thread to one other thread. Neither thread ever waits.
+ * Passes the newest value from one thread to another thread. Neither thread ever waits.
  *
  * There are three slots. The writer fills its own slot and swaps it with the shared slot. The
- * reader swaps the shared slot with its own if the shared one is newer. Values in between are lost;
- * no value is ever read half written. One thread may call write, one other thread read. Copying a
- * Value must neither allocate nor throw.
+ * reader swaps the shared slot with its own if the shared one is newer. Intermediate values are
+ * lost; no value is ever read while it is written. One thread may call write, one other thread
+ * read. Copying a Value must neither allocate nor throw.
  */
 template <class Value>
 class LatestValue
@@ -31,7 +31,7 @@ public:
   }
 
   /// For the writer: fills its slot, so that the memory is in the caches when a value is written.
-  /// The reader does not see this value.
+  /// This value is not visible to the reader.
   void prepare(const Value& likely) noexcept { this->Slots[this->Writing] = likely; }
 
   /// The newest value written, or the initial one.

@@ -11,14 +11,14 @@ namespace palpate
 /// Requests of a servo thread to the system.
 struct RealTimeRequest
 {
-  /// SCHED_FIFO with this priority, 1 to 99; 0: keep the present scheduling.
+  /// Priority of SCHED_FIFO, 1 to 99; 0: keeps the present scheduling.
   int priority = 80;
   /**
-   * Lock the memory of the whole process, present and future, so that it is not paged out (mlockall
-   * with MCL_ONFAULT: nothing is read in for it, and memory that is never used costs nothing). Off
-   * by default, because it affects the whole process: a program with gigabytes, of which a servo
-   * loop is a small part, may need paging. The lock stays after the loop. Programs whose main task
-   * is the loop should set it.
+   * Whether to lock the memory of the whole process, present and future, so that it is not paged
+   * out (mlockall with MCL_ONFAULT: nothing is read in because of the lock, and memory that is
+   * never used costs nothing). Off by default, because it affects the whole process: a program with
+   * gigabytes, of which a servo loop is a small part, may need paging. The lock remains after the
+   * end of the loop. Programs whose main task is the loop should set this option.
    */
   bool lockMemory = false;
 };
@@ -26,15 +26,15 @@ struct RealTimeRequest
 /**
  * The rights that the system granted, and the reasons of refusals.
  *
- * A refusal is no error: without SCHED_FIFO a loop ticks as well, but wakes up later when the
- * processors are busy. Root is granted everything, other users as much as their limits allow
- * (RLIMIT_RTPRIO; in Debian `/etc/security/limits.conf`: rtprio, memlock).
+ * A refusal is not an error: without SCHED_FIFO a loop works in the same way, but wakes up later
+ * when the processors are busy. All requests of root are granted, those of other users as far as
+ * their limits allow (RLIMIT_RTPRIO; in Debian `/etc/security/limits.conf`: rtprio, memlock).
  */
 struct PALPATE_EXPORT RealTimeGrant
 {
   RealTimeRequest request;
-  /// Granted priority of SCHED_FIFO; 0: the scheduling is unchanged. Less than requested if the
-  /// limit is lower.
+  /// Granted priority of SCHED_FIFO; 0: the scheduling is unchanged. Less than the requested
+  /// priority if the limit is lower.
   int priority = 0;
   int priorityError = 0; ///< errno of the first refusal; 0: none
   bool memoryLocked = false;
@@ -46,9 +46,9 @@ struct PALPATE_EXPORT RealTimeGrant
 };
 
 /**
- * Makes the requests for the calling thread. Also touches the first 64 KiB of its stack, so that no
- * tick waits for a page of it. Memory is locked only if locked memory is not limited: mlockall
- * under a limit would make later allocations of the process fail.
+ * Makes the requests for the calling thread. Also writes to the first 64 KiB of its stack, so that
+ * no tick waits for a page of the stack. Memory is locked only if locked memory is not limited:
+ * with a limit, mlockall would make later allocations of the process fail.
  */
 PALPATE_EXPORT RealTimeGrant requestRealTime(const RealTimeRequest& request) noexcept;
 } // namespace palpate

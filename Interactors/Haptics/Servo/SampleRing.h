@@ -10,24 +10,24 @@
 namespace palpate
 {
 /**
- * Passes every value from one thread to one other thread, in order. Neither thread ever waits.
+ * Passes every value from one thread to another thread, in order. Neither thread ever waits.
  *
- * The constructor allocates and touches all memory. If the reader has not drained in time and the
- * ring is full, the newest value is lost and counted. So a record may have a gap, and the gap is
- * known, but no value is overwritten while it is read. One thread may call push, one other thread
+ * The constructor allocates and touches all memory. If the reader drains too late and the ring is
+ * full, the newest value is lost and counted. Therefore a record may have a gap, but the gap is
+ * known, and no value is overwritten while it is read. One thread may call push, one other thread
  * drain; both may read the counts. Copying a Value must neither allocate nor throw.
  */
 template <class Value>
 class SampleRing
 {
 public:
-  /// With a capacity of 0, no value is kept and none counts as lost.
+  /// With a capacity of 0, no value is stored and none counts as lost.
   explicit SampleRing(std::size_t capacity)
     : Slots(capacity)
   {
   }
 
-  /// Returns false if there was no room.
+  /// Adds a value. Returns false if there is no space.
   bool push(const Value& value) noexcept
   {
     if (this->Slots.empty())
@@ -48,7 +48,7 @@ public:
   }
 
   /// For the pushing thread: fills the slot of the next value, so that its memory is in the caches.
-  /// The reader does not see this value.
+  /// This value is not visible to the reader.
   void prepare(const Value& likely) noexcept
   {
     if (this->size() < this->Slots.size())
@@ -58,8 +58,8 @@ public:
   }
 
   /// Calls sink(const Value&) for each value that was present when drain began, oldest first, and
-  /// removes it. Returns how many. If the sink throws, its value and those after it stay in the
-  /// ring.
+  /// removes it. Returns the number of values. If the sink throws, its value and the following ones
+  /// remain in the ring.
   template <class Sink>
   std::size_t drain(Sink&& sink)
   {
@@ -81,7 +81,7 @@ public:
     const std::uint64_t drained = this->Drained.load(std::memory_order_acquire);
     return static_cast<std::size_t>(this->Pushed.load(std::memory_order_acquire) - drained);
   }
-  /// Values that were lost because there was no room.
+  /// Number of values that were lost because there was no space.
   std::uint64_t overruns() const noexcept { return this->Overruns.load(std::memory_order_relaxed); }
 
 private:
@@ -90,14 +90,14 @@ private:
     return index + 1 < this->Slots.size() ? index + 1 : 0;
   }
 
-  // The members of each thread are in cache lines of their own.
+  // The members of each thread are in separate cache lines.
   static constexpr std::size_t CacheLine = 64;
 
   alignas(CacheLine) std::atomic<std::uint64_t> Pushed{ 0 };
   std::atomic<std::uint64_t> Overruns{ 0 };
-  std::size_t PushIndex = 0; ///< used by the pushing thread only
+  std::size_t PushIndex = 0; ///< used only by the pushing thread
   alignas(CacheLine) std::atomic<std::uint64_t> Drained{ 0 };
-  std::size_t DrainIndex = 0; ///< used by the draining thread only
+  std::size_t DrainIndex = 0; ///< used only by the draining thread
   std::vector<Value> Slots;
 };
 } // namespace palpate

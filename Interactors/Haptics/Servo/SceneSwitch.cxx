@@ -28,13 +28,13 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
   {
     return contact.deflection + force / friction.tangentialStiffness;
   }
-  // A contact slides at the latest at a displacement of μ E*/G* δ (Jaeger; Ciavarella).
+  // A contact slides at a displacement of at most μ E*/G* δ (Jaeger; Ciavarella).
   const double poisson = friction.poissonRatio;
   const double ratio = (2.0 - poisson) / (2.0 - 2.0 * poisson);
   return contact.deflection * (1.0 + friction.coefficient * ratio);
 }
 
-/// The force of the scene's own contact, or of a copy of it, computed by the same code.
+/// The force of the scene's contact, or of a copy of it, computed by the same code.
 [[gnu::hot, gnu::noinline]] SceneForce feel(const ServoScene& scene, ToolContact& touch,
   const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
 {
@@ -56,11 +56,12 @@ SceneForce feelCopied(const ServoScene& scene, const ToolPose& pose, double elap
   return feel(scene, scratch, pose, elapsed, limits);
 }
 
-/// Moves the contact to the side of the body where `other` is, so that the next tick finds it
+/// Moves the contact to the side of the body on which `other` is, so that the next tick continues
 /// there.
 void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noexcept
 {
-  constexpr double Depth = 0.1; // of the deflection: near that side, yet below most other surfaces
+  // Fraction of the deflection: near that side, yet below most other surfaces.
+  constexpr double Depth = 0.1;
   if (other.triangle >= 0 && other.deflection > 0.0)
   {
     ToolPose near = pose;
@@ -80,7 +81,7 @@ void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noe
   felt.cappedForce = share * contact.force;
   if (pose.hasAxis())
   {
-    // A smaller force presses less, and its torque is smaller by the same factor.
+    // A smaller force causes a smaller indentation, and its torque is smaller by the same factor.
     const double turning = cappedTorqueShare(contact, limits.turning / scene.forceFactor);
     felt.idealTorque = contact.torque;
     felt.cappedTorque = std::min(share, turning) * contact.torque;
@@ -207,7 +208,7 @@ SceneForce SceneSwitch::blend(
   const double way = this->Ramp.share();
   const double rest = (1.0 - way) * before.forceFactor;
   const double factor = rest + way * felt.forceFactor;
-  // Forces blended by these shares, times the blended factor, are linear in `way`.
+  // Forces blended by these fractions, times the blended factor, are linear in `way`.
   felt.share = factor > 0.0 ? way * felt.forceFactor / factor : way;
   const double shareBefore = factor > 0.0 ? rest / factor : 1.0 - way;
   felt.idealForce = shareBefore * before.idealForce + felt.share * felt.idealForce;

@@ -17,15 +17,15 @@ namespace palpate
 {
 /**
  * A body with the response of a tool, as one ServoStep renders it. Another body, tool or material,
- * or other settings, are another scene. Scenes are made and freed outside of the tick; the tick
- * only passes them on.
+ * or other settings, are another scene. Scenes are made and freed outside the tick; the tick only
+ * passes them on.
  */
 struct ServoScene
 {
-  /// `contactBody` must not be null; the scene keeps it alive. `sceneForceFactor` (0, 1] fits this
-  /// scene to the device, in addition to SafetySettings::forceFactor: the force is multiplied by
-  /// both. A factor outside of its range counts as 0: no force. `hands`: for a HandsStep the number
-  /// of contacts, one per hand; 0: for a ServoStep.
+  /// `contactBody` must not be null; the scene shares its ownership. `sceneForceFactor` (0, 1] fits
+  /// this scene to the device, in addition to SafetySettings::forceFactor: the force is multiplied
+  /// by both. A factor out of its range counts as 0: no force. `hands`: for a HandsStep the number
+  /// of contacts, one per hand; 0 for a ServoStep.
   explicit ServoScene(std::shared_ptr<const ContactBody> contactBody,
     const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0,
     std::size_t hands = 0)
@@ -39,13 +39,13 @@ struct ServoScene
   }
   ~ServoScene()
   {
-    // One by one: recursion would be as deep as the list is long.
+    // One by one, because a recursion would be as deep as the list is long.
     while (this->next)
     {
       this->next = std::move(this->next->next);
     }
   }
-  /// Copies the scene and its history, not the list.
+  /// Copies the scene and its history, but not the list.
   ServoScene(const ServoScene& other)
     : body(other.body)
     , settings(other.settings)
@@ -59,9 +59,11 @@ struct ServoScene
   const std::shared_ptr<const ContactBody> body;
   const ContactSettings settings;
   ToolContact contact;
-  const std::unique_ptr<CoupledContacts> together; ///< used for several hands instead; or null
+  /// For several hands, instead of `contact`; or null.
+  const std::unique_ptr<CoupledContacts> together;
   const double forceFactor;
-  /// The next one in a list of scenes no longer needed: freeing the first scene frees all.
+  /// The next scene in a list of scenes that are no longer needed: freeing the first scene frees
+  /// all.
   std::unique_ptr<ServoScene> next;
 };
 
@@ -72,9 +74,9 @@ struct StiffnessLimits
   double turning = std::numeric_limits<double>::infinity();  ///< N mm/rad
 };
 
-/// The share (0 to 1) of a contact's torque that may remain so that the torsional stiffness seen by
-/// a loop is at most `limit`, N mm/rad. This stiffness is taken as |M|/θ, because no better value
-/// is known; it is exact for a flat end in full contact.
+/// The fraction (0 to 1) of a contact's torque that remains if the torsional stiffness that acts in
+/// a loop is limited to `limit`, N mm/rad. This stiffness is assumed to be |M|/θ, because no better
+/// value is known; it is exact for a flat end in full contact.
 inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
 {
   const double torque = contact.torque.norm();
@@ -86,21 +88,21 @@ inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
 struct SceneForce
 {
   Contact contact;                        ///< of the newest scene
-  Vector3 idealForce = Vector3::Zero();   ///< blended; contact.force when not switching
-  Vector3 cappedForce = Vector3::Zero();  ///< the same with each stiffness capped
-  Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm; blended likewise
-  Vector3 cappedTorque = Vector3::Zero(); ///< the same with each torsional stiffness capped
+  Vector3 idealForce = Vector3::Zero();   ///< blended; contact.force outside a change
+  Vector3 cappedForce = Vector3::Zero();  ///< blended, with each stiffness capped
+  Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm; blended
+  Vector3 cappedTorque = Vector3::Zero(); ///< blended, with each torsional stiffness capped
   double forceFactor = 1.0;               ///< blended; 0: no force
-  double share = 1.0;                     ///< part of idealForce that comes from the newest scene
+  double share = 1.0;                     ///< fraction of idealForce from the newest scene
   /// The longest displacement (mm) over which the contacts can return work: the deflection and the
   /// elastic displacement of the friction.
   double reach = 0.0;
   bool outside = true;   ///< no contact
-  bool changing = false; ///< the share differs from that of the last tick
+  bool changing = false; ///< the fraction differs from that of the last tick
 };
 
-/// The force of a scene's contact on a tool in that pose. `share` is the part of the contact's
-/// force that the stiffness cap leaves.
+/// The force of a scene's contact on a tool in the pose `pose`. `share` is the fraction of the
+/// contact's force that the stiffness cap leaves.
 PALPATE_EXPORT SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
   const ToolPose& pose, const StiffnessLimits& limits) noexcept;
 
@@ -108,35 +110,36 @@ PALPATE_EXPORT SceneForce forceOf(const ServoScene& scene, const Contact& contac
  * The scene of a ServoStep, and its change to another scene while the tip may be in contact.
  *
  * The force changes from the old scene to the new one within 50 ms (ForceRamp). Both contacts are
- * computed at the present tip. The force sent is (1-w) φ F of the old scene plus w φ' F' of the new
- * one, where w grows linearly in time and φ, φ' are the force factors. So the force changes per
- * tick by at most |φ'F' - φF| T / 50 ms, in addition to the blended changes of both forces by
+ * computed at the present tip. The sent force is (1-w) φ F of the old scene plus w φ' F' of the new
+ * one, where w grows linearly in time and φ, φ' are the force factors. Therefore the force changes
+ * per tick by at most |φ'F' - φF| T / 50 ms, in addition to the blended changes of both forces by
  * motion. No tick is stiffer than the stiffer of the two scenes.
  *
- * The new contact begins where the old one is: under the same side of a thin body, if both bodies
- * have it there. The new contact begins without pre-sliding displacement, so friction builds up
- * again; the old contact keeps its own until the end of the ramp. A scene that comes during a ramp
- * waits for the end of the ramp. Otherwise a third contact would be necessary, or a force that does
- * not respond to the hand. Of several waiting scenes the newest is taken.
+ * The new contact begins at the position of the old one: under the same side of a thin body, if
+ * both bodies have that side. The new contact begins without pre-sliding displacement, so that
+ * friction builds up again; the old contact keeps its displacement until the end of the ramp. A
+ * scene that is passed during a ramp waits for the end of the ramp. Otherwise a third contact would
+ * be necessary, or a force that does not respond to the hand. If several scenes wait, the newest is
+ * used.
  *
- * Only the constructors allocate or free; a tick of a ramp costs two contacts.
+ * Only the constructors allocate or free memory; a tick of a ramp costs two contacts.
  */
 class PALPATE_EXPORT SceneSwitch
 {
 public:
-  /// `scene` is not null.
+  /// `scene` must not be null.
   explicit SceneSwitch(std::unique_ptr<ServoScene> scene) noexcept;
-  /// Copies the scenes, except those no longer needed.
+  /// Copies the scenes, except those that are no longer needed.
   SceneSwitch(const SceneSwitch& other);
   SceneSwitch(SceneSwitch&& other) noexcept = default;
   SceneSwitch& operator=(const SceneSwitch&) = delete;
   SceneSwitch& operator=(SceneSwitch&&) = delete;
   ~SceneSwitch() = default;
 
-  /// One tick, `elapsed` (s) after the last.
+  /// Makes one tick, `elapsed` s after the last.
   SceneForce update(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
 
-  /// The same for a tool along the body's normal.
+  /// Makes one tick for a tool along the body's normal.
   SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
   {
     StiffnessLimits limits;
@@ -144,7 +147,7 @@ public:
     return this->update(ToolPose(tip), elapsed, limits);
   }
 
-  /// As ToolContact::foresee.
+  /// See ToolContact::foresee.
   void foresee() const noexcept
   {
     this->Current->contact.foresee();
@@ -154,26 +157,25 @@ public:
     }
   }
 
-  /// The result that update would have for the current scene. It uses a copy of the contact, which
-  /// is discarded. A scene that is being left is computed too, and its result is dropped. Changes
-  /// nothing.
+  /// Returns the result that update would have for the current scene. It uses a copy of the
+  /// contact, which is discarded. During a ramp the old scene is also computed, and its result is
+  /// discarded. Changes nothing.
   SceneForce rehearse(
     const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept;
 
-  /// Begins the change to this scene; null changes nothing.
+  /// Begins the change to this scene; null has no effect.
   void change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Leaving != nullptr; }
-  /// Number of changes, including one that has only begun.
+  /// Number of changes, including a change that has only begun.
   std::uint32_t changes() const noexcept { return this->Changes; }
-  /// The scenes no longer needed, as a list, or null; free them outside of the tick.
+  /// The scenes that are no longer needed, as a list, or null; they must be freed outside the tick.
   std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
 
-  /// Ends the contacts and a ramp: only the newest scene remains. The body keeps its memory of
-  /// having been pressed.
+  /// Ends the contacts and a ramp: only the newest scene remains. The memory of the body is kept.
   void forget() noexcept;
-  /// The same, and clears the memory of the body.
+  /// As forget(), and clears the memory of the body.
   void reset() noexcept;
-  /// Lets time pass (s) while the position of the tip is not known.
+  /// Adds time (s) during which the position of the tip is unknown.
   void pass(double elapsed) noexcept;
 
 private:

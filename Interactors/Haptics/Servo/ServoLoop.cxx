@@ -34,7 +34,7 @@ void sleepUntil(std::int64_t deadline) noexcept
   const timespec time{ deadline / NanosecondsPerSecond, deadline % NanosecondsPerSecond };
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) != 0)
   {
-    // woken by a signal: sleep again until the deadline
+    // a signal has ended the sleep: sleep again until the deadline
   }
 }
 
@@ -237,7 +237,7 @@ bool ServoLoop::goesOn() const noexcept
     this->takeScene();
     this->tick(secondsSince(begin, deadline));
     const std::int64_t done = now();
-    // The statistics come after the force, so that the force does not wait for them.
+    // The statistics are updated after the force is sent, so that they do not delay the force.
     this->Meter.wakeUp.add(late);
     if (!isFirst)
     {
@@ -312,7 +312,7 @@ void ServoLoop::wait(std::int64_t deadline, double time) noexcept
   this->rehearse(time);
   while (now() < deadline && this->goesOn())
   {
-    // a sleep this short would end late
+    // such a short sleep would end too late
   }
 }
 
@@ -344,7 +344,7 @@ void ServoLoop::rehearse(double time) noexcept
 
 void ServoLoop::finish() noexcept
 {
-  // A device may still be busy with the last force; a device that is gone takes none.
+  // A device may still be busy with the last force; a disconnected device accepts no force.
   constexpr int Attempts = 10;
   constexpr std::int64_t Pause = NanosecondsPerSecond / 1000;
   std::array<bool, HandsStep::Most> isDone{};

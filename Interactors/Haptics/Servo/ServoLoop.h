@@ -28,34 +28,35 @@ namespace palpate
 struct PALPATE_EXPORT ServoLoopSettings
 {
   static constexpr double MaximumRate = 100000.0;
-  static constexpr double MaximumRecordedTicks = 1e7; ///< some gigabytes
+  static constexpr double MaximumRecordedTicks = 1e7; ///< a few gigabytes
 
   double rate = 1000.0; ///< ticks per second, 1 to MaximumRate
-  /// How long (s) ticks are kept for drain() before they are lost; 0: no recording. The constructor
-  /// allocates the memory, about 600 bytes per tick and device.
+  /// Time (s) for which ticks are kept for drain() before they are lost; 0: no recording. The
+  /// constructor allocates the memory, about 600 bytes per tick and device.
   double recordedSeconds = 0.0;
   /// Time (s) before each deadline at which the thread wakes up. It then computes the tick in
   /// advance (ServoStep::rehearse; for several devices only their contacts) and waits without
-  /// sleeping. So the sample is read on time, and its force is sent sooner. It keeps a processor
-  /// busy for this time; 0 (none) to half a period.
+  /// sleeping. Therefore the sample is read on time, and its force is sent sooner. A processor is
+  /// busy during this time; 0 (none) to half a period.
   double rehearsal = 0.0;
   RealTimeRequest realTime;
 
-  /// The first setting that is out of its range, as text, or "".
+  /// The fault of the first setting that is out of its range, as text, or "".
   std::string fault() const;
 };
 
 /**
  * The servo thread: device → ServoStep → device at a fixed rate. It publishes the newest tick in a
- * slot and every tick in a ring. Or several devices → HandsStep → devices: all are read, then
- * stepped, then written, in one thread and with one time; each device has its own slot and ring.
+ * slot and every tick in a ring. With several devices (devices → HandsStep → devices) all devices
+ * are read, then stepped, then written, in one thread and with one time; each device has a separate
+ * slot and ring.
  *
  * Deadlines are absolute: tick k is due k periods after the start. This due time is the time of the
- * tick, whenever the thread wakes up. A tick that cannot begin before the next one is due is
- * missed: it is skipped and counted, so that a loop which cannot keep up still sleeps between
- * ticks. So the newest tick has k = ticks + missed - 1.
+ * tick, no matter when the thread wakes up. A tick that cannot begin before the next one is due is
+ * missed: it is skipped and counted, so that a loop which is too slow still sleeps between ticks.
+ * Therefore the newest tick has k = ticks + missed - 1.
  *
- * The thread requests real-time scheduling and, if this is set, locked memory; grant() returns the
+ * The thread requests real-time scheduling and, on request, locked memory; grant() returns the
  * result. A tick neither allocates, frees, locks, logs nor throws.
  *
  * Zero force is written when the loop is stopped or destroyed, also when an exception unwinds its
@@ -63,8 +64,8 @@ struct PALPATE_EXPORT ServoLoopSettings
  * releaseForceOnTerminate. The last tick published after a stop has no force and has
  * SafetyLink::Stopped set.
  *
- * All public functions are for one owning thread. The device must outlive the loop. The scenes keep
- * their bodies alive.
+ * All public functions are for one owning thread. The device must outlive the loop. The scenes
+ * share the ownership of their bodies.
  */
 class PALPATE_EXPORT ServoLoop
 {
@@ -78,47 +79,48 @@ public:
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /// Begins to tick at time 0; a running loop goes on. Returns the fault of the settings, the
+  /// Starts the ticks at time 0; a running loop continues. Returns the fault of the settings, the
   /// reason why there is no thread, or "". Waits until the system has granted or refused the
-  /// requests, not for a tick.
+  /// requests, but not for a tick.
   std::string start();
-  /// Waits for the end of the tick under way, at most a period, and then until the devices have
-  /// taken zero force, at most about 10 ms.
+  /// Waits for the end of the present tick, at most a period, and then until the devices have
+  /// accepted zero force, at most about 10 ms.
   void stop();
   bool isRunning() const noexcept { return this->Thread.joinable(); }
-  /// The rights granted to the thread of the newest start.
+  /// The rights granted to the thread at the last start.
   const RealTimeGrant& grant() const noexcept { return this->Grant; }
 
   std::size_t devices() const noexcept { return this->Devices.size(); }
-  /// The newest tick of a device; a default one before the first.
+  /// The newest tick of a device; a default one before the first tick.
   const Tick& newest(std::size_t device = 0) noexcept
   {
     return this->Channels[device]->latest.read();
   }
-  /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns how many.
-  /// Works also after a stop. Ticks for which there was no room are counted in the statistics.
+  /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns their
+  /// number. Also works after a stop. Ticks for which there was no space are counted in the
+  /// statistics.
   template <class Sink>
   std::size_t drain(Sink&& sink, std::size_t device = 0)
   {
     return this->Channels[device]->recording.drain(sink);
   }
 
-  /// Renders another scene from the next tick on, or from the next start: the force changes to it
-  /// within 50 ms (ServoStep). Of several scenes in quick succession only the newest is certain to
-  /// be rendered. Frees the scenes that are no longer in use. For several devices the scene must be
-  /// made for as many hands (HandsStep).
+  /// Renders another scene after the next tick, or after the next start: the force changes to the
+  /// new one within 50 ms (ServoStep). If several scenes are passed in quick succession, only the
+  /// newest is certain to be rendered. Frees the scenes that are no longer in use. For several
+  /// devices the scene must be made for the same number of hands (HandsStep).
   void changeScene(std::unique_ptr<ServoScene> scene);
-  /// Frees the scenes that are no longer in use, some time after a change; returns how many.
+  /// Frees the scenes that are no longer in use, some time after a change; returns their number.
   std::size_t freeScenes() noexcept { return this->Scenes.collect(); }
 
-  /// Statistics since the loop was made or last reset; some counts may differ by a tick, see
+  /// Statistics since the construction or the last reset; some counts may differ by a tick, see
   /// ServoMeter. Samples, forces and errors are counted for each device, and summed.
   ServoStatistics statistics() const;
   void resetStatistics();
-  /// Counts since the loop was made.
+  /// Counts since the construction.
   std::uint64_t ticks() const noexcept { return this->Meter.ticks.total(); }
   std::uint64_t missed() const noexcept { return this->Meter.missed.total(); }
-  /// Ticks that drain() will never see, because the ring was full.
+  /// Number of ticks that drain() cannot return, because the ring was full.
   std::uint64_t overruns() const noexcept;
 
 private:
@@ -139,12 +141,12 @@ private:
   void write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept;
   void takeScene() noexcept;
   void foresee() const noexcept;
-  /// Waits until a deadline, ns, with a rehearsal before it. `time` (s) is that of the tick at the
-  /// deadline.
+  /// Waits until a deadline, ns, and makes a rehearsal before it. `time` (s) is that of the tick at
+  /// the deadline.
   void wait(std::int64_t deadline, double time) noexcept;
-  /// Computes the next tick in advance, and prefetches the memory where it will be written.
+  /// Computes the next tick in advance, and prefetches the memory to which it will be written.
   void rehearse(double time) noexcept;
-  /// Leaves no force on the devices, in the step and in the published tick.
+  /// Sets zero force at the devices, in the step and in the published tick.
   void finish() noexcept;
   DeviceErrors errors() const;
 
@@ -154,13 +156,13 @@ private:
   ServoLoopSettings Settings;
   std::vector<std::unique_ptr<Channel>> Channels;
   Tick Newest;         ///< of one device
-  DeviceSample Likely; ///< the last sample of one device, moved on by its last displacement
+  DeviceSample Likely; ///< the last sample of one device, advanced by its last displacement
   Eigen::Vector3d LastPosition = Eigen::Vector3d::Zero(); ///< of that sample
   SceneExchange<ServoScene> Scenes;
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };
 
-  RealTimeGrant Grant;              ///< used by the owner only, as all members below
+  RealTimeGrant Grant;              ///< used only by the owner, like all members below
   DeviceErrors ErrorsBefore;        ///< at the last reset of the statistics
   std::uint64_t OverrunsBefore = 0; ///< at the last reset of the statistics
   std::thread Thread;

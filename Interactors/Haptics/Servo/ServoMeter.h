@@ -13,26 +13,27 @@
 
 namespace palpate
 {
-/// Timing and errors of a servo loop, since it was made or last reset.
+/// Timing and errors of a servo loop since its construction or the last reset.
 struct PALPATE_EXPORT ServoStatistics
 {
   double rate = 0.0;   ///< requested ticks per second
-  RealTimeGrant grant; ///< of the newest start
+  RealTimeGrant grant; ///< of the last start
 
   std::uint64_t ticks = 0;
-  std::uint64_t missed = 0;         ///< ticks whose whole period had passed before they could begin
-  std::uint64_t invalidSamples = 0; ///< ticks in which the device had no valid sample
+  /// Ticks that were skipped because they could not begin within their period.
+  std::uint64_t missed = 0;
+  std::uint64_t invalidSamples = 0;  ///< ticks in which the device had no valid sample
   std::uint64_t repeatedSamples = 0; ///< ticks whose valid sample was not new
-  std::uint64_t refusedForces = 0;   ///< ticks whose force the device did not take
-  std::uint64_t overruns = 0;        ///< ticks for which the recording had no room
-  std::uint64_t sceneChanges = 0;    ///< scenes that were taken over
-  DeviceErrors device;               ///< the device's own counts
+  std::uint64_t refusedForces = 0;   ///< ticks whose force the device did not accept
+  std::uint64_t overruns = 0;        ///< ticks for which the recording had no space
+  std::uint64_t sceneChanges = 0;    ///< number of scenes that were taken
+  DeviceErrors device;               ///< the counts of the device
 
   LatencyCounts period; ///< from the beginning of one tick to that of the next
   LatencyCounts wakeUp; ///< from a tick's deadline to its beginning
   LatencyCounts tick;   ///< from a tick's beginning to the force written and the tick published
 
-  /// Some lines of text: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
+  /// A few lines of text: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
   std::string describe() const;
 };
 
@@ -56,9 +57,9 @@ private:
 };
 
 /**
- * Keeps the statistics of a servo loop. The servo thread adds to them, one other thread reads and
- * resets them; neither ever waits. LatencyHistogram says how exact a reading is; the counts of one
- * reading may differ by the tick under way.
+ * The statistics of a servo loop. The servo thread adds to them, one other thread reads and resets
+ * them; neither ever waits. LatencyHistogram describes how exact a reading is; the counts of one
+ * reading may differ by the present tick.
  */
 struct PALPATE_EXPORT ServoMeter
 {
@@ -72,7 +73,7 @@ struct PALPATE_EXPORT ServoMeter
   EventCount refusedForces;
   EventCount sceneChanges;
 
-  /// Writes the statistics since the last reset; leaves the fields that the meter does not know
+  /// Writes the statistics since the last reset; fields that are not measured by this class are
   /// unchanged.
   void read(ServoStatistics& statistics) const noexcept;
   void reset() noexcept;

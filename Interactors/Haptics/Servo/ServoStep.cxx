@@ -8,14 +8,15 @@ namespace palpate
 {
 namespace
 {
-/// A scene of a body that the caller keeps alive.
+/// A scene of a body that the caller owns.
 std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettings& settings)
 {
   const std::shared_ptr<void> nobody;
   return std::make_unique<ServoScene>(std::shared_ptr<const ContactBody>(nobody, &body), settings);
 }
 /// One tick of a device. `own` are the scenes to update, or null in a rehearsal. A rehearsal must
-/// bring the code of the tick itself into the caches, so this is one function and never inlined.
+/// load the code of the tick itself into the caches; therefore this is one function and never
+/// inlined.
 [[gnu::hot, gnu::noinline]] Tick tickOf(DeviceEnd& end, const SceneSwitch& scenes, SceneSwitch* own,
   const DeviceSample& sample, double time, double elapsed, bool& isOver) noexcept
 {

@@ -13,13 +13,13 @@ namespace palpate
 {
 /**
  * The ticks of the last seconds, oldest first: for ticks that are drained from a servo loop and
- * need not be kept for ever.
+ * need not be kept permanently.
  *
- * Keeps the ticks whose time is within `seconds` before the newest one, and the newest one: seconds
- * * rate ticks of a loop that misses none. Ticks are numbered from 0 on as they are added, so that
- * a reader can find those that are new to it. At most seconds * rate + 1 ticks are kept, about 600
- * bytes each; their memory is used only when they arrive. For the one thread that drains, not for
- * the servo thread.
+ * The history keeps the newest tick and the ticks whose time is within `seconds` before it: seconds
+ * * rate ticks of a loop that misses none. Ticks are numbered from 0 in the order in which they are
+ * added, so that a reader can find the new ones. At most seconds * rate + 1 ticks are kept, about
+ * 600 bytes each; memory is used only for ticks that were added. For the thread that drains, not
+ * for the servo thread.
  */
 class TickHistory
 {
@@ -59,12 +59,13 @@ public:
   }
 
   std::size_t size() const noexcept { return this->Count; }
-  /// 0 is the oldest.
+  /// The tick at an index; 0 is the oldest.
   const Tick& operator[](std::size_t index) const noexcept
   {
     return this->Slots[(this->Begin + index) % this->Capacity];
   }
-  /// How many ticks were ever added. The oldest one here has the number added() - size().
+  /// The number of ticks that were ever added. The oldest tick in the history has the number
+  /// added() - size().
   std::uint64_t added() const noexcept { return this->Added; }
 
 private:

@@ -12,13 +12,13 @@
 
 namespace palpate
 {
-/// Faults of a device, the most severe last. If several are due, the most severe one occurs.
+/// Faults of a device in order of severity. If several are due, the most severe one occurs.
 enum class DeviceFault : std::uint8_t
 {
   NotANumber, ///< a reading's position and velocity are NaN, but it is marked valid
   Repeated,   ///< a reading repeats the last one, but is marked new
   Dropped,    ///< a reading is lost: the last one is repeated and marked not fresh
-  Late,       ///< a reading arrives later, instead of those due until then, and is marked new
+  Late,       ///< a reading arrives later, replaces those due until then, and is marked new
   Stall,      ///< the device hangs: no reading is fresh, and the last force continues
   Disconnect  ///< no reading is valid, no force is accepted, and none acts on the hand
 };
@@ -29,15 +29,15 @@ struct ScheduledFault
 {
   DeviceFault fault = DeviceFault::Dropped;
   double start = 0.0; ///< s
-  /// s. The fault affects every reading of start <= time < start + duration, and always the first
+  /// s. The fault affects every reading of start <= time < start + duration, and at least the first
   /// reading at or after its start. For Late: the delay of the first late reading.
   double duration = 0.0;
 };
 
-/// Random faults, the same for the same seed.
+/// Random faults, reproducible by the seed.
 struct FaultRate
 {
-  double probability = 0.0; ///< that the fault begins at a given reading, 0 to 1
+  double probability = 0.0; ///< probability that the fault begins at a given reading, 0 to 1
   double duration = 0.0;    ///< s, as in ScheduledFault
 };
 
@@ -52,7 +52,8 @@ struct DeviceFaults
   FaultRate& rate(DeviceFault fault) { return this->rates[static_cast<std::size_t>(fault)]; }
 };
 
-/// The first number that is out of its range, with the name of the fault; or "".
+/// The fault of the first number that is out of its range, with the name of the device fault; or
+/// "".
 PALPATE_EXPORT std::string fault(const DeviceFaults& faults);
 } // namespace palpate
 

@@ -17,7 +17,7 @@ constexpr int MaximumStretches = 1000;
 constexpr int MaximumEvents = 32;
 constexpr int Bisections = 40;
 /// Length of an interval that is checked for events only at its end, in radians of the hand's own
-/// oscillation: the velocity changes its sign at most once in it.
+/// oscillation: the velocity changes its sign at most once in an interval.
 constexpr double LongestAngle = 0.5;
 
 int sign(double value)
@@ -126,7 +126,7 @@ PlantAxis::State PlantAxis::advance(State state, Load load, double duration) noe
     ++events;
     if (regime.sticks)
     {
-      // The threshold is reached, not exceeded, so regimeAt would still return sticking.
+      // The threshold is reached, not exceeded, so that regimeAt would still return sticking.
       regime = this->regimeAt(state, load);
       regime.sticks = false;
       regime.slide = sign(load.targetVelocity);
@@ -143,11 +143,12 @@ PlantAxis::State PlantAxis::advance(State state, Load load, double duration) noe
 
 double PlantAxis::handForce(const State& state, const Load& load) const noexcept
 {
-  return std::clamp(this->wish(state, load), -this->Hand.maximumForce, this->Hand.maximumForce);
+  return std::clamp(
+    this->unlimitedForce(state, load), -this->Hand.maximumForce, this->Hand.maximumForce);
 }
 
 /// The force that the hand would have without a limit, N.
-double PlantAxis::wish(const State& state, const Load& load) const noexcept
+double PlantAxis::unlimitedForce(const State& state, const Load& load) const noexcept
 {
   return this->Hand.stiffness * (load.target - state.position) +
     this->Hand.damping * (load.targetVelocity - state.velocity);
@@ -156,10 +157,10 @@ double PlantAxis::wish(const State& state, const Load& load) const noexcept
 PlantAxis::Regime PlantAxis::regimeAt(const State& state, const Load& load) const noexcept
 {
   Regime regime;
-  const double wish = this->wish(state, load);
-  if (std::abs(wish) > this->Hand.maximumForce)
+  const double unlimited = this->unlimitedForce(state, load);
+  if (std::abs(unlimited) > this->Hand.maximumForce)
   {
-    regime.limit = sign(wish);
+    regime.limit = sign(unlimited);
   }
   if (this->Plant.friction > 0.0)
   {
@@ -172,9 +173,9 @@ PlantAxis::Regime PlantAxis::regimeAt(const State& state, const Load& load) cons
 
 bool PlantAxis::leaves(const Regime& regime, const State& state, const Load& load) const noexcept
 {
-  const double wish = this->wish(state, load);
-  const bool changesLimit = regime.limit == 0 ? std::abs(wish) > this->Hand.maximumForce
-                                              : regime.limit * wish < this->Hand.maximumForce;
+  const double unlimited = this->unlimitedForce(state, load);
+  const bool changesLimit = regime.limit == 0 ? std::abs(unlimited) > this->Hand.maximumForce
+                                              : regime.limit * unlimited < this->Hand.maximumForce;
   return changesLimit || regime.slide * state.velocity < 0.0;
 }
 
@@ -236,7 +237,7 @@ double PlantAxis::holdingTime(const State& state, const Load& load, double durat
   {
     return duration;
   }
-  return std::clamp((needed - this->wish(state, load)) / rate, 0.0, duration);
+  return std::clamp((needed - this->unlimitedForce(state, load)) / rate, 0.0, duration);
 }
 
 PlantAxis::Response PlantAxis::respond(double kappa, double beta, double duration) noexcept

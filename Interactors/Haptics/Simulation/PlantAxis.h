@@ -8,17 +8,17 @@
 namespace palpate
 {
 /**
- * The motion of one axis of a simulated device while the motor's force is held and the hand's
+ * The motion of one axis of a simulated device while the motor's force is constant and the hand's
  * target moves uniformly.
  *
  * Between events the equation (SimulatedPlant, HandModel) is linear with constant coefficients and
- * is integrated exactly, to rounding, for any duration. Events are: the motion stops, friction
- * breaks loose, the hand's force reaches or leaves its maximum. The times of events are found to
- * 2^-40 of an interval. Intervals are 0.08 of the hand's period, or a thousandth of the duration if
- * that is longer: two opposite events within one interval may be missed. After 32 events in one
- * duration the last regime continues to the end of the duration.
+ * is integrated exactly, to rounding, for any duration. Events are: the motion stops, static
+ * friction is overcome, the hand's force reaches or leaves its maximum. The times of events are
+ * computed to 2^-40 of an interval. Intervals are 0.08 of the hand's period, or a thousandth of the
+ * duration if that is longer: two opposite events within one interval may be missed. After 32
+ * events in one duration the last regime continues to the end of the duration.
  *
- * Cost: below half a microsecond; about forty times that per event.
+ * Cost: less than half a microsecond; about forty times that per event.
  */
 class PALPATE_EXPORT PlantAxis
 {
@@ -55,18 +55,18 @@ private:
   struct Regime
   {
     bool sticks = false;
-    int slide = 0; ///< sign of the motion that friction opposes; 0: none
+    int slide = 0; ///< sign of the motion against which friction acts; 0: no sliding
     int limit = 0; ///< sign of the hand's force if it is at its maximum
   };
 
-  double wish(const State& state, const Load& load) const noexcept;
+  double unlimitedForce(const State& state, const Load& load) const noexcept;
   Regime regimeAt(const State& state, const Load& load) const noexcept;
   bool leaves(const Regime& regime, const State& state, const Load& load) const noexcept;
   State move(const Regime& regime, const State& state, const Load& load, double duration) noexcept;
-  /// The end of a stretch, or the first event within it.
+  /// The end of an interval, or the first event within it.
   double stretchEnd(
     const Regime& regime, const State& state, const Load& load, double duration) noexcept;
-  /// How long friction holds the mass, at most `duration`.
+  /// The time for which friction holds the mass, at most `duration`.
   double holdingTime(const State& state, const Load& load, double duration) const noexcept;
   Response respond(double kappa, double beta, double duration) noexcept;
 
@@ -76,7 +76,7 @@ private:
   bool HasEvents;
   double LongestStretch; ///< s
 
-  /// The last response computed: the axes of a device mostly need the same one.
+  /// The last computed response, because the axes of a device mostly need the same one.
   double LastKappa = 0.0;
   double LastBeta = 0.0;
   double LastDuration = 0.0;

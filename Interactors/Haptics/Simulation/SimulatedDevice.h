@@ -16,27 +16,29 @@
 namespace palpate
 {
 /**
- * A device without hardware, of two kinds. In virtual time it is deterministic to the bit: it
- * depends only on its settings, the times read and the forces written. FaultyDevice adds faults.
+ * A device without hardware, of two kinds. In virtual time it is bit for bit deterministic: it
+ * depends only on its settings, the times of the readings and the written forces. FaultyDevice adds
+ * faults.
  *
  * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever the force: the
- * sample depends only on these and on the time.
+ * sample depends only on the path or target and on the time.
  *
  * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant). It is
- * held by a spring and a damper (HandModel) whose target follows a path, or steerTo, so it yields
- * to the force. It starts at the first reading, at rest at the hand's target and without force. A
- * force written acts from the time of the reading before it, plus the force delay, until the next
- * one. The force is not limited to the specification (the safety chain does that). Between the
- * ticks the motion is integrated exactly, so the time between two readings is arbitrary. A time
- * that does not increase repeats the last reading, not fresh. The reported velocity is that of the
- * mass or, with an encoder step, the difference of the last two readings divided by their time.
+ * connected to a spring and a damper (HandModel) whose target follows a path, or steerTo, so that
+ * the plant moves under the force. It starts at the first reading, at rest at the hand's target and
+ * without force. A written force acts from the time of the preceding reading, plus the force delay,
+ * until the next force. The force is not limited to the specification (the safety chain does that).
+ * Between the ticks the motion is integrated exactly, so that the time between two readings is
+ * arbitrary. A time that does not increase repeats the last reading, not fresh. The reported
+ * velocity is that of the mass or, with an encoder step, the difference of the last two readings
+ * divided by their time.
  *
- * It reports the tool's orientation if the way points of its path have an axis, or after turnTo.
- * Torques also turn a plant with an inertia; it begins with the hand's target orientation.
+ * The device reports the tool's orientation if the way points of its path have an axis, or after
+ * turnTo. Torques also turn a plant with an inertia; it begins with the hand's target orientation.
  *
- * If settings are out of range (`fault` of HeldPlant; a path that is not finite or goes back in
- * time; a rate that is not of 0 to 100000 Hz), no sample is valid and status() gives the reason.
- * Call read and write of a plant from one thread, steerTo from one other; none of them waits or
+ * If settings are out of range (`fault` of HeldPlant; a path that is not finite or whose times
+ * decrease; a rate outside 0 to 100000 Hz), no sample is valid and status() returns the reason.
+ * read and write of a plant are for one thread, steerTo for one other; none of them waits or
  * allocates. A tick costs a microsecond; with friction or a limited hand about ten per axis at an
  * event (PlantAxis).
  */
@@ -51,7 +53,7 @@ public:
   /// A stiff hand that is steered, for example by a mouse.
   explicit SimulatedDevice(
     const Eigen::Vector3d& start, const DeviceSpecification& specification = {});
-  /// A plant in a hand that follows a path (of a script or a file, or a single point of rest).
+  /// A plant in a hand that follows a path (of a script or a file, or a single point at rest).
   SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand, std::vector<WayPoint> path,
     const DeviceSpecification& specification = {});
   /// A plant in a hand that is steered, for example by a mouse, or step by step by a script.
@@ -59,11 +61,11 @@ public:
     const DeviceSpecification& specification = {});
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// Not valid for an empty path, for a target of a stiff hand that is not finite, and for a `time`
-  /// that is not finite, except with a steered stiff hand.
+  /// The sample is not valid for an empty path, for a target of a stiff hand that is not finite,
+  /// and for a `time` that is not finite, except with a steered stiff hand.
   DeviceSample read(double time) noexcept override;
-  /// A stiff hand accepts any force, finite or not. A plant refuses a force that is not finite, and
-  /// has no force then.
+  /// A stiff hand accepts any force, finite or not. A plant rejects a force that is not finite, and
+  /// then has no force.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -75,9 +77,9 @@ public:
   /// does not move towards a target that is not finite.
   void steerTo(const Eigen::Vector3d& target) noexcept;
 
-  /// Sets the axis (from tip to hand, any length, the device's frame) along which a steered hand
-  /// holds the tool (SteeredAxis); zero: unknown, as at first. No effect on a hand with a path, or
-  /// if the axis is not finite.
+  /// Sets the axis (from tip to hand, not normalised, the device's frame) along which a steered
+  /// hand holds the tool (SteeredAxis); zero: unknown, as at the start. No effect on a hand with a
+  /// path, or if the axis is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
   const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
@@ -93,7 +95,7 @@ private:
   DeviceSpecification Limits;
   TimedPath Path;                          ///< of a stiff hand
   std::unique_ptr<SteeredTarget> Target;   ///< target of a stiff hand without a path
-  SteeredAxis Shaft;                       ///< likewise
+  SteeredAxis Shaft;                       ///< axis of a stiff hand without a path
   std::unique_ptr<SimulatedMotion> Motion; ///< null: a stiff hand
   double Duration = 0.0;
   Wrench Last;

@@ -18,14 +18,13 @@ Eigen::Vector3d turnOf(const ToolOrientation& orientation) noexcept
                              : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// Number of forces that can be under way at once, if ticks are up to four times faster than
-/// specified.
+/// Largest number of delayed forces, if ticks are up to four times faster than specified.
 std::size_t pendingForces(const SimulatedPlant& plant, double rate)
 {
   return 4 + static_cast<std::size_t>(4.0 * rate * (plant.forceDelay + plant.sampleDelay));
 }
 
-/// The plant of rotations: angles in place of displacements, torques in place of forces.
+/// The plant of rotations: angles replace displacements, torques replace forces.
 SimulatedPlant turningPlant(const SimulatedPlant& plant)
 {
   SimulatedPlant turning;
@@ -129,7 +128,7 @@ void SimulatedMotion::turnTo(const Eigen::Vector3d& axis) noexcept
   }
 }
 
-ToolOrientation SimulatedMotion::meant(double time) const noexcept
+ToolOrientation SimulatedMotion::targetOrientation(double time) const noexcept
 {
   return this->Steered ? this->SteeredShaft.orientation()
                        : orientationAlong(this->Path.axisAt(time));
@@ -163,7 +162,7 @@ void SimulatedMotion::begin(double time) noexcept
   {
     this->States[axis] = { start[axis], 0.0 };
   }
-  const ToolOrientation held = this->meant(time);
+  const ToolOrientation held = this->targetOrientation(time);
   if (isTold(held))
   {
     this->beginTurn(turnOf(held));
@@ -174,7 +173,7 @@ void SimulatedMotion::advanceTo(double time) noexcept
 {
   TimedPath::Ramp steered;
   const double from = this->Clock;
-  const ToolOrientation heldBefore = this->meant(from);
+  const ToolOrientation heldBefore = this->targetOrientation(from);
   if (this->Steered)
   {
     steered.position = this->Steered->position();
@@ -183,14 +182,14 @@ void SimulatedMotion::advanceTo(double time) noexcept
     steered.velocity = (this->Steered->position() - steered.position) / (time - from);
     steered.end = std::numeric_limits<double>::infinity();
   }
-  const ToolOrientation held = this->meant(time);
+  const ToolOrientation held = this->targetOrientation(time);
   if (isTold(held) && !this->IsTurned)
   {
     this->beginTurn(turnOf(held));
   }
   const Eigen::Vector3d meantFrom = turnOf(isTold(heldBefore) ? heldBefore : held);
   const Eigen::Vector3d turning = (turnOf(held) - meantFrom) / (time - from);
-  // Each interval ends at a way point, or when a force under way begins to act.
+  // Each interval ends at a way point, or when a delayed force begins to act.
   while (this->Clock < time)
   {
     this->hold();
@@ -228,12 +227,12 @@ void SimulatedMotion::beginTurn(const Eigen::Vector3d& rotation) noexcept
 }
 
 void SimulatedMotion::turn(
-  const Eigen::Vector3d& meant, const Eigen::Vector3d& rate, double duration) noexcept
+  const Eigen::Vector3d& target, const Eigen::Vector3d& rate, double duration) noexcept
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Turns[axis] = this->TurningAxis.advance(
-      this->Turns[axis], { this->Held.torque[axis], meant[axis], rate[axis] }, duration);
+      this->Turns[axis], { this->Held.torque[axis], target[axis], rate[axis] }, duration);
   }
 }
 
@@ -270,7 +269,7 @@ DeviceSample SimulatedMotion::measure(double time) const noexcept
   }
   else
   {
-    sample.orientation = this->meant(this->Clock);
+    sample.orientation = this->targetOrientation(this->Clock);
   }
   sample.valid = sample.position.allFinite() && sample.orientation.coeffs().allFinite();
   return sample;

@@ -18,18 +18,18 @@
 namespace palpate
 {
 /**
- * The implementation of a simulated device with a mass: accepts forces, advances to the time of the
- * next reading, and reports as encoders do.
+ * The implementation of a simulated device with a mass: it receives forces, advances to the time of
+ * the next reading, and measures as encoders do.
  *
  * It advances from one change of the force, or of the target's velocity, to the next one, each
  * interval by PlantAxis. It starts at rest at the hand's target at the first reading. With a sample
- * delay the plant itself runs late by this delay, so that only forces under way are stored. read
- * and write are for one thread, and allocate nothing.
+ * delay the whole plant is computed for an earlier time, so that only delayed forces are stored.
+ * read and write are for one thread, and do not allocate.
  */
 class PALPATE_EXPORT SimulatedMotion
 {
 public:
-  /// The hand follows `path`; with an empty path it is steered, from `start` on.
+  /// The hand follows `path`; if the path is empty, the hand is steered and starts at `start`.
   SimulatedMotion(const SimulatedPlant& plant, const HandModel& hand, TimedPath path,
     const Eigen::Vector3d& start, double rate);
 
@@ -57,13 +57,13 @@ private:
 
   void begin(double time) noexcept;
   void advanceTo(double time) noexcept;
-  /// Applies the forces that have arrived.
+  /// Applies the forces whose delay has elapsed.
   void hold() noexcept;
   DeviceSample measure(double time) const noexcept;
-  /// The hand's target orientation at a time.
-  ToolOrientation meant(double time) const noexcept;
+  /// The hand's target orientation at `time`.
+  ToolOrientation targetOrientation(double time) const noexcept;
   void beginTurn(const Eigen::Vector3d& rotation) noexcept;
-  void turn(const Eigen::Vector3d& meant, const Eigen::Vector3d& rate, double duration) noexcept;
+  void turn(const Eigen::Vector3d& target, const Eigen::Vector3d& rate, double duration) noexcept;
   bool turns() const noexcept { return this->Plant.inertia > 0.0; }
 
   SimulatedPlant Plant;
@@ -79,10 +79,10 @@ private:
   DeviceSample Last;
   PlantAxis::State States[3];
   PlantAxis::State Turns[3]; ///< of the rotation vector, rad
-  bool IsTurned = false;     ///< the orientation is known
+  bool IsTurned = false;     ///< whether the orientation is known
   Wrench Held;               ///< the force and torque that act now
 
-  /// A ring buffer of the forces under way.
+  /// A ring buffer of the delayed forces.
   std::vector<TimedForce> Pending;
   std::size_t First = 0;
   std::size_t Count = 0;

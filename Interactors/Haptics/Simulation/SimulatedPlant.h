@@ -16,20 +16,20 @@ namespace palpate
  *
  *   m dv/dt = F + hand - b v - f_c sign v
  *
- * F is the force written last, held until the next one (zero-order hold). At v = 0, friction holds
- * against a force of up to f_c. Both delays may be any fraction of a tick; a loop is affected by
- * their sum.
+ * F is the last written force, constant until the next one (zero-order hold). At v = 0, static
+ * friction balances a force of up to f_c. Both delays may be any fraction of a tick; a loop is
+ * affected by their sum.
  *
  * With an inertia the device outputs torque and turns: each component of r, the rotation vector
- * from the tool's frame to the device's, follows I d²r/dt² = M + hand - b_θ dr/dt. This is valid
- * while |r| is small, as for tilts.
+ * from the tool's frame to the device's, obeys I d²r/dt² = M + hand - b_θ dr/dt. This is valid for
+ * small |r|, as for tilts.
  */
 struct SimulatedPlant
 {
   double mass = 0.1;         ///< m, apparent, kg; at least 1e-6
   double damping = 1.0;      ///< b, viscous, N s/m
   double friction = 0.0;     ///< f_c, Coulomb's, N, of each axis
-  double encoderStep = 0.0;  ///< readings are multiples of it, m; 0: not rounded
+  double encoderStep = 0.0;  ///< m; readings are multiples of this step; 0: not rounded
   double forceDelay = 0.0;   ///< time from the tick that writes a force until it acts, s; at most 1
   double sampleDelay = 0.0;  ///< age of a reading, s; at most 1
   double inertia = 0.0;      ///< I, kg m²; 0: no torque; the orientation is the hand's target
@@ -37,10 +37,10 @@ struct SimulatedPlant
 };
 
 /**
- * A hand on the device: a spring and a damper between the device and the hand's target x_t, limited
- * on each axis:
+ * A hand on the device: a spring and a damper between the device and the hand's target x_t, with a
+ * limited force on each axis:
  *
- *   hand = k (x_t - x) + b (v_t - v), kept within ± the maximum force
+ * hand = k (x_t - x) + b (v_t - v), limited to ± the maximum force
  *
  * The defaults have the order of magnitude of a relaxed grip.
  */
@@ -60,12 +60,12 @@ struct HeldPlant
   HandModel hand;
 };
 
-/// The first setting that is out of its range, with its name, range and value; or "".
+/// The fault of the first setting that is out of its range, with its name, range and value; or "".
 PALPATE_EXPORT std::string fault(HeldPlant held);
 
 /**
- * Reads "mass=0.1,damping=1,stiffness=300": each name at most once, in any order; settings that are
- * not named have their defaults. Returns "", or the fault; `held` is then unchanged.
+ * Reads "mass=0.1,damping=1,stiffness=300": each name at most once, in any order; other settings
+ * have their defaults. Returns "", or the fault; `held` is then unchanged.
  *
  * | name           | of                           | unit  | range       | default |
  * |----------------|------------------------------|-------|-------------|---------|
@@ -92,10 +92,10 @@ PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
 
 /**
  * The specification of such a device for ticks at `rate` (Hz) and any hand: 10 N; the stiffness
- * b/(T + 2t) in N/m, where t is the sum of the delays; and a damper of b. This stiffness is half of
+ * b/(T + 2t) in N/m, where t is the sum of the delays; and a damper of b. This stiffness is half
  * that of the stiffest spring which a sampled loop renders passively, b/(T/2 + t) (Colgate and
  * Schenkel 1997; stability with delays: Diolaiti et al. 2006). With an inertia also 0.5 N m and the
- * same for a torsion spring, with b_θ, in N m/rad.
+ * corresponding torsional stiffness, with b_θ, in N m/rad.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate);
 } // namespace palpate

@@ -14,7 +14,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 constexpr int FirstGreetings = 50;     ///< ms between two greetings, at the beginning
-constexpr double GreetingPause = 0.25; ///< s between two greetings, when lost
+constexpr double GreetingPause = 0.25; ///< s between two greetings to a lost program
 
 std::uint64_t microseconds() noexcept
 {
@@ -22,7 +22,7 @@ std::uint64_t microseconds() noexcept
     std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch()).count());
 }
 
-/// Whether both describe the same device, whatever the nonce.
+/// Whether both describe the same device; the nonce is ignored.
 bool same(DescriptionReport a, DescriptionReport b) noexcept
 {
   a.nonce = b.nonce = 0;
@@ -85,7 +85,7 @@ bool BridgeDevice::greetFirst(double patience)
   }
   if (this->Known)
   {
-    this->Now = Stage::Described; // a state received before has no time of the loop
+    this->Now = Stage::Described; // an earlier state has no time of the loop
     this->Limits = specificationOf(this->Description, &this->Remark);
     this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
@@ -101,14 +101,14 @@ DeviceSample BridgeDevice::read(double time) noexcept
   }
   this->Fresh = false;
   this->receiveAll(time);
-  // Both conditions are written so that a time that is NaN, or goes back, counts as too late.
+  // Both conditions are written so that a time that is NaN or decreases counts as too late.
   if (this->Now == Stage::Alive && !(std::abs(time - this->NewsAt) <= this->Limits.sampleTimeOut))
   {
     this->lose();
   }
   if (this->Now != Stage::Alive && !(std::abs(time - this->GreetedAt) < GreetingPause))
   {
-    this->Now = Stage::Greeting; // also if the program has described itself but sent no state
+    this->Now = Stage::Greeting; // also if a description but no state has arrived
     this->GreetedAt = time;
     ++this->Nonce;
     this->greet();
@@ -172,7 +172,7 @@ void BridgeDevice::takeState(const StateReport& state, double time) noexcept
 {
   if (this->Now == Stage::Greeting)
   {
-    return; // from a program that has not described itself, or not again
+    return; // from a program without a description, or without a new one
   }
   const ReportSequence::Verdict verdict = this->Sequence.judge(state.sequence);
   this->Stale.store(this->Sequence.stale(), std::memory_order_relaxed);
@@ -202,7 +202,7 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
   this->Stranger = this->Known && !same(description, this->Description);
   if (this->Stranger || this->Now != Stage::Greeting)
   {
-    return; // a stranger, or the answer to a second greeting
+    return; // another device, or the answer to a second greeting
   }
   this->Description = description;
   this->Known = true;
@@ -212,8 +212,8 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
 
 void BridgeDevice::lose() noexcept
 {
-  this->send({}, false);                                      // in case the program still listens
-  this->GreetedAt = -std::numeric_limits<double>::infinity(); // greet in this tick
+  this->send({}, false);                                      // in case the program still receives
+  this->GreetedAt = -std::numeric_limits<double>::infinity(); // sends a greeting in this tick
   this->Now = Stage::Greeting;
   this->Disconnections.fetch_add(1, std::memory_order_relaxed);
 }
@@ -222,7 +222,7 @@ void BridgeDevice::greet() noexcept
 {
   HapticReportBytes bytes{};
   pack(HelloReport{ this->Nonce }, bytes);
-  this->Socket->send(bytes.data(), bytes.size()); // if it is not received, others follow
+  this->Socket->send(bytes.data(), bytes.size()); // if this greeting is lost, others follow
 }
 
 bool BridgeDevice::writeWrench(const Wrench& wrench) noexcept

@@ -16,17 +16,17 @@
 namespace palpate
 {
 /**
- * A device that another program drives. The 64-byte force reports (PROTOCOL.md) go as datagrams
- * through a local socket (BridgeSocket). So any vendor's SDK can become a device;
- * device/bridge_device.c is such a program.
+ * A device that another program drives. The 64-byte force reports (PROTOCOL.md) are exchanged as
+ * datagrams through a local socket (BridgeSocket). Therefore any vendor's SDK can serve as a
+ * device; device/bridge_device.c is such a program.
  *
  * There are no threads: read receives the datagrams that have arrived, at most ReadsPerTick, and
- * uses the newest state; write sends. Each takes a few system calls and never waits. Only datagrams
- * from the program's own address are used. The program counts as lost without a new state for
- * longer than the specification's sampleTimeOut (by the time passed to read), or when it has
- * restarted. Then read is not valid, and write sends no force and returns false. A lost program is
- * greeted four times a second. It is used again when it has described itself as before and a valid
- * state has arrived.
+ * uses the newest state; write sends a force. Each takes a few system calls and never waits. Only
+ * datagrams from the program's address are used. The program is lost if there is no new state for
+ * longer than the specification's sampleTimeOut (by the time passed to read), or if it has
+ * restarted. Then read is not valid, and write sends no force and returns false. A greeting is sent
+ * to a lost program four times a second. The program is used again when its description is the same
+ * as before and a valid state has arrived.
  *
  * The destructor sends "amplifiers off, zero force". read and write are for one thread; another
  * thread may call status and the counters.
@@ -36,8 +36,9 @@ class PALPATE_EXPORT BridgeDevice final : public HapticDevice
 public:
   static constexpr int ReadsPerTick = 64;
 
-  /// Greets the program at `address` ("unix:/PATH", "udp:PORT") until it describes itself, for at
-  /// most `patience` seconds. Null, with the reason in words, if it does not.
+  /// Sends greetings to the program at `address` ("unix:/PATH", "udp:PORT") until its description
+  /// arrives, for at most `patience` seconds. Returns null, with the reason in words, if there is
+  /// no description.
   static std::unique_ptr<BridgeDevice> open(
     const std::string& address, std::string& error, double patience = 2.0);
   ~BridgeDevice() override;
@@ -63,8 +64,8 @@ public:
 private:
   enum class Stage : std::uint8_t
   {
-    Greeting,  ///< waiting for the program's description
-    Described, ///< waiting for the program's first state
+    Greeting,  ///< waits for the program's description
+    Described, ///< waits for the program's first state
     Alive
   };
   BridgeDevice(std::unique_ptr<BridgeSocket> socket, std::string address, std::uint32_t nonce);
@@ -83,7 +84,7 @@ private:
   DeviceSpecification Limits;
   DescriptionReport Description;
   std::uint32_t Watchdog = 0; ///< µs
-  bool Known = false;         ///< the program has described itself once
+  bool Known = false;         ///< whether the description has arrived at least once
 
   std::uint32_t Nonce;
   bool Started = false;   ///< read has been called
@@ -95,7 +96,7 @@ private:
   std::uint32_t ForceSequence = 0;
 
   std::atomic<Stage> Now{ Stage::Greeting };
-  std::atomic<bool> Stranger{ false }; ///< the program that answers describes itself differently
+  std::atomic<bool> Stranger{ false }; ///< another device is described at the program's address
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };

@@ -41,8 +41,8 @@ std::string lastError()
 }
 } // namespace
 
-/// Returns the reason why `text` is not an address, or "". `own` is the address of the host's end:
-/// any free name.
+/// Returns the reason why `text` is not an address, or "". `own` receives the address of the host's
+/// end, any free name.
 std::string BridgeSocket::parse(const std::string& text, Name& peer, Name& own)
 {
   const std::string what = "'" + text + "': ";
@@ -149,7 +149,7 @@ bool BridgeSocket::isPeer(const Address& sender, socklen_t size) const noexcept
     return sender.internet.sin_port == this->Peer.address.internet.sin_port &&
       sender.internet.sin_addr.s_addr == this->Peer.address.internet.sin_addr.s_addr;
   }
-  // The rest of a name is zero, so a sender without a path or with an abstract name differs.
+  // The rest of a name is zero, so that a sender without a path or with an abstract name differs.
   return std::strncmp(static_cast<const char*>(sender.local.sun_path),
            static_cast<const char*>(this->Peer.address.local.sun_path),
            sizeof sender.local.sun_path) == 0;

@@ -16,24 +16,26 @@
 namespace palpate
 {
 /**
- * The host's end of a local datagram socket to the program of one device; never waits for the
+ * The host's end of a local datagram socket to the program of one device. It never waits for the
  * program.
  *
  * Addresses: "unix:/PATH", if the program has bound a Unix datagram socket to exactly this path;
- * "udp:PORT", if it has bound 127.0.0.1:PORT. No traffic leaves or enters this machine. The socket
- * has its own address, to which the program answers. The socket is not connected, so that a
- * restarted program is reached again.
+ * "udp:PORT", if it has bound 127.0.0.1:PORT. No data leave or enter this machine. The socket has a
+ * separate address, to which the program answers. The socket is not connected, so that a restarted
+ * program is reached again.
  */
 class PALPATE_EXPORT BridgeSocket
 {
 public:
-  /// Null, with the reason in words, for a wrong address or if the system refuses.
+  /// Opens a socket. Returns null, with the reason in words, if the address is wrong or the system
+  /// refuses.
   static std::unique_ptr<BridgeSocket> open(const std::string& address, std::string& error);
   ~BridgeSocket();
   BridgeSocket(const BridgeSocket&) = delete;
   BridgeSocket& operator=(const BridgeSocket&) = delete;
 
-  /// Returns at once. False: there is no receiver, or the receiver's buffer is full.
+  /// Sends without waiting. Returns false if there is no receiver, or the receiver's buffer is
+  /// full.
   bool send(const std::uint8_t* bytes, std::size_t size) noexcept;
 
   enum class Arrival : std::uint8_t
@@ -42,11 +44,11 @@ public:
     Datagram,
     Foreign ///< from another sender; its bytes must not be used
   };
-  /// Returns at once. `size` is the size of the buffer before the call, and that of the datagram,
-  /// which may be larger, after it.
+  /// Receives without waiting. Before the call, `size` is the size of the buffer; after it, `size`
+  /// is that of the datagram, which may be larger.
   Arrival receive(std::uint8_t* bytes, std::size_t& size) noexcept;
 
-  /// Waits for a datagram, at most `milliseconds`. Not for the tick.
+  /// Waits for a datagram, at most `milliseconds`. Not for the servo tick.
   void wait(int milliseconds) noexcept;
 
 private:

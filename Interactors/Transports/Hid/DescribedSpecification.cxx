@@ -9,7 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Replaces `value`, which is conservative, by `stated` if that is above 0 and within the limits.
+/// Replaces `value`, which is conservative, by `stated` if `stated` is above 0 and within the
+/// limits.
 class CredibleValues
 {
 public:

@@ -29,14 +29,14 @@ struct Order
 };
 } // namespace
 
-/// Shared by the thread and the writer, because the writer may end before the thread.
+/// Owned jointly by the thread and the writer, because the writer may end before the thread.
 struct ForceWriter::Shared
 {
   std::uint32_t Watchdog; ///< used by the tick
 
   std::uint64_t Number = 0;           ///< used by the tick
   LatestValue<Order> Orders;          ///< tick → thread
-  std::atomic<bool> Waiting{ false }; ///< a wake-up that the thread has not taken yet
+  std::atomic<bool> Waiting{ false }; ///< a wake-up that the thread has not yet received
   sem_t Wake{};
 
   std::mutex Mutex;
@@ -66,7 +66,7 @@ struct ForceWriter::Shared
       {
         // interrupted by a signal
       }
-      this->Waiting.store(false); // before the order is taken: a later one wakes the thread again
+      this->Waiting.store(false); // before the order is read: a later order wakes the thread again
       if (this->Stopping)
       {
         break;

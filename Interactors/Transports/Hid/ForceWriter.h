@@ -15,9 +15,10 @@
 namespace palpate
 {
 /**
- * Sends forces to a HID device from its own thread, so that a slow device does not delay the tick.
+ * Sends forces to a HID device from a separate thread, so that a slow device does not delay the
+ * tick.
  *
- * send and holdFor are for the tick: send stores the force and returns at once, without lock,
+ * send and holdFor are for the tick: send stores the force and returns immediately, without lock,
  * allocation or wait. Only the newest force is sent; a force that is replaced while the device is
  * busy counts as unsent. The other functions are for other threads. The destructor sends "no force,
  * amplifiers off" and waits at most a second. If the driver hangs, the device's own watchdog ends
@@ -26,31 +27,31 @@ namespace palpate
 class PALPATE_EXPORT ForceWriter
 {
 public:
-  /// Each force report asks the device to go to zero force if no other report follows within
+  /// Each force report requests the device to set zero force if no other report follows within
   /// `watchdog` µs, or within the time set by holdFor.
   explicit ForceWriter(std::uint32_t watchdog);
   ~ForceWriter();
   ForceWriter(const ForceWriter&) = delete;
   ForceWriter& operator=(const ForceWriter&) = delete;
 
-  /// Switches the amplifiers off for good; the destructor does so, too.
+  /// Switches the amplifiers off permanently; the destructor does so, too.
   void stop();
 
-  /// The port to which forces are sent from now on; null: none.
+  /// The port to which the following forces are sent; null: none.
   void use(std::shared_ptr<HidPort> port);
 
-  /// `force` in N, finite; `stateSequence` is the number of the newest state on which the force is
-  /// based. False if the device did not accept the last force.
+  /// Sends a force; `force` in N, finite; `stateSequence` is the number of the newest state on
+  /// which the force is based. Returns false if the device did not accept the last force.
   bool send(const Eigen::Vector3d& force, std::uint32_t stateSequence) noexcept
   {
     return this->send(Wrench{ force, Eigen::Vector3d::Zero() }, stateSequence);
   }
   bool send(const Wrench& wrench, std::uint32_t stateSequence) noexcept;
 
-  /// Sets the watchdog of the forces sent from now on; for the thread that calls send.
+  /// Sets the watchdog of the following forces; for the thread that calls send.
   void holdFor(std::uint32_t watchdog) noexcept;
 
-  /// Whether the last force was accepted; true before the first.
+  /// Whether the last force was accepted; true before the first force.
   bool taken() const noexcept;
   std::uint64_t unsent() const noexcept;
 

@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 256> checkSumTable()
 
 constexpr std::array<std::uint32_t, 256> CheckSumTable = checkSumTable();
 
-/// Little-endian fields of a report, whatever the byte order of the host.
+/// Little-endian members of a report, independent of the byte order of the host.
 void put32(HapticReportBytes& bytes, std::size_t offset, std::uint32_t value) noexcept
 {
   for (std::size_t i = 0; i < 4; ++i)
@@ -99,47 +99,48 @@ constexpr std::size_t TorqueOffset = 36;
 constexpr std::size_t TorqueLimitsOffset = 44;
 constexpr std::size_t ShortName = 3; ///< bytes of the name if the torque limits follow
 
-/// Offset of component `i` of w, x, y, z; the largest component is left out.
+/// Offset of component `i` of w, x, y, z; the largest component is omitted.
 std::size_t placeOf(int i, int largest) noexcept
 {
   return OrientationOffset + 4 * static_cast<std::size_t>(i < largest ? i : i - 1);
 }
 
-/// Puts the three smaller components of the quaternion. The largest one, positive, follows from
-/// them.
+/// Writes the three smaller components of the quaternion. The largest one, which is made positive,
+/// can be computed from them.
 void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation) noexcept
 {
-  const Eigen::Vector4d told(orientation.w(), orientation.x(), orientation.y(), orientation.z());
+  const Eigen::Vector4d wxyz(orientation.w(), orientation.x(), orientation.y(), orientation.z());
   int largest = 0;
-  told.cwiseAbs().maxCoeff(&largest);
-  const double sign = told[largest] < 0.0 ? -1.0 : 1.0;
+  wxyz.cwiseAbs().maxCoeff(&largest);
+  const double sign = wxyz[largest] < 0.0 ? -1.0 : 1.0;
   bytes[3] = static_cast<std::uint8_t>(bytes[3] | 4 | largest << 3);
   for (int i = 0; i < 4; ++i)
   {
     if (i != largest)
     {
-      putFloat(bytes, placeOf(i, largest), sign * told[i]);
+      putFloat(bytes, placeOf(i, largest), sign * wxyz[i]);
     }
   }
 }
 
-/// False if the bytes are invalid: the component left out would not be the largest.
+/// Reads the quaternion. Returns false if the bytes are invalid: the omitted component would not be
+/// the largest.
 bool getOrientation(const std::uint8_t* bytes, ToolOrientation& orientation) noexcept
 {
   constexpr double Rounding = 1e-3; // tolerance for inexact devices
   const int largest = bytes[3] >> 3 & 3;
-  Eigen::Vector4d told = Eigen::Vector4d::Zero();
+  Eigen::Vector4d wxyz = Eigen::Vector4d::Zero();
   for (int i = 0; i < 4; ++i)
   {
-    told[i] = i != largest ? getFloat(bytes, placeOf(i, largest)) : 0.0;
+    wxyz[i] = i != largest ? getFloat(bytes, placeOf(i, largest)) : 0.0;
   }
-  const double square = told.squaredNorm();
+  const double square = wxyz.squaredNorm();
   if (!(square <= 0.75 + Rounding)) // false for NaN
   {
     return false;
   }
-  told[largest] = std::sqrt(1.0 - square);
-  orientation = ToolOrientation(told[0], told[1], told[2], told[3]);
+  wxyz[largest] = std::sqrt(1.0 - square);
+  orientation = ToolOrientation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   return true;
 }
 

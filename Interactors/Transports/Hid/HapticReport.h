@@ -14,10 +14,10 @@ namespace palpate
 {
 /**
  * The reports between a host and a self-built device, 64 bytes each, over raw HID or datagrams.
- * PROTOCOL.md describes them byte by byte; palpate_hid.h is the device's side in C.
+ * PROTOCOL.md describes them byte by byte; palpate_hid.h is the device's implementation in C.
  *
  * pack always makes a valid report. parse accepts any bytes; if they are invalid, it returns the
- * defect and leaves its result unchanged. Unused bytes are sent as zero and ignored. Nothing here
+ * defect and leaves its result unchanged. Unused bytes are sent as zero and ignored. No function
  * allocates, locks or throws, except specificationOf.
  */
 constexpr std::size_t HapticReportSize = 64;
@@ -34,7 +34,7 @@ enum class ReportKind : std::uint8_t
   Hello = 4        ///< host → device, datagrams only: asks for a description
 };
 
-/// Device → host, once per reading.
+/// A report from the device to the host, one per reading.
 struct StateReport
 {
   bool amplifiersOn = false;
@@ -44,29 +44,29 @@ struct StateReport
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m; finite
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s; finite
   std::uint32_t buttons = 0;
-  std::uint32_t forceSequence = 0;                    ///< of the last force applied
+  std::uint32_t forceSequence = 0;                    ///< of the last applied force
   ToolOrientation orientation = orientationNotTold(); ///< unit
 };
 
-/// Host → device.
+/// A report from the host to the device.
 struct ForceReport
 {
   bool enable = false; ///< false: amplifiers off, whatever the force
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;                          ///< the host's clock, µs
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; finite
-  /// The device goes to zero force without a force report for this time, µs.
+  /// The device sets zero force if no force report arrives for this time, µs.
   std::uint32_t watchdog = 20000;
-  std::uint32_t stateSequence = 0;                  ///< of the newest state received
+  std::uint32_t stateSequence = 0;                  ///< of the newest received state
   Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip; finite
 };
 
-/// Device → host: the maker's specification as received. specificationOf replaces values that are
-/// not credible.
+/// A report from the device to the host: the manufacturer's specification as received.
+/// specificationOf replaces values that are not credible.
 struct DescriptionReport
 {
   bool outputsForce = true;
-  bool planar = false;                                 ///< moves in its xy plane only
+  bool planar = false;                                 ///< moves only in its xy plane
   double maximumForce = 0.0;                           ///< N
   double maximumStiffness = 0.0;                       ///< N/m
   double maximumForceRate = 0.0;                       ///< N/s, may be infinite
@@ -75,16 +75,16 @@ struct DescriptionReport
   double rate = 0.0;                                   ///< Hz
   double sampleTimeOut = 0.0;                          ///< s
   std::array<char, 17> name{};                         ///< at most 16 bytes of UTF-8, and a zero
-  std::uint32_t nonce = 0; ///< that of the hello that it answers; 0 in HID's feature report
+  std::uint32_t nonce = 0; ///< the nonce of the answered hello; 0 in HID's feature report
 
-  /// if true, name has at most 3 bytes, and these are given:
+  /// If true, `name` has at most 3 bytes, and the following members are valid.
   bool outputsTorque = false;
   double maximumTorque = 0.0;             ///< N m
   double maximumTorsionalStiffness = 0.0; ///< N m/rad
   double maximumTorqueRate = 0.0;         ///< N m/s, may be infinite
 };
 
-/// Host → device, datagrams only.
+/// A report from the host to the device, only as a datagram.
 struct HelloReport
 {
   std::uint32_t nonce = 0;
@@ -103,10 +103,10 @@ enum class ReportDefect : std::uint8_t
   Mark,     ///< the first byte is not 'P'
   Version,  ///< not 1
   CheckSum, ///< damaged in transit
-  Kind,     ///< not of the expected kind
+  Kind,     ///< another kind than expected
   Content   ///< a position, velocity, force or torque that is not finite, or an invalid rotation
 };
-/// Text such as "wrong check sum".
+/// A text such as "wrong check sum".
 PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
 
 PALPATE_EXPORT void pack(const StateReport& report, HapticReportBytes& bytes) noexcept;
@@ -123,23 +123,23 @@ PALPATE_EXPORT ReportDefect parse(
 PALPATE_EXPORT ReportDefect parse(
   const std::uint8_t* bytes, std::size_t size, HelloReport& report) noexcept;
 
-/// Checks only size, mark, version and check sum; the kind of a valid report is byte 1.
+/// Checks size, mark, version and check sum; the kind of a valid report is byte 1.
 PALPATE_EXPORT ReportDefect checkReport(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /// CRC-32 of IEEE 802.3 (reflected, polynomial 0xEDB88320), as zlib's crc32.
 PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /**
- * The specification of a device from its description, with a conservative value in place of each
- * that is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 <
- * force rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤
- * 0.1 s; for a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N
- * m/rad, 0 < torque rate). `replaced`, if given, names each replaced value in words. Not for the
- * tick: it allocates.
+ * The specification of a device from its description. A conservative value replaces each value that
+ * is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force
+ * rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1
+ * s; for a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad, 0
+ * < torque rate). `replaced`, unless null, receives the names of the replaced values. Not for the
+ * tick, because it allocates.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(
   const DescriptionReport& description, std::string* replaced = nullptr);
-/// For a device without a description: weak and slow enough for any device.
+/// The specification for a device without a description: weak and slow enough for any device.
 PALPATE_EXPORT DeviceSpecification carefulSpecification() noexcept;
 } // namespace palpate
 

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A HID device in the system's list. Unknown fields are empty or 0.
+/// A HID device in the system's list. Unknown members are empty or 0.
 struct HidEntry
 {
   std::string path; ///< "/dev/hidraw3"
@@ -25,16 +25,16 @@ struct HidEntry
   std::string serial;
 };
 
-/// An open HID device. read is for one thread, the other functions for one other thread, unless
-/// they use two ports.
+/// An open HID device. read is for one thread, the other functions for one other thread, unless the
+/// threads use separate ports.
 class PALPATE_EXPORT HidPort
 {
 public:
   virtual ~HidPort() = default;
-  /// Waits for a report, at most `milliseconds`. Returns its length, cut to `size`; 0 if there is
-  /// none; −1 if the device is gone.
+  /// Waits for a report, at most `milliseconds`. Returns its length, truncated to `size`; 0 if
+  /// there is no report; −1 if the device is disconnected.
   virtual int read(std::uint8_t* bytes, std::size_t size, int milliseconds) noexcept = 0;
-  /// Sends an unnumbered output report. May block as long as the device blocks.
+  /// Sends an unnumbered output report. May block for as long as the device blocks.
   virtual bool write(const std::uint8_t* bytes, std::size_t size) noexcept = 0;
   /// Requests the unnumbered feature report. Returns its length, or −1 if the device has none.
   virtual int feature(std::uint8_t* bytes, std::size_t size) noexcept = 0;
@@ -47,11 +47,11 @@ class PALPATE_EXPORT HidBus
 public:
   virtual ~HidBus() = default;
   virtual std::vector<HidEntry> entries() = 0;
-  /// Null, with the reason in words, if the device cannot be opened.
+  /// Opens a device. Returns null, with the reason in words, if the device cannot be opened.
   virtual std::unique_ptr<HidPort> open(const std::string& path, std::string& error) = 0;
   /// The reason why the device cannot be opened, in words; empty: no reason is known.
   virtual std::string obstacle(const std::string& path) = 0;
-  /// The reason why there can be no entries, in words; empty: there can be.
+  /// The reason why the list is necessarily empty, in words; empty: there is no such reason.
   virtual std::string complaint() const { return {}; }
 };
 

@@ -18,32 +18,32 @@ namespace palpate
 /**
  * A device that uses the 64-byte force reports over raw HID (PROTOCOL.md).
  *
- * A reader and a writer thread decouple the tick from the driver: read returns the newest state
- * received, write passes the force to the writer; neither waits, whatever the driver does. Reports
+ * A reader and a writer thread decouple the tick from the driver: read returns the newest received
+ * state, write passes the force to the writer; neither waits, whatever the driver does. Reports
  * that are damaged, of another version, old or repeated are counted and not used.
  *
- * The specification comes from the device's feature report, as far as it is credible; the other
+ * The specification consists of the credible values of the device's feature report; the other
  * values are conservative (specificationOf). No force is sent before a valid state has arrived, so
- * that another device on the same vendor page is left alone.
+ * that no force is sent to another kind of device on the same vendor page.
  *
- * If the device is unplugged or reports a fault, read is not valid from the next call on, and write
- * sends no force and returns false. The device connects again when it returns, if it describes
- * itself as before; samples are valid again with its first state. status reports all of this. The
+ * If the device is unplugged or reports a fault, read is not valid from the next call, and write
+ * sends no force and returns false. When the device returns with the same description, it is
+ * connected again; samples are valid again with its first state. status reports all of this. The
  * destructor sends "amplifiers off" and ends within about two seconds even if the driver hangs.
  *
- * The two threads request SCHED_FIFO, but do not need it.
+ * The two threads request SCHED_FIFO, but do not require it.
  */
 class PALPATE_EXPORT HidDevice final : public HapticDevice
 {
 public:
-  /// Opens the device at `path`, such as "/dev/hidraw0". Null, with the reason in words, if that
-  /// fails.
+  /// Opens the device at `path`, such as "/dev/hidraw0". Returns null, with the reason in words, on
+  /// failure.
   static std::unique_ptr<HidDevice> open(
     const std::string& path, std::string& error, HidBus& bus = systemHidBus());
   ~HidDevice() override;
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// As received from the device; all zero if the device has none.
+  /// The description as received from the device; all zero if the device has none.
   const DescriptionReport& description() const noexcept { return this->Description; }
 
   DeviceSample read(double time) noexcept override;

@@ -14,14 +14,14 @@ namespace palpate
 {
 namespace
 {
-constexpr int ReadLimit = 50; ///< ms; the longest delay of a stop
+constexpr int ReadLimit = 50; ///< ms; the longest delay of the end
 constexpr std::chrono::milliseconds SearchPause(250);
 constexpr std::chrono::milliseconds ReaderPatience(1000);
 /// below the servo's priority, so that many reports do not delay a tick
 constexpr int ReaderPriority = 79;
 } // namespace
 
-/// Shared by the thread and the reader, because the reader may end before the thread.
+/// Owned jointly by the thread and the reader, because the reader may end before the thread.
 struct HidReader::Shared
 {
   HidBus& Bus;
@@ -63,7 +63,7 @@ struct HidReader::Shared
       {
         this->readOnce();
       }
-      else if (this->pause()) // just after the loss the system may still list the device
+      else if (this->pause()) // immediately after the loss the system may still list the device
       {
         this->search();
       }
@@ -71,7 +71,7 @@ struct HidReader::Shared
     this->Port.reset();
   }
 
-  /// Waits until the next search. False: stop.
+  /// Waits until the next search. Returns false if the thread must end.
   bool pause()
   {
     std::unique_lock<std::mutex> lock(this->Mutex);

@@ -18,19 +18,19 @@ class PALPATE_EXPORT HidListener
 {
 public:
   virtual ~HidListener() = default;
-  /// A device has returned and is open on `port`. Returns the reason why it must not be used, in
-  /// words; empty: it may be used.
+  /// Called when a device has returned and is open on `port`. Returns the reason why it must not be
+  /// used, in words; empty: it may be used.
   virtual std::string returned(HidPort& port, const HidEntry& entry) = 0;
   virtual void received(const std::uint8_t* report, std::size_t size) noexcept = 0;
   virtual void lost() noexcept = 0;
 };
 
 /**
- * Reads a HID device in its own thread, and waits for its return after it has been unplugged.
+ * Reads a HID device in a separate thread, and waits for its return after it has been unplugged.
  *
  * The device may return with another path. It is recognised by vendor, product and serial number
- * (if it has none, by vendor and product; the old path is preferred). The search runs four times a
- * second. The destructor waits at most a second, even if the driver hangs.
+ * (without a serial number by vendor and product; the old path is preferred). The search runs four
+ * times a second. The destructor waits at most a second, even if the driver hangs.
  */
 class PALPATE_EXPORT HidReader
 {
@@ -44,8 +44,8 @@ public:
 
   bool connected() const noexcept;
   std::uint64_t disconnections() const noexcept;
-  /// Text: "connected", "unplugged, waiting for it to return", or the reason why it is not used
-  /// again.
+  /// The state as text: "connected", "unplugged, waiting for it to return", or the reason why it is
+  /// not used again.
   std::string status() const;
 
 private:
@@ -54,7 +54,7 @@ private:
   BoundedThread Thread;
 };
 
-/// The entry of the bus that is the same device as `entry`; its path is empty if there is none.
+/// The entry of the bus for the same device as `entry`; its path is empty if there is none.
 PALPATE_EXPORT HidEntry findAgain(HidBus& bus, const HidEntry& entry);
 } // namespace palpate
 

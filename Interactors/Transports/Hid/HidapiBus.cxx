@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// For all calls without a device hidapi has one error text, and each of these calls frees it.
+/// hidapi has one error text for all calls without a device, and each of these calls frees it.
 std::mutex& oneAtATime()
 {
   static std::mutex mutex;

@@ -9,12 +9,12 @@
 namespace palpate
 {
 /**
- * Follows the sequence numbers of one sender's reports, and decides which reports are new.
+ * Tracks the sequence numbers of one sender's reports, and decides which reports are new.
  *
  * Numbers are compared modulo 2³², so that they may wrap around. Old and repeated numbers are
- * stale; gaps are counted as lost. A number farther ahead than any gap (2¹⁶ reports), or a stale
- * one, may be that of a restarted sender: it is accepted after Confirmations consecutive reports,
- * which are stale until then. The cost is constant, and nothing is allocated.
+ * stale; gaps are counted as lost. A number that is farther ahead than any gap (2¹⁶ reports), or a
+ * stale number, may be that of a restarted sender: it is accepted after Confirmations consecutive
+ * reports, which are stale until then. The cost is constant, and no memory is allocated.
  */
 class PALPATE_EXPORT ReportSequence
 {
@@ -30,7 +30,7 @@ public:
   };
   Verdict judge(std::uint32_t number) noexcept;
 
-  /// For another sender or a new connection: the next number is the first one.
+  /// Starts another sender or a new connection: the next number is the first one.
   void restart() noexcept;
 
   std::uint32_t newest() const noexcept { return this->Newest; }
@@ -43,7 +43,7 @@ private:
   bool Started = false;
   std::uint32_t Newest = 0;
   std::uint32_t Doubtful = 0; ///< the last number that was not accepted
-  std::uint32_t Run = 0;      ///< how many such numbers were consecutive
+  std::uint32_t Run = 0;      ///< number of consecutive such numbers
   std::uint64_t StaleReports = 0;
   std::uint64_t LostReports = 0;
 };

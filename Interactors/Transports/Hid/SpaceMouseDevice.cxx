@@ -14,7 +14,8 @@ namespace palpate
 namespace
 {
 constexpr std::size_t LongestReport = 64;
-constexpr double LongestStep = 0.02; ///< s; longer steps are pauses of the loop, not motion
+/// s; longer steps are pauses of the loop, during which the tip does not move.
+constexpr double LongestStep = 0.02;
 
 struct NumberedAxes
 {
@@ -22,7 +23,7 @@ struct NumberedAxes
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 
-/// 0 within the dead zone, linear from there to ±1.
+/// 0 within the dead zone, then linear up to ±1.
 double beyondDeadZone(double value, double deadZone) noexcept
 {
   const double beyond = std::max(0.0, std::abs(value) - deadZone) / (1.0 - deadZone);
@@ -67,7 +68,7 @@ public:
   void lost() noexcept override { this->Alive.store(false, std::memory_order_release); }
 
   LatestValue<NumberedAxes> States; ///< reader thread → tick
-  std::atomic<bool> Alive{ true };  ///< from the start, because the device is silent at rest
+  std::atomic<bool> Alive{ true };  ///< initially true, because the device sends no reports at rest
   std::atomic<std::uint64_t> Malformed{ 0 };
 
 private:

@@ -17,9 +17,10 @@ namespace palpate
 {
 enum class SpaceMouseMode : std::uint8_t
 {
-  /// pushing the cap moves the tip, with a speed that grows with the push; at release the tip stays
+  /// pushing the cap moves the tip, with a speed that grows with the push; after release the tip
+  /// stops
   Rate,
-  Position ///< the tip is at the cap's position; at release it returns to 0
+  Position ///< the tip is at the cap's position; after release it returns to 0
 };
 
 /// How the cap of a SpaceMouse moves the tip.
@@ -28,9 +29,10 @@ struct SpaceMouseSettings
   double fullSpeed = 0.05;  ///< m/s at full deflection, in rate mode
   double halfExtent = 0.05; ///< m: limit of the tip, reached at full deflection in position mode
   double deadZone = 0.05;   ///< fraction of full deflection within which the cap counts as at rest
-  double filterTime = 0.02; ///< s, of the low-pass between reports, which come at 60 to 125 Hz
-  /// s; in rate mode the tip stands still without a report for this time. A pushed cap reports all
-  /// the time; at rest the device sends nothing.
+  /// s, time constant of the low-pass filter between reports, which arrive at 60 to 125 Hz.
+  double filterTime = 0.02;
+  /// s; in rate mode the tip stops if there is no report for this time. A pushed cap reports
+  /// continuously; at rest the device sends no reports.
   double longestSilence = 0.25;
 };
 
@@ -39,15 +41,15 @@ struct SpaceMouseSettings
  * SpaceMouseReport.h.
  *
  * The device's frame: x right, y up, z towards the user. A reader thread decouples the tick from
- * the driver. Silence is not a fault: sampleTimeOut is infinite, and every reading counts as fresh.
- * After unplugging, read is not valid from the next call on. When the device returns, the tip
- * continues from where it was.
+ * the driver. Missing reports are not a fault: sampleTimeOut is infinite, and every reading counts
+ * as fresh. After the device is unplugged, read is not valid from the next call. When the device
+ * returns, the tip continues at its last position.
  */
 class PALPATE_EXPORT SpaceMouseDevice final : public HapticDevice
 {
 public:
-  /// Opens the device at `path`, such as "/dev/hidraw0". Null, with the reason in words, if that
-  /// fails.
+  /// Opens the device at `path`, such as "/dev/hidraw0". Returns null, with the reason in words, on
+  /// failure.
   static std::unique_ptr<SpaceMouseDevice> open(const std::string& path, SpaceMouseMode mode,
     std::string& error, HidBus& bus = systemHidBus(), const SpaceMouseSettings& settings = {});
   ~SpaceMouseDevice() override;
@@ -74,7 +76,7 @@ private:
   std::unique_ptr<HidReader> Reader;
 
   std::uint64_t Seen = 0; ///< number of the last report read
-  double SeenTime = 0.0;  ///< s, time of that reading
+  double SeenTime = 0.0;  ///< time of that reading, s
   double LastTime = std::numeric_limits<double>::quiet_NaN();
   Eigen::Vector3d Position = Eigen::Vector3d::Zero();
   Eigen::Vector3d Velocity = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@ namespace palpate
  * Displacement and rotation of the cap of a 3Dconnexion mouse, and its buttons.
  *
  * Axes: x to the right, y up, z towards the user. (The axes of the reports are right, towards the
- * user, down.) 1 is full deflection: 350 counts; worn devices reach somewhat more.
+ * user, down.) 1 is full deflection: 350 counts; worn devices reach slightly more.
  */
 struct SpaceMouseState
 {

@@ -44,7 +44,7 @@ uint32_t palpate_hid_check_sum(const uint8_t* bytes, size_t size)
   return ~remainder;
 }
 
-/* Fields are little-endian, whatever the byte order of the processor. */
+/* Fields are little-endian, independent of the byte order of the processor. */
 static void put32(uint8_t* to, uint32_t value)
 {
   for (int i = 0; i < 4; ++i)
@@ -80,7 +80,7 @@ static float get_float(const uint8_t* from)
   return value;
 }
 
-/* Neither NaN nor infinite; true also if the compiler assumes finite numbers. */
+/* Neither NaN nor infinite; also correct if the compiler assumes finite numbers. */
 static bool is_finite(const uint8_t* from)
 {
   return (get32(from) & 0x7F800000u) != 0x7F800000u;
@@ -119,7 +119,7 @@ void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_w
   hid->longest_watchdog = longest_watchdog_us;
 }
 
-/* Ends the last force when its time has expired: no force until the next one. */
+/* Ends the last force when its time has expired; there is no force until the next report. */
 static void watch(palpate_hid* hid, uint64_t now_us)
 {
   if (hid->alive && now_us - hid->force_time > hid->watchdog)
@@ -164,7 +164,7 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
 }
 
 /* A vector from the host, limited to the length `most`; zeros while the amplifiers are off. */
-static bool applied(palpate_hid* hid, uint64_t now_us, const float told[3], float most, float to[3])
+static bool applied(palpate_hid* hid, uint64_t now_us, const float from[3], float most, float to[3])
 {
   float length;
   float share = 1.0f;
@@ -174,14 +174,14 @@ static bool applied(palpate_hid* hid, uint64_t now_us, const float told[3], floa
   {
     return false;
   }
-  length = sqrtf(told[0] * told[0] + told[1] * told[1] + told[2] * told[2]);
+  length = sqrtf(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
   if (length > most)
   {
     share = most / length; /* 0 if the square has overflowed */
   }
   for (int i = 0; i < 3; ++i)
   {
-    to[i] = share * told[i];
+    to[i] = share * from[i];
   }
   return true;
 }
@@ -196,20 +196,20 @@ bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3])
   return applied(hid, now_us, hid->torque, hid->maximum_torque, torque);
 }
 
-/* Leaves out the largest of the four components and makes it positive. The host computes it,
- * because the squares add up to 1. */
-static void put_orientation(uint8_t* report, const float told[4])
+/* Omits the largest of the four components and makes it positive. The host computes it, because
+ * the sum of the squares is 1. */
+static void put_orientation(uint8_t* report, const float quaternion[4])
 {
   int largest = 0;
   uint8_t* to = report + 48;
   for (int i = 1; i < 4; ++i)
   {
-    if (told[i] * told[i] > told[largest] * told[largest])
+    if (quaternion[i] * quaternion[i] > quaternion[largest] * quaternion[largest])
     {
       largest = i;
     }
   }
-  if (told[largest] == 0.0f)
+  if (quaternion[largest] == 0.0f)
   {
     return; /* unknown */
   }
@@ -218,7 +218,7 @@ static void put_orientation(uint8_t* report, const float told[4])
   {
     if (i != largest)
     {
-      put_float(to, told[largest] < 0.0f ? -told[i] : told[i]);
+      put_float(to, quaternion[largest] < 0.0f ? -quaternion[i] : quaternion[i]);
       to += 4;
     }
   }

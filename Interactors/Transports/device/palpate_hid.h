@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * The device's side of Palpate's force reports, for a microcontroller: C99, without memory
- * allocation, without waiting, and without library functions except memcpy, memset and sqrtf.
- * PROTOCOL.md describes the reports byte by byte.
+ * The device's implementation of Palpate's force reports, for a microcontroller: C99, without
+ * memory allocation, without waiting, and without library functions except memcpy, memset and
+ * sqrtf. PROTOCOL.md describes the reports byte by byte.
  *
  * In the firmware, with palpate_hid_report_descriptor as HID report descriptor:
  *
@@ -15,8 +15,8 @@
  * palpate_hid_state(&hid, now, &reading, report);    // and send this report
  * @endcode
  *
- * `now` is a clock in microseconds that does not go back. Calls must not interrupt one another: if
- * receive is called from an interrupt, disable this interrupt around the others.
+ * `now` is a clock in microseconds that does not decrease. Calls must not interrupt one another: if
+ * receive is called from an interrupt, disable this interrupt during the other calls.
  */
 #ifndef PALPATE_HID_H
 #define PALPATE_HID_H
@@ -36,7 +36,7 @@ extern "C"
   /* Vendor page 0xFF00, usage 0x50; input, output and feature report of 64 bytes, unnumbered. */
   extern const uint8_t palpate_hid_report_descriptor[PALPATE_HID_DESCRIPTOR_SIZE];
 
-  /* The device's specification by its maker. SI units. */
+  /* The device's specification by its manufacturer. SI units. */
   typedef struct palpate_hid_description
   {
     bool outputs_force;
@@ -63,12 +63,12 @@ extern "C"
     float velocity[3]; /* m/s; zeros if not known */
     uint32_t buttons;  /* bit i: button i is down */
     bool fault;        /* the reading is not reliable: the host sends no force */
-    /* w, x, y, z of the unit quaternion that rotates the tool's frame, whose z is the shaft from
-     * tip to hand, into the device's frame; zeros if unknown. */
+    /* w, x, y, z of the unit quaternion that rotates the tool's frame, whose z is the shaft
+     * from tip to hand, into the device's frame; zeros if unknown. */
     float orientation[4];
   } palpate_hid_reading;
 
-  /* The state of the device's side. Counters are for inspection. */
+  /* The state of the device's implementation. Counters are for inspection. */
   typedef struct palpate_hid
   {
     float maximum_force;       /* N: a stronger force is scaled down to it */
@@ -79,7 +79,7 @@ extern "C"
     uint64_t force_time;       /* us, when this force was received */
     float force[3];            /* N */
     float torque[3];           /* N m */
-    /* N m: a stronger torque is scaled down to it; 0 (none) after start */
+    /* N m: a larger torque is scaled down to this value; 0 (no torque) after start */
     float maximum_torque;
     bool alive;       /* forces are arriving; set by a force, cleared by the watchdog */
     bool enabled;     /* the host wants the amplifiers on */
@@ -87,19 +87,20 @@ extern "C"
     uint32_t expired; /* number of times that the watchdog ended the force */
   } palpate_hid;
 
-  /* Resets everything; no force. */
+  /* Resets all members; there is no force. */
   void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_watchdog_us);
 
-  /* Call it with each report from the host. True if it was a new force. */
+  /* Call this function with each report from the host. Returns true if the report was a new
+   * force. */
   bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, uint64_t now_us);
 
-  /* The force to apply now, N. False, with zeros: amplifiers off (no force has come yet, the
-   * watchdog has expired, or the host does not enable it). */
+  /* The force to apply now, N. Returns false, with zeros, if the amplifiers are off (no force
+   * has arrived yet, the watchdog has expired, or the host does not enable it). */
   bool palpate_hid_force(palpate_hid* hid, uint64_t now_us, float force[3]);
 
   /* The torque that belongs to this force, N m, about the tip. It is limited to
-   * hid->maximum_torque, which is to be set after palpate_hid_start. False, with zeros, as for the
-   * force. */
+   * hid->maximum_torque, which must be set after palpate_hid_start. Returns false, with zeros,
+   * as for the force. */
   bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3]);
 
   /* Packs the next state. */
@@ -110,7 +111,7 @@ extern "C"
   void palpate_hid_describe(const palpate_hid_description* description, uint32_t nonce,
     uint8_t report[PALPATE_HID_REPORT_SIZE]);
 
-  /* Datagrams only: true if this is a hello; sets its nonce. */
+  /* For datagrams: returns true if this is a hello, and sets its nonce. */
   bool palpate_hid_hello(const uint8_t* report, size_t size, uint32_t* nonce);
 
   /* CRC-32 of IEEE 802.3, bit by bit. The result for "123456789" is 0xCBF43926. */
