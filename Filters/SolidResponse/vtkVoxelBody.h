@@ -58,7 +58,8 @@ public:
   /**
    * Sides of the bounding box that hold the body: any of "x-", "x+", "y-", "y+", "z-", "z+",
    * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+" (a round bottom has
-   * little contact otherwise); without one it is half a Spacing. Default "z-"; empty: none.
+   * little contact otherwise). Without one the outer faces that face the side are held, within half
+   * a Spacing of the outermost point. Default "z-"; empty: none.
    */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);

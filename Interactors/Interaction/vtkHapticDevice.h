@@ -14,7 +14,7 @@
  *   dv/dt = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m,
  *   1). A hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
  *   SteerTo. It closes a loop, so that stiffness cap and passivity control act as on a real device
- *   with this damping: no spring above b/(T/2 + delays), where T is one over the session's Rate.
+ *   with this damping: no spring above b/(T + 2 delays), where T is one over the session's Rate.
  *   Its maximum force is 10 N. Further settings: friction (N), encoder-step (m), force-delay and
  *   sample-delay (s), hand-force (N), see palpate::readPlant. Settings that are not given, and all
  *   settings of "plant" alone, have their defaults.
