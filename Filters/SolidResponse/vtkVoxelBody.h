@@ -11,16 +11,16 @@
  * about Spacing (fitted to the bounding box) whose corners are all at least 0.4 Spacing inside. If
  * there are several parts only the largest is kept, and a warning gives the number of lost voxels.
  * With Conform on (default) a layer of hexahedra, one on each outer face of the core, extends from
- * the core to the closest points of the surface, or to its sharp edges (45°). Where the Jacobian of
- * a hexahedron would become too small, the layer ends slightly below the surface. The outside is
- * then as smooth as the surface, while a staircase of voxels has an edge at every step. Sharp edges
- * across the grid are chamfered by up to a Spacing. With Conform off the output is the voxels whose
- * corners are inside. Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces
- * that face that side, within half a Spacing of the output's outermost point) and for all points
- * within a given depth, 0 elsewhere.
+ * there to the closest points of the surface, or to a sharp edge of it (45°). Where that would
+ * spoil a hexahedron the layer stays a little below. The outside is then as smooth as the surface,
+ * while a staircase of voxels has an edge at every step. Sharp edges across the grid are chamfered
+ * by up to a Spacing. With Conform off the output is the voxels whose corners are inside. Point
+ * array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces that look to that side,
+ * within half a Spacing of the output's outermost point) and for all points within a given depth, 0
+ * elsewhere.
  *
  * Walls thinner than three Spacings are lost. Cost: about 20 µs per voxel of the bounding box, 40
- * bytes per point of it and 310 bytes per voxel inside the body. A Spacing that needs more than the
+ * bytes per point of it and 310 bytes per voxel inside. A Spacing that needs more than the
  * available memory is an error. The result is the same on every run, with any number of threads.
  *
  * @code{.py}
@@ -57,9 +57,9 @@ public:
   ///@{
   /**
    * Sides of the bounding box that hold the body: any of "x-", "x+", "y-", "y+", "z-", "z+",
-   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+" (without a depth, a
-   * round bottom would be held at few points). The default depth is half a Spacing. Default "z-";
-   * empty: none.
+   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+" (a round bottom has
+   * little contact otherwise). Without one the outer faces that face the side are held, within half
+   * a Spacing of the outermost point. Default "z-"; empty: none.
    */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);

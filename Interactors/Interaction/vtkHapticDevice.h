@@ -6,18 +6,18 @@
  * Body frame, mm and N, everywhere. The device itself uses SI units behind the workspace mapping.
  *
  * Devices, by Open:
- * - "simulated" (default): a stiff hand, whose motion does not depend on the force. In virtual time
- *   it follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse.
- *   Its maximum force is 10 N. Neither stiffness nor energy is limited, since no loop is closed
- *   through the hand.
- * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves by m dv/dt =
- *   F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m, 1). A
- *   hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
- *   SteerTo. The device closes a loop, so that stiffness cap and passivity control act as on a real
- *   device with this damping: no stiffness may exceed b/(T/2 + delays), where T is 1/Rate of the
- *   session. Its maximum force is 10 N. Further settings: friction (N), encoder-step (m),
- *   force-delay and sample-delay (s), hand-force (N), see palpate::readPlant. Settings that are not
- *   given, and all settings of "plant" alone, have their defaults.
+ * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
+ *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
+ *   maximum force is 10 N. Neither stiffness nor energy is limited, as no loop is closed through
+ *   it.
+ * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves by m
+ *   dv/dt = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m,
+ *   1). A hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
+ *   SteerTo. It closes a loop, so that stiffness cap and passivity control act as on a real device
+ *   with this damping: no spring above b/(T + 2 delays), where T is one over the session's Rate.
+ *   Its maximum force is 10 N. Further settings: friction (N), encoder-step (m), force-delay and
+ *   sample-delay (s), hand-force (N), see palpate::readPlant. Settings that are not given, and all
+ *   settings of "plant" alone, have their defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that uses the same reports, "unix:/PATH" or "udp:PORT"; needs
@@ -29,8 +29,8 @@
  * axis (Right) and y axis (Up) there, and the mm of the body per mm of the hand (Scale). The hand
  * perceives the stiffness times the scale.
  *
- * Settings take effect at the session's next Start. A device can be used by one session at a time,
- * on the thread of that session.
+ * Settings take effect at the session's next Start. A device serves one session at a time, on that
+ * session's thread.
  *
  * @code{.py}
  * device = palpate.vtkHapticDevice()
@@ -73,17 +73,15 @@ public:
   /** The devices that are plugged in, one line each, or the reason why there are none. */
   static std::string ListDevices();
 
-  /** Status as text, for example "connected" or "unplugged, waiting for it to return". */
+  /** Status in words: "connected", "unplugged, waiting for it to return". */
   std::string GetStatus();
-  /** Whether the device exerts a force on a hand. False for a simulated device and for a
-   * SpaceMouse. */
+  /** Whether it exerts a force on a hand. False for a simulated device and for a SpaceMouse. */
   bool GetOutputsForce();
-  /** Maximum force of the device, N. */
+  /** Its maximum force, N. */
   double GetMaximumForce();
-  /** Whether the device is plugged in or bridged, and not simulated, replayed or given by C++. */
+  /** Whether it is plugged in or bridged, and not simulated, replayed or given by C++. */
   bool IsPhysical();
-  /** Whether the device follows SetPath, or SteerTo with RealTime: true for "simulated" and
-   * "plant". */
+  /** Whether it follows SetPath, or SteerTo with RealTime: true for "simulated" and "plant". */
   bool IsSimulated();
 
   ///@{
@@ -111,9 +109,9 @@ public:
   vtkBooleanMacro(Planar, bool);
   ///@}
   ///@{
-  /** Whether Origin and Scale are ignored and the mapping is fitted: body and workspace have the
-   * same centre, and the scale is the smallest one for which the body, with a margin of 10 mm, is
-   * within the device's workspace. Default off. */
+  /** Whether the mapping is fitted, instead of using Origin and Scale: the smallest scale for which
+   * the body, with 10 mm around it, is within the device's workspace, with the same centre. Default
+   * off. */
   vtkSetMacro(FitWorkspace, bool);
   vtkGetMacro(FitWorkspace, bool);
   vtkBooleanMacro(FitWorkspace, bool);

@@ -102,7 +102,8 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         contact_point (n, 3) : point on the undeformed body, mm;
         contact_cell (n,) : index of the triangle, -1 without contact;
         contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
-            5 invalid (a tip that is not finite, or no response there);
+            5 invalid (a tip that is not finite, or no response there), 6 tilted further than the response reaches (the
+            force is that of its largest tilt);
         memory (n,) : for a body that relaxes, the excess of normal_force over the slow response, N; otherwise 0;
         error (n,) : estimated relative error of the force (0.04 for 4 %); 0 without contact; NaN beyond the range, and if
             the response stores no error;
