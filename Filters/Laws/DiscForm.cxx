@@ -25,6 +25,7 @@ constexpr int OffsetTerm = 10;
 constexpr double Reach = 1.25;      // in contact radii
 constexpr double TwoRings = 2.6;    // in distances of points
 constexpr std::size_t Fewest = 12;  // points
+constexpr std::size_t Enough = 96;  // points; of more, evenly many are left out
 constexpr double LeastFacing = 0.3; // between normals: points beyond a sharp edge are left out
 // Ridges over the sum of weights, for lengths in contact radii.
 constexpr double TiltRidge = 0.005;
@@ -123,8 +124,11 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
   Terms heights = Terms::Zero();
   double squares = 0.0;
   double weights = 0.0;
-  for (const std::size_t other : this->Near)
+  // The points are in rings from the middle outwards, so that a stride thins all rings alike.
+  const std::size_t stride = 1 + this->Near.size() / Enough;
+  for (std::size_t i = 0; i < this->Near.size(); i += stride)
   {
+    const std::size_t other = this->Near[i];
     const Vector3d away = (this->placeOf(other) - here) / this->Radius;
     const double x = away.dot(frame.first);
     const double y = away.dot(frame.second);

@@ -25,10 +25,11 @@ struct DiscForm
  * tilt of the tangent plane, all terms of second and third order, and r⁴. The mean of the form is
  * that of the paraboloid on which a contact has the same force to first order (SurfaceCurvature):
  * half the trace, plus 8/5 a² of the coefficient of r⁴, plus 3/a² of the offset. The points within
- * 1.25 contact radii a are fitted, at least two rings, with a weight that falls with the distance.
+ * 1.25 contact radii a are fitted, at least two rings and at most some hundred points, with a
+ * weight that falls with the distance.
  * Small ridges keep the terms that few points determine small.
  *
- * Not thread-safe: one object per thread. Cost: 0.1 µs per fitted point, and 2 µs.
+ * Not thread-safe: one object per thread. Cost: some 10 µs.
  */
 class DiscForms
 {

@@ -20,37 +20,38 @@ using Eigen::Vector3d;
 
 // Factors that bound 95 of 100 errors that are estimated from a few neighbours; see
 // SurfaceCurvatureTest.cxx.
-constexpr double OfOne = 0.7; // for the form of one point: of roughness, residual and difference
-constexpr double RoughOfOne = 2.5;  // with noise
-constexpr double OfDisc = 2.0;      // of the residual of a disc
-constexpr double NoiseOfDisc = 3.0; // more with noise
-constexpr double CurvatureOfDisc = 0.003;
-constexpr double MostNoiseOfDisc = 0.5; // with more noise an average is better
+constexpr double PointFactor =
+  0.7; // for the form of one point: of roughness, residual and difference
+constexpr double NoisyPointFactor = 2.5; // with noise
+constexpr double DiscFactor = 2.0;       // of the residual of a disc
+constexpr double DiscNoiseFactor = 3.0;  // more with noise
+constexpr double DiscCurvatureFactor = 0.003;
+constexpr double LargestDiscNoise = 0.5; // with more noise an average is better
 // A contact of a radius between these, in distances of points, gets the form of its disc.
-constexpr double LeastOfDisc = 1.1;
-constexpr double MostOfDisc = 4.0;
+constexpr double SmallestDiscRatio = 1.1;
+constexpr double LargestDiscRatio = 8.0;
 // For an average, times 1/(1 + steps): errors of neighbours are opposite.
-constexpr double RoughOfAverage = 1.3;
+constexpr double AverageFactor = 1.3;
 // For the spread: the centre of an average is not exactly the point.
-constexpr double OfSpread = 0.1;
-constexpr double OfCurvature = 0.02; // for facets and for the turning of forms
+constexpr double SpreadFactor = 0.1;
+constexpr double CurvatureFactor = 0.02; // for facets and for the turning of forms
 
-// Variances of averages along each axis. FeltVariance is that of the area over which a contact
+// Variances of averages along each axis. ContactVariance is that of the area over which a contact
 // averages, in contact radii²; the others are in squared distances of points. For a wave of the
 // wavenumber k on a triangular lattice with edges e, the curvature by sags is too small by
 // (k e)²/12, and that by turns by (k e)²/4.
-constexpr double FeltVariance = 0.1;
-constexpr double OfSags = 0.192;
-constexpr double OfTurns = 0.577;
-constexpr double OfStep = 0.5;
+constexpr double ContactVariance = 0.1;
+constexpr double SagVariance = 0.192;
+constexpr double TurnVariance = 0.577;
+constexpr double StepVariance = 0.5;
 constexpr double EdgeSquare = 1.155; // of the lattice, in squared distances of points
 /// The largest weight of the sags, for contacts smaller than the facets.
-constexpr double MostOfSags = 1.5;
+constexpr double LargestSagWeight = 1.5;
 // The correlation of the difference between sags and turns with that of the neighbours: between
 // these values a surface counts as smooth and as noisy. That of white noise is -0.29.
-constexpr double OfSmooth = -0.12;
-constexpr double OfNoise = -0.25;
-constexpr double MostOfDifferences = 3.0; // times the median: larger ones are those of edges
+constexpr double SmoothCorrelation = -0.12;
+constexpr double NoisyCorrelation = -0.25;
+constexpr double LargestDifference = 3.0; // times the median: larger ones are those of edges
 
 std::array<float, 3> principal(const Vector3d& form, double error)
 {
@@ -160,7 +161,7 @@ public:
     }
     const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
     std::nth_element(differences.begin(), middle, differences.end());
-    const double most = middle == differences.end() ? 0.0 : MostOfDifferences * *middle;
+    const double most = middle == differences.end() ? 0.0 : LargestDifference * *middle;
     const auto clipped = [&](std::size_t i)
     { return std::clamp(fits[i].difference(), -most, most); };
     double products = 0.0;
@@ -184,9 +185,10 @@ public:
       products += clipped(i) * differences[i];
       squares += clipped(i) * clipped(i);
     }
-    return squares > 0.0
-      ? std::clamp((OfSmooth - products / squares) / (OfSmooth - OfNoise), 0.0, 1.0)
-      : 0.0;
+    return squares > 0.0 ? std::clamp((SmoothCorrelation - products / squares) /
+                               (SmoothCorrelation - NoisyCorrelation),
+                             0.0, 1.0)
+                         : 0.0;
   }
 
   /// The curvatures after so many steps, the last one in part.
@@ -225,8 +227,8 @@ public:
       found[i] =
         principal({ frame.first.dot(matrix * frame.first), frame.first.dot(matrix * frame.second),
                     frame.second.dot(matrix * frame.second) },
-          RoughOfAverage * std::sqrt(forms[i][Rough]) / (1.0 + steps) + change + OfSpread * spread +
-            OfCurvature * matrix.norm());
+          AverageFactor * std::sqrt(forms[i][Rough]) / (1.0 + steps) + change +
+            SpreadFactor * spread + CurvatureFactor * matrix.norm());
     }
     return found;
   }
@@ -235,7 +237,7 @@ public:
   /// disc has enough points.
   void takeDiscs(double contactRadius, double noise, std::vector<std::array<float, 3>>& found) const
   {
-    const double factor = OfDisc * (1.0 + NoiseOfDisc * noise);
+    const double factor = DiscFactor * (1.0 + DiscNoiseFactor * noise);
     forRanges(this->Surface.pointCount,
       [&](std::size_t first, std::size_t last)
       {
@@ -244,8 +246,8 @@ public:
         {
           if (const std::optional<DiscForm> disc = discs.fit(i))
           {
-            found[i] =
-              principal(disc->form, factor * disc->residual + CurvatureOfDisc * disc->form.norm());
+            found[i] = principal(
+              disc->form, factor * disc->residual + DiscCurvatureFactor * disc->form.norm());
           }
         }
       });
@@ -339,17 +341,17 @@ private:
 
 /// The curvature of a contact that is not wider than the turns average, on a surface with such a
 /// fraction of noise.
-std::array<float, 3> ofOne(
+std::array<float, 3> pointCurvature(
   const PointForm& fit, double roughness, double contactRadius, double noise)
 {
   const double wanted = fit.edgeSquare > 0.0
-    ? FeltVariance * contactRadius * contactRadius * EdgeSquare / fit.edgeSquare
+    ? ContactVariance * contactRadius * contactRadius * EdgeSquare / fit.edgeSquare
     : 0.0;
-  const double finer =
-    (1.0 - noise) * std::clamp((OfTurns - wanted) / (OfTurns - OfSags), 0.0, MostOfSags);
+  const double finer = (1.0 - noise) *
+    std::clamp((TurnVariance - wanted) / (TurnVariance - SagVariance), 0.0, LargestSagWeight);
   const double smooth =
-    OfOne * Eigen::Vector3d(roughness, fit.residual, (1.0 - noise) * fit.difference()).norm();
-  const double noisy = std::max(fit.residual, RoughOfOne * roughness);
+    PointFactor * Eigen::Vector3d(roughness, fit.residual, (1.0 - noise) * fit.difference()).norm();
+  const double noisy = std::max(fit.residual, NoisyPointFactor * roughness);
   return principal(
     fit.byTurns + finer * (fit.bySags - fit.byTurns), noise * noisy + (1.0 - noise) * smooth);
 }
@@ -365,7 +367,7 @@ SurfaceCurvature::SurfaceCurvature(
   const double noise = average.noise(fits);
   const double ratio = contactRadius / pointSpacing(surface);
   const double steps = std::isfinite(ratio)
-    ? std::min((FeltVariance * ratio * ratio - OfTurns) / OfStep, 1.0 * MostSteps)
+    ? std::min((ContactVariance * ratio * ratio - TurnVariance) / StepVariance, 1.0 * MostSteps)
     : 0.0;
   if (steps > 0.0)
   {
@@ -376,10 +378,10 @@ SurfaceCurvature::SurfaceCurvature(
     average.step(forms); // needed for the roughness only
     for (std::size_t i = 0; i < forms.size(); ++i)
     {
-      this->Found[i] = ofOne(fits[i], std::sqrt(forms[i][Rough]), contactRadius, noise);
+      this->Found[i] = pointCurvature(fits[i], std::sqrt(forms[i][Rough]), contactRadius, noise);
     }
   }
-  if (ratio > LeastOfDisc && ratio < MostOfDisc && noise < MostNoiseOfDisc)
+  if (ratio > SmallestDiscRatio && ratio < LargestDiscRatio && noise < LargestDiscNoise)
   {
     average.takeDiscs(contactRadius, noise, this->Found);
   }

@@ -27,8 +27,8 @@ namespace palpate
  *
  * - below 1.1: a second form is fitted to the sags of the neighbours below the tangent plane, which
  *   average over a third of that, and the two forms are combined;
- * - 1.1 to 4: a polynomial is fitted to the heights of the points under the contact (DiscForms);
- * - above 4: the forms of the turns are averaged from point to point, at most MostSteps times, the
+ * - 1.1 to 8: a polynomial is fitted to the heights of the points under the contact (DiscForms);
+ * - above 8: the forms of the turns are averaged from point to point, at most MostSteps times, the
  *   last time in part. Each form is turned from normal to normal.
  *
  * If neighbours differ against each other, the surface is noisy: only the turns are used.
