@@ -193,12 +193,12 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
     body = felt;
   }
   scene.notes.push_back(joined("filled with ", filled->GetOutput()->GetNumberOfCells(),
-    " tetrahedra of ", filled->GetOutput()->GetNumberOfPoints(), " nodes, ",
-    shortText(sizes.spacing), " mm at the surface",
+    " tetrahedra of ", filled->GetOutput()->GetNumberOfPoints(), " nodes, ", shortly(sizes.spacing),
+    " mm at the surface",
     options.solidSpacing == 0.0 ? " (chosen from its size and the tools)" : "", ", held at ",
-    options.fixedFaces, ", in ", shortText(filledIn), " s; ", solutions,
-    " points of it solved for, ", shortText(sizes.sources), " mm apart, and ", tools.size(),
-    tools.size() == 1 ? " tool in " : " tools in ", shortText(secondsSince(begin)), " s"));
+    options.fixedFaces, ", in ", shortly(filledIn), " s; ", solutions, " points of it solved for, ",
+    shortly(sizes.sources), " mm apart, and ", tools.size(),
+    tools.size() == 1 ? " tool in " : " tools in ", shortly(secondsSince(begin)), " s"));
   scene.body = body;
   return {};
 }
