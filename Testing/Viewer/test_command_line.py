@@ -13,7 +13,7 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
            "--contact-surface", "--device", "--hand", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
-           "--pictures", "--no-pictures", "--tolerance", "--strain", "--error-tolerance", "--curvature",
+           "--pictures", "--no-pictures", "--no-whole-body", "--tolerance", "--strain", "--error-tolerance", "--curvature",
            "--no-curvature", "--edges", "--tilt", "--relax", "--relaxation-elements")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach", "--max-strain",

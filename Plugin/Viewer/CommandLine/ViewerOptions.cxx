@@ -344,9 +344,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   {
     app.parse(argc, argv);
     options.fixedGiven = app.count("--fixed") > 0;
-    if (options.fixedGiven && !options.wholeBody && options.voxel == 0.0 && !options.solid)
+    if (options.fixedGiven && options.voxel == 0.0 && !options.solid &&
+      (options.body.empty() || !options.wholeBody))
     {
-      throw CLI::ExcludesError("--fixed", "--no-whole-body");
+      throw CLI::RequiresError("--fixed", "--voxel or --solid, or BODY without --no-whole-body");
     }
     if (!alternatives.empty())
     {

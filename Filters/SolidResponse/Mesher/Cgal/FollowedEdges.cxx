@@ -9,6 +9,7 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -17,6 +18,8 @@ namespace palpate
 namespace
 {
 constexpr double OwnEdge = 3.0; ///< smallest length of an edge of the body, in spacings
+/// Distance of points that are one node of a line, in spacings.
+constexpr double SameNode = 1e-6;
 
 using Edges = std::vector<CgalSurface::Edge_index>;
 
@@ -124,23 +127,58 @@ struct IsCorner
   }
 };
 
-std::vector<Line> linesOf(const CgalSurface& surface, const Edges& edges)
+/// The nodes of lines. Points that differ by rounding only are one node: where two cuts meet, a
+/// surface may have several, and a line between them would have no length.
+class LineNodes
+{
+public:
+  LineNodes(LineGraph& graph, double tolerance)
+    : Graph(graph)
+    , Tolerance(tolerance)
+  {
+  }
+
+  LineGraph::vertex_descriptor at(const CgalPoint& point)
+  {
+    const Cell cell = { std::llround(point.x() / this->Tolerance),
+      std::llround(point.y() / this->Tolerance), std::llround(point.z() / this->Tolerance) };
+    for (const long long x : { -1, 0, 1 })
+    {
+      for (const long long y : { -1, 0, 1 })
+      {
+        for (const long long z : { -1, 0, 1 })
+        {
+          const auto known = this->Known.find({ cell[0] + x, cell[1] + y, cell[2] + z });
+          if (known != this->Known.end())
+          {
+            return known->second;
+          }
+        }
+      }
+    }
+    return this->Known[cell] = boost::add_vertex(point, this->Graph);
+  }
+
+private:
+  using Cell = std::array<long long, 3>;
+
+  LineGraph& Graph;
+  double Tolerance; ///< mm
+  std::map<Cell, LineGraph::vertex_descriptor> Known;
+};
+
+std::vector<Line> linesOf(const CgalSurface& surface, const Edges& edges, double spacing)
 {
   LineGraph graph;
-  std::map<CgalSurface::Vertex_index, LineGraph::vertex_descriptor> number;
-  const auto node = [&](CgalSurface::Vertex_index v)
-  {
-    const auto [at, isNew] = number.try_emplace(v, 0);
-    if (isNew)
-    {
-      at->second = boost::add_vertex(surface.point(v), graph);
-    }
-    return at->second;
-  };
+  LineNodes nodes(graph, SameNode * spacing);
   for (const CgalSurface::Edge_index edge : edges)
   {
-    const LineGraph::vertex_descriptor from = node(surface.vertex(edge, 0));
-    boost::add_edge(from, node(surface.vertex(edge, 1)), graph);
+    const LineGraph::vertex_descriptor from = nodes.at(surface.point(surface.vertex(edge, 0)));
+    const LineGraph::vertex_descriptor to = nodes.at(surface.point(surface.vertex(edge, 1)));
+    if (from != to)
+    {
+      boost::add_edge(from, to, graph);
+    }
   }
   LineVisitor visitor(graph);
   CGAL::split_graph_into_polylines(graph, visitor, IsCorner());
@@ -159,7 +197,7 @@ FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wan
   {
     followed.insert(followed.end(), sharp.begin(), sharp.end());
   }
-  std::vector<Line> lines = linesOf(surface, followed);
+  std::vector<Line> lines = linesOf(surface, followed, wanted.spacing.front());
   if (!areOwn)
   {
     // The rims of a scan are as rough as its surface.
