@@ -19,11 +19,14 @@ PICTURES = ("overview", "deflection", "curves")
 CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # not the cache of the user
 
 
-def run(*arguments, environment=None, room=None, before=(), answers=None):
+def run(*arguments, environment=None, room=None, before=(), answers=None, whole_body=False):
     """The finished process, with its output as text. `environment`: name -> value, None to unset;
     `room`: bytes beyond which no file grows, as on a full disk; `before`: a command that runs the
-    program; `answers`: what it reads.
+    program; `answers`: what it reads; `whole_body`: with the compliance of the whole body, which
+    takes some ten seconds (test_whole_body.py).
     """
+    if not whole_body and not {"--help", "--version", "--fixed"} & set(map(str, arguments)):
+        arguments += ("--no-whole-body",)
     settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
     for name, value in (environment or {}).items():
         settings.pop(name, None)

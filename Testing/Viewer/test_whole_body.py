@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A closed body yields as a whole by default, held on the side on which it stands."""
+import re
+import unittest
+from pathlib import Path
+
+import bodies
+from session import CACHE, SessionCase, peak_force
+
+HELD = r"as a whole the body, held at (\S+), yields by (\S+) to (\S+) mm/N"
+
+
+class WholeBody(SessionCase):
+    def press_ball(self, *arguments, **more):
+        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+        return self.succeed(path, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45", *arguments, **more)
+
+    @staticmethod
+    def solutions():
+        """File in the cache -> time it was written."""
+        return {file: file.stat().st_mtime_ns for file in Path(CACHE.name).rglob("compliance-*")}
+
+    def test_a_ball_is_softer_than_a_half_space(self):
+        local = self.press_ball()
+        self.assertNotRegex(local.stderr, HELD)
+        whole = self.press_ball(whole_body=True)
+        solved = self.solutions()
+        self.assertEqual(len(solved), 1)
+        side, lowest, highest = re.search(HELD, whole.stderr).groups()
+        # A cap with a height h of the diameter d has a projected area of pi h (d - h), a quarter of the square at h = 0.09 d.
+        # Whole rings of triangles count, so it takes the next step of 3 %: 12 % of 50 mm.
+        self.assertEqual(side, "z-:6")
+        self.assertLess(float(lowest), float(highest))
+        self.assertIn("in series with the compliance of the whole body", whole.stdout)
+        self.assertLess(peak_force(whole), peak_force(local))
+        again = self.press_ball(whole_body=True)
+        self.assertEqual(peak_force(again), peak_force(whole))
+        self.assertEqual(self.solutions(), solved)
+        held = self.press_ball("--fixed", "z-:25", whole_body=True)
+        self.assertEqual(re.search(HELD, held.stderr).group(1), "z-:25")
+        self.assertGreater(peak_force(held), peak_force(whole))
+
+    def test_it_is_left_out_with_a_layer_and_at_edges(self):
+        for option in (("--layer", "5"), ("--edges",)):
+            with self.subTest(option):
+                self.assertNotRegex(self.press_ball(*option, whole_body=True).stderr, HELD)
+
+    def test_a_side_needs_a_body_that_yields(self):
+        path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
+        self.refuse(path, "--fixed", "z-", "--no-whole-body", words=["--fixed", "--no-whole-body"])
+
+
+if __name__ == "__main__":
+    unittest.main()
