@@ -52,6 +52,16 @@ class Committed(unittest.TestCase):
         for those in (covered, rows):
             self.assertGreaterEqual(sum(map(run.holds, those)), 0.95 * len(those))
 
+    def test_the_bound_of_the_default_response_holds_against_direct_contact(self):
+        rows = run.read(DATA / "whole_body.csv")
+        self.assertEqual({row["tool"] for row in rows}, {"sphere:6.35", "flat:1.6", "sphere:1.6"})
+        covered = [row for row in rows if float(row["stated"]) <= 0.05]
+        self.assertGreaterEqual(len(covered), 40)
+        for those in (covered, rows):
+            self.assertGreaterEqual(sum(map(run.holds, those)), 0.95 * len(those))
+        stated, true = (sorted(abs(float(row[name])) for row in covered) for name in ("stated", "error"))
+        self.assertLess(stated[len(stated) // 2], 3.5 * true[len(true) // 2])
+
     def test_direct_contact_covers_bunny_and_dragon(self):
         rows = run.read(DATA / "pressed.csv")
         self.assertEqual({row["tool"] for row in rows}, {"sphere:6.35", "flat:1.6", "sphere:1.6"})
