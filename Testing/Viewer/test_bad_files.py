@@ -122,7 +122,7 @@ class BadFiles(SessionCase):
         head = bytearray(gzip.decompress(self.path("scan.nii.gz").read_bytes())[:1000])
         head[42:48] = b"\xff\x7f" * 3
         self.path("huge.nii").write_bytes(head)
-        self.refuse_file(self.path("huge.nii"), "wants 32767 x 32767 x 32767 voxels")
+        self.refuse_file(self.path("huge.nii"), "states 32767 x 32767 x 32767 voxels")
 
     def test_scan_without_anything_in_it(self):
         empty = bodies.image(0.0 * bodies.ball_grey(16, 4.0))

@@ -109,7 +109,7 @@ class DisplayLoss(SessionCase):
         self.assertGreater(forces[-1], 0.0)
         result = run(self.body, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45",
                      "--no-auto", "--site", "1,0,0", "--device", f"replay:{record}",
-                     "--output", self.output)
+                     "--output", self.output, whole_body=True)
         self.assertEqual(result.returncode, 0, result.stderr)
         # The live session limits its force to the device; the ideal force is not limited. The
         # replay uses the times of the ticks, and a recorded tick may have been late: 5 %.
