@@ -11,7 +11,7 @@ ball = vtk.vtkSphereSource()
 ball.SetRadius(50)                                          # mm
 ball.SetThetaResolution(300)
 ball.SetPhiResolution(300)
-body = palpate.response(ball, tool="cone:60")
+body = palpate.response(ball, tool="cone:60", compliance=None)
 
 tip = vtk.vtkPointSource()
 tip.SetNumberOfPoints(1)

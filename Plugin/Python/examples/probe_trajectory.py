@@ -11,7 +11,7 @@ ball = vtkSphereSource()
 ball.SetRadius(50)                                          # mm
 ball.SetThetaResolution(200)
 ball.SetPhiResolution(200)
-body = palpate.response(ball, tool="sphere:6.35", young=0.1)
+body = palpate.response(ball, tool="sphere:6.35", young=0.1, compliance=None)
 
 angle = np.linspace(0, np.pi / 2, 7)
 start, end = np.array([49, 0, 0]), np.array([0, 34.65, 34.65])
