@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace palpate
 {
@@ -25,13 +26,28 @@ constexpr int OffsetTerm = 10;
 constexpr double Reach = 1.25;      // in contact radii
 constexpr double TwoRings = 2.6;    // in distances of points
 constexpr std::size_t Fewest = 12;  // points
-constexpr std::size_t Enough = 96;  // points; of more, evenly many are left out
+constexpr std::size_t Enough = 96;  // points; of more, every second or third is drawn
 constexpr double LeastFacing = 0.3; // between normals: points beyond a sharp edge are left out
 // Ridges over the sum of weights, for lengths in contact radii.
 constexpr double TiltRidge = 0.005;
 constexpr double CubeRidge = 0.01;
 constexpr double FourthRidge = 0.003;
 constexpr double OffsetRidge = 0.01;
+
+/// A number that looks random, from the bits of a place. It does not depend on the point's index,
+/// so that a body in pieces has the same curvature as the whole.
+std::uint64_t drawn(const Vector3d& place)
+{
+  std::uint64_t number = 0;
+  for (const double coordinate : place)
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof bits);
+    number = (number ^ bits) * 0x9e3779b97f4a7c15U;
+    number ^= number >> 29;
+  }
+  return number >> 8;
+}
 
 /// The terms of the height at a place in the tangent plane.
 Terms termsAt(double x, double y)
@@ -124,11 +140,13 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
   Terms heights = Terms::Zero();
   double squares = 0.0;
   double weights = 0.0;
-  // The points are in rings from the middle outwards, so that a stride thins all rings alike.
-  const std::size_t stride = 1 + this->Near.size() / Enough;
-  for (std::size_t i = 0; i < this->Near.size(); i += stride)
+  const std::uint64_t stride = 1 + this->Near.size() / Enough;
+  for (const std::size_t other : this->Near)
   {
-    const std::size_t other = this->Near[i];
+    if (other != point && drawn(this->placeOf(other)) % stride != 0)
+    {
+      continue;
+    }
     const Vector3d away = (this->placeOf(other) - here) / this->Radius;
     const double x = away.dot(frame.first);
     const double y = away.dot(frame.second);

@@ -318,7 +318,7 @@ TEST(BodyCoupling, NamesWhatIsWrong)
   terms.modeCount = 1;
   says(terms, "mode 0 of point 2 must be finite, but is inf");
   terms.modeCount = 17;
-  says(terms, "0 to 16, but are 17");
+  says(terms, "0 to 16, but is 17");
 }
 
 // Two fingers pinch a slender body. Each finger alone bends it, which is 24 times softer than its

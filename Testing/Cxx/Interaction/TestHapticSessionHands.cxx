@@ -234,7 +234,7 @@ void checkErrors(vtkPolyData* body)
   PALPATE_CHECK(session->AddDevice("simulated") == 2);
   PALPATE_CHECK(session->AddDevice("plant") == 3);
   PALPATE_CHECK(session->AddDevice("plant") == -1);
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "a session has 4 at most");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "a session has at most 4 devices");
   session->RemoveAddedDevices();
   PALPATE_CHECK(session->GetNumberOfDevices() == 1);
   const Body path = pathAt(0.0, { { 0.0, 1.0 }, { 0.1, -0.5 } });

@@ -143,5 +143,5 @@ TEST(RelaxationError, OfStrengthsPerPointTheLargestCounts)
   const std::string words = relaxationReason(need, terms.series, 0.01);
   EXPECT_NE(words.find("16 elements"), std::string::npos) << words;
   EXPECT_NE(words.find("not known"), std::string::npos) << words;
-  EXPECT_NE(words.find("75 % more"), std::string::npos) << words;
+  EXPECT_NE(words.find("75 % larger"), std::string::npos) << words;
 }
