@@ -516,7 +516,7 @@ class PerPoint(unittest.TestCase):
             np.testing.assert_array_equal(np.unique(status), (0, 4))
             np.testing.assert_array_equal(vtk_to_numpy(made.GetArray("ResponseForce"))[chosen],
                                           vtk_to_numpy(whole.GetArray("ResponseForce"))[chosen])
-        none = palpate.response(ball(), points=[]).GetPointData().GetArray("ResponseStatus")
+        none = palpate.response(ball(), points=[], compliance=None).GetPointData().GetArray("ResponseStatus")
         self.assertEqual(none.GetRange(), (4.0, 4.0))
 
     def test_by_the_name_of_an_array(self):
@@ -533,7 +533,7 @@ class PerPoint(unittest.TestCase):
 class Bodies(unittest.TestCase):
     @staticmethod
     def felt(body):
-        return palpate.probe(palpate.response(body, "paraboloid:5"), scattered(50)).forces
+        return palpate.probe(palpate.response(body, "paraboloid:5", compliance=None), scattered(50)).forces
 
     def test_every_form_of_a_body(self):
         source = ball()
@@ -663,7 +663,7 @@ class Memory(unittest.TestCase):
 class Probing(unittest.TestCase):
     def test_one_by_one_and_all_at_once(self):
         """However tips are ordered inside, each is felt as if it were alone, to the bit."""
-        body = palpate.response(ball(), "paraboloid:5")
+        body = palpate.response(ball(), "paraboloid:5", compliance=None)
         tips = scattered(3000)
         tips[17] = np.nan
         tips[18] = np.inf
@@ -679,7 +679,7 @@ class Probing(unittest.TestCase):
                 np.testing.assert_array_equal(one, other[::-1])
 
     def test_threads(self):
-        body, tips = palpate.response(ball(), "paraboloid:5"), scattered(200000)
+        body, tips = palpate.response(ball(), "paraboloid:5", compliance=None), scattered(200000)
         found = []
         for backend, threads in (("Sequential", 1), ("STDThread", 1), ("STDThread", 2), ("STDThread", 8)):
             if not vtkSMPTools.SetBackend(backend):

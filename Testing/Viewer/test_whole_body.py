@@ -2,10 +2,9 @@
 """A closed body yields as a whole by default, held on the side on which it stands."""
 import re
 import unittest
-from pathlib import Path
 
 import bodies
-from session import CACHE, SessionCase, peak_force
+from session import SessionCase, peak_force
 
 HELD = r"as a whole the body, held at (\S+), yields by (\S+) to (\S+) mm/N"
 
@@ -13,12 +12,12 @@ HELD = r"as a whole the body, held at (\S+), yields by (\S+) to (\S+) mm/N"
 class WholeBody(SessionCase):
     def press_ball(self, *arguments, **more):
         path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
-        return self.succeed(path, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45", *arguments, **more)
+        return self.succeed(path, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45", *arguments,
+                            environment={"PALPATE_CACHE": str(self.folder / "cache")}, **more)
 
-    @staticmethod
-    def solutions():
+    def solutions(self):
         """File in the cache -> time it was written."""
-        return {file: file.stat().st_mtime_ns for file in Path(CACHE.name).rglob("compliance-*")}
+        return {file: file.stat().st_mtime_ns for file in (self.folder / "cache").rglob("compliance-*")}
 
     def test_a_ball_is_softer_than_a_half_space(self):
         local = self.press_ball()

@@ -12,7 +12,8 @@ ball = vtkSphereSource()
 ball.SetRadius(50)                                          # mm
 ball.SetPhiResolution(64)
 body = palpate.response(ball, tool="sphere:6.35", young=0.05, name="Finger", compliance=None)
-body = palpate.response(body, tool="flat:3", young=0.05, name="Punch", compliance=None)  # several tools need several names
+# Several tools need several names.
+body = palpate.response(body, tool="flat:3", young=0.05, name="Punch", compliance=None)
 
 writer = vtkXMLPolyDataWriter()
 writer.SetInputData(body)

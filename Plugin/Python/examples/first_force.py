@@ -11,7 +11,8 @@ ball = vtkSphereSource()                                    # or arrays (points,
 ball.SetRadius(50)                                          # mm
 ball.SetThetaResolution(200)
 ball.SetPhiResolution(200)
-body = palpate.response(ball, tool="sphere:6.35", young=0.05, poisson=0.45, compliance=None)  # MPa, -; as on a half-space
+material = {"young": 0.05, "poisson": 0.45}                 # MPa, -
+body = palpate.response(ball, tool="sphere:6.35", compliance=None, **material)  # as on a half-space
 
 direction = np.array([0.6, 0.0, 0.8])
 tips = np.linspace(50.5, 48, 6)[:, None] * direction        # from outside to 2 mm deep

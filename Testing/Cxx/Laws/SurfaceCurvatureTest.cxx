@@ -359,8 +359,8 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
       const double mean = ring < rings ? 0.0 : ring == rings ? 0.25 / radius : 0.5 / radius;
       const SpotCurvature at = found.at(i);
       // Facets of 1 mm on a radius of 20: 0.1 % of a curvature. Normals are float32. At the rim a
-      // fit to the points under a wide contact has points on one side only: 1 % of the mantle's.
-      EXPECT_NEAR(at.mean(), mean, (contactRadius > 1.0 ? 0.005 : 0.002) / radius)
+      // fit to the points under a wide contact has points on one side only: 2 % of the mantle's.
+      EXPECT_NEAR(at.mean(), mean, (contactRadius > 1.0 ? 0.012 : 0.002) / radius)
         << ring << ", " << contactRadius;
     }
   }
