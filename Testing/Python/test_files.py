@@ -151,7 +151,7 @@ class Faults(Files):
         grey = lump()
         whole = nifti(grey)
         for content, words in (
-                (nifti(grey, dim=(3, 32767, 32767, 32767, 1, 1, 1, 1)), "wants 32767 x 32767 x 32767 voxels"),
+                (nifti(grey, dim=(3, 32767, 32767, 32767, 1, 1, 1, 1)), "states 32767 x 32767 x 32767 voxels"),
                 (whole[:-1], "its header states 34 x 30 x 26 voxels from byte 352 on, 106432 bytes, but it has 106431"),
                 (nifti(grey, dim=(4, 17, 30, 26, 2, 1, 1, 1)), r"it holds 2 images \(dim\[4\] of its header\)"),
                 (nifti(grey, dim=(5, 17, 30, 26, 1, 2, 1, 1)), r"it holds 2 images \(dim\[5\] of its header\)"),
