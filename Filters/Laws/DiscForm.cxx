@@ -23,9 +23,11 @@ constexpr int CubeTerms = 5;   // and the next three
 constexpr int FourthTerm = 9;
 constexpr int OffsetTerm = 10;
 
-constexpr double Reach = 1.25;      // in contact radii
-constexpr double TwoRings = 2.6;    // in distances of points
-constexpr std::size_t Fewest = 12;  // points
+constexpr double Reach = 1.25;     // in contact radii
+constexpr double TwoRings = 2.6;   // in distances of points
+constexpr std::size_t Fewest = 12; // points
+// Of a mesh that is far finer here than elsewhere. Averages of neighbours take less time there.
+constexpr std::size_t Most = 2000;
 constexpr std::size_t Enough = 96;  // points; of more, every second or third is drawn
 constexpr double LeastFacing = 0.3; // between normals: points beyond a sharp edge are left out
 // Ridges over the sum of weights, for lengths in contact radii.
@@ -91,7 +93,8 @@ Vector3d DiscForms::normalOf(std::size_t point) const
   return Eigen::Map<const Eigen::Vector3f>(this->Normals + 3 * point).cast<double>();
 }
 
-/// Collects the points that are connected within this distance and face the same way.
+/// Collects the points that are connected within this distance and face the same way, until there
+/// are too many.
 void DiscForms::gather(std::size_t point, double reach)
 {
   const Vector3d here = this->placeOf(point);
@@ -99,7 +102,7 @@ void DiscForms::gather(std::size_t point, double reach)
   ++this->Search;
   this->Passed[point] = this->Search;
   this->Near = { point };
-  for (std::size_t i = 0; i < this->Near.size(); ++i)
+  for (std::size_t i = 0; i < this->Near.size() && this->Near.size() <= Most; ++i)
   {
     this->Rings.forNeighbours(this->Near[i],
       [&](std::size_t other)
@@ -127,7 +130,7 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
   {
     this->gather(point, TwoRings * this->Spacing);
   }
-  if (this->Near.size() < Fewest)
+  if (this->Near.size() < Fewest || this->Near.size() > Most)
   {
     return {};
   }

@@ -38,7 +38,8 @@ public:
   DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
     double contactRadius);
 
-  /// Without a value if the point has no normal or too few neighbours.
+  /// Without a value if the point has no normal, or if fewer than 12 or more than 2000 points are
+  /// near.
   std::optional<DiscForm> fit(std::size_t point);
 
 private:
