@@ -72,13 +72,13 @@ Terms ridges()
 }
 } // namespace
 
-DiscForms::DiscForms(
-  const TriangleSpans& surface, const float* normals, const PointRings& rings, double contactRadius)
+DiscForms::DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
+  double spacing, double contactRadius)
   : Surface(surface)
   , Normals(normals)
   , Rings(rings)
   , Radius(contactRadius)
-  , Spacing(pointSpacing(surface))
+  , Spacing(spacing)
   , Passed(surface.pointCount, 0)
 {
 }

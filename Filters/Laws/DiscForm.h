@@ -34,9 +34,10 @@ struct DiscForm
 class DiscForms
 {
 public:
-  /// `normals`: 3 floats per point, unit length. All arguments must outlive this.
+  /// `normals`: 3 floats per point, unit length. `spacing`: pointSpacing(), mm. All arguments must
+  /// outlive this.
   DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
-    double contactRadius);
+    double spacing, double contactRadius);
 
   /// Without a value if the point has no normal, or if fewer than 12 or more than 2000 points are
   /// near.

@@ -235,13 +235,14 @@ public:
 
   /// Replaces the curvatures by those of the forms fitted to the disc under the contact, where the
   /// disc has enough points.
-  void takeDiscs(double contactRadius, double noise, std::vector<std::array<float, 3>>& found) const
+  void takeDiscs(double spacing, double contactRadius, double noise,
+    std::vector<std::array<float, 3>>& found) const
   {
     const double factor = DiscFactor * (1.0 + DiscNoiseFactor * noise);
     forRanges(this->Surface.pointCount,
       [&](std::size_t first, std::size_t last)
       {
-        DiscForms discs(this->Surface, this->Normals, this->Rings, contactRadius);
+        DiscForms discs(this->Surface, this->Normals, this->Rings, spacing, contactRadius);
         for (std::size_t i = first; i < last; ++i)
         {
           if (const std::optional<DiscForm> disc = discs.fit(i))
@@ -365,7 +366,8 @@ SurfaceCurvature::SurfaceCurvature(
   std::vector<Form> forms;
   const std::vector<PointForm> fits = average.fits(forms);
   const double noise = average.noise(fits);
-  const double ratio = contactRadius / pointSpacing(surface);
+  const double spacing = pointSpacing(surface);
+  const double ratio = contactRadius / spacing;
   const double steps = std::isfinite(ratio)
     ? std::min((ContactVariance * ratio * ratio - TurnVariance) / StepVariance, 1.0 * MostSteps)
     : 0.0;
@@ -383,7 +385,7 @@ SurfaceCurvature::SurfaceCurvature(
   }
   if (ratio > SmallestDiscRatio && ratio < LargestDiscRatio && noise < LargestDiscNoise)
   {
-    average.takeDiscs(contactRadius, noise, this->Found);
+    average.takeDiscs(spacing, contactRadius, noise, this->Found);
   }
 }
 } // namespace palpate

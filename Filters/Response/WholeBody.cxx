@@ -15,14 +15,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestRatio = 0.499; // largest Poisson's ratio of the finite elements
-
 bool isOfOneMaterial(const LawRequest& request)
 {
   const bool varies = std::any_of(request.arrays.begin(), request.arrays.end(),
     [](const MaterialArray& array) { return !array.name.empty(); });
   return !varies && !request.measured && request.material.thickness == 0.0 &&
-    !request.material.isStack() && request.material.poissonsRatio <= LargestRatio;
+    !request.material.isStack() && request.material.poissonsRatio <= LargestYieldRatio;
 }
 } // namespace
 
@@ -46,9 +44,7 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
     return made;
   }
   made.isComplete = !found.compliance.empty();
-  const bool isRigid = std::all_of(found.compliance.begin(), found.compliance.end(),
-    [](double compliance) { return compliance == 0.0; });
-  if (made.isComplete && !isRigid)
+  if (found.isKnown())
   {
     made.body = vtkSmartPointer<vtkPolyData>::New();
     made.body->ShallowCopy(body);

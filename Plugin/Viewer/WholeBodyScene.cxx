@@ -20,8 +20,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestRatio = 0.499; // of finite elements
-constexpr double Quiet = 1.0;          // s before progress is reported
+constexpr double Quiet = 1.0; // s before progress is reported
 
 bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
 {
@@ -29,7 +28,7 @@ bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
     !scene.layer.isStack() && !scene.layer.scanned && scene.layer.thickness == 0.0;
   return options.wholeBody && !options.body.empty() && !scene.stored && isHalfSpace &&
     !scene.terms.edges && options.hands.empty() && options.trial.empty() &&
-    scene.poissonsRatio <= LargestRatio;
+    scene.poissonsRatio <= LargestYieldRatio;
 }
 
 double widestContact(const ViewerOptions& options, const ViewerScene& scene)
@@ -74,13 +73,6 @@ private:
   bool IsShown = false;
 };
 
-/// Whether the compliance is known anywhere. On a mesh of few large triangles it is not.
-bool isKnown(const BodyYield& found)
-{
-  return std::any_of(found.compliance.begin(), found.compliance.end(),
-    [](double compliance) { return compliance != 0.0; });
-}
-
 /// Returns "", or a message about the fault.
 std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& found)
 {
@@ -96,7 +88,7 @@ std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& f
     { scene.youngsModulus, scene.poissonsRatio, radius,
       options.fixedGiven ? options.fixedFaces : "" },
     [&line](double done) { return line.show(done); }, found);
-  if (isKnown(found))
+  if (found.isKnown())
   {
     const auto body = vtkSmartPointer<vtkPolyData>::New();
     body->ShallowCopy(sound.body());
@@ -122,7 +114,7 @@ void addBodyCompliance(const ViewerOptions& options, ViewerScene& scene)
       "palpate: warning: the deflection of the whole body is not included, since %s\n",
       fault.c_str());
   }
-  if (!isKnown(found))
+  if (!found.isKnown())
   {
     return;
   }

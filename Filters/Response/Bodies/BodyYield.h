@@ -10,6 +10,7 @@
 
 #include "Mechanics/Files/ModuleFile.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct YieldRequest
 /// Name of the array that attachYield() attaches.
 constexpr const char* FoundCompliance = "GlobalCompliance";
 
+/// Largest Poisson's ratio of the finite elements.
+constexpr double LargestYieldRatio = 0.499;
+
 /// The compliance of a body at the points of its surface.
 struct BodyYield
 {
@@ -39,6 +43,13 @@ struct BodyYield
   std::vector<unsigned char> status; ///< 0: the compliance is known
   std::string heldAt;                ///< the sides at which the body is held
   std::vector<std::string> warnings; ///< repairs of the surface
+
+  /// Whether the compliance is known at a point. On a mesh of few large triangles it is not.
+  bool isKnown() const
+  {
+    return std::any_of(
+      this->compliance.begin(), this->compliance.end(), [](double value) { return value != 0.0; });
+  }
 };
 
 /// Functions of the module Solids that the library Response calls (ModuleFile.h).
