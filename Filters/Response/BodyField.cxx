@@ -82,14 +82,15 @@ std::vector<ModeSpan> viewModes(
 std::vector<vtkDataArray*> globalModeArrays(vtkPolyData* body, const std::string& name)
 {
   std::vector<vtkDataArray*> modes;
-  vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
+  vtkDataArray* signs = body->GetFieldData()->GetArray(GlobalModeSignArray);
   const ResponseModel model = responseModel(body, name);
   const bool bends =
     signs && signs->GetNumberOfComponents() == 1 && (model.isInSeries() || model.isTrueShape());
   const vtkIdType count = bends ? signs->GetNumberOfTuples() : 0;
   for (vtkIdType k = 0; k < count; ++k)
   {
-    vtkDataArray* mode = body->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str());
+    vtkDataArray* mode =
+      body->GetPointData()->GetArray(globalModeName(static_cast<std::size_t>(k)).c_str());
     if (!mode || !hasShape(mode, 3, body->GetNumberOfPoints()))
     {
       break;
@@ -126,7 +127,8 @@ std::string checkBody(vtkPolyData* body, const std::string& name)
   }
   for (vtkIdType k = 0;; ++k)
   {
-    vtkDataArray* mode = body->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str());
+    vtkDataArray* mode =
+      body->GetPointData()->GetArray(globalModeName(static_cast<std::size_t>(k)).c_str());
     if (!mode || !hasShape(mode, 3, points))
     {
       return mode ? describe(mode, 3) : std::string();
@@ -198,7 +200,7 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   const bool hasNear = near && hasShape(near, NearField::Numbers, body->GetNumberOfPoints()) &&
     responseModel(body, name).isTrueShape();
   const std::vector<vtkDataArray*> modes = globalModeArrays(body, name);
-  vtkDataArray* signs = body->GetFieldData()->GetArray("GlobalModeSign");
+  vtkDataArray* signs = body->GetFieldData()->GetArray(GlobalModeSignArray);
   triangle.modes.resize(modes.size());
   for (std::size_t k = 0; k < modes.size(); ++k)
   {

@@ -68,6 +68,15 @@ PALPATERESPONSE_EXPORT FieldTriangle fieldTriangle(
 /// point.
 constexpr const char* NearFieldArray = "NearField";
 
+/// The point array of mode `k` of a body's motion (GlobalModes.h): 3 numbers per point, sqrt(mm/N).
+inline std::string globalModeName(std::size_t k)
+{
+  return "GlobalMode" + std::to_string(k);
+}
+
+/// The field array of the signs of the modes, 1 or -1.
+constexpr const char* GlobalModeSignArray = "GlobalModeSign";
+
 /// The modes that belong to the response `name` of a body. Empty unless the response has a global
 /// compliance or is of true shape.
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(

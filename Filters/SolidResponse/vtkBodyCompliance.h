@@ -15,6 +15,9 @@
  * - `ComplianceStatus` (uint8): 0 Valid; 4 OutOfReach: the point is held; 5 Edge and 1 Degenerate:
  *   C is not known. If the status is not 0, C is 0 and its error is that of a contact of
  *   ContactRadius on a half-space.
+ * - `GlobalMode0`... `GlobalMode5` (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
+ *   (int8): the motion of the whole body under a force at any point, as in vtkElasticCompliance.
+ *   vtkContactDeflection and vtkToolTouch bend the body by them; no force depends on them.
  *
  * **Method.** The surface is filled with quadratic tetrahedra (vtkGradedBody), NumberOfCells or
  * fewer, and held at FixedFaces. The elements solve for the regular part H of the Green function at
@@ -29,16 +32,16 @@
  * the body stands on the side of its bounding box with the largest area (GetHeldAt). C includes
  * neither the shape of the tool nor large strain: both are part of the local law.
  *
- * **Cost.** About ten seconds on two cores, mostly for the solutions; more beyond 10⁵ triangles.
+ * **Cost.** About ten seconds on two cores for 10⁵ triangles, mostly for the solutions.
  * Later runs on the same surface read the solutions from the cache (SolutionCache.h), also for
  * contacts down to an eighth as wide. Uses as many threads as vtkSMPTools; the bits do not depend
  * on their number. Abort is checked between steps and solutions. The filter needs the modules
  * Solids and Mesher.
  *
  * **Limits.** The error is valid only where the series of the kernel converges. It is not valid
- * where the contact is wider than its distance from an edge, a crease or the held part. The error
- * has not been compared with direct contact at random places yet. Parts that nothing holds are an
- * error.
+ * where the contact is wider than its distance from an edge, a crease or the held part. At 77
+ * random places of a bunny the error of the force held at 74, compared with direct contact
+ * (validation.md). Parts that nothing holds are an error.
  *
  * Errors name the property or the input: a surface that is open, inside out or too thin for its
  * cells, an unknown side, a Poisson's ratio above 0.499.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticCompliance.h"
 
+#include "Response/BodyField.h"
 #include "Solids/FiniteElements/CouplingModes.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/FilterStage.h"
@@ -75,12 +76,12 @@ void attachErrors(const palpate::PatchCompliances& compliances, const std::vecto
 void attachModes(const palpate::GlobalModes& modes, vtkPolyData* output)
 {
   vtkNew<vtkIntArray> signs;
-  signs->SetName("GlobalModeSign");
+  signs->SetName(palpate::GlobalModeSignArray);
   for (std::size_t k = 0; k < modes.fields.size(); ++k)
   {
     const Eigen::Matrix3Xd& field = modes.fields[k];
     vtkNew<vtkFloatArray> vectors;
-    vectors->SetName(("GlobalMode" + std::to_string(k)).c_str());
+    vectors->SetName(palpate::globalModeName(k).c_str());
     vectors->SetNumberOfComponents(3);
     vectors->SetNumberOfTuples(field.cols());
     for (vtkIdType i = 0; i < field.cols(); ++i)

@@ -41,6 +41,10 @@ struct BodyYield
   std::vector<double> compliance;    ///< mm/N; empty after an abort
   std::vector<double> error;         ///< mm/N, >= 0
   std::vector<unsigned char> status; ///< 0: the compliance is known
+  /// Motion of the surface under a force (GlobalModes.h): the modes one after another, 3 numbers
+  /// per point, sqrt(mm/N), and the sign of each mode. Used by displays only.
+  std::vector<float> modes;
+  std::vector<signed char> signs;
   std::string heldAt;                ///< the sides at which the body is held
   std::vector<std::string> warnings; ///< repairs of the surface
 
@@ -65,8 +69,9 @@ struct YieldModule : ModuleTable
 PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldRequest& request,
   const std::function<bool(double)>& goOn, BodyYield& made);
 
-/// Attaches `GlobalCompliance`, `GlobalComplianceError` (double, mm/N) and `ComplianceStatus`
-/// (uint8) to the body from which `found` was computed.
+/// Attaches `GlobalCompliance`, `GlobalComplianceError` (double, mm/N), `ComplianceStatus` (uint8),
+/// `GlobalMode0`... (float 3, sqrt(mm/N)) and the field array `GlobalModeSign` to the body from
+/// which `found` was computed.
 PALPATERESPONSE_EXPORT void attachYield(const BodyYield& found, vtkPolyData* body);
 } // namespace palpate
 

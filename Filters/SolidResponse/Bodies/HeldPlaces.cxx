@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
+#include "vtkStaticPointLocator.h"
 
 #include <Eigen/Geometry>
 
@@ -23,11 +24,41 @@ constexpr double LeastShare = 1e-6; ///< a smaller weight of a corner is a round
 HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld)
   : Surface(surface)
   , Locator(vtkSmartPointer<vtkStaticCellLocator>::New())
+  , Points(vtkSmartPointer<vtkStaticPointLocator>::New())
   , IsHeld(std::move(isHeld))
 {
   surface->BuildCells(); // must be done before threads read the surface
   this->Locator->SetDataSet(surface);
   this->Locator->BuildLocator();
+  this->Points->SetDataSet(surface);
+  this->Points->BuildLocator();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    if (this->IsHeld(i))
+    {
+      this->Held.AddPoint(surface->GetPoint(i));
+    }
+  }
+}
+
+/// Whether a point of the surface is closer than the box of the held points. This quick check
+/// answers for most places.
+bool HeldPlaces::isFar(const Eigen::Vector3d& place) const
+{
+  if (!this->Held.IsValid())
+  {
+    return true;
+  }
+  const vtkIdType nearest = this->Points->FindClosestPoint(place.data());
+  if (nearest < 0)
+  {
+    return true;
+  }
+  Eigen::Vector3d point;
+  this->Surface->GetPoint(nearest, point.data());
+  const Eigen::Vector3d low(this->Held.GetMinPoint());
+  const Eigen::Vector3d high(this->Held.GetMaxPoint());
+  return (place - place.cwiseMax(low).cwiseMin(high)).norm() > (place - point).norm();
 }
 
 bool HeldPlaces::contain(const double place[3]) const
@@ -36,6 +67,10 @@ bool HeldPlaces::contain(const double place[3]) const
   if (!from.allFinite())
   {
     return false; // VTK finds no closest place for NaN or infinity
+  }
+  if (this->isFar(from))
+  {
+    return false;
   }
   const ClosestPlace closest = closestPlace(this->Locator, from);
   if (closest.cell < 0)

@@ -2,13 +2,17 @@
 #ifndef palpate_HeldPlaces_h
 #define palpate_HeldPlaces_h
 
+#include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+
+#include <Eigen/Core>
 
 #include <functional>
 
 class vtkPolyData;
 class vtkStaticCellLocator;
+class vtkStaticPointLocator;
 
 namespace palpate
 {
@@ -25,8 +29,12 @@ public:
   bool contain(const double place[3]) const;
 
 private:
+  bool isFar(const Eigen::Vector3d& place) const;
+
   vtkSmartPointer<vtkPolyData> Surface;
   vtkSmartPointer<vtkStaticCellLocator> Locator;
+  vtkSmartPointer<vtkStaticPointLocator> Points;
+  vtkBoundingBox Held; ///< of the held points
   std::function<bool(vtkIdType)> IsHeld;
 };
 } // namespace palpate

@@ -40,25 +40,20 @@ vtkSmartPointer<vtkFloatArray> addArray(vtkPolyData* surface, const std::string&
   return array;
 }
 
-std::string modeName(std::size_t k)
-{
-  return "GlobalMode" + std::to_string(k);
-}
-
 void fillModes(const GlobalModes& modes, const PartsOf& partsOf, vtkPolyData* surface)
 {
   for (std::size_t k = modes.fields.size();
-       surface->GetPointData()->HasArray(modeName(k).c_str()) != 0; ++k)
+       surface->GetPointData()->HasArray(globalModeName(k).c_str()) != 0; ++k)
   {
     // The array may belong to another body.
-    surface->GetPointData()->RemoveArray(modeName(k).c_str());
+    surface->GetPointData()->RemoveArray(globalModeName(k).c_str());
   }
   std::vector<float*> to;
   vtkNew<vtkSignedCharArray> signs;
-  signs->SetName("GlobalModeSign");
+  signs->SetName(GlobalModeSignArray);
   for (std::size_t k = 0; k < modes.fields.size(); ++k)
   {
-    to.push_back(addArray(surface, modeName(k), 3)->GetPointer(0));
+    to.push_back(addArray(surface, globalModeName(k), 3)->GetPointer(0));
     signs->InsertNextValue(static_cast<signed char>(modes.signs[k]));
   }
   surface->GetFieldData()->AddArray(signs);
@@ -102,6 +97,17 @@ void fillNear(const SurfaceMotion& motion, const PartsOf& partsOf, vtkPolyData* 
     });
 }
 
+/// Interpolates from nearby points that face the same way as the points of a surface.
+PartsOf nearbyParts(const FacingPoints& points, const BodyMesh& mesh, vtkFloatArray* normals)
+{
+  return [&points, &mesh, normals](std::size_t i)
+  {
+    const Vector3 normal =
+      Eigen::Map<const Eigen::Vector3f>(normals->GetPointer(0) + 3 * i).cast<double>();
+    return points.nearBy(mesh.point(static_cast<std::int32_t>(i)).data(), normal);
+  };
+}
+
 FacingPoints sourcesOf(const SurfaceMotion& motion, vtkPolyData* solid)
 {
   return FacingPoints(solid,
@@ -135,36 +141,34 @@ void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid)
   fillNear(motion, nearestSources, solid);
 }
 
-void attachMotion(
-  const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface)
+void attachModes(
+  const GlobalModes& modes, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface)
 {
   const BodyMesh mesh = makeBodyMesh(surface);
-  const auto from = [&](const FacingPoints& points) -> PartsOf
-  {
-    return [&](std::size_t i)
-    {
-      const Vector3 normal =
-        Eigen::Map<const Eigen::Vector3f>(normals->GetPointer(0) + 3 * i).cast<double>();
-      return points.nearBy(mesh.point(static_cast<std::int32_t>(i)).data(), normal);
-    };
-  };
   const FacingPoints all(solid, [](vtkIdType) { return true; });
   const HeldPlaces held(solid,
-    [&motion](vtkIdType id)
+    [&modes](vtkIdType id)
     {
-      return std::all_of(motion.modes.fields.begin(), motion.modes.fields.end(),
+      return std::all_of(modes.fields.begin(), modes.fields.end(),
         [id](const auto& field) { return field.col(id).isZero(0.0); });
     });
   fillModes(
-    motion.modes,
-    [&, moving = from(all)](std::size_t i)
+    modes,
+    [&, moving = nearbyParts(all, mesh, normals)](std::size_t i)
     {
       return held.contain(mesh.point(static_cast<std::int32_t>(i)).data())
         ? std::vector<std::pair<vtkIdType, double>>()
         : moving(i);
     },
     surface);
+}
+
+void attachMotion(
+  const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface)
+{
+  attachModes(motion.modes, solid, normals, surface);
+  const BodyMesh mesh = makeBodyMesh(surface);
   const FacingPoints sources = sourcesOf(motion, solid);
-  fillNear(motion, from(sources), surface);
+  fillNear(motion, nearbyParts(sources, mesh, normals), surface);
 }
 } // namespace palpate

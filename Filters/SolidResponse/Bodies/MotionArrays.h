@@ -17,6 +17,10 @@ void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid);
 /// point are interpolated from nearby points of `solid` that face the same way.
 void attachMotion(
   const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
+
+/// Attaches the modes alone to such a surface. They are 0 where the body is held.
+void attachModes(
+  const GlobalModes& modes, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 } // namespace palpate
 
 #endif

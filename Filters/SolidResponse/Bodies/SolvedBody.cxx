@@ -291,4 +291,14 @@ void SolvedBody::attachMotionTo(
     attachMotion(motion, this->surface(grid), normals, finer);
   }
 }
+
+void SolvedBody::attachModesTo(
+  vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid, const FilterStage& stage)
+{
+  const SurfaceMotion& motion = this->motion(stage);
+  if (!motion.points.empty())
+  {
+    attachModes(motion.modes, this->surface(grid), normals, finer);
+  }
+}
 } // namespace palpate

@@ -101,6 +101,10 @@ public:
   void attachMotionTo(vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid,
     const FilterStage& stage);
 
+  /// Attaches only the modes of the motion to a finer surface.
+  void attachModesTo(vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid,
+    const FilterStage& stage);
+
 private:
   struct Kept;
   const SurfaceMotion& motion(const FilterStage& stage);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidResponse/Bodies/YieldSolution.h"
 
+#include "Response/BodyField.h"
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/Files/SolutionCache.h"
 #include "Mechanics/JoinedText.h"
@@ -14,15 +15,18 @@
 #include "SolidResponse/Mesher/GradedFilling.h"
 #include "SolidResponse/Mesher/PreparedSurface.h"
 
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace palpate
 {
@@ -47,10 +51,15 @@ constexpr std::size_t RadiusCount = 4;
 // Fractions of the work.
 constexpr double Filled = 0.25;
 constexpr double Solved = 0.85;
-constexpr double Compared = 0.98;
+constexpr double Compared = 0.9;
+constexpr double Fitted = 0.92;
+
+/// The modes are for displays: they are rounded to this fraction of the largest value, which keeps
+/// the files of the cache small.
+constexpr double ModeStep = 1e-5;
 
 /// Must be increased when the same input gives other values.
-constexpr int Revision = 2;
+constexpr int Revision = 3;
 
 std::string bytesOf(vtkPolyData* body)
 {
@@ -94,13 +103,46 @@ std::string keyOf(
     request.cells, ' ', shortestDecimals(largest));
 }
 
-/// Compliances of E = 1 MPa, errors, status.
+/// Compliances of E = 1 MPa, errors, status. The modes follow.
 std::vector<double> packed(const SurfaceYield& yield)
 {
   std::vector<double> values(yield.compliance);
   values.insert(values.end(), yield.error.begin(), yield.error.end());
   values.insert(values.end(), yield.status.begin(), yield.status.end());
   return values;
+}
+
+/// Appends the modes of a body of E = 1 MPa at the points of `body`, and their signs. All modes are
+/// zero if there are none. Nothing is appended after an abort.
+void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* body,
+  vtkFloatArray* normals, const FilterStage& stage, std::vector<double>& values)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(body->GetPoints());
+  bare->SetPolys(body->GetPolys());
+  solved.attachModesTo(bare, normals, grid, stage);
+  if (isAborted(stage.filter))
+  {
+    return;
+  }
+  vtkDataArray* signs = bare->GetFieldData()->GetArray(GlobalModeSignArray);
+  for (std::size_t k = 0; k < MostGlobalModes; ++k)
+  {
+    vtkDataArray* mode = bare->GetPointData()->GetArray(globalModeName(k).c_str());
+    const double largest = mode ? mode->GetMaxNorm() : 0.0;
+    // A power of ten gives short decimals.
+    const double scale =
+      largest > 0.0 ? std::pow(10.0, std::ceil(-std::log10(ModeStep * largest))) : 1.0;
+    for (vtkIdType i = 0; i < 3 * body->GetNumberOfPoints(); ++i)
+    {
+      const double value = mode ? mode->GetComponent(i / 3, static_cast<int>(i % 3)) : 0.0;
+      values.push_back(std::round(scale * value) / scale);
+    }
+  }
+  for (std::size_t k = 0; k < MostGlobalModes; ++k)
+  {
+    values.push_back(signs ? signs->GetComponent(static_cast<vtkIdType>(k), 0) : 1.0);
+  }
 }
 
 /// A body in tetrahedra, and in longer ones for the error of the first.
@@ -199,11 +241,17 @@ std::string solve(vtkPolyData* body, const YieldRequest& request, double largest
   status->SetNumberOfValues(body->GetNumberOfPoints());
   fault = fillPointNormals(body, normals, status);
   const LandmarkKernels* landmarks =
-    fault.empty() ? solved.landmarks(FilterStage{ filter, Compared, 1.0 }) : nullptr;
+    fault.empty() ? solved.landmarks(FilterStage{ filter, Compared, Fitted }) : nullptr;
   if (landmarks)
   {
     const YieldField field(solved.surface(filled.grid), *landmarks, coarser.difference());
-    values = packed(yieldOf(body, normals->GetPointer(0), field, radiiFrom(largest)));
+    std::vector<double> found =
+      packed(yieldOf(body, normals->GetPointer(0), field, radiiFrom(largest)));
+    appendModes(solved, filled.grid, body, normals, FilterStage{ filter, Fitted, 1.0 }, found);
+    if (!isAborted(filter))
+    {
+      values = std::move(found);
+    }
   }
   return fault;
 }
@@ -235,6 +283,18 @@ void takeRadius(const std::vector<double>& values, std::size_t count, const Yiel
     made.error.push_back(between(error, i));
     made.status.push_back(static_cast<unsigned char>(status[i]));
   }
+  const double* modes = status + count;
+  const double* signs = modes + 3 * MostGlobalModes * count;
+  const double scale = 1.0 / std::sqrt(request.youngsModulus);
+  std::transform(modes, signs, std::back_inserter(made.modes),
+    [scale](double value) { return static_cast<float>(scale * value); });
+  made.signs.assign(signs, signs + MostGlobalModes);
+}
+
+/// Numbers of a solution for a body of `count` points.
+std::size_t numbersFor(std::size_t count)
+{
+  return (2 * RadiusCount + 1 + 3 * MostGlobalModes) * count + MostGlobalModes;
 }
 } // namespace
 
@@ -270,8 +330,8 @@ std::string solveYield(
   for (std::size_t k = 0; values.empty() && k < RadiusCount; ++k)
   {
     largest = std::ldexp(least, static_cast<int>(k));
-    values = readSolution(
-      "compliance", keyOf(content, request, made.heldAt, largest), (2 * RadiusCount + 1) * count);
+    values =
+      readSolution("compliance", keyOf(content, request, made.heldAt, largest), numbersFor(count));
   }
   if (values.empty())
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelCompliance.h"
 
+#include "Response/BodyField.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Response/BodyConversion.h"
 #include "SolidResponse/Bodies/FacingPoints.h"
@@ -65,7 +66,7 @@ std::string checkMemory(vtkPolyData* body, double spacing)
 /// compliance.
 void carryModes(vtkPolyData* solid, vtkPolyData* body)
 {
-  vtkDataArray* signs = solid->GetFieldData()->GetArray("GlobalModeSign");
+  vtkDataArray* signs = solid->GetFieldData()->GetArray(GlobalModeSignArray);
   if (!signs)
   {
     return;
@@ -76,7 +77,8 @@ void carryModes(vtkPolyData* solid, vtkPolyData* body)
   std::vector<vtkSmartPointer<vtkFloatArray>> to;
   for (vtkIdType k = 0; k < signs->GetNumberOfTuples(); ++k)
   {
-    from.push_back(solid->GetPointData()->GetArray(("GlobalMode" + std::to_string(k)).c_str()));
+    from.push_back(
+      solid->GetPointData()->GetArray(globalModeName(static_cast<std::size_t>(k)).c_str()));
     to.push_back(vtkSmartPointer<vtkFloatArray>::New());
     to.back()->SetName(from.back()->GetName());
     to.back()->SetNumberOfComponents(3);
