@@ -25,7 +25,7 @@ def sphere_area(radius):
 
 
 def check(name, source, area, triangles, **settings):
-    response = simple.ToolContactResponse(Input=source, CurvatureCorrection=0, **settings)
+    response = simple.ToolContactResponse(Input=source, CurvatureCorrection=0, WholeBody=0, **settings)
     response.Tool.Shape = "Cone"
     response.UpdatePipeline()
     outward = simple.Calculator(Input=response, ResultArrayName="Length", Function="mag(ResponseNormal)")

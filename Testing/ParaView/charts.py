@@ -89,7 +89,7 @@ def hertz(depth, modulus=REDUCED, radius=6.35):
 
 def body_with_responses():
     ball = simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60)
-    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0}    # closed forms without bands
+    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0, "WholeBody": 0}    # closed forms without bands
     first = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, **plain)
     first.Tool.Shape, first.Tool.Radiusmm = "Paraboloid", 6.35
     both = simple.ToolContactResponse(Input=first, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, ResponseName="Flat",
@@ -154,7 +154,7 @@ def check_several(body, curves, view):
 
 def check_band():
     """What a force may be by its error: thin lines of its own colour, beside it and not in the legend."""
-    body = simple.ToolContactResponse(Input=simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60))
+    body = simple.ToolContactResponse(Input=simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60), WholeBody=0)
     curves = simple.ResponseCurves(Input=body, PointIds=[70])
     force = "Response at point 70"
     band = [force + ", least (N)", force + ", most (N)"]

@@ -99,7 +99,7 @@ def play(name, hand=None, *options):
 
 def make_body():
     sphere = simple.Sphere(Radius=50, ThetaResolution=120, PhiResolution=120)
-    simple.SaveData(folder + "/live_body.vtp", simple.ToolContactResponse(sphere), DataMode="Binary")
+    simple.SaveData(folder + "/live_body.vtp", simple.ToolContactResponse(sphere, WholeBody=0), DataMode="Binary")
 
 
 def read_body():

@@ -9,7 +9,7 @@ ball = simple.Sphere(Radius=50)
 # The active scalars of the body, which ParaView would choose by default.
 body = simple.Calculator(Input=ball, ResultArrayName="Stiff", Function="0.05 + 0.001 * abs(coordsX)")
 body.UpdatePipeline()
-response = simple.ToolContactResponse(Input=body, CurvatureCorrection=0)  # closed forms
+response = simple.ToolContactResponse(Input=body, CurvatureCorrection=0, WholeBody=0)  # closed forms
 made = response.GetClientSideObject()
 
 

@@ -30,7 +30,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Layer Thickness (mm)": 0.0, "Layer Thickness Array (mm)": "None", "Layer Base": 0,
         "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
         "Second Layer Thickness Array (mm)": "None",
-        "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Whole Body": 0, "Pressed Points Array": "None",
+        "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Whole Body": 1, "Pressed Points Array": "None",
         "Curvature Correction": 1, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Coupling": 0, "Relaxation": 0,
         "Relaxations": None,
         "Relaxation Array": "None", "Compliance Relaxes": 1, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
@@ -230,7 +230,7 @@ def with_response(body):
     response.Tool.Radiusmm = 6.35
     response.YoungsModulusMPa = YOUNG
     response.PoissonsRatio = POISSON
-    response.CurvatureCorrection, response.ErrorTolerance = 0, 0    # the tool's own law
+    response.CurvatureCorrection, response.ErrorTolerance, response.WholeBody = 0, 0, 0   # the tool's own law
     response.UpdatePipeline()
     made = response.GetClientSideObject()
     assert type(made) is palpate.vtkToolContactResponse

@@ -47,7 +47,7 @@ def start_server():
 def build(spread):
     body = simple.XMLPolyDataReader(FileName=[FILE])
     pieces = simple.RedistributeDataSet(Input=body) if spread else body
-    response = simple.ToolContactResponse(Input=pieces, YoungsModulusMPa=0.05, MaximumDeflectionmm=4)
+    response = simple.ToolContactResponse(Input=pieces, YoungsModulusMPa=0.05, MaximumDeflectionmm=4, WholeBody=0)
     response.Tool.Shape = "Sphere"
     response.Tool.Radiusmm = 6.35
     press = simple.Line(Point1=(0, 51, 0.4), Point2=(6, 47, 0.7), Resolution=40)

@@ -52,7 +52,7 @@ def ball_with_tail(name="Response"):
     ball = simple.Sphere(Radius=30, ThetaResolution=120, PhiResolution=120)
     pulled = simple.Calculator(Input=ball, CoordinateResults=1,
                                Function="coords * (1 + 2 * exp(((coordsX + coordsY + coordsZ) / (30 * sqrt(3)) - 1) / 0.01))")
-    return simple.ToolContactResponse(Input=pulled, ResponseName=name)
+    return simple.ToolContactResponse(Input=pulled, ResponseName=name, WholeBody=0)
 
 
 def check_start(folder):

@@ -29,9 +29,9 @@ def scaled(source, factor):
 
 def check_units():
     ball = simple.Sphere(Radius=50, ThetaResolution=40, PhiResolution=40)
-    usual = arrays(simple.ToolContactResponse(Input=ball))
+    usual = arrays(simple.ToolContactResponse(Input=ball, WholeBody=0))
     for unit, factor in (("cm", 0.1), ("m", 0.001)):
-        response = simple.ToolContactResponse(Input=scaled(ball, factor), LengthUnit=unit)
+        response = simple.ToolContactResponse(Input=scaled(ball, factor), LengthUnit=unit, WholeBody=0)
         assert QUESTION not in complaint(response)
         found = arrays(response)
         assert found.keys() == usual.keys()
@@ -39,6 +39,13 @@ def check_units():
             # Coordinates are floats that are rounded once more, to 6e-8 of 50 mm. The bound on the
             # curvature divides their differences by the squares of edges of some mm.
             np.testing.assert_allclose(found[key], values, rtol=2e-5, atol=2e-5, err_msg=f"{unit}: {key}")
+    # With the compliance of the whole body, rounded coordinates give other finite elements, whose error is stated.
+    in_mm, in_cm = (arrays(simple.ToolContactResponse(Input=body, LengthUnit=unit))
+                    for body, unit in ((ball, "mm"), (scaled(ball, 0.1), "cm")))
+    force, stated = in_mm["ResponseForce"], in_mm["ResponseError"] + in_cm["ResponseError"]
+    assert not np.allclose(force, usual["ResponseForce"], rtol=0.02)
+    difference = np.abs(in_cm["ResponseForce"] / force - 1)
+    assert (difference <= stated)[stated < 1].all() and np.median(difference) < 1e-3, np.median(difference)
     # The same property at other entry points of bodies.
     for name in ("BodySurface", "VoxelBody"):
         make = getattr(simple, name)
@@ -50,7 +57,8 @@ def check_units():
 def check_question():
     """Asked once, below 5 mm and above 5 m; not again for another tool."""
     for radius, asked in ((2.4, True), (2.6, False), (2400, False), (2600, True)):
-        response = simple.ToolContactResponse(Input=simple.Sphere(Radius=radius, ThetaResolution=40, PhiResolution=41))
+        response = simple.ToolContactResponse(Input=simple.Sphere(Radius=radius, ThetaResolution=40, PhiResolution=41),
+                                              WholeBody=0)
         said = complaint(response)
         assert said.count(QUESTION) == asked, (radius, said)
         response.Tool.Radiusmm = 3
@@ -92,9 +100,9 @@ def check_force_of_material():
     """A flat punch feels 2 a E* depth; a modulus per point goes before the material."""
     ball = simple.Sphere(Radius=50)
     body = simple.Calculator(Input=ball, ResultArrayName="Stiff", Function="0.05 + 0.001 * abs(coordsX)")
-    names, cited = check_materials(lambda: simple.ToolContactResponse(Input=body))
-    check_materials(lambda: simple.ContactRegime(Input=simple.ToolContactResponse(Input=body)))
-    response = simple.ToolContactResponse(Input=body, Material=names[4], CurvatureCorrection=0)
+    names, cited = check_materials(lambda: simple.ToolContactResponse(Input=body, WholeBody=0))
+    check_materials(lambda: simple.ContactRegime(Input=simple.ToolContactResponse(Input=body, WholeBody=0)))
+    response = simple.ToolContactResponse(Input=body, Material=names[4], CurvatureCorrection=0, WholeBody=0)
     response.Tool.Shape = "Flat"
     np.testing.assert_allclose(arrays(response)["ResponseForce"][:, -1], 2 * 5 * 2 * cited[names[4]] / 0.75, rtol=1e-6)
     response.YoungsModulusArrayMPa = ["POINTS", "Stiff"]

@@ -19,7 +19,7 @@ image = simple.Wavelet()
 blocks = simple.GroupDatasets(Input=[ball, simple.Sphere(Radius=20, Center=(100, 0, 0))])
 bare = simple.Line()
 cells = simple.UnstructuredCellTypes()
-response = simple.ToolContactResponse(Input=ball)
+response = simple.ToolContactResponse(Input=ball, WholeBody=0)
 table = simple.ResponseCurves(Input=response)
 for name in ("BodySurface", "ToolContactResponse", "MeasuredContactResponse", "VoxelBody"):
     assert all(accepts(name, body) for body in (ball, blocks, image, cells)), name

@@ -20,6 +20,7 @@ constexpr double Support = 0.25;     // held area over that of the bounding box,
 constexpr double FlatDepth = 0.0005; // the same of a face that counts as flat
 constexpr double FlatShare = 0.9;    // of the area, for a flat side
 constexpr double Equal = 1e-6;       // relative difference of equal areas
+constexpr double UpperShare = 1.0 / 1.5; // of the area of an upper side that counts
 
 struct Side
 {
@@ -27,6 +28,8 @@ struct Side
   bool isUpper;
   double held = 0.0; ///< area within HeldDepth, seen along the axis, mm²
   double flat = 0.0; ///< the same within FlatDepth
+
+  double rank() const { return this->isUpper ? UpperShare * this->held : this->held; }
 };
 
 void measure(const BodyMesh& mesh, const double* bounds, double heldDepth, Side& side)
@@ -70,7 +73,7 @@ std::string standingSide(vtkPolyData* surface)
   for (Side& side : sides)
   {
     measure(mesh, bounds.data(), HeldDepth, side);
-    best = side.held > (1.0 + Equal) * best->held ? &side : best;
+    best = side.rank() > (1.0 + Equal) * best->rank() ? &side : best;
   }
   const std::string name = joined("xyz"[best->axis], best -> isUpper ? "+" : "-");
   if (best->flat >= FlatShare * best->held)

@@ -10,7 +10,8 @@ import sys
 from paraview import simple
 
 ball = simple.Sphere(Radius=50, ThetaResolution=200, PhiResolution=200)
-response = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=0.05, MaximumDeflectionmm=4)
+response = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=0.05, MaximumDeflectionmm=4,
+                                      WholeBody=0)          # a ball that nothing holds: the dent alone
 response.Tool.Shape = "Sphere"
 response.Tool.Radiusmm = 6.35
 press = simple.Line(Point1=(0, 55, 0), Point2=(0, 47, 0), Resolution=8)

@@ -175,6 +175,23 @@ void checkStandingSide()
   ball->SetPhiResolution(32);
   ball->Update();
   PALPATE_CHECK(held(ball->GetOutput()).substr(0, 3) == "z-:");
+  // The area of a low cap is inversely proportional to the factor: the upper side has
+  // 1.25 and 3.3 times the area of the lower one.
+  const auto flattened = [&ball](double factor)
+  {
+    vtkNew<vtkPolyData> body;
+    body->DeepCopy(ball->GetOutput());
+    for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> place{};
+      body->GetPoint(i, place.data());
+      place[2] *= place[2] > 0.0 ? 0.6 * factor : 0.6; // flatter than along x and y
+      body->GetPoints()->SetPoint(i, place.data());
+    }
+    return vtkSmartPointer<vtkPolyData>(body);
+  };
+  PALPATE_CHECK(held(flattened(0.8)).substr(0, 3) == "z-:");
+  PALPATE_CHECK(held(flattened(0.3)).substr(0, 3) == "z+:");
 }
 
 /// C is proportional to 1/E. The second run reads the first one's file.
