@@ -24,28 +24,23 @@ void report(const ResponseSet& responses, int tool)
 class ChoiceReport
 {
 public:
-  ChoiceReport(HapticWindow& live, vtkContactSetup* setup)
-    : Live(live)
-    , Setup(setup)
+  explicit ChoiceReport(vtkContactSetup* setup)
+    : Setup(setup)
   {
   }
 
   void update()
   {
     const std::string reason = this->Setup->GetChoice(this->Setup->GetChosenTool());
-    const std::string inShort = reason.substr(0, reason.find(';'));
-    if (inShort == this->Reported)
+    if (reason != this->Reported)
     {
-      return;
+      this->Reported = reason;
+      std::printf("choice: %s\n", reason.c_str());
+      std::fflush(stdout);
     }
-    this->Reported = inShort;
-    this->Live.showHelp(Help + ("\n" + inShort));
-    std::printf("choice: %s\n", reason.c_str());
-    std::fflush(stdout);
   }
 
 private:
-  HapticWindow& Live;
   vtkContactSetup* Setup;
   std::string Reported;
 };
@@ -75,8 +70,11 @@ std::string runLive(const ViewerOptions& options, const ViewerScene& scene)
   placeDevice(scene, responses, live.session());
   live.showHelp(Help);
   live.usePanel(setup);
-  ChoiceReport choice(live, setup);
-  live.onFrame([&choice] { choice.update(); });
+  ChoiceReport choice(setup);
+  if (options.verbose)
+  {
+    live.onFrame([&choice] { choice.update(); });
+  }
   live.onTool([&responses](int tool) { report(responses, tool); });
   live.open();
   error = startQuietly(live.session());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffscreenSession.h"
 
+#include "ForceTrust.h"
 #include "LayerModel.h"
 #include "ModelChoice.h"
 #include "Pictures.h"
-#include "Contact/ResponseContract.h"
 #include "Interaction/Display/MemoryText.h"
-#include "Response/Curves/StoredError.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -63,77 +62,6 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// Reliability of the forces: the fraction of the ticks in contact that are within Validity at all
-/// three vertices; the first limit that fails elsewhere; the estimated relative errors of the
-/// forces, ascending; the limit at the largest error.
-struct Trust
-{
-  double share = 1.0;
-  std::string broken;
-  std::vector<double> errors;
-  std::string worst;
-};
-
-Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
-{
-  vtkDataArray* validity = body->GetPointData()->GetArray("ResponseValidity");
-  vtkDataArray* limit = body->GetPointData()->GetArray("ResponseLimit");
-  const StoredError stored(body, "Response");
-  double largest = -1.0;
-  double touching = 0.0;
-  double trusted = 0.0;
-  Trust trust;
-  for (const Tick& tick : ticks)
-  {
-    if (tick.contact.triangle < 0)
-    {
-      continue;
-    }
-    touching += 1.0;
-    vtkIdType count = 0;
-    const vtkIdType* corners = nullptr;
-    const vtkIdType firstPoly = body->GetNumberOfVerts() + body->GetNumberOfLines();
-    body->GetCellPoints(firstPoly + tick.contact.triangle, count, corners);
-    const vtkIdType weakest = *std::min_element(corners, corners + count,
-      [&](vtkIdType a, vtkIdType b) { return validity->GetTuple1(a) < validity->GetTuple1(b); });
-    const std::string words = limitInWords(static_cast<int>(limit->GetTuple1(weakest)));
-    if (stored.isKept())
-    {
-      const double found = stored.at(firstPoly + tick.contact.triangle,
-        tick.contact.contactPoint.data(), tick.contact.deflection);
-      const double error = found < 1.0 ? found : 1.0; // the error is also unknown beyond the range
-      trust.errors.push_back(error);
-      trust.worst = error > largest ? words : trust.worst;
-      largest = std::max(largest, error);
-    }
-    if (tick.contact.deflection <= validity->GetTuple1(weakest))
-    {
-      trusted += 1.0;
-    }
-    else if (trust.broken.empty())
-    {
-      trust.broken = words;
-    }
-  }
-  std::sort(trust.errors.begin(), trust.errors.end());
-  trust.share = touching > 0.0 ? trusted / touching : 1.0;
-  return trust;
-}
-
-/// "95.2 % of the forces within ± 5 %; ", or "" without a tolerance.
-std::string describeShare(const std::vector<double>& errors, double tolerance)
-{
-  if (!(tolerance > 0.0))
-  {
-    return {};
-  }
-  const auto within = std::upper_bound(errors.begin(), errors.end(), tolerance) - errors.begin();
-  std::array<char, 64> share{};
-  std::snprintf(share.data(), share.size(), "%.1f %% of the forces within",
-    100.0 * static_cast<double>(within) / static_cast<double>(errors.size()));
-  return share.data() + errorInWords(tolerance) + "; ";
-}
-
 void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, const ModelChoice& choice, vtkHapticSession* session,
   const std::string& stiffening)
@@ -154,7 +82,7 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   }
   std::printf("; the first one touches\n");
   std::printf("  model       %s%s\n", describeLaw(scene).c_str(), scene.modelReason.c_str());
-  if (!choice.reason.empty())
+  if (options.verbose && !choice.reason.empty())
   {
     std::printf("  choice      %s\n", choice.reason.c_str());
   }
@@ -176,17 +104,11 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   {
     std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
   }
-  const Trust trust = judge(responses.body, session->GetRecorder()->GetTicks());
-  std::printf("  validity    %.1f %% of the ticks in contact lie within it%s%s\n",
-    100.0 * trust.share, trust.broken.empty() ? "" : "; elsewhere the first to break is ",
-    trust.broken.c_str());
-  if (!trust.errors.empty())
+  const std::string trust =
+    describeTrust(responses.body, session->GetRecorder()->GetTicks(), scene.terms.errorTolerance);
+  if (!trust.empty())
   {
-    const std::string within = describeShare(trust.errors, scene.terms.errorTolerance);
-    std::printf("  error       %stypically%s, at most%s%s%s\n", within.c_str(),
-      errorInWords(trust.errors[trust.errors.size() / 2]).c_str(),
-      errorInWords(trust.errors.back()).c_str(), trust.worst.empty() ? "" : ", most of it by ",
-      trust.worst.c_str());
+    std::printf("  error       %s\n", trust.c_str());
   }
   std::printf(
     "  time        responses %.0f ms for %zu tools, choice %.0f ms; per tick median %.0f ns, "

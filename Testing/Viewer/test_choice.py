@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--auto, the default: the program uses the simplest response that keeps the forces, and reports choice and reason."""
+"""--auto, the default: the program uses the simplest response that keeps the forces; --verbose reports it."""
 import re
 import unittest
 
@@ -24,11 +24,12 @@ class Choice(SessionCase):
 
     def test_one_law_suffices_for_a_homogeneous_body_and_is_felt_as_before(self):
         flat = "--no-curvature"  # the curvature of the mesh differs in the last digits of a float
-        said = self.press(bodies.sphere(), "ball.vtp", flat)
+        self.assertNotIn("choice  ", self.press(bodies.sphere(), "ball.vtp", flat).stdout)
+        said = self.press(bodies.sphere(), "ball.vtp", flat, "--verbose")
         depth, force = self.trajectory()
         self.assertIn("one law suffices", choice(said))
         self.assertIn("0 instead of 16 numbers per point", choice(said))
-        whole = self.press(bodies.sphere(), "ball.vtp", "--no-auto", flat)
+        whole = self.press(bodies.sphere(), "ball.vtp", "--no-auto", flat, "--verbose")
         self.assertNotIn("choice  ", whole.stdout)
         depth_before, before = self.trajectory()
         numpy.testing.assert_allclose(depth, depth_before, rtol=1e-12, atol=1e-12)
@@ -36,7 +37,7 @@ class Choice(SessionCase):
         self.assertEqual(peak_force(said), peak_force(whole))
 
     def test_the_law_has_what_the_force_needs(self):
-        said = self.press(bodies.sphere(), "ball.vtp", "--strain", "auto")
+        said = self.press(bodies.sphere(), "ball.vtp", "--strain", "auto", "--verbose")
         self.assertRegex(choice(said), "Terms of its law: the body's curvature is in the law: without it the force is off by .* %; ")
 
     def test_responses_of_a_file_are_judged_too(self):
@@ -60,14 +61,14 @@ class Choice(SessionCase):
                 array.SetName(name)
                 body.GetPointData().AddArray(array)
             path = bodies.write(body, self.folder / "uneven.vtp", DataMode=1)  # binary: see the manual, Reference/arrays.md
-            said = choice(self.succeed(path))
+            said = choice(self.succeed(path, "--verbose"))
             for word in words:
                 self.assertIn(word, said)
             # The strain under a sphere of 3 mm is small up to 0.5 mm.
             self.assertIn("1 mm is beyond the validity of the law at 100 % of the points (mostly small strain)", said)
 
     def test_a_body_that_gives_way_is_asked_for_its_regime(self):
-        solid = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4")
+        solid = self.press(bodies.sphere(), "ball.vtp", "--voxel", "4", "--verbose")
         self.assertRegex(choice(solid), r"the shape of the tool is felt 1 mm deep at [\d.]+ % of the points")
 
     def test_tolerances_that_make_no_sense_are_refused(self):

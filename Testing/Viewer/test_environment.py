@@ -67,7 +67,7 @@ class Environment(SessionCase):
         self.output = self.folder / "bare"
         without = self.succeed(self.body(), environment={"DISPLAY": None})
         self.assertEqual((self.output / "trajectory.csv").read_bytes(), told)
-        for number in ("body", "session", "peak", "validity"):
+        for number in ("body", "session", "peak", "error"):
             lines = [re.search(rf"^  {number} .*", result.stdout, re.MULTILINE).group()
                      for result in (with_pictures, without)]
             self.assertEqual(*lines)

@@ -319,9 +319,14 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app
     .add_flag("--auto,!--no-auto", options.automatic,
       "choose the form of the responses from regime, validity and spread (a point force, one law, "
-      "a few laws, or a response per vertex), and state the reason (default; --no-auto: per vertex "
-      "as computed, as always in --trial)")
+      "a few laws, or a response per vertex; default; --no-auto: per vertex as computed, as always "
+      "in "
+      "--trial)")
     ->disable_flag_override(); // CLI11 does not report a number that is too large as a ParseError
+  app
+    .add_flag("--verbose", options.verbose,
+      "also print the form of the responses, with its reason (--auto)")
+    ->disable_flag_override();
   app
     .add_option("--tolerance", options.tolerance,
       "largest relative change of a force by the chosen form (see vtkResponseChoice)")

@@ -76,6 +76,7 @@ struct ViewerOptions
   std::string question;  ///< question of a blind comparison; empty: "which pushes back more"
   bool automatic = true; ///< whether to use the simplest form of the response that keeps its
                          ///< forces
+  bool verbose = false;  ///< whether to print that form, with the reason
   double tolerance = 0.01; ///< largest relative error of the force of that form
 };
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_ForceTrust_h
+#define palpate_ForceTrust_h
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+struct Tick;
+
+/**
+ * The error of the forces of a session in one sentence, e.g. "± 2 % typically, ± 7 % at most,
+ * mainly due to strain; above ± 5 % in 12 % of the contact", or "± 2 %, mainly due to strain".
+ * Body: with the response "Response". `tolerance`: a relative error above which the forces are
+ * counted; 0: none. Without a stored error the sentence gives the share of the contact that is
+ * within the validity of the law. "" without contact.
+ */
+std::string describeTrust(vtkPolyData* body, const std::vector<Tick>& ticks, double tolerance);
+} // namespace palpate
+
+#endif
