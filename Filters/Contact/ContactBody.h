@@ -25,8 +25,10 @@ struct ContactBody
   /// point, in the same order.
   ContactBody(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, const ResponseArrays& responses, const BuildProgress& progress = {})
-    : surface(points, pointCount, triangles, triangleCount, progress, creaseTurn(responses))
-    , tree(surface)
+    : Shared(std::make_shared<const Shape>(
+        points, pointCount, triangles, triangleCount, progress, creaseTurn(responses)))
+    , surface(Shared->surface)
+    , tree(Shared->tree)
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
@@ -38,11 +40,12 @@ struct ContactBody
       progress(1.0);
     }
   }
-  /// A body with the surface of another body and other responses. Sharp edges must have an effect
-  /// in both bodies or in neither.
+  /// A body that shares the surface of another body and has other responses. Sharp edges must have
+  /// an effect in both bodies or in neither.
   ContactBody(const ContactBody& same, const ResponseArrays& responses)
-    : surface(same.surface)
-    , tree(same.tree, surface)
+    : Shared(same.Shared)
+    , surface(Shared->surface)
+    , tree(Shared->tree)
     , response(responses, &surface)
     , edges(edgesOf(surface, responses))
     , relaxation(relaxationOf(surface, response, responses))
@@ -53,8 +56,25 @@ struct ContactBody
   ContactBody(const ContactBody&) = delete;
   ContactBody& operator=(const ContactBody&) = delete;
 
-  const PackedMesh surface;
-  const TriangleTree tree;
+private:
+  /// The part that is the same for all tools.
+  struct Shape
+  {
+    Shape(const double* points, std::size_t pointCount, const std::int32_t* triangles,
+      std::size_t triangleCount, const BuildProgress& progress, double creaseTurn)
+      : surface(points, pointCount, triangles, triangleCount, progress, creaseTurn)
+      , tree(surface)
+    {
+    }
+
+    const PackedMesh surface;
+    const TriangleTree tree;
+  };
+  const std::shared_ptr<const Shape> Shared;
+
+public:
+  const PackedMesh& surface;
+  const TriangleTree& tree;
   const ResponseField response;
   const std::unique_ptr<const BodyEdges> edges;           ///< null: edges have no effect
   const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes

@@ -34,14 +34,6 @@ class PALPATE_EXPORT TriangleTree
 {
 public:
   explicit TriangleTree(const PackedMesh& mesh);
-  /// Copies the tree of an equal mesh for use with `mesh`.
-  TriangleTree(const TriangleTree& equal, const PackedMesh& mesh)
-    : Mesh(mesh)
-    , Levels(equal.Levels)
-    , Size(equal.Size)
-    , Horizon(equal.Horizon)
-  {
-  }
   TriangleTree(const TriangleTree&) = delete;
   TriangleTree& operator=(const TriangleTree&) = delete;
 

@@ -232,6 +232,7 @@ void vtkContactPanel::ShowValues()
   }
   for (const auto& [button, shown] : this->Kept->buttons)
   {
+    shown->SetVisibility(button.isOffered());
     shown->setLabel(button.label());
     shown->setOn(button.isOn());
   }

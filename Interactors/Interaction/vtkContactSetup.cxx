@@ -29,6 +29,7 @@ void vtkContactSetup::SetBody(vtkPolyData* body)
   this->Kept->body = body;
   this->Kept->copy = nullptr;
   this->Kept->made.kernels = {};
+  this->Kept->computed = nullptr;
   this->Modified();
 }
 

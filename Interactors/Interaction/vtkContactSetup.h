@@ -259,6 +259,11 @@ public:
   void Request();
   /** Whether the requested responses are not ready yet. */
   bool IsBusy();
+  /** Fraction of the requested work that is done, 0 to 1; 1 if nothing is requested. */
+  double GetProgress();
+  /** Withdraws the request. Young's modulus, Poisson's ratio, model, relaxations and the sizes of
+   * the tools return to those of the output. No effect if nothing is requested. */
+  void Cancel();
   /** Takes over the requested responses if they are ready. Returns true once. Returns false, after
    * an error, if they could not be made. Never waits. */
   bool Collect();

@@ -2,6 +2,7 @@
 // Makes the requests of a vtkContactSetup, and takes over the results.
 #include "vtkContactSetup.h"
 
+#include "Interaction/Session/ModulusChange.h"
 #include "Interaction/Session/SetupState.h"
 #include "vtkToolContactResponse.h"
 
@@ -10,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -80,6 +82,7 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   for (int i = 0; i < this->GetNumberOfTools(); ++i)
   {
     request.tools.push_back(copyOf(this->GetTool(i)));
+    request.toolTimes.push_back(this->GetTool(i)->GetMTime());
     request.names.push_back(this->GetResponseName(i));
   }
   request.stored = this->Model == Stored;
@@ -128,6 +131,12 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   }
   const auto& known = kept.made.kernels.read;
   request.surface = known.empty() ? nullptr : known.begin()->second;
+  request.known = kept.computed;
+  kept.asked = { this->YoungsModulus, this->PoissonRatio, this->Model, this->Relaxations, {} };
+  for (const auto& tool : kept.tools)
+  {
+    kept.asked.sizes.push_back(tool->HasSize() ? tool->GetSize() : 0.0);
+  }
   kept.requested = this->GetMTime();
   return true;
 }
@@ -145,9 +154,14 @@ bool vtkContactSetup::TakeOver(palpate::MadeResponses&& made)
   {
     vtkWarningMacro(<< made.warning << ".");
   }
+  if (!kept.computed || !palpate::isModulusChange(kept.computed->of, made.of))
+  {
+    kept.computed = std::make_shared<const palpate::MadeResponses>(made);
+  }
   kept.made = std::move(made);
   kept.output = withAddedArrays(kept.body, kept.made);
   kept.made.body = nullptr;
+  kept.shown = kept.asked;
   return true;
 }
 
@@ -156,7 +170,7 @@ bool vtkContactSetup::Update()
   this->Kept->background.cancel();
   palpate::ResponseRequest request;
   return this->MakeRequest(request) &&
-    this->TakeOver(palpate::makeResponses(request, [] { return false; }));
+    this->TakeOver(palpate::makeResponses(request, [](double) { return true; }));
 }
 
 void vtkContactSetup::Request()
@@ -171,6 +185,33 @@ void vtkContactSetup::Request()
 bool vtkContactSetup::IsBusy()
 {
   return this->Kept->background.isBusy();
+}
+
+double vtkContactSetup::GetProgress()
+{
+  return this->IsBusy() ? this->Kept->background.fraction() : 1.0;
+}
+
+void vtkContactSetup::Cancel()
+{
+  State& kept = *this->Kept;
+  if (!this->IsBusy())
+  {
+    return;
+  }
+  kept.background.cancel();
+  this->SetYoungsModulus(kept.shown.youngsModulus);
+  this->SetPoissonRatio(kept.shown.poissonRatio);
+  this->SetModel(kept.shown.model);
+  this->Relaxations = kept.shown.relaxations;
+  for (std::size_t i = 0; i < std::min(kept.tools.size(), kept.shown.sizes.size()); ++i)
+  {
+    if (kept.tools[i]->HasSize())
+    {
+      kept.tools[i]->SetSize(kept.shown.sizes[i]);
+    }
+  }
+  kept.requested = this->GetMTime(); // the present responses are those of these settings
 }
 
 bool vtkContactSetup::Collect()

@@ -82,7 +82,6 @@ std::string runLive(const ViewerOptions& options, const ViewerScene& scene)
   {
     return error;
   }
-  choice.update();
   report(responses, 0);
   return live.run();
 }

@@ -91,6 +91,9 @@ std::string exaggerationText(double value)
   return digits(value, 2) + " times";
 }
 
+/// Work that takes longer is announced, and can be cancelled.
+constexpr std::chrono::milliseconds Patience{ 300 };
+
 std::function<std::string()> always(const char* label)
 {
   return [label] { return std::string(label); };
@@ -204,6 +207,8 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
     }
   }
   rows.emplace_back(std::move(models));
+  rows.emplace_back(std::vector<ControlButton>{ { always("Cancel"), [setup] { setup->Cancel(); },
+    [] { return false; }, [this] { return this->isWaiting(); } } });
 }
 
 /// Adds the controls of the first relaxation.
@@ -268,9 +273,17 @@ void ContactControls::addSession(std::vector<ControlRow>& rows)
   rows.emplace_back(std::move(buttons));
 }
 
+bool ContactControls::isWaiting() const
+{
+  return this->Waits && this->Setup->IsBusy();
+}
+
 bool ContactControls::update()
 {
   this->Setup->Request();
+  const auto now = std::chrono::steady_clock::now();
+  this->BusySince = this->Setup->IsBusy() ? this->BusySince : now;
+  this->Waits = now - this->BusySince > Patience;
   if (!this->Setup->Collect())
   {
     return false;
@@ -338,9 +351,9 @@ void ContactControls::toggleTiming()
 std::string ContactControls::status() const
 {
   vtkSessionFiles* files = this->Style->GetFiles();
-  if (this->Setup->IsBusy())
+  if (this->isWaiting())
   {
-    return "computing the responses ...";
+    return "computing the responses: " + decimals(100.0 * this->Setup->GetProgress(), 0) + " %";
   }
   if (!this->Setup->GetError().empty())
   {

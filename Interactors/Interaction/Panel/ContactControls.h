@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <variant>
@@ -38,6 +39,7 @@ struct ControlButton
   std::function<std::string()> label;
   std::function<void()> press;
   std::function<bool()> isOn = [] { return false; };
+  std::function<bool()> isOffered = [] { return true; };
 };
 
 /// A row of the panel: a heading, a quantity, or buttons side by side.
@@ -75,6 +77,7 @@ public:
   std::string status() const;
 
 private:
+  bool isWaiting() const;
   vtkHapticSession* session() const;
   vtkContactScene* scene() const;
   void addContact(std::vector<ControlRow>& rows);
@@ -88,7 +91,9 @@ private:
   std::function<void(int)> ToolShown;
   bool Compares = false;
   bool ShowsCharts = true;
-  double ShownForce; ///< force to which the force scales were fitted, N
+  std::chrono::steady_clock::time_point BusySince = std::chrono::steady_clock::now();
+  bool Waits = false; ///< the responses have been computed for longer than a moment
+  double ShownForce;  ///< force to which the force scales were fitted, N
 };
 } // namespace palpate
 

@@ -26,11 +26,11 @@ template <class Request, class Result>
 class NewestRequest
 {
 public:
-  /// Returns true if the work should stop, because there is a newer request or the request was
-  /// cancelled.
-  using Stale = std::function<bool()>;
-  /// Runs on the thread. Stale results are discarded.
-  using Work = std::function<Result(const Request&, const Stale&)>;
+  /// Takes the fraction of the work that is done. Returns false if the work should stop, because
+  /// there is a newer request or the request was cancelled.
+  using GoOn = std::function<bool(double)>;
+  /// Runs on the thread. Results of stopped work are discarded.
+  using Work = std::function<Result(const Request&, const GoOn&)>;
 
   explicit NewestRequest(Work work)
     : Compute(std::move(work))
@@ -83,6 +83,9 @@ public:
     return this->Waiting || this->UnderWay == this->Newest;
   }
 
+  /// Fraction of the newest request's work that is done, 0 to 1.
+  double fraction() const { return this->Fraction; }
+
   /// Returns the result of the newest request once; empty before it is ready and afterwards.
   std::optional<Result> collect()
   {
@@ -109,8 +112,14 @@ private:
       const Request request = std::move(*std::exchange(this->Waiting, std::nullopt));
       const std::uint64_t mine = this->Newest;
       this->UnderWay = mine;
+      this->Fraction = 0.0;
       lock.unlock();
-      Result result = this->Compute(request, [this, mine] { return this->Newest != mine; });
+      Result result = this->Compute(request,
+        [this, mine](double done)
+        {
+          this->Fraction = done;
+          return this->Newest == mine;
+        });
       lock.lock();
       this->UnderWay = None;
       if (this->Newest == mine)
@@ -129,6 +138,7 @@ private:
   std::optional<Result> Done;
   std::atomic<std::uint64_t> Newest{ 0 }; ///< written under the lock, read without it
   std::uint64_t UnderWay = None;
+  std::atomic<double> Fraction{ 0.0 };
   bool Ending = false;
   std::thread Thread;
 };

@@ -5,6 +5,7 @@
 #include "Response/BodyLaws.h"
 #include "Haptics/Devices/DeviceFit.h"
 #include "Interaction/Session/LeastForm.h"
+#include "Interaction/Session/ModulusChange.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -15,6 +16,8 @@ namespace palpate
 {
 namespace
 {
+constexpr double CurvesShare = 0.8; // of the work: the curves; forms and kernels follow
+
 /// Scales compliance and modes to another Young's modulus. Compliance is inversely proportional to
 /// the modulus, a mode to its square root.
 void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
@@ -47,13 +50,14 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
   }
 }
 
-void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses& made,
-  const std::function<bool()>& stale)
+/// Returns false if the work was stopped.
+bool addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses& made,
+  const std::function<bool(double)>& goOn)
 {
   made.error = request.tools[tool]->FindFault(); // GetKernel would print the error
   if (!made.error.empty())
   {
-    return;
+    return true;
   }
   const LawRequest law{ request.tools[tool], request.names[tool], request.maximumDeflection,
     { request.youngsModulus, request.poissonRatio, request.layerThickness, request.base, false,
@@ -63,10 +67,13 @@ void addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
     8, request.terms, nullptr, request.relaxation, request.coupling };
   const auto body = vtkSmartPointer<vtkPolyData>::New();
   std::string warning;
-  made.error = attachResponse(
-    Ranks(), made.body, law, [&stale](double) { return !stale(); }, body, warning);
+  const auto total = static_cast<double>(request.tools.size());
+  const auto reached = [&](double done)
+  { return goOn(CurvesShare * (static_cast<double>(tool) + done) / total); };
+  made.error = attachResponse(Ranks(), made.body, law, reached, body, warning);
   made.warning = made.warning.empty() ? warning : made.warning;
   made.body = body;
+  return reached(1.0);
 }
 
 /// Returns the body with the form of a tool's response from which a session computes the force;
@@ -89,17 +96,21 @@ vtkSmartPointer<vtkPolyData> formOfForce(
 /// Makes the same kernels as the session would make. They are made one after the other, since each
 /// uses several threads.
 void makeKernels(
-  const ResponseRequest& request, MadeResponses& made, const std::function<bool()>& stale)
+  const ResponseRequest& request, MadeResponses& made, const std::function<bool(double)>& goOn)
 {
   std::shared_ptr<const ContactBody> surface = request.surface;
   for (std::size_t i = 0; i < request.names.size(); ++i)
   {
-    const vtkSmartPointer<vtkPolyData> formed = stale() ? nullptr : formOfForce(request, i, made);
-    if (!formed || stale() || !made.error.empty())
+    const double done = static_cast<double>(i) / static_cast<double>(request.names.size());
+    const auto isWanted = [&] { return goOn(CurvesShare + (1.0 - CurvesShare) * done); };
+    const vtkSmartPointer<vtkPolyData> formed =
+      isWanted() ? formOfForce(request, i, made) : nullptr;
+    if (!formed || !isWanted() || !made.error.empty())
     {
       return;
     }
     const std::string& name = request.names[i];
+    made.forms.push_back(formed);
     auto& kernel = made.kernels.read[name];
     kernel = surface ? makeContactBody(formed, name, made.error, *surface)
                      : makeContactBody(formed, name, made.error);
@@ -115,9 +126,16 @@ void makeKernels(
 }
 } // namespace
 
-MadeResponses makeResponses(const ResponseRequest& request, const std::function<bool()>& stale)
+MadeResponses makeResponses(const ResponseRequest& request, const std::function<bool(double)>& goOn)
 {
+  if (request.known && isModulusChange(request.known->of, request))
+  {
+    return scaleModulus(*request.known, request, goOn);
+  }
   MadeResponses made;
+  made.of = request;
+  made.of.surface = nullptr;
+  made.of.known = nullptr;
   made.from = request.body;
   made.tools = request.tools;
   made.poissonRatio = request.poissonRatio;
@@ -126,15 +144,14 @@ MadeResponses makeResponses(const ResponseRequest& request, const std::function<
   scaleGlobal(made.body, request);
   for (std::size_t i = 0; !request.stored && i < request.tools.size(); ++i)
   {
-    addResponse(request, i, made, stale);
-    if (stale() || !made.error.empty())
+    if (!addResponse(request, i, made, goOn) || !made.error.empty())
     {
       break;
     }
   }
   if (made.error.empty())
   {
-    makeKernels(request, made, stale);
+    makeKernels(request, made, goOn);
   }
   if (!made.error.empty())
   {

@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <vector>
 
 namespace palpate::SetupArrays
@@ -30,7 +31,20 @@ struct vtkContactSetup::State
 
   vtkSmartPointer<vtkPolyData> output;
   palpate::MadeResponses made; ///< the responses from which the output was assembled
-  vtkMTimeType requested = 0;  ///< modification time of the last request for responses
+  /// Responses that were computed, not scaled, with their body.
+  std::shared_ptr<const palpate::MadeResponses> computed;
+  /// Settings that a panel changes.
+  struct Settings
+  {
+    double youngsModulus = 0.0;
+    double poissonRatio = 0.0;
+    int model = 0;
+    palpate::RelaxationList relaxations;
+    std::vector<double> sizes; ///< of the tools, mm or degrees
+  };
+  Settings asked;             ///< of the last request
+  Settings shown;             ///< of the output
+  vtkMTimeType requested = 0; ///< modification time of the last request for responses
 
   /// Declared last, so that it is destroyed first.
   palpate::NewestRequest<palpate::ResponseRequest, palpate::MadeResponses> background{

@@ -64,12 +64,12 @@ void makeKernel(PreparedLiveTouch& made)
 } // namespace
 
 PreparedLiveTouch prepareLiveTouch(
-  const LiveTouchRequest& request, const std::function<bool()>& stale)
+  const LiveTouchRequest& request, const std::function<bool(double)>& goOn)
 {
   PreparedLiveTouch made;
   made.request = request;
   openDevice(made);
-  if (made.error.empty() && !stale())
+  if (made.error.empty() && goOn(0.5))
   {
     makeKernel(made);
   }

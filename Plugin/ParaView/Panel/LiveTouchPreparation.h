@@ -41,7 +41,7 @@ struct PreparedLiveTouch
 /// Prepares a live touch. Cost: about 1 s for a million triangles, up to 2 s for a bridge that does
 /// not answer. May run on any thread.
 PreparedLiveTouch prepareLiveTouch(
-  const LiveTouchRequest& request, const std::function<bool()>& stale);
+  const LiveTouchRequest& request, const std::function<bool(double)>& goOn);
 } // namespace palpate
 
 #endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Interaction/Session/ModulusChange.h"
+
+#include "Contact/ResponseContract.h"
+#include "Mechanics/SharedWork.h"
+#include "Response/BodyConversion.h"
+#include "Response/BodyField.h"
+#include "Response/FilterThreads.h"
+
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Rounding = 1e-12;   // relative, of the product of modulus and compliance
+constexpr std::size_t Share = 65536; // numbers that a thread scales at a time
+
+auto lawOf(const LawTerms& terms)
+{
+  return std::tie(terms.curvature, terms.strain.model, terms.strain.parameter, terms.errorTolerance,
+    terms.storeError, terms.automatic, terms.changeTolerance, terms.edges, terms.tilt);
+}
+
+/// The parts of a request that must be equal. The terms of a law and the relaxation are compared
+/// apart.
+auto partsOf(const ResponseRequest& request)
+{
+  return std::tie(request.body, request.names, request.toolTimes, request.stored,
+    request.poissonRatio, request.maximumDeflection, request.layerThickness, request.thicknessArray,
+    request.base, request.complianceArray, request.tolerance, request.choiceDeflection);
+}
+
+bool haveSameRelaxation(const RelaxationRequest& a, const RelaxationRequest& b)
+{
+  return a.complianceRelaxes == b.complianceRelaxes && a.strength.array == b.strength.array &&
+    a.series.count == b.series.count && a.series.strength == b.series.strength &&
+    a.series.time == b.series.time;
+}
+
+/// The power of the modulus to which a quantity of this unit is proportional, for a body whose
+/// deflections do not change.
+double powerOf(std::string_view unit)
+{
+  return unit == "N" || unit == "N/mm" || unit == "MPa" ? 1.0
+    : unit == "mm/N"                                    ? -1.0
+    : unit == "\u221a(mm/N)"                            ? -0.5
+                                                        : 0.0;
+}
+
+/// The same for an array of a response, or of the body's compliance.
+double powerOf(const std::string& name, const ResponseRequest& request)
+{
+  for (const std::string& response : request.names)
+  {
+    for (const ContractArray& array : ResponseContract)
+    {
+      if (name == array.named(response))
+      {
+        return powerOf(array.unit);
+      }
+    }
+  }
+  if (request.complianceArray.empty() || name == GlobalModeSignArray)
+  {
+    return 0.0;
+  }
+  return name == request.complianceArray ? powerOf("mm/N")
+    : name.rfind("GlobalMode", 0) == 0   ? powerOf("\u221a(mm/N)")
+                                         : 0.0;
+}
+
+vtkSmartPointer<vtkDataArray> scaled(vtkDataArray* array, double factor)
+{
+  const auto made = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  const auto count = static_cast<std::size_t>(array->GetNumberOfValues());
+  const int width = array->GetNumberOfComponents();
+  made->SetName(array->GetName());
+  made->SetNumberOfComponents(width);
+  made->SetNumberOfTuples(array->GetNumberOfTuples());
+  if (auto* floats = vtkFloatArray::SafeDownCast(made))
+  {
+    const float* from = vtkFloatArray::SafeDownCast(array)->GetPointer(0);
+    float* to = floats->GetPointer(0);
+    shareWork((count + Share - 1) / Share,
+      [&](std::size_t part)
+      {
+        std::transform(from + part * Share, from + std::min(count, (part + 1) * Share),
+          to + part * Share,
+          [factor](float value)
+          { return static_cast<float>(factor * static_cast<double>(value)); });
+      });
+    return made;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto tuple = static_cast<vtkIdType>(i) / width;
+    const int component = static_cast<int>(static_cast<vtkIdType>(i) % width);
+    made->SetComponent(tuple, component, factor * array->GetComponent(tuple, component));
+  }
+  return made;
+}
+
+vtkSmartPointer<vtkPolyData> scaled(
+  vtkPolyData* body, const ResponseRequest& request, double factor)
+{
+  const auto made = vtkSmartPointer<vtkPolyData>::New();
+  made->ShallowCopy(body);
+  for (vtkFieldData* data :
+    { static_cast<vtkFieldData*>(made->GetPointData()), made->GetFieldData() })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      const std::string name = array && array->GetName() ? array->GetName() : "";
+      const double power = powerOf(name, request);
+      if (power != 0.0)
+      {
+        data->AddArray(scaled(array, std::pow(factor, power))); // replaces the array of this name
+      }
+    }
+  }
+  return made;
+}
+} // namespace
+
+bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted)
+{
+  const auto modulusTimesCompliance = [](const ResponseRequest& request)
+  { return request.youngsModulus * request.complianceFactor; };
+  const bool isProportional = !wanted.stored && !wanted.coupling && wanted.deeper.empty() &&
+    wanted.secondArray.empty() && !wanted.halfSpace && wanted.youngsModulus > 0.0 &&
+    std::isfinite(wanted.youngsModulus) &&
+    (wanted.complianceArray.empty() ||
+      std::abs(modulusTimesCompliance(wanted) / modulusTimesCompliance(known) - 1.0) < Rounding);
+  return isProportional && !known.coupling && known.deeper.empty() && !known.halfSpace &&
+    partsOf(known) == partsOf(wanted) && lawOf(known.terms) == lawOf(wanted.terms) &&
+    haveSameRelaxation(known.relaxation, wanted.relaxation);
+}
+
+MadeResponses scaleModulus(const MadeResponses& known, const ResponseRequest& wanted,
+  const std::function<bool(double)>& goOn)
+{
+  const FilterThreads threads;
+  const double factor = wanted.youngsModulus / known.of.youngsModulus;
+  MadeResponses made = known;
+  made.of = wanted;
+  made.of.surface = nullptr;
+  made.of.known = nullptr;
+  made.tools = wanted.tools;
+  made.body = scaled(known.body, wanted, factor);
+  made.kernels = {};
+  const auto total = static_cast<double>(wanted.names.size());
+  for (std::size_t i = 0; i < wanted.names.size() && goOn(static_cast<double>(i) / total); ++i)
+  {
+    const std::string& name = wanted.names[i];
+    made.forms[i] =
+      known.forms[i] == known.body ? made.body : scaled(known.forms[i], wanted, factor);
+    made.kernels.read[name] =
+      makeContactBody(made.forms[i], name, made.error, *known.kernels.read.at(name));
+  }
+  for (const auto& [response, peaks] : known.kernels.peaks)
+  {
+    auto& to = made.kernels.peaks[response];
+    to = peaks ? BodyKernels::Peaks{ factor * peaks->first, factor * peaks->second }
+               : std::optional<BodyKernels::Peaks>();
+  }
+  made.body = made.error.empty() ? made.body : nullptr;
+  return made;
+}
+} // namespace palpate
