@@ -34,10 +34,16 @@ struct vtkHapticDevice::Parts
   palpate::SimulatedDevice* steered = nullptr; ///< the hand, if it is steered
   double pathDuration = 0.0;                   ///< s
   double rate = 1000.0;                        ///< Hz
+  double simulatedForce = 10.0;                ///< N
 
   palpate::DeviceSpecification specification() const
   {
-    return this->chosen.specification(this->rate);
+    palpate::DeviceSpecification specification = this->chosen.specification(this->rate);
+    if (this->chosen.kind == palpate::SessionDevice::Simulated)
+    {
+      specification.maximumForce = this->simulatedForce;
+    }
+    return specification;
   }
   /// Makes a stiff hand, or a plant held by a hand, that follows a path or starts at a point.
   template <class Way>
@@ -102,6 +108,7 @@ bool vtkHapticDevice::GetOutputsForce()
 
 double vtkHapticDevice::GetMaximumForce()
 {
+  this->Kept->simulatedForce = this->SimulatedForce;
   return this->Kept->specification().maximumForce;
 }
 
@@ -143,10 +150,49 @@ double vtkHapticDevice::GetPathDuration()
 
 void vtkHapticDevice::SteerTo(const double tip[3])
 {
+  this->Touches = false;
   std::copy_n(tip, 3, this->Steered);
   if (this->Kept->steered)
   {
     this->Kept->steered->steerTo(this->Kept->mapping.toDevice(Eigen::Vector3d(tip)));
+  }
+}
+
+void vtkHapticDevice::TouchAt(const double point[3], const double normal[3], double height)
+{
+  double tip[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    tip[k] = point[k] + height * normal[k];
+  }
+  if (this->Kept->mapping.isPlanar())
+  {
+    this->SteerTo(tip);
+    return;
+  }
+  std::copy_n(tip, 3, this->Steered);
+  std::copy_n(point, 3, this->TouchedPoint);
+  std::copy_n(normal, 3, this->TouchedNormal);
+  this->TouchedHeight = height;
+  this->Touches = true;
+  this->Touch();
+}
+
+void vtkHapticDevice::Touch()
+{
+  if (this->Kept->steered && this->Touches)
+  {
+    this->Kept->steered->touch(Eigen::Vector3d(this->TouchedPoint),
+      Eigen::Vector3d(this->TouchedNormal), this->TouchedHeight);
+  }
+}
+
+void vtkHapticDevice::ChangeBody(const std::shared_ptr<const palpate::ContactBody>& body)
+{
+  if (this->Kept->steered)
+  {
+    this->Kept->steered->setBody(body, this->Kept->mapping);
+    this->Touch();
   }
 }
 
@@ -159,11 +205,13 @@ void vtkHapticDevice::TurnTo(const double axis[3])
   }
 }
 
-std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, double rate)
+std::string vtkHapticDevice::Prepare(const std::shared_ptr<const palpate::ContactBody>& body,
+  const double bounds[6], bool realTime, double rate)
 {
   this->Release();
   Parts& kept = *this->Kept;
   kept.rate = rate;
+  kept.simulatedForce = this->SimulatedForce;
   if (this->IsPhysical() && !realTime)
   {
     return "This device has no virtual time: set RealTime";
@@ -186,6 +234,8 @@ std::string vtkHapticDevice::Prepare(const double bounds[6], bool realTime, doub
     kept.steered = hand.get();
     hand->turnTo(kept.mapping.axisToDevice(Eigen::Vector3d(this->Axis)));
     kept.hand = hand;
+    this->Touches = this->Touches && !kept.mapping.isPlanar();
+    this->ChangeBody(body);
   }
   else if (kept.chosen.isSimulated())
   {
@@ -265,6 +315,7 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Status: " << this->GetStatus() << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "SimulatedForce: " << this->SimulatedForce << " N\n";
   os << indent << "Planar: " << this->Planar << "\n";
   os << indent << "FitWorkspace: " << this->FitWorkspace << "\n";
   os << indent << "ClutchButtons: " << this->ClutchButtons << "\n";

@@ -8,8 +8,8 @@
  * Devices, by Open:
  * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
  *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
- *   maximum force is 10 N. Neither stiffness nor energy is limited, as no loop is closed through
- *   it.
+ *   maximum force is SimulatedForce. Neither stiffness nor energy is limited, as no loop is closed
+ * through it.
  * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves by m
  *   dv/dt = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m,
  *   1). A hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
@@ -56,6 +56,7 @@ namespace palpate
 {
 class HapticDevice;
 class WorkspaceMapping;
+struct ContactBody;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticDevice : public vtkObject
@@ -118,6 +119,14 @@ public:
   ///@}
   ///@{
   /**
+   * Maximum force of the device "simulated", N, > 0; infinite: no limit, for a hand that feels no
+   * force, such as one that a mouse steers. Default 10.
+   */
+  vtkSetMacro(SimulatedForce, double);
+  vtkGetMacro(SimulatedForce, double);
+  ///@}
+  ///@{
+  /**
    * While any of these buttons of the device (bits) is down, the tip does not move and the hand
    * moves freely. Default 0: none.
    */
@@ -132,9 +141,17 @@ public:
    * Time of the last point of the path in use since Start, s; 0 before Start and without a path.
    */
   double GetPathDuration();
-  /** For a simulated device with RealTime: the target of the hand, mm. Before Start: its starting
-   * point. */
+  /** For a simulated device with RealTime: the target of the hand, mm, to which it moves on a
+   * straight line, also through the body. Before Start: its starting point. */
   void SteerTo(const double tip[3]);
+  /**
+   * For a simulated device with RealTime: the hand moves to `height` (mm) above a point of the
+   * body's surface with an outward unit normal; at a negative height it presses. Unlike SteerTo, it
+   * does not pass through the body: it lifts off, moves around the body and comes down, or slides
+   * if both places are near and pressed. The depth is never larger than the one set
+   * (palpate::GuidedHand). Before Start: its starting place. A planar device goes straight.
+   */
+  void TouchAt(const double point[3], const double normal[3], double height);
   /**
    * For a simulated device with RealTime: the axis of the tool, from the tip to the hand, in the
    * body's frame; of any length. Zero (default): the axis is unknown, and the tool is along the
@@ -148,7 +165,10 @@ public:
 
   /** Called by the session at its start: reads mapping and path, and makes the hand, for a body
    * with these bounds (mm), at `rate` (Hz). Returns "" or an error. */
-  std::string Prepare(const double bounds[6], bool realTime, double rate);
+  std::string Prepare(const std::shared_ptr<const palpate::ContactBody>& body,
+    const double bounds[6], bool realTime, double rate);
+  /** Called by the session when it changes over to another body, not null. */
+  void ChangeBody(const std::shared_ptr<const palpate::ContactBody>& body);
   /** Discards the results of Prepare, if the session does not start, or starts again. */
   void Release();
   /** The hand made by Prepare; null before. */
@@ -176,7 +196,14 @@ private:
   bool Planar = false;
   bool FitWorkspace = false;
   unsigned int ClutchButtons = 0;
+  double SimulatedForce = 10.0;
+  void Touch();
+
   double Steered[3] = { 0.0, 0.0, 0.0 };
+  bool Touches = false; ///< whether TouchAt was called last
+  double TouchedPoint[3] = { 0.0, 0.0, 0.0 };
+  double TouchedNormal[3] = { 0.0, 0.0, 1.0 };
+  double TouchedHeight = 0.0;
   double Axis[3] = { 0.0, 0.0, 0.0 };
   vtkSmartPointer<vtkPolyData> Path;
 

@@ -229,7 +229,7 @@ std::string vtkHapticSession::GetSafetyText()
 std::string vtkHapticSession::GetSafetyText(int device)
 {
   const palpate::Tick& newest = this->Newest(device);
-  return palpate::describeSafety(newest.acted, newest.forceFactor);
+  return palpate::describeSafety(newest.acted, newest.forceFactor, this->FitReason);
 }
 
 void vtkHapticSession::GetFrictionForce(double force[3])

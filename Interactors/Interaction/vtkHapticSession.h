@@ -271,6 +271,11 @@ public:
    * first tick, the factor of Start.
    */
   double GetForceFactor();
+  /** Why forces are fitted, "the device is too weak: 10 N of 52.3 N"; "" if the factor is 1. */
+  std::string GetFitReason() const
+  {
+    return this->FitReason;
+  }
   /**
    * The largest force that can reach the hand, N: the device's maximum or the limit of the safety,
    * whichever is smaller.
@@ -278,7 +283,8 @@ public:
   double GetMaximumForce();
   /**
    * Text with the reasons why the applied force differs from the ideal force, and the factor, for
-   * example "force ×0.12, stiffness capped". "" if it does not differ.
+   * example "force ×0.12 (the device is too weak: 10 N of 83.3 N), stiffness capped". "" if it does
+   * not differ.
    */
   std::string GetSafetyText();
 
@@ -310,7 +316,8 @@ private:
   void ReleaseDevices();
   bool ReadSafety(std::vector<Hand>& hands);
   std::unique_ptr<palpate::ServoScene> MakeScene(const std::vector<Hand>& hands);
-  bool FitToDevice(const palpate::SafetySettings& safety, double scale, double& factor);
+  bool FitToDevice(
+    const palpate::SafetySettings& safety, double scale, double& factor, std::string& reason);
   std::shared_ptr<palpate::SessionRun> MakeRun(const std::vector<Hand>& hands);
   bool StartRun(const std::vector<Hand>& hands);
 
@@ -327,6 +334,7 @@ private:
   double Rehearsal = 0.0;
   vtkIdType Starts = 0;
   double FittedFactor = 1.0; ///< factor of the newest servo scene
+  std::string FitReason;     ///< why it is below 1
 
   // The body for which defects were reported last, and its modification time then.
   vtkPolyData* Unsound = nullptr;

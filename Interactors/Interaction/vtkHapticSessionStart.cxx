@@ -83,14 +83,16 @@ bool vtkHapticSession::PrepareDevices()
 {
   double bounds[6];
   this->Body->GetBounds(bounds);
+  const auto body = this->ReadBody(this->ResponseName);
   const auto devices = this->Devices();
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
     const bool isTwice =
       std::find(devices.begin(), devices.begin() + static_cast<std::ptrdiff_t>(i), devices[i]) !=
       devices.begin() + static_cast<std::ptrdiff_t>(i);
-    const std::string fault = isTwice ? "It is the same object as another device"
-                                      : devices[i]->Prepare(bounds, this->RealTime, this->Rate);
+    const std::string fault = isTwice
+      ? "It is the same object as another device"
+      : devices[i]->Prepare(body, bounds, this->RealTime, this->Rate);
     if (!fault.empty())
     {
       const std::string which = i > 0 ? "Device " + std::to_string(i) + ": " : std::string();
@@ -122,6 +124,10 @@ bool vtkHapticSession::ApplyChanges()
   }
   this->Run->run->change(std::move(scene));
   this->Run->run->firstPoly = firstPolyOf(this->Body);
+  for (vtkHapticDevice* device : this->Devices())
+  {
+    device->ChangeBody(this->ReadBody(this->ResponseName));
+  }
   return true;
 }
 
@@ -196,22 +202,26 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(const std::vect
     return nullptr;
   }
   double factor = 1.0; // all devices have one factor, so that their forces are comparable
+  std::string reason;
   for (const Hand& hand : hands)
   {
     double fitted = 1.0;
-    if (!this->FitToDevice(hand.safety, hand.scale, fitted))
+    std::string why;
+    if (!this->FitToDevice(hand.safety, hand.scale, fitted, why))
     {
       return nullptr;
     }
+    reason = fitted < factor ? why : reason;
     factor = std::min(factor, fitted);
   }
   this->FittedFactor = factor;
+  this->FitReason = reason;
   return std::make_unique<palpate::ServoScene>(
     std::move(body), this->Settings->GetKernel(), factor, hands.size() > 1 ? hands.size() : 0);
 }
 
 bool vtkHapticSession::FitToDevice(
-  const palpate::SafetySettings& safety, double scale, double& factor)
+  const palpate::SafetySettings& safety, double scale, double& factor, std::string& reason)
 {
   factor = 1.0;
   if (!this->Safety->GetFitForce())
@@ -247,6 +257,7 @@ bool vtkHapticSession::FitToDevice(
     all.include(peaks->first, peaks->second);
   }
   factor = all.factor();
+  reason = all.reason();
   if (!(factor > 0.0))
   {
     vtkErrorMacro(

@@ -140,16 +140,43 @@ bool vtkInteractorStyleHaptic::SteerOverSurface()
   {
     return false;
   }
-  const double depth = this->Pressing ? this->PressDepth : this->GetWheelDepth();
-  const double height = this->Pressing || depth > 0.0 ? -depth : this->HoverHeight;
-  double tip[3];
+  const bool byButton = this->Pressing && !this->KeepsWheelDepth;
+  const double depth = byButton ? this->PressDepth : this->GetWheelDepth();
+  this->TouchAt(point, normal, depth > 0.0 ? -depth : this->HoverHeight);
+  return true;
+}
+
+/// Steers the tip to a height above a point of the surface; a negative height presses.
+void vtkInteractorStyleHaptic::TouchAt(const double point[3], const double normal[3], double height)
+{
+  palpate::SteeredHand& hand = this->Steered();
+  hand.touches = true;
+  hand.height = height;
   for (int k = 0; k < 3; ++k)
   {
-    tip[k] = point[k] + height * normal[k];
+    hand.point[k] = point[k];
+    hand.normal[k] = normal[k];
+    hand.tip[k] = point[k] + height * normal[k];
   }
   this->FaceAlong(normal);
-  this->SteerTo(tip);
-  return true;
+  if (this->Session)
+  {
+    this->SteerAlike(this->SteeredDevice());
+  }
+  this->InvokeEvent(SteeredEvent, hand.tip);
+}
+
+void vtkInteractorStyleHaptic::SteerAlike(vtkHapticDevice* device) const
+{
+  const palpate::SteeredHand& hand = this->Steered();
+  if (hand.touches)
+  {
+    device->TouchAt(hand.point, hand.normal, hand.height);
+  }
+  else
+  {
+    device->SteerTo(hand.tip);
+  }
 }
 
 /// Steers to the point under the pointer, at the tip's distance from the viewer plus `away` mm.
@@ -176,13 +203,7 @@ bool vtkInteractorStyleHaptic::Steer()
 
 void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double normal[3])
 {
-  double tip[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    tip[k] = point[k] + this->HoverHeight * normal[k];
-  }
-  this->FaceAlong(normal);
-  this->SteerTo(tip);
+  this->TouchAt(point, normal, this->HoverHeight);
 }
 
 /// Sets the direction of the tool without contact, and its tilt relative to that direction.
@@ -220,13 +241,14 @@ void vtkInteractorStyleHaptic::Lean(double right, double away)
 
 void vtkInteractorStyleHaptic::SteerTo(const double tip[3])
 {
-  double* steered = this->Steered().tip;
-  std::copy_n(tip, 3, steered);
+  palpate::SteeredHand& hand = this->Steered();
+  hand.touches = false;
+  std::copy_n(tip, 3, hand.tip);
   if (this->Session)
   {
-    this->SteeredDevice()->SteerTo(tip);
+    this->SteerAlike(this->SteeredDevice());
   }
-  this->InvokeEvent(SteeredEvent, steered);
+  this->InvokeEvent(SteeredEvent, hand.tip);
 }
 
 void vtkInteractorStyleHaptic::OnMouseMove()
@@ -241,6 +263,7 @@ void vtkInteractorStyleHaptic::OnMouseMove()
 void vtkInteractorStyleHaptic::OnLeftButtonDown()
 {
   this->Pressing = this->Steering == Surface;
+  this->KeepsWheelDepth = this->GetWheelDepth() > 0.0;
   if (this->Pressing && this->SteerOverSurface())
   {
     return;
@@ -311,7 +334,7 @@ bool vtkInteractorStyleHaptic::TurnWheel(double notches)
     return false;
   }
   this->WheelPressed = this->WheelPressed || notches > 0.0;
-  if (this->Pressing)
+  if (this->Pressing && !this->KeepsWheelDepth)
   {
     this->SetPressDepth(this->PressDepth + notches * DepthPerNotch);
   }

@@ -7,9 +7,10 @@
  * never waits for the servo thread.
  *
  * **Mouse**, over the body, in the viewport of the scene:
- * - moving: the tool hovers HoverHeight above the surface under the pointer;
+ * - moving: the tool hovers HoverHeight above the surface under the pointer; if the pointer jumps,
+ *   the tool moves around the body (vtkHapticDevice::TouchAt);
  * - left button: the tool presses, PressDepth deep, and slides with the pointer; the wheel changes
- *   the depth by 0.1 mm per notch;
+ *   the depth by 0.1 mm per notch; a tool that the wheel presses keeps its depth;
  * - wheel without a button: the tool presses WheelDepth deep, which changes by 0.1 mm per notch; at
  *   0 the tool hovers again;
  * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees relative to the surface normal
@@ -121,7 +122,8 @@ public:
   ///@}
 
   ///@{
-  /** Depth pressed by the left button, mm, 0 to MaximumDepth. Default 1. */
+  /** Depth pressed by the left button if the wheel does not press, mm, 0 to MaximumDepth.
+   * Default 1. */
   void SetPressDepth(double depth);
   vtkGetMacro(PressDepth, double);
   ///@}
@@ -153,8 +155,10 @@ public:
    * Steers the tool to hover above a point of the surface with the outward unit normal `normal`.
    */
   void HoverAt(const double point[3], const double normal[3]);
-  /** Steers the tip to a point, mm, body frame. */
+  /** Steers the tip to a point, mm, body frame, on a straight line. */
   void SteerTo(const double tip[3]);
+  /** Steers another device to the last target of the hand, in the same way. */
+  void SteerAlike(vtkHapticDevice* device) const;
 
   /** Whether the left button presses the tool at present. */
   bool IsPressing() const { return this->Pressing; }
@@ -201,6 +205,7 @@ private:
   bool PickSurface(double point[3], double normal[3]);
   bool Steer();
   bool SteerOverSurface();
+  void TouchAt(const double point[3], const double normal[3], double height);
   bool SteerInView(double away);
   bool TurnWheel(double notches);
   void Lean(double right, double away);
@@ -225,6 +230,7 @@ private:
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
+  bool KeepsWheelDepth = false; ///< whether the button was pressed while the wheel pressed
   bool WheelPressed = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include "vtkHapticSession.h"
 
+#include <limits>
 #include <sstream>
 
 namespace palpate
@@ -24,6 +25,19 @@ std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
   return session->GetDevice()->Open(options.device) ? std::string() : quiet.window->reason();
 }
 
+namespace
+{
+/// A mouse renders no force: in a window the force of a simulated hand is neither scaled nor
+/// limited.
+void setLimits(vtkHapticSession* session, int hand)
+{
+  if (session->GetRealTime())
+  {
+    session->GetDevice(hand)->SetSimulatedForce(std::numeric_limits<double>::infinity());
+  }
+}
+} // namespace
+
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session)
 {
@@ -33,6 +47,7 @@ std::string chooseDevice(
     return error;
   }
   session->GetDevice()->SetScale(options.scale);
+  setLimits(session, 0);
   vtkHapticSafety* safety = session->GetSafety();
   safety->FitForceOn();
   safety->SetFitDepth(options.maximumDeflection);
@@ -55,6 +70,7 @@ std::string addHands(const ViewerOptions& options, vtkHapticSession* session)
       return quiet.window->reason();
     }
     session->GetDevice(hand)->SetScale(options.scale);
+    setLimits(session, hand);
   }
   return {};
 }

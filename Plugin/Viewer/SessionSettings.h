@@ -20,7 +20,8 @@ void chooseContact(
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
 
 /// Opens the device as openDevice, and sets one force factor for all responses, so that the ratios
-/// of their forces are kept. Returns "" or an error.
+/// of their forces are kept. The factor is 1 for a hand that a mouse steers in real time. Returns
+/// "" or an error.
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
 

@@ -197,6 +197,38 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         self.assertEqual(self.strongest_force(self.quit()), 0.0)
 
+    def test_a_pointer_that_jumps_presses_nothing_and_presses_no_deeper_than_set(self):
+        self.quit()
+        record = os.path.join(FOLDER, "jumps.csv")
+        # Stiff rubber: far above the 10 N to which a device would be limited.
+        self.open("jumps", "--young", "50", "--record", record)
+        for x, y in ((420, 330), (760, 330), (450, 360), (780, 300), (600, 330)):
+            xdotool("mousemove", x, y)
+            time.sleep(0.3)
+        time.sleep(FOLLOW)
+        xdotool("click", "--repeat", 8, "--delay", 50, 4)  # 0.8 mm
+        time.sleep(FOLLOW)
+        xdotool("mousedown", 1)
+        for x, y in ((460, 330), (740, 340), (480, 320), (600, 330)):
+            xdotool("mousemove", x, y)
+            time.sleep(0.3)
+        time.sleep(FOLLOW)
+        xdotool("mouseup", 1)
+        self.quit()
+        with open(record, encoding="utf-8") as file:
+            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
+        depths = [tick["deflection_mm"] for tick in ticks]
+        first = next(index for index, depth in enumerate(depths) if depth > 0)
+        travelled = {round(tick["tip_x_mm"] / 5) for tick in ticks[:first]} | {
+            round(tick["tip_y_mm"] / 5) for tick in ticks[:first]}
+        self.assertGreater(len(travelled), 4)  # it has moved over the body, without contact
+        self.assertLess(max(depths), 0.8 + 1e-4)  # the facets' corners are stored as floats
+        self.assertAlmostEqual(depths[-1], 0.8, delta=0.04)  # blended normals over facets, as above
+        self.assertGreater(max(tick["ideal_force_N"] for tick in ticks), 50.0)
+        for tick in ticks:  # a mouse feels nothing: no factor, no limit
+            applied = math.hypot(*(tick[f"force_{axis}_N"] for axis in "xyz"))
+            self.assertAlmostEqual(applied, tick["ideal_force_N"], delta=1e-9 * max(1.0, applied))
+
     def test_one_finger_lifts_the_force_off_the_other(self):
         self.quit()
         record = os.path.join(FOLDER, "hands.csv")

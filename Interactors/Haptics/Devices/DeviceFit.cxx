@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <mutex>
+#include <sstream>
 
 namespace palpate
 {
@@ -96,5 +98,21 @@ double DeviceFit::factor() const noexcept
   const double factor = std::min({ 1.0, share(this->MaximumForce, this->PeakForce),
     share(this->MaximumStiffness, this->PeakStiffness) });
   return std::isnan(factor) ? 0.0 : factor;
+}
+
+std::string DeviceFit::reason() const
+{
+  if (!(this->factor() < 1.0))
+  {
+    return {};
+  }
+  const bool isWeak =
+    this->MaximumForce * this->PeakStiffness <= this->MaximumStiffness * this->PeakForce;
+  const char* const unit = isWeak ? " N" : " N/mm";
+  std::ostringstream text;
+  text << std::setprecision(3) << "the device is too " << (isWeak ? "weak: " : "soft: ")
+       << (isWeak ? this->MaximumForce : this->MaximumStiffness) << unit << " of "
+       << (isWeak ? this->PeakForce : this->PeakStiffness) << unit;
+  return text.str();
 }
 } // namespace palpate

@@ -5,6 +5,8 @@
 #include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
 
+#include <string>
+
 namespace palpate
 {
 class ResponseField;
@@ -42,6 +44,9 @@ public:
   double peakStiffness() const noexcept { return this->PeakStiffness; } ///< N/mm
   /// The factor for all included tools; 1 if no tool was included, 0 if a peak is not finite.
   double factor() const noexcept;
+  /// Why the factor is below 1: "the device is too weak: 10 N of 52.3 N", or "the device is too
+  /// soft: 1.5 N/mm of 7.91 N/mm", with its maximum and the peak; "" if the factor is 1.
+  std::string reason() const;
 
 private:
   double MaximumForce;

@@ -32,15 +32,17 @@ std::string describeForceFactor(double forceFactor)
   return text.str();
 }
 
-std::string describeSafety(std::uint16_t acted, double forceFactor)
+std::string describeSafety(std::uint16_t acted, double forceFactor, const std::string& fitReason)
 {
+  const std::string fit =
+    describeForceFactor(forceFactor) + (fitReason.empty() ? "" : " (" + fitReason + ")");
   std::string text;
   for (const auto& [link, words] : Words)
   {
     if ((acted & static_cast<std::uint16_t>(link)) != 0)
     {
       text += text.empty() ? "" : ", ";
-      text += words != nullptr ? words : describeForceFactor(forceFactor);
+      text += words != nullptr ? words : fit;
     }
   }
   return text;

@@ -10,8 +10,10 @@
 namespace palpate
 {
 /// Describes how the sent force differs from the ideal force: the factor and the other links that
-/// acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if no link acted.
-PALPATE_EXPORT std::string describeSafety(std::uint16_t acted, double forceFactor);
+/// acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if no link acted. With
+/// `fitReason` (DeviceFit::reason) the factor is followed by the reason in brackets.
+PALPATE_EXPORT std::string describeSafety(
+  std::uint16_t acted, double forceFactor, const std::string& fitReason = {});
 
 /// Describes the force factor with two digits, for example "force ×0.12".
 PALPATE_EXPORT std::string describeForceFactor(double forceFactor);

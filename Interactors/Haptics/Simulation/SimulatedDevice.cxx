@@ -80,13 +80,37 @@ std::string SimulatedDevice::status() const
 
 void SimulatedDevice::steerTo(const Eigen::Vector3d& target) noexcept
 {
-  if (this->Motion)
+  if (SteeredTarget* steered = this->steered())
   {
-    this->Motion->steerTo(target);
+    steered->steerTo(target);
   }
-  else if (this->Target)
+}
+
+SteeredTarget* SimulatedDevice::steered() noexcept
+{
+  return this->Motion ? this->Motion->steered() : this->Target.get();
+}
+
+void SimulatedDevice::setBody(
+  std::shared_ptr<const ContactBody> body, const WorkspaceMapping& mapping)
+{
+  SteeredTarget* target = this->steered();
+  if (target && !this->Planner.hasBody())
   {
-    this->Target->steerTo(target);
+    target->setMapping(mapping);
+  }
+  this->Planner.setBody(std::move(body));
+}
+
+void SimulatedDevice::touch(
+  const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double height)
+{
+  SteeredTarget* target = this->steered();
+  if (target && this->Planner.hasBody() && point.allFinite() && normal.allFinite() &&
+    std::isfinite(height))
+  {
+    target->touch(this->Planner.plan(point, normal, height));
+    this->Planner.release(target->oldestBody());
   }
 }
 

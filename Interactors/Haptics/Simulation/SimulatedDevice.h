@@ -5,6 +5,7 @@
 #include "Haptics/Devices/HapticDevice.h"
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Devices/SteeredAxis.h"
+#include "Haptics/Guidance/TouchPlanner.h"
 #include "Haptics/Simulation/SimulatedMotion.h"
 #include "Haptics/Simulation/SimulatedPlant.h"
 #include "Haptics/Devices/TimedPath.h"
@@ -39,8 +40,8 @@ namespace palpate
  * If settings are out of range (`fault` of HeldPlant; a path that is not finite or whose times
  * decrease; a rate outside 0 to 100000 Hz), no sample is valid and status() returns the reason.
  * read and write of a plant are for one thread, steerTo for one other; none of them waits or
- * allocates. A tick costs a microsecond; with friction or a limited hand about ten per axis at an
- * event (PlantAxis).
+ * allocates. setBody and touch are for the thread of steerTo; they may allocate. A tick costs a
+ * microsecond; with friction or a limited hand about ten per axis at an event (PlantAxis).
  */
 class PALPATE_EXPORT SimulatedDevice final : public HapticDevice
 {
@@ -82,6 +83,16 @@ public:
   /// path, or if the axis is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
+  /// Sets the body that a steered hand touches, not null, and the mapping to its frame. The mapping
+  /// must not change after the first reading. The device keeps the body while it is in use.
+  void setBody(std::shared_ptr<const ContactBody> body, const WorkspaceMapping& mapping);
+  /// Moves a steered hand around the body to `height` (mm, negative: pressed) above a point of its
+  /// surface with an outward unit normal, in the body's frame: see GuidedHand. A hand whose first
+  /// reading follows starts there, or at its free height if it presses. Takes 20 to some thousand
+  /// searches of a closest point (TouchPlanner). No effect on a hand with a path, without a body,
+  /// or if a number is not finite.
+  void touch(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double height);
+
   const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
   const Eigen::Vector3d& lastTorque() const noexcept { return this->Last.torque; }
   /// Time of the last way point, s; 0 for an empty path or a steered hand.
@@ -92,9 +103,12 @@ public:
   Eigen::Vector3d trueVelocity() const noexcept;
 
 private:
+  SteeredTarget* steered() noexcept;
+
   DeviceSpecification Limits;
   TimedPath Path;                          ///< of a stiff hand
   std::unique_ptr<SteeredTarget> Target;   ///< target of a stiff hand without a path
+  TouchPlanner Planner;                    ///< for the thread that steers
   SteeredAxis Shaft;                       ///< axis of a stiff hand without a path
   std::unique_ptr<SimulatedMotion> Motion; ///< null: a stiff hand
   double Duration = 0.0;

@@ -112,14 +112,6 @@ bool SimulatedMotion::write(const Wrench& wrench) noexcept
   return isFinite;
 }
 
-void SimulatedMotion::steerTo(const Eigen::Vector3d& target) noexcept
-{
-  if (this->Steered)
-  {
-    this->Steered->steerTo(target);
-  }
-}
-
 void SimulatedMotion::turnTo(const Eigen::Vector3d& axis) noexcept
 {
   if (this->Steered)

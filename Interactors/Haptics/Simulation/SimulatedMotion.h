@@ -35,8 +35,9 @@ public:
 
   DeviceSample read(double time) noexcept;
   bool write(const Wrench& wrench) noexcept;
+  /// The target of the hand, for one other thread; null if the hand follows a path.
+  SteeredTarget* steered() noexcept { return this->Steered.get(); }
   /// For one other thread; no effect on a hand that follows a path.
-  void steerTo(const Eigen::Vector3d& target) noexcept;
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
   /// Position and velocity of the mass at the last measurement, not rounded to the encoder's step;

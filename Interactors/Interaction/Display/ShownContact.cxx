@@ -48,7 +48,7 @@ ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vecto
   if (state != vtkHapticSession::Stopped && !inputOnly)
   {
     contact.hasApplied = true;
-    contact.safety = describeSafety(tick.acted, tick.forceFactor);
+    contact.safety = describeSafety(tick.acted, tick.forceFactor, session->GetFitReason());
     if (state != vtkHapticSession::Running)
     {
       contact.tick.appliedForce.setZero();

@@ -40,6 +40,11 @@ struct SteeredHand
   SteeredTilt tilt;
   double wheelDepth = 0.0;           ///< mm
   double tip[3] = { 0.0, 0.0, 0.0 }; ///< last point to which the tip was steered, mm
+
+  bool touches = false; ///< whether the tip was steered to a place of the surface, as follows
+  double point[3] = { 0.0, 0.0, 0.0 };
+  double normal[3] = { 0.0, 0.0, 1.0 };
+  double height = 0.0; ///< of the tip above the point, mm
 };
 } // namespace palpate
 

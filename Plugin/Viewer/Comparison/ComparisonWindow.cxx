@@ -119,11 +119,7 @@ ComparisonWindow::ComparisonWindow(
       }
     });
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::SteeredEvent,
-    [this](void* tip)
-    {
-      vtkHapticDevice* other = this->Sessions[1 - this->Leader]->GetDevice();
-      other->SteerTo(static_cast<const double*>(tip));
-    });
+    [this](void*) { this->Style->SteerAlike(this->Sessions[1 - this->Leader]->GetDevice()); });
   this->Actions.add(this->Clock, vtkFrameClock::FrameEvent, [this](void*) { this->showFrame(); });
   this->Actions.add(this->Style, vtkInteractorStyleHaptic::ToolChosenEvent,
     [this](void* tool) { this->chooseTool(*static_cast<const int*>(tool)); });
@@ -207,8 +203,6 @@ std::string ComparisonWindow::run()
   const double middle[3] = { 0.0, 0.0, 0.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   const ViewerScene& scene = this->Bodies[0].scene;
-  const double above[3] = { 0.0, 0.0, this->Style->GetHoverHeight() };
-  this->Sessions[1]->GetDevice()->SteerTo(above);
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
   // The colours are computed now, so that a later change is shown immediately.

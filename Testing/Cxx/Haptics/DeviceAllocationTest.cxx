@@ -3,6 +3,8 @@
 #include "AllocationCount.h"
 #include "FaultyDevice.h"
 #include "RecordingDevice.h"
+#include "SampleResponses.h"
+#include "Contact/ContactBody.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 
@@ -99,6 +101,36 @@ TEST(DeviceAllocation, SteeredPlant)
   device->turnTo({ 0.3, 0.0, -1.0 });
   EXPECT_EQ(allocationCount(), before);
   expectNoAllocation(*device);
+}
+
+/// A hand that goes around a body: its searches, ways, slides and contacts.
+TEST(DeviceAllocation, GuidedHand)
+{
+  const std::shared_ptr<const palpate::ContactBody> body = uniformBody(icosphere(20.0, 2));
+  SimulatedDevice device(Vector3d(0.0, 0.0, 0.1));
+  device.setBody(body, palpate::WorkspaceMapping());
+  double time = 0.0;
+  Vector3d last = Vector3d::Zero();
+  double way = 0.0;
+  for (int goal = 0; goal < 40; ++goal)
+  {
+    const Vector3d normal =
+      Vector3d(std::cos(goal), std::sin(goal), std::cos(0.7 * goal)).normalized();
+    device.touch(20.0 * normal, normal, goal % 3 == 0 ? 3.0 : -1.0);
+    if (goal % 5 == 0)
+    {
+      device.steerTo(0.001 * goal * normal);
+    }
+    const long before = allocationCount();
+    for (int tick = 0; tick < 150; ++tick)
+    {
+      const DeviceSample sample = device.read(time += 1e-3);
+      way += (sample.position - last).norm();
+      last = sample.position;
+    }
+    EXPECT_EQ(allocationCount(), before);
+  }
+  EXPECT_GT(way, 1.0); // m: a dozen times halfway around
 }
 
 TEST(DeviceAllocation, Faulty)

@@ -131,6 +131,29 @@ TEST(DeviceFit, ForceOrStiffnessWhicheverIsShorter)
   EXPECT_EQ(large.factor(), 0.0);
 }
 
+TEST(DeviceFit, TheReasonNamesTheLimitThatIsShorter)
+{
+  DeviceSpecification device;
+  device.maximumForce = 10.0;
+  device.maximumStiffness = 1500.0; // N/m
+  DeviceFit weak(device);
+  EXPECT_EQ(weak.reason(), "");
+  weak.include(9.0, 1.0);
+  EXPECT_EQ(weak.reason(), "");
+  weak.include(52.34, 2.0);
+  EXPECT_EQ(weak.reason(), "the device is too weak: 10 N of 52.3 N");
+  DeviceFit soft(device);
+  soft.include(20.0, 7.912);
+  EXPECT_EQ(soft.reason(), "the device is too soft: 1.5 N/mm of 7.91 N/mm");
+  // A hand that feels no force has no limits.
+  device.maximumForce = std::numeric_limits<double>::infinity();
+  device.maximumStiffness = std::numeric_limits<double>::infinity();
+  DeviceFit none(device);
+  none.include(1e3, 1e3);
+  EXPECT_EQ(none.factor(), 1.0);
+  EXPECT_EQ(none.reason(), "");
+}
+
 TEST(DeviceFit, PeaksOfABodyAreThoseOfItsWorstPoint)
 {
   constexpr std::size_t points = 30000; // several ranges of forRanges

@@ -25,6 +25,8 @@ TEST(SafetyText, NamesTheFactorAndWhatElseActed)
   EXPECT_EQ(describeSafety(bits({ SafetyLink::Fit }), 0.1234), "force \u00d70.12");
   EXPECT_EQ(describeSafety(bits({ SafetyLink::StiffnessCap, SafetyLink::Fit }), 0.5),
     "force \u00d70.5, stiffness capped");
+  EXPECT_EQ(describeSafety(bits({ SafetyLink::Fit, SafetyLink::Slew }), 0.5, "too weak"),
+    "force \u00d70.5 (too weak), rise limited");
   EXPECT_EQ(palpate::describeForceFactor(1.0), "force \u00d71");
 }
 

@@ -62,6 +62,8 @@ void checkForceLimit()
 {
   vtkNew<vtkHapticSession> session;
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0); // "simulated": see the header
+  session->GetDevice()->SetSimulatedForce(12.0);
+  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 12.0);
   session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(7.0, 1e6)));
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 7.0);
   PALPATE_CHECK(session->GetMaximumForce() == 7.0);

@@ -4,6 +4,11 @@
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
 namespace
 {
 using namespace palpate::testing;
@@ -39,7 +44,8 @@ void checkFit(vtkPolyData* body)
     fitted[i] = appliedTo(session);
     PALPATE_CHECK(idealOf(session) == ideal[i]);
     PALPATE_CHECK_NEAR(fitted[i], session->GetForceFactor() * ideal[i], 1e-6);
-    PALPATE_CHECK_TEXT(session->GetSafetyText(), "force \u00d70.1");
+    PALPATE_CHECK_TEXT(session->GetSafetyText(), "force \u00d70.1", "too soft", "2 N/mm");
+    PALPATE_CHECK_TEXT(session->GetFitReason(), "too soft");
   }
   // The larger sphere, 1 mm deep, has the largest stiffness.
   const double factor = 2.0 / makeTool("sphere:6.35")->GetStiffness(1.0, 3.45);
@@ -56,6 +62,37 @@ void checkFit(vtkPolyData* body)
     PALPATE_CHECK_NEAR(fitted[i] / fitted[1], ideal[i] / ideal[1], 1e-6);
   }
   PALPATE_CHECK(fitted[2] / fitted[1] < 0.5);
+}
+
+/// A simulated hand without a limit of force renders each force unchanged, also with the fit.
+void checkNoFit(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->SetResponseName("Flat");
+  session->RealTimeOn();
+  session->GetSafety()->FitForceOn();
+  session->GetSafety()->SetFitDepth(2.0);
+  const double point[3] = { 0.3, 0.2, 0.0 };
+  const double normal[3] = { 0.0, 0.0, 1.0 };
+  for (const double limit : { 10.0, std::numeric_limits<double>::infinity() })
+  {
+    session->GetDevice()->SetSimulatedForce(limit);
+    session->GetDevice()->TouchAt(point, normal, 3.0);
+    PALPATE_CHECK(session->Start());
+    session->GetDevice()->TouchAt(point, normal, -2.0);
+    for (int i = 0; i < 60000 && session->GetDeflection() < 1.9999; ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const palpate::Tick tick = session->GetNewestTick();
+    PALPATE_CHECK(tick.idealForce.norm() > 20.0);
+    PALPATE_CHECK((tick.forceFactor < 1.0) == std::isfinite(limit));
+    PALPATE_CHECK((tick.appliedForce == tick.idealForce) != std::isfinite(limit));
+    PALPATE_CHECK(session->GetFitReason().empty() != std::isfinite(limit));
+    PALPATE_CHECK(session->GetSafetyText().empty() != std::isfinite(limit));
+    session->Stop();
+  }
 }
 
 /// The force limit in addition to the device's limit, and errors that name the property.
@@ -212,6 +249,7 @@ int TestHapticSessionSafety(int, char*[])
 {
   const Body body = threeTools();
   checkFit(body);
+  checkNoFit(body);
   checkLimits(body);
   checkTorqueLimits();
   checkGate(body);

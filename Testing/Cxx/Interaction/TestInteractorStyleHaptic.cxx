@@ -190,6 +190,29 @@ void checkSurface(Window& w)
   PALPATE_CHECK(w.style->GetWheelDepth() == 0.0 && w.reaches(3.0));
 }
 
+/// The left button keeps the depth that the wheel has set, also while the wheel turns.
+void checkButtonAfterWheel(Window& w)
+{
+  w.style->SetPressDepth(0.8);
+  w.pointAt(3.0, 2.0);
+  w.send(vtkCommand::MouseWheelForwardEvent, 14);
+  PALPATE_CHECK(w.reaches(-1.4));
+  w.send(vtkCommand::LeftButtonPressEvent);
+  PALPATE_CHECK(w.style->IsPressing() && w.reaches(-1.4));
+  w.pointAt(4.0, 2.0);
+  PALPATE_CHECK(w.reaches(-1.4));
+  w.send(vtkCommand::MouseWheelForwardEvent, 2);
+  PALPATE_CHECK(w.reaches(-1.6) && w.style->GetPressDepth() == 0.8);
+  w.send(vtkCommand::LeftButtonReleaseEvent);
+  PALPATE_CHECK(w.reaches(-1.6));
+  w.send(vtkCommand::MouseWheelBackwardEvent, 16);
+  PALPATE_CHECK(w.reaches(3.0));
+  w.send(vtkCommand::LeftButtonPressEvent);
+  PALPATE_CHECK(w.reaches(-0.8));
+  w.send(vtkCommand::LeftButtonReleaseEvent);
+  PALPATE_CHECK(w.reaches(3.0));
+}
+
 void checkCamera(Window& w)
 {
   vtkCamera* camera = w.left->GetActiveCamera();
@@ -329,6 +352,7 @@ int TestInteractorStyleHaptic(int, char*[])
   Window window;
   checkIdleWheel(window);
   checkSurface(window);
+  checkButtonAfterWheel(window);
   checkCamera(window);
   checkViewPlane(window);
   checkKeys(window);

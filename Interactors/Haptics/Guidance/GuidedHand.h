@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_GuidedHand_h
+#define palpate_GuidedHand_h
+
+#include "Contact/ContactTracker.h"
+#include "Haptics/Guidance/RouteSearch.h"
+#include "Haptics/Guidance/TouchGoal.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace palpate
+{
+/**
+ * A hand that moves a tip from place to place of a body and never through the body: it lifts off
+ * along the normal, moves around the body, and comes down along the normal. It serves a pointer,
+ * whose places may jump.
+ *
+ * In each tick the tip is on a way that is known to be free:
+ * - over the last goal, the column below `hover` and the way outwards (TouchPlanner);
+ * - between two such ways, a straight line or an arc that RouteSearch has found to be free before
+ *   the hand enters it. The search takes part of a tick, for some ticks; meanwhile the hand lifts
+ *   off, or rests.
+ *
+ * Therefore a tip that does not press has no contact, also if a goal follows in the middle of a
+ * way, and on hollow and thin bodies. This holds for the facets; the smooth contact surface is
+ * higher by up to its patches' bulge.
+ *
+ * A tip that presses slides to a goal that presses nearby. Its foot moves over the surface towards
+ * the goal, and the tip is held under the foot along the blended normal, at a depth between the
+ * present one and the goal's. The depth of contact in each tick is found as the contact finds it
+ * (ContactTracker) and is never above that; the tip is lifted if it would be. If the foot
+ * does not come nearer, such as at a ridge, the hand lifts off and comes down at the goal.
+ *
+ * If no way exists, such as between the inside and the outside of a hollow body, the tip is put at
+ * the top of the goal's column in one tick (`jumps`).
+ *
+ * The remaining length of a way decays as e^(-Δt/τ), at most with FastestSpeed. No function
+ * allocates or throws. A tick that searches costs SearchQueries closest points, another tick at
+ * most a few.
+ */
+class PALPATE_EXPORT GuidedHand
+{
+public:
+  static constexpr double TimeConstant = 0.03;   ///< s, as in SteeredTarget
+  static constexpr double FastestSpeed = 1000.0; ///< mm/s
+
+  /// Puts the tip at any point, mm; the hand moves from there to its next goal.
+  void putAt(const Vector3& tip) noexcept;
+  /// Puts the tip at the top of the goal's column, from where it goes to the goal.
+  void beginAt(const TouchGoal& goal) noexcept;
+  /// Sets the goal of the next ticks. No effect if the number is that of the present goal.
+  void follow(const TouchGoal& goal) noexcept;
+  /// Advances by a time, s.
+  void advance(double elapsed) noexcept;
+
+  const Vector3& tip() const noexcept { return this->Tip; }
+  /// Whether the tip is at its newest goal.
+  bool rests() const noexcept;
+  /// The smallest number of the bodies that the hand still uses.
+  std::uint64_t oldestBody() const noexcept;
+  /// How often no way existed.
+  std::uint64_t jumps() const noexcept { return this->Jumps; }
+
+private:
+  static constexpr int SearchQueries = 16;
+  static constexpr double SlideReach = 20.0; ///< mm, of a goal to which the tip slides
+
+  enum class Phase : std::uint8_t
+  {
+    Lost,   ///< at any point
+    Moving, ///< on Path, to Goal
+    Sliding ///< over the surface, to Goal
+  };
+
+  void react() noexcept;
+  void depart() noexcept;
+  void search() noexcept;
+  void enter(const RouteSearch::Route& route, std::size_t goalSteps) noexcept;
+  void enterAtTop() noexcept;
+  void enterColumn() noexcept;
+  void move(double share, double most) noexcept;
+  void moveInContact(double share, double most) noexcept;
+  void slide(double share, double most) noexcept;
+  bool slideBy(double step, double lift, double farthest, int halvings) noexcept;
+  /// Whether the tip is in the column of Goal, below the top.
+  bool isInColumn() const noexcept;
+  double heightInColumn() const noexcept
+  {
+    return (this->Tip - this->Goal.point).dot(this->Goal.normal);
+  }
+  void setGoal(const TouchGoal& goal) noexcept;
+  static double depthOf(const ContactTracker::Result& contact) noexcept;
+  void acceptContact(const ContactTracker& tracker, const ContactTracker::Result& contact) noexcept;
+  bool canSlideTo(const TouchGoal& goal) const noexcept;
+  bool isBehind() const noexcept;
+  bool canRise() const noexcept;
+  void addTop(const Vector3& foot, const Vector3& normal) noexcept;
+  /// At least the number of points of the retreat from a path. A hand whose path has too many
+  /// continues until it has passed some; the last ones are over the goal.
+  std::size_t pointsToLeave() const noexcept;
+  void leaveColumn() noexcept;
+  void leavePath() noexcept;
+  void leaveSurface() noexcept;
+  void leaveUnknown() noexcept;
+
+  Vector3 Tip = Vector3::Zero();
+  Phase Now = Phase::Lost;
+  bool IsSearching = false; ///< for a way to Search.goal(); Path is then the begin of the retreat
+  TouchGoal Goal;           ///< where Path or the slide ends
+  TouchGoal Wanted;         ///< the newest
+
+  RouteSearch::Route Path;
+  std::size_t Leg = 0;       ///< the tip is between points Leg and Leg + 1 of Path
+  std::size_t GoalSteps = 0; ///< how many points of Goal.way the path uses, before its end
+
+  RouteSearch::Retreat Retreat;
+  std::size_t Known = 0; ///< points of the retreat with free legs between them
+  std::size_t First = 0; ///< first point of the retreat from which a line may begin
+  RouteSearch Search;
+
+  Vector3 Foot = Vector3::Zero(); ///< of a slide
+  Vector3 FootNormal = Vector3::Zero();
+  std::int32_t FootTriangle = -1;
+  double Height = 0.0; ///< of the tip over the foot, mm
+  int Stuck = 0;       ///< ticks in which the foot did not come nearer
+
+  std::optional<ContactTracker>
+    Tracker;          ///< of Goal.body; follows the contact as the servo step does
+  double Depth = 0.0; ///< of the contact, mm; 0: none
+  Vector3 ContactPoint = Vector3::Zero();
+  Vector3 ContactNormal = Vector3::Zero();
+
+  std::uint64_t Jumps = 0;
+};
+} // namespace palpate
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_RouteSearch_h
+#define palpate_RouteSearch_h
+
+#include "Haptics/Guidance/FreeSpace.h"
+#include "Haptics/Guidance/TouchGoal.h"
+#include "Mechanics/PalpateExport.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace palpate
+{
+/// A polygon of bounded length, mm.
+template <std::size_t Most>
+struct BoundedPath
+{
+  BoundedPath() noexcept { this->points.fill(Vector3::Zero()); }
+
+  std::array<Vector3, Most> points;
+  std::size_t count = 0;
+
+  /// Adds a point; no effect if there is no room.
+  void add(const Vector3& point) noexcept
+  {
+    if (this->count < Most)
+    {
+      this->points[this->count++] = point;
+    }
+  }
+  const Vector3& last() const noexcept { return this->points[this->count - 1]; }
+  /// Length from a point of the path to its end.
+  double lengthFrom(std::size_t first) const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = first + 1; i < this->count; ++i)
+    {
+      sum += (this->points[i] - this->points[i - 1]).norm();
+    }
+    return sum;
+  }
+};
+
+/**
+ * Finds a way around a body from a hand's retreat to a goal, in parts that a servo tick can afford.
+ *
+ * The *retreat* is a polygon that begins at the hand and leads away from the body; the goal has
+ * such a way too. The search looks for a free straight line (FreeLine) from a point of the retreat
+ * to a point of the goal's way, the shortest route first. If there is none, the route goes around
+ * the body on a sphere. Legs of the retreat that are not yet known to be free are searched before
+ * use; a point without a free leg is left out. If the retreat does not lead to the sphere, straight
+ * lines in all directions from its known end are tried.
+ *
+ * No function allocates or throws. The bodies of the goals must exist during the search.
+ */
+class PALPATE_EXPORT RouteSearch
+{
+public:
+  static constexpr std::size_t MostRetreat = 24;
+  using Retreat = BoundedPath<MostRetreat>;
+  using Route = BoundedPath<MostRetreat + 8 + TouchGoal::MostSteps + 2>;
+
+  /// Begins a search. The points of the retreat before `known` are connected by free legs (or by
+  /// legs that leave the body); lines start at `first` or later points.
+  void begin(const Retreat& retreat, std::size_t known, std::size_t first, double margin,
+    const TouchGoal& goal) noexcept;
+  /// Continues with at most `queries` closest points. Unknown: not yet ended.
+  FreeLine::State go(int queries) noexcept;
+
+  const TouchGoal& goal() const noexcept { return this->Goal; }
+  const Retreat& retreat() const noexcept { return this->Way; }
+  /// The route that was found, from `tip` over the points of the retreat from `next` on to the
+  /// goal's tip.
+  Route route(const Vector3& tip, std::size_t next) const noexcept;
+  /// Number of points of the goal's way that the route uses.
+  std::size_t goalSteps() const noexcept { return this->To + 1; }
+
+private:
+  static constexpr std::size_t MostArc = 8;
+  enum class Stage : std::uint8_t
+  {
+    Choose, ///< the next line
+    Extend, ///< the retreat by one leg
+    Line,
+    Escape, ///< from the retreat's known end to the sphere
+    Arc,
+    Done
+  };
+
+  void choose() noexcept;
+  void escape() noexcept;
+  void beginArc() noexcept;
+  void endLeg(bool isFree) noexcept;
+  void addEscape() noexcept;
+  void nextArcLeg(bool isFree) noexcept;
+  bool isOutside(const Vector3& point) const noexcept;
+  void end(FreeLine::State state) noexcept
+  {
+    this->Found = state;
+    this->Now = Stage::Done;
+  }
+
+  TouchGoal Goal;
+  Retreat Way;
+  std::size_t Known = 0;
+  std::size_t First = 0;
+  double Margin = 0.0;
+  std::array<std::uint32_t, MostRetreat> Tried{}; ///< bit j: the line to step j of the goal's way
+  std::size_t From = 0;                           ///< the present line
+  std::size_t To = 0;
+  int Direction = 0;        ///< the next one of an escape
+  BoundedPath<MostArc> Arc; ///< points between the ends of retreat and way
+  std::size_t ArcLeg = 0;
+  FreeLine Line;
+  Stage Now = Stage::Done;
+  FreeLine::State Found = FreeLine::State::Blocked;
+};
+} // namespace palpate
+
+#endif
