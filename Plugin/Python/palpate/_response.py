@@ -2,13 +2,14 @@
 """palpate.response and palpate.regime: the law of a tool at each point of a body."""
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from . import _arrays, _filters
 from ._bodies import as_body, shallow_copy, warn_about_size
+from ._types import Base, Body, Layer, PerPoint, Reals, Strain, Tool
 from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
 
 BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
@@ -16,10 +17,13 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=True,
-             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
-             strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
-             relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:
+def response(body: Body, tool: Tool = "sphere:6.35", young: PerPoint = 0.05, poisson: PerPoint = 0.45,
+             layer: Optional[PerPoint] = None, base: Base = "bonded", compliance: Optional[PerPoint] = True,
+             maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response",
+             compliance_excludes_layer: bool = False, curvature: bool = True, strain: Strain = "small",
+             error_tolerance: float = 0.05, layers: Sequence[Layer] = (), automatic: Optional[float] = None,
+             edges: bool = False, relax: Sequence[Tuple[PerPoint, float]] = (), compliance_relaxes: bool = True,
+             coupling: bool = False, tilt: float = 0.0, points: Optional[Reals] = None) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -94,8 +98,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     given = _set_material(made, body, young, poisson, layer, base, None if isinstance(compliance, bool) else compliance,
                           compliance_excludes_layer, layers)
     made.SetInputData(given)
-    tool = _tool(tool)
-    made.SetTool(tool)
+    kind = _tool(tool)
+    made.SetTool(kind)
     made.SetMaximumDeflection(_arrays.number(maximum_deflection, "maximum_deflection (mm)"))
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
@@ -113,7 +117,7 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         made.AutomaticTermsOn()
         if automatic is not True:
             made.SetTermTolerance(_arrays.number(automatic, "automatic"))
-    return _filters.run(made, others=[tool]).GetOutput()
+    return _filters.run(made, others=[kind]).GetOutput()
 
 
 def _set_relaxation(made, body, relax):
@@ -172,13 +176,15 @@ def _set_strain(made, strain):
 class Regime(NamedTuple):
     """Whether a body deforms locally or globally, per point. See palpate.regime."""
 
-    index: np.ndarray
+    index: np.ndarray                                   # type: ignore[assignment]  # hides tuple.index
     sensitivity: np.ndarray
     verdict: np.ndarray
 
 
-def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
-           name="Response", compliance_excludes_layer=False, layers=()) -> Regime:
+def regime(body: Body, deflection: Optional[float] = None, tool: Optional[Tool] = None, young: PerPoint = 0.05,
+           poisson: PerPoint = 0.45, layer: Optional[PerPoint] = None, base: Base = "bonded",
+           compliance: Optional[PerPoint] = None, name: str = "Response", compliance_excludes_layer: bool = False,
+           layers: Sequence[Layer] = ()) -> Regime:
     """Whether a body deforms locally or globally under a tool, and so whether the tool's shape matters.
 
     Parameters
@@ -204,15 +210,15 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
                           layers)
     found.SetInputData(given)
     found.SetResponseName(_text(name, "name"))
-    if tool is not None:
-        tool = _tool(tool)
-        found.SetTool(tool)
+    kind = None if tool is None else _tool(tool)
+    if kind is not None:
+        found.SetTool(kind)
     if deflection is not None:
         depth = _arrays.number(deflection, "deflection (mm)")
         if not depth > 0:
             raise ValueError("deflection must be positive (mm), but is %g" % depth)
         found.SetDeflection(depth)
-    points = _filters.run(found, others=[] if tool is None else [tool]).GetOutput().GetPointData()
+    points = _filters.run(found, others=[] if kind is None else [kind]).GetOutput().GetPointData()
     return Regime(*(_arrays.to_numpy(points.GetArray(array))
                     for array in ("RegimeIndex", "ToolSensitivity", "RegimeVerdict")))
 
@@ -282,7 +288,7 @@ def _add_layers(algorithm, layers):
     return second
 
 
-def _tool(tool):
+def _tool(tool: Tool) -> vtkContactTool:
     if isinstance(tool, vtkContactTool):
         return tool
     made = vtkContactTool()
