@@ -3,6 +3,7 @@
 
 #include "ContactNames.h"
 #include "OptionChecks.h"
+#include "TissueOptions.h"
 #include "TrialOptions.h"
 #include "ViewerFooter.h"
 
@@ -167,7 +168,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       },
       "fill the closed surface with tetrahedra of this size at the surface, mm, larger inside "
       "(without a number: chosen from body and tools): the responses are then those of the body's "
-      "true shape")
+      "true shape; with --tissue: the size of its tetrahedra")
     ->expected(0, 1)
     ->check(CLI::Validator(
       [](const std::string& text)
@@ -339,12 +340,14 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   addDeviceOptions(app, options);
   addTrialOptions(app, options, alternatives);
   addViewOptions(app, options);
+  addTissueOptions(app, options);
 
   try
   {
     app.parse(argc, argv);
     options.fixedGiven = app.count("--fixed") > 0;
-    if (options.fixedGiven && options.voxel == 0.0 && !options.solid &&
+    checkTissues(app, options);
+    if (options.fixedGiven && options.voxel == 0.0 && !options.solid && options.tissues.empty() &&
       (options.body.empty() || !options.wholeBody))
     {
       throw CLI::RequiresError("--fixed", "--voxel or --solid, or BODY without --no-whole-body");
