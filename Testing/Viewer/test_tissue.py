@@ -25,10 +25,8 @@ TERMS = ("--solid", "6", "--strain", "small", "--tool", "sphere:3", "--max-defle
 class Tissue(SessionCase):
     def setUp(self):
         super().setUp()
-        for file in pathlib.Path(CACHE.name).glob("palpate/tissues-*.vtp"):
-            file.unlink()
         self.labels = self.folder / "labels.nii.gz"
-        write_nifti(self.labels, block(SIZE, SPACING, ball=(15, 15, 3, 4.5), margin=2),
+        write_nifti(self.labels, block(SIZE, SPACING, ball=(15, 15, 4, 4), margin=2),
                     [[SPACING, 0, 0, -4], [0, SPACING, 0, -4], [0, 0, SPACING, -4]])
 
     def saved(self, file):
@@ -39,6 +37,8 @@ class Tissue(SessionCase):
 
     def test_its_responses_are_those_of_python(self):
         """Program and package use the same filters with the same defaults: the same bits. The ball is felt."""
+        for solved in pathlib.Path(CACHE.name).glob("palpate/tissues-*.vtp"):
+            solved.unlink()
         file = self.folder / "felt.vtp"
         first = self.succeed(self.labels, *TISSUES, *TERMS, "--save", file, "--fixed", "z-")
         self.assertIn("finer in 1 enclosed region", first.stderr)
@@ -53,9 +53,9 @@ class Tissue(SessionCase):
         force = palpate.curves(body, deflection=0.5).force[:, 0]
         upper = points[:, 2] > points[:, 2].max() - 0.6            # without the rounded edges
         away = numpy.hypot(points[:, 0] - 15, points[:, 1] - 15)
-        # A ball of 3 mm radius, 3 mm deep, ten times as hard, is felt by 11 % (nodule.md); this one is larger.
+        # Balls of 3 and 5 mm radius, 4 mm deep and ten times as hard, are felt by 6 to 10 % and 11 to 23 % (nodule.md).
         self.assertGreater(numpy.nanmax(force[upper & (away < 2)]),
-                           1.11 * numpy.nanmedian(force[upper & (away > 8) & (away < 11)]))
+                           1.06 * numpy.nanmedian(force[upper & (away > 8) & (away < 11)]))
         again = self.succeed(self.labels, *TISSUES, *TERMS)
         self.assertIn("taken from the cache", again.stderr)
         other = self.succeed(self.labels, *TISSUES[:2], "--tissue", "2:0.6:0.4", *TERMS)
@@ -65,13 +65,22 @@ class Tissue(SessionCase):
         result = run(self.labels, *TISSUES, *TERMS, "--map", "--output", self.output, "--save", self.folder / "felt.vtp")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(set(self.files()), {"map.png"})
-        self.assertRegex(result.stdout, r"largest force 0\.0\d+ N ± \d+ %")
+        self.assertRegex(result.stdout, r"largest force 0\.\d+ N ± \d+ %")
         self.assertTrue((self.folder / "felt.vtp").exists())
 
     def test_without_an_output_it_opens_a_window(self):
         result = run(self.labels, *TISSUES, *TERMS, environment={"DISPLAY": None})
         self.assertEqual(result.returncode, 1)
         self.assertIn("X server", result.stderr)
+        environment = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
+        with subprocess.Popen([PALPATE, str(self.labels), *TISSUES, *TERMS], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              env=environment, text=True) as process:
+            shown = iter(process.stdout.readline, "")
+            printed = [line for line in iter(lambda: next(shown, "window open\n"), "window open\n")]
+            is_open = process.poll() is None
+            process.terminate()
+        self.assertTrue(is_open, printed)
+        self.assertTrue(any("largest force" in line for line in printed), printed)
 
     def test_progress_on_a_terminal(self):
         reading, terminal = os.openpty()
@@ -111,7 +120,7 @@ class Tissue(SessionCase):
     def test_a_label_of_empty_voxels_changes_nothing(self):
         """The image without empty voxels around the block, which has no label 0: forces, and the same ones."""
         alone = self.folder / "alone.nii"
-        write_nifti(alone, block(SIZE, SPACING, ball=(15, 15, 3, 4.5)),
+        write_nifti(alone, block(SIZE, SPACING, ball=(15, 15, 4, 4)),
                     [[SPACING, 0, 0, 0], [0, SPACING, 0, 0], [0, 0, SPACING, 0]])
         largest = []
         for file in (alone, self.labels):

@@ -93,7 +93,8 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
   }
   CLI::Option* map = app.add_flag("--map", options.map,
     "draw where on the body the shape of the first tool matters at --depth: regime index, "
-    "sensitivity and verdict as colours; with --window the body can be turned");
+    "sensitivity and verdict as colours; with --window the body can be turned; with --tissue the "
+    "force");
   for (const char* option :
     { "--measured", "--device", "--hand", "--record", "--trial", "--compare", "--pictures" })
   {

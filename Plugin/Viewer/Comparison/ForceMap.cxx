@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 namespace palpate
@@ -36,6 +37,21 @@ struct ForceSummary
                         ///< reach, N
   double missing = 0.0; ///< fraction of the points without a force
 };
+
+/// Removes the forces whose error has no bound, as next to held points, so that they neither have a
+/// colour nor count.
+void removeUnbounded(vtkPolyData* mapped)
+{
+  vtkDataArray* force = mapped->GetPointData()->GetArray("ForceAtDepth");
+  vtkDataArray* error = mapped->GetPointData()->GetArray("ErrorAtDepth");
+  for (vtkIdType i = 0; error && i < force->GetNumberOfTuples(); ++i)
+  {
+    if (!(error->GetTuple1(i) < 1.0))
+    {
+      force->SetTuple1(i, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+}
 
 /// Returns no strongest point if no point has a force.
 ForceSummary summarise(vtkPolyData* mapped)
@@ -80,7 +96,8 @@ std::string describe(const ViewerScene& scene, vtkPolyData* mapped, const ForceS
     "%s\n%s, %.2f mm deep\n \n"
     "largest force %.4g N%s\n  at %.1f, %.1f, %.1f mm\n"
     "median force %.4g N\n"
-    "no force on %.1f %% of the points\n  (grey: held, or beyond the curve)",
+    "no force on %.1f %% of the points\n  (grey: held, beyond the curve,\n  or with an error "
+    "without bound)",
     scene.title.c_str(), scene.tools.front().c_str(), scene.depth, summary.largest, off.c_str(),
     at[0], at[1], at[2], summary.median, 100.0 * summary.missing);
   return text.data();
@@ -104,6 +121,7 @@ std::string runForceMap(const ViewerOptions& options, const ViewerScene& scene)
     return error;
   }
   vtkPolyData* mapped = map->GetOutput();
+  removeUnbounded(mapped);
   const ForceSummary summary = summarise(mapped);
   if (summary.strongest < 0)
   {
