@@ -9,6 +9,7 @@
 #include "SolidResponse/Bodies/CoarserBody.h"
 #include "SolidResponse/Bodies/SimplerLaw.h"
 #include "SolidResponse/Bodies/SolvedBody.h"
+#include "SolidResponse/Bodies/SourceSpacing.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
 #include "Response/Curves/TiltRequest.h"
@@ -180,7 +181,7 @@ std::string vtkElasticContactResponse::FindMaterials(
   request.factor.memoryLimit = this->MemoryLimit;
   request.radius = std::max(
     palpate::neededRadius(this->Tool, this->MaximumDeflection), this->LargestContactRadius);
-  request.spacing = this->SourceSpacing;
+  request.spacing = palpate::sourceSpacing(grid, this->SourceSpacing);
   std::string fault = palpate::checkFactorRequest(request.factor);
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
   fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.factor.young) : fault;

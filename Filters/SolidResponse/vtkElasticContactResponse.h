@@ -179,7 +179,8 @@ public:
   /** Distance of the points of the surface that are solved for, mm; the distance is smaller near
    * edges. At other points H is interpolated from the solved points around them, so that all points
    * have responses. Half the distance to the source of H (a base, a nodule) is enough. 0 (default):
-   * all points. */
+   * that of the input's field array `SourceSpacing`, which vtkSegmentedBody adds, else all
+   * points. */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
   ///@}

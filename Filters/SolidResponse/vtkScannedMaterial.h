@@ -37,7 +37,7 @@
  * tissues.Update()
  * @endcode
  *
- * @sa vtkNoduleMaterial vtkGradedBody vtkElasticContactResponse
+ * @sa vtkSegmentedBody vtkNoduleMaterial vtkGradedBody vtkElasticContactResponse
  */
 #ifndef vtkScannedMaterial_h
 #define vtkScannedMaterial_h
@@ -50,11 +50,6 @@
 
 class vtkAlgorithmOutput;
 class vtkImageData;
-
-namespace palpate
-{
-struct ElasticMaterial;
-}
 
 class PALPATESOLIDRESPONSE_EXPORT vtkScannedMaterial : public vtkUnstructuredGridAlgorithm
 {

@@ -200,6 +200,10 @@ std::string layerSource(const LayerChoice& layer)
 
 std::string describeMaterial(const ViewerScene& scene)
 {
+  if (!scene.tissues.empty())
+  {
+    return scene.tissues;
+  }
   return scene.layer.isStack()
     ? "of each layer its own (" + scene.materialSource + ")"
     : joined("E = ", scene.youngsModulus, " MPa, nu = ", scene.poissonsRatio, " (",

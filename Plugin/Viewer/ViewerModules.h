@@ -17,13 +17,14 @@
 
 namespace palpate
 {
-/// Options of libpalpateViewerSolids.so: --solid, --voxel, --compare and --scene phantom.
+/// Options of libpalpateViewerSolids.so: --solid, --voxel, --tissue, --compare and --scene phantom.
 struct SolidsModule : ModuleTable
 {
   decltype(&attachSolidResponses) fillWithTetrahedra;
   decltype(&attachVoxelCompliance) fillWithVoxels;
   decltype(&makeComparedBodies) compareBodies;
   decltype(&makePhantomScene) pressPhantom;
+  decltype(&makeSegmentedScene) pressTissues;
 };
 
 /// Options of libpalpateViewerIdentification.so: --measured.

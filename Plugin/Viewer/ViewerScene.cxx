@@ -35,6 +35,14 @@ std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
     { options.voxel, options.fixedFaces, scene.youngsModulus, scene.poissonsRatio }, scene.notes);
 }
 
+/// For --tissue: makes a solid of a segmentation.
+std::string fillTissues(const ViewerOptions& options, ViewerScene& scene)
+{
+  std::string fault;
+  const SolidsModule* solids = solidsModule("--tissue", fault);
+  return solids ? solids->pressTissues(options, scene) : fault;
+}
+
 std::string makePhantom(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string fault;
@@ -54,7 +62,11 @@ std::string identifyBody(const ViewerOptions& options, ViewerScene& scene)
 std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string error;
-  if (!options.body.empty())
+  if (!options.tissues.empty())
+  {
+    error = fillTissues(options, scene);
+  }
+  else if (!options.body.empty())
   {
     error = makeUserScene(options, scene);
   }
@@ -113,6 +125,10 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   if (!error.empty())
   {
     return error;
+  }
+  if (!options.tissues.empty())
+  {
+    return {};
   }
   if (options.voxel > 0.0 || options.solid)
   {

@@ -32,8 +32,9 @@ struct ViewerScene
   /// changes of the force by the nodules.
   bool nodules = false;
   std::string materialSource;
-  LayerChoice layer; ///< if it is scanned, the body has the array LayerThickness or, for a stack,
-                     ///< LayerThickness0 and LayerThickness1
+  LayerChoice layer;   ///< if it is scanned, the body has the array LayerThickness or, for a stack,
+                       ///< LayerThickness0 and LayerThickness1
+  std::string tissues; ///< the tissues of a segmentation as text; "": another body
   std::string modelReason; ///< reason for this law, and its range of validity
   std::vector<std::string> tools;
   double depth = 1.0;
@@ -56,6 +57,7 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makeCylinderScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene);
+std::string makeSegmentedScene(const ViewerOptions& options, ViewerScene& scene);
 std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate
 

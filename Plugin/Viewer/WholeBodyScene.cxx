@@ -3,6 +3,7 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/ToolSpecification.h"
+#include "ProgressLine.h"
 #include "Response/Bodies/BodyYield.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
@@ -10,18 +11,13 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Quiet = 1.0; // s before progress is reported
-
 bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
 {
   const bool isHalfSpace =
@@ -46,33 +42,6 @@ double widestContact(const ViewerOptions& options, const ViewerScene& scene)
   return widest;
 }
 
-/// One line on a terminal, which is overwritten.
-class ProgressLine
-{
-public:
-  bool show(double done)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    if (isatty(STDERR_FILENO) && std::chrono::duration<double>(now - this->Begin).count() > Quiet)
-    {
-      std::fprintf(stderr, "\rpalpate: the body as a whole is solved: %2.0f %% ", 100.0 * done);
-      this->IsShown = true;
-    }
-    return true;
-  }
-  ~ProgressLine()
-  {
-    if (this->IsShown)
-    {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-
-private:
-  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
-  bool IsShown = false;
-};
-
 /// Returns "", or a message about the fault.
 std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& found)
 {
@@ -82,7 +51,7 @@ std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& f
   {
     return {}; // the response names the fault
   }
-  ProgressLine line;
+  ProgressLine line("the body as a whole is solved");
   const std::string fault = findYield(
     sound.body(),
     { scene.youngsModulus, scene.poissonsRatio, radius,

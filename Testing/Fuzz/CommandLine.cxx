@@ -102,6 +102,15 @@ void checkBody(const ViewerOptions& options)
       std::isfinite(options.contourValue) && std::isfinite(options.baseValue),
     "numbers of a scan");
   checkTools(options.tools);
+  std::set<double> labels;
+  for (const TissueChoice& tissue : options.tissues)
+  {
+    require(
+      std::isfinite(tissue.label) && labels.insert(tissue.label).second, "a label is given once");
+    require(isPositive(tissue.youngsModulus), "the modulus of a tissue");
+    require(tissue.poissonsRatio >= 0.0 && tissue.poissonsRatio <= 0.499, "its Poisson's ratio");
+  }
+  require(options.tissues.empty() || !options.body.empty(), "tissues are those of a file");
 }
 
 void checkTouch(const ViewerOptions& options)

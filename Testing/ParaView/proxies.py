@@ -88,6 +88,9 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "ScannedMaterial"): {
         "Input": None, "Image": None, "Image Array": "", "Length Unit": 0, "Materials (value, MPa)": None, "Labels": 1,
         "Young's Modulus (MPa)": 0.1, "Poisson's Ratio": 0.45, "Subdivisions": 4},
+    ("filters", "SegmentedBody"): {
+        "Input": None, "Labels": "", "Tissues": None, "Surface Spacing (mm)": 0.0, "Fixed Faces": "z-"},
+    ("filters", "ForceMap"): {"Input": None, "Depth (mm)": 1.0, "Response Name": "Response"},
     ("filters", "NoduleDetectability"): {
         "Input": None, "Length Unit": 0, "Tool": None, "More Tools": None, "Threshold": 0.1, "Press Depth (mm)": 0.0,
         "Maximum Deflection (mm)": 2.0, "Number Of Samples": 8, "Error Tolerance": 0.05, "Within Validity": 0,
@@ -445,6 +448,30 @@ def check_scanned():
     assert 0.45 <= ratios.min() and ratios.max() <= 0.48
 
 
+def check_segmented():
+    """Three filters from an image of labels to the map: a hard ball under the upper face is felt above it."""
+    labels = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Label",
+                               Function="if(abs(coordsZ) > 6, 0, if(mag(coords - 2*kHat) < 2.6, 2, 1))")
+    body = simple.SegmentedBody(Input=labels, Labels=["POINTS", "Label"], SurfaceSpacingmm=4)
+    body.Tissues = [1, YOUNG, POISSON, 2, 10 * YOUNG, POISSON]
+    moduli = fetched_cells(body, "YoungsModulus")
+    assert YOUNG <= moduli.min() < 1.01 * YOUNG and 5 * YOUNG < moduli.max() <= 10 * YOUNG, moduli
+    assert type(body.GetClientSideObject()) is palpate.vtkSegmentedBody
+    assert body.GetClientSideObject().GetNumberOfFineRegions() == 1
+    felt = simple.ElasticContactResponse(Input=body, YoungsModulusArrayMPa=["CELLS", "YoungsModulus"],
+                                         PoissonsRatioArray=["CELLS", "PoissonRatio"], MaximumDeflectionmm=0.5, SourceSpacingmm=2)
+    felt.Tool.Shape = "Sphere"
+    felt.Tool.Radiusmm = 2
+    mapped = simple.ForceMap(Input=felt, Depthmm=0.4)
+    force = fetched(mapped, "ForceAtDepth")
+    points = vtk_to_numpy(servermanager.Fetch(mapped).GetPoints().GetData())
+    upper = points[:, 2] > points[:, 2].max() - 0.6                  # without the rounded edges
+    away = np.hypot(points[:, 0], points[:, 1])
+    above, beside = np.nanmax(force[upper & (away < 1.5)]), np.nanmedian(force[upper & (away > 5) & (away < 7)])
+    # By 10 % and more: a ball of 3 mm radius, 2 mm deep and ten times as hard by 23 to 30 % (Data/Studies/nodule/nodule.md).
+    assert above > 1.1 * beside, (above, beside)
+
+
 def check_skin():
     """Wavelet's values grow towards its centre: the skin is a closed surface around it."""
     scan = simple.Wavelet()
@@ -505,6 +532,8 @@ check_compliance()
 check_true_shape()
 check_nodules()
 check_scanned()
+if palpate.vtkSegmentedBody.IsAvailable():                   # with CGAL
+    check_segmented()
 check_skin()
 check_thickness()
 check_trajectory()

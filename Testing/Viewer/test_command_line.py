@@ -8,7 +8,7 @@ from session import SessionCase, run
 OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--poisson", "--depth",
            "--max-deflection", "--length-unit", "--resolution", "--contour", "--closing", "--site",
            "--slide-to", "--rate", "--output", "--save", "--export", "--window", "--screenshot",
-           "--voxel", "--solid", "--fixed", "--layer", "--layers", "--base", "--measured", "--register", "--reach",
+           "--voxel", "--solid", "--tissue", "--fixed", "--layer", "--layers", "--base", "--measured", "--register", "--reach",
            "--max-strain",
            "--friction", "--friction-model", "--tangential-stiffness", "--force-form",
            "--contact-surface", "--device", "--hand", "--list-devices", "--record", "--scale", "--trial",

@@ -6,6 +6,7 @@ import unittest
 from pathlib import Path
 
 import bodies
+import numpy
 from session import SessionCase, run
 
 MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its folder
@@ -28,7 +29,7 @@ class Modules(SessionCase):
         return MECHANICS.name.rsplit(".", 1)[0]
 
     def test_an_option_without_its_module_is_refused(self):
-        for arguments in (("--solid", "5"), ("--voxel", "5")):
+        for arguments in (("--solid", "5"), ("--voxel", "5"), ("--tissue", "1:0.1:0.4")):
             self.refuse(self.ball, *arguments, environment=self.environment,
                         words=(arguments[0], "module Solids", "libpalpateViewerSolids.so", "./run build"))
         self.refuse("--scene", "phantom", environment=self.environment, words=("--scene phantom", "module Solids"))
@@ -43,6 +44,12 @@ class Modules(SessionCase):
     def test_a_module_that_needs_another_names_it(self):
         shutil.copy(COMPARISON, self.libraries)
         self.refuse("--compare", environment=self.environment, words=("--compare", "module Solids"))
+
+    def test_tissues_need_the_mesher(self):
+        shutil.copy(COMPARISON.parent / "libpalpateViewerSolids.so", self.libraries)
+        labels = bodies.write(bodies.image(numpy.ones((4, 4, 4))), self.folder / "labels.vti")
+        self.refuse(labels, "--tissue", "1:0.1:0.4", environment=self.environment,
+                    words=("No tissue can be filled", "module Mesher", "libpalpateMesher.so"))
 
     def test_a_device_is_reached_by_its_module_alone(self):
         for device in ("hid:/dev/hidraw0", "bridge:udp:50000"):

@@ -39,11 +39,13 @@ double expectedCells(const ClosedSurface& closed, double s, double l, double gro
     closed.area * (1.0 / (s * s) - 1.0 / (l * l)) / (2.0 * growth) + closed.volume / std::pow(l, 3);
   return CellsPerCube * std::min(graded, closed.volume / std::pow(s, 3));
 }
+} // namespace
 
-/// Expected cells of a finer ball and of the shell in which the spacing u grows from s to l: cells
-/// of u³ at r = R + (u - s)/growth.
-double expectedCells(const FineBall& ball, double l, double growth)
+double expectedBallCells(const FineBall& ball, double spacing, double growth)
 {
+  // The ball, and the shell in which the spacing u grows from s to l: cells of u³ at
+  // r = R + (u - s)/growth.
+  const double l = spacing;
   const double s = std::min(ball.spacing, l);
   const double b = growth * ball.radius - s;
   const auto primitive = [b](double u)
@@ -52,7 +54,6 @@ double expectedCells(const FineBall& ball, double l, double growth)
   const double around = (primitive(l) - primitive(s)) / std::pow(growth, 3);
   return CellsPerCube * 4.0 * vtkMath::Pi() * (inside + around);
 }
-} // namespace
 
 std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkObserver& observer,
   vtkUnstructuredGrid* grid, GradedReport& report)
@@ -70,7 +71,7 @@ std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkOb
   report.cells = expectedCells(prepared.closed, cells.spacing, inside, cells.growth);
   for (const FineBall& ball : cells.balls)
   {
-    report.cells += expectedCells(ball, cells.spacing, cells.growth);
+    report.cells += expectedBallCells(ball, cells.spacing, cells.growth);
   }
   const double needed = BytesPerCell * report.cells;
   const double available = availableMemory();

@@ -31,6 +31,10 @@ struct GradedReport
   std::vector<std::string> warnings;
 };
 
+/// Expected number of cells that a finer ball adds to cells of `spacing` (mm) at the surface that
+/// grow by `growth`.
+double expectedBallCells(const FineBall& ball, double spacing, double growth);
+
 /// Fills the surface with quadratic tetrahedra and the point array `Fixed`. Returns "", or a
 /// message about the fault. `grid` is empty if the observer stopped the work.
 std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkObserver& observer,

@@ -8,12 +8,16 @@ Functions on numpy arrays, each with its own help: response, probe, curves, regi
 every wrapped class of the pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` evaluates the
 response arrays of a saved body with numpy alone. It can be imported without VTK.
 
+``palpate.__version__`` is the version of Palpate.
+
 Units: mm, N, MPa, N/mm. Forces act on the tool and point out of the body.
 """
 import importlib
 import importlib.util
 import os
 import pkgutil
+
+from ._version import __version__ as __version__
 
 FUNCTIONS = {"_response": ("regime", "response", "Regime"), "_probe": ("probe", "CoupledProbe", "Probe"),
              "_curves": ("curves", "Curves"), "_measured": ("measured", "Measured")}

@@ -4,6 +4,7 @@ from . import contract as contract, tilts as tilts
 from ._curves import Curves as Curves, curves as curves
 from ._measured import Measured as Measured, measured as measured
 from ._probe import CoupledProbe as CoupledProbe, Probe as Probe, probe as probe
+from ._version import __version__ as __version__
 from ._response import Regime as Regime, regime as regime, response as response
 from .palpateComparison import *
 from .palpateInteraction import *

@@ -43,6 +43,22 @@ def _any_body(body):
                     "of a file, but is a %s" % type(body).__name__)
 
 
+def as_labels(body):
+    """Returns a vtkImageData of labels in mm: an image, a vtkAlgorithm or its output port, or the name of a file, .nii,
+    .nii.gz, .vti or .vtk."""
+    if isinstance(body, (str, os.PathLike)):
+        body = _read(os.fspath(body))
+    elif isinstance(body, (vtkAlgorithm, vtkAlgorithmOutput)):
+        body = _filters.output_of(body)
+    body = getattr(body, "VTKObject", body)
+    if not isinstance(body, vtkImageData):
+        raise TypeError("with tissues the body must be an image of labels (vtkImageData, or a .nii, .nii.gz or .vti file), "
+                        "but is a %s" % type(body).__name__)
+    if body.GetNumberOfPoints() == 0:
+        raise ValueError("the image of labels is empty: it has no voxels")
+    return body
+
+
 def shallow_copy(body):
     """Another vtkPolyData with the same arrays. More arrays can be added to it."""
     copy = vtkPolyData()
@@ -70,7 +86,8 @@ def warn_about_size(body):
 
 def _surface_of(data):
     if isinstance(data, vtkImageData):
-        raise ValueError("an image is not a body; make a surface of it first: the skin of a scan by "
+        raise ValueError("an image is not a body; give tissues={label: (young, poisson)} if its values are labels, or "
+                         "make a surface of it first: the skin of a scan by "
                          "palpate.vtkSkinSurface (its ContourValue is the grey level of the skin), its box by "
                          "palpate.vtkBodySurface")
     surface = vtkBodySurface()

@@ -2,12 +2,13 @@
 """palpate.curves: the stored force-deflection curves of points."""
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Optional, Union
 
 import numpy as np
 
 from . import _arrays, contract
 from ._bodies import as_body
+from ._types import Body, Reals
 
 
 class Curves(NamedTuple):
@@ -33,7 +34,8 @@ def _error(array, ranges, points, depths):
     return below + (place - low) * (above - below)
 
 
-def curves(body, points=None, deflection=None, rows=101, name="Response") -> Curves:
+def curves(body: Body, points: Optional[Union[int, Reals]] = None, deflection: Optional[Union[float, Reals]] = None,
+           rows: int = 101, name: str = "Response") -> Curves:
     """The stored force-deflection curves of points of a body.
 
     Parameters

@@ -37,16 +37,36 @@ def words(text):
     return text.partition("): ")[2].strip() or text.strip()
 
 
-def run(algorithm, kind=ValueError, others=()):
-    """Updates an algorithm. Errors, also those of `others`, are raised as `kind`; warnings become Python warnings."""
+def run(algorithm, kind=ValueError, others=(), progress=None, expected=None):
+    """Updates an algorithm. Errors, also those of `others`, are raised as `kind`; warnings become Python warnings.
+
+    Warnings that contain the text `expected` are left out. `progress` is called with the completed fraction, 0 to 1. If it
+    raises an exception, the algorithm is aborted and the exception raised again."""
     listener = Listener(algorithm, algorithm.GetExecutive(), *others)
+    raised = []
+
+    def show(caller, event):
+        try:
+            progress(caller.GetProgress())
+        except BaseException as exception:             # VTK would print it and go on
+            raised.append(exception)
+            caller.SetAbortExecute(1)
+
+    tag = None if progress is None else algorithm.AddObserver("ProgressEvent", show)
     try:
         algorithm.Update()
     finally:
         listener.stop()
+        if tag is not None:
+            algorithm.RemoveObserver(tag)
+            algorithm.SetAbortExecute(0)
+    if raised:
+        raise raised[0]
     if listener.errors:
         raise kind(listener.errors[0])
     for text in listener.warnings:
+        if expected is not None and expected in text:
+            continue
         warnings.warn(text, RuntimeWarning, stacklevel=3)
     return algorithm
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
+from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _arrays, _filters
 from ._bodies import as_body
 from ._response import _count, _text, _tool
+from ._types import Body, File, Tool
 
 MODELS = ("half-space", "compliance", "layer")
 
@@ -18,11 +19,13 @@ class Measured(NamedTuple):
     """The body identified from measured curves. See palpate.measured."""
 
     body: vtkPolyData
-    sites: list
+    sites: List[Dict[str, Any]]
 
 
-def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_strain=0.4, reach=20.0,
-             registration=None, maximum_deflection=2.0, samples=8, name="Response") -> Measured:
+def measured(body: Body, files: Union[File, Sequence[File]], tool: Tool = "sphere:6.35",
+             model: Optional[Literal["half-space", "compliance", "layer"]] = None, poisson: float = 0.45,
+             maximum_strain: float = 0.4, reach: float = 20.0, registration: Optional[File] = None,
+             maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response") -> Measured:
     """Attaches the curve of a tool to each point of a body around measured sites.
 
     It follows from curves that were measured at these sites with other tools.
@@ -56,8 +59,8 @@ def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_
     made.SetInputData(as_body(body))
     for file in [files] if isinstance(files, (str, os.PathLike)) else files:
         made.AddFileName(_text(os.fspath(file) if isinstance(file, os.PathLike) else file, "files"))
-    tool = _tool(tool)
-    made.SetTool(tool)
+    kind = _tool(tool)
+    made.SetTool(kind)
     if model is not None and model not in MODELS:
         raise ValueError("model must be one of %s, or None, but is %r" % (", ".join(map(repr, MODELS)), model))
     made.SetBodyModel(0 if model is None else 1 + MODELS.index(model))
@@ -69,7 +72,7 @@ def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_
     made.SetMaximumDeflection(_arrays.number(maximum_deflection, "maximum_deflection (mm)"))
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
-    _filters.run(made, others=[tool])
+    _filters.run(made, others=[kind])
     table = made.GetOutputDataObject(1)
     columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
     return Measured(made.GetOutput(), [{column.GetName(): column.GetValue(row) for column in columns}

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import weakref
-from typing import NamedTuple
+from typing import Any, List, Literal, NamedTuple, Optional, Tuple, Union, overload
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _arrays, _filters
 from ._bodies import as_body, shallow_copy
+from ._types import Body, Reals
 from .palpateResponse import vtkToolContactProbe
 
 CHOICES = {
@@ -37,18 +38,18 @@ class Probe(NamedTuple):
     tilt: np.ndarray
 
 
-class CoupledProbe(tuple):
+class CoupledProbe(Tuple[np.ndarray, np.ndarray]):
     """Contacts of tools that press at the same time: forces, stiffness. The fields of Probe are attributes of the pair."""
 
-    forces: np.ndarray
+    felt: Probe
     stiffness: np.ndarray
 
-    def __new__(cls, felt: Probe, stiffness: np.ndarray):
-        pair = super().__new__(cls, (felt.forces, stiffness))
+    def __new__(cls, felt: Probe, stiffness: np.ndarray) -> CoupledProbe:
+        pair = super().__new__(cls, (felt.forces, stiffness))  # type: ignore[arg-type]  # mypy 1.0 on tuple.__new__
         pair.felt, pair.stiffness = felt, stiffness
         return pair
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> np.ndarray:
         if name == "felt":                              # not set yet, during a copy
             raise AttributeError(name)
         return getattr(self.felt, name)
@@ -57,10 +58,34 @@ class CoupledProbe(tuple):
         return CoupledProbe, (self.felt, self.stiffness)
 
 
-def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffness=1.0,
-          friction_model="elasto-plastic", friction_breakaway=0.8, friction_stick_radius=0.9, poisson=0.5,
-          force_form="normalized-direction", surface="facets", indentation=0.0, name="Response",
-          relaxation_elements=16, axis=None, coupled=False) -> Probe | CoupledProbe:
+FrictionModel = Literal["elasto-plastic", "dahl", "shape-derived"]
+ForceForm = Literal["paper", "normalized-direction", "energy-consistent"]
+Surface = Literal["facets", "smooth"]
+
+
+# For type checkers: coupled=True gives a CoupledProbe, all other calls a Probe.
+@overload
+def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = ..., time: Optional[Reals] = ...,
+          friction: float = ..., tangential_stiffness: float = ..., friction_model: FrictionModel = ...,
+          friction_breakaway: float = ..., friction_stick_radius: float = ..., poisson: float = ...,
+          force_form: ForceForm = ..., surface: Surface = ..., indentation: float = ..., name: str = ...,
+          relaxation_elements: int = ..., axis: Optional[Reals] = ..., coupled: Literal[False] = ...) -> Probe: ...
+
+
+@overload
+def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = ..., time: Optional[Reals] = ...,
+          friction: float = ..., tangential_stiffness: float = ..., friction_model: FrictionModel = ...,
+          friction_breakaway: float = ..., friction_stick_radius: float = ..., poisson: float = ...,
+          force_form: ForceForm = ..., surface: Surface = ..., indentation: float = ..., name: str = ...,
+          relaxation_elements: int = ..., axis: Optional[Reals] = ..., coupled: Literal[True]) -> CoupledProbe: ...
+
+
+def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = False, time: Optional[Reals] = None,
+          friction: float = 0.0, tangential_stiffness: float = 1.0, friction_model: FrictionModel = "elasto-plastic",
+          friction_breakaway: float = 0.8, friction_stick_radius: float = 0.9, poisson: float = 0.5,
+          force_form: ForceForm = "normalized-direction", surface: Surface = "facets", indentation: float = 0.0,
+          name: str = "Response", relaxation_elements: int = 16, axis: Optional[Reals] = None,
+          coupled: bool = False) -> Union[Probe, CoupledProbe]:
     """The contact force at given tool tips, computed by the kernel of the servo tick.
 
     Parameters
@@ -148,10 +173,11 @@ def probe(body, tips, *, path=False, time=None, friction=0.0, tangential_stiffne
         stiffness = points.GetArray("CoupledStiffness")
     count = tips.GetNumberOfPoints()
     *others, memory, error, torque, tilt = arrays
-    found = Probe(*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
-                  np.full(count, np.nan) if error is None else _arrays.to_numpy(error),
-                  np.zeros((count, 3)) if torque is None else _arrays.to_numpy(torque),
-                  np.zeros(count) if tilt is None else _arrays.to_numpy(tilt))
+    values = [*map(_arrays.to_numpy, others), np.zeros(count) if memory is None else _arrays.to_numpy(memory),
+              np.full(count, np.nan) if error is None else _arrays.to_numpy(error),
+              np.zeros((count, 3)) if torque is None else _arrays.to_numpy(torque),
+              np.zeros(count) if tilt is None else _arrays.to_numpy(tilt)]
+    found = Probe(*values)
     if not coupled:
         return found
     stiffness = _arrays.to_numpy(stiffness)
@@ -207,7 +233,7 @@ class _prepared:
     The filter holds the body's arrays. It is freed with the body or by the next body. No other thread can get it while
     it is in use."""
 
-    _kept = []
+    _kept: List[Any] = []
 
     def __init__(self, body, name):
         self.body, self.name = body, name

@@ -2,13 +2,15 @@
 """palpate.response and palpate.regime: the law of a tool at each point of a body."""
 from __future__ import annotations
 
-from typing import NamedTuple
+import inspect
+from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
-from . import _arrays, _filters
+from . import _arrays, _filters, _tissues
 from ._bodies import as_body, shallow_copy, warn_about_size
+from ._types import Base, Body, Layer, PerPoint, Reals, Strain, Tool
 from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
 
 BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
@@ -16,10 +18,15 @@ STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolConta
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=True,
-             maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
-             strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
-             relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:
+def response(body: Body, tool: Tool = "sphere:6.35", young: PerPoint = 0.05, poisson: PerPoint = 0.45,
+             layer: Optional[PerPoint] = None, base: Base = "bonded", compliance: Optional[PerPoint] = True,
+             maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response",
+             compliance_excludes_layer: bool = False, curvature: bool = True, strain: Strain = "small",
+             error_tolerance: float = 0.05, layers: Sequence[Layer] = (), automatic: Optional[float] = None,
+             edges: bool = False, relax: Sequence[Tuple[PerPoint, float]] = (), compliance_relaxes: bool = True,
+             coupling: bool = False, tilt: float = 0.0, points: Optional[Reals] = None,
+             tissues: Optional[Mapping[float, Tuple[float, float]]] = None, fixed: str = "z-", spacing: float = 0.0,
+             progress: Optional[Callable[[str, float], Any]] = None) -> vtkPolyData:
     """Attaches to each point of a body the force-deflection curve of a tool pressed there.
 
     Parameters
@@ -71,6 +78,15 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         torque depend on the axis given to palpate.probe or to a session.
     points : the points of the body that get a response: their indices, or booleans of shape (n,). The other points have
         status 4 and no curve. None: all points.
+    tissues : {label: (young in MPa, poisson)} if the body is a segmentation: a vtkImageData of labels in mm, or the name of
+        a .nii, .nii.gz or .vti file. poisson is at most 0.499. Voxels with other labels are empty. The tissues are filled
+        with tetrahedra by vtkSegmentedBody and solved by vtkElasticContactResponse, which takes seconds to minutes. The
+        response is on the surface of the tetrahedra and includes the shape of the body, its tissues and how it is held.
+        Not with young, poisson, layer, base, layers, compliance, curvature, automatic, coupling or points.
+    fixed : with tissues: sides of the bounding box that hold the body, as "z-" or "x-:2,x+:2" (with depths in mm).
+    spacing : with tissues: length of the tetrahedra at the surface, mm; 0: chosen from the size of the body. They are
+        finer in regions that other tissues enclose.
+    progress : with tissues: called as progress(step, fraction), with a text and a number from 0 to 1.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -87,6 +103,10 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     whose coordinates may be in metres. Masked values give a ValueError. Runs on all threads of vtkSMPTools, with the
     same bits for any number of threads; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
     """
+    if tissues is not None:
+        _tissues.refuse(locals(), {name: each.default for name, each in inspect.signature(response).parameters.items()})
+        return _tissue_response(body, tissues, fixed, spacing, progress, tool, maximum_deflection, samples, name, strain,
+                                error_tolerance, edges, relax, tilt)
     made = vtkToolContactResponse()
     body = as_body(body)
     warn_about_size(body)
@@ -94,8 +114,8 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     given = _set_material(made, body, young, poisson, layer, base, None if isinstance(compliance, bool) else compliance,
                           compliance_excludes_layer, layers)
     made.SetInputData(given)
-    tool = _tool(tool)
-    made.SetTool(tool)
+    kind = _tool(tool)
+    made.SetTool(kind)
     made.SetMaximumDeflection(_arrays.number(maximum_deflection, "maximum_deflection (mm)"))
     made.SetNumberOfSamples(_count(samples, "samples"))
     made.SetResponseName(_text(name, "name"))
@@ -113,7 +133,31 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
         made.AutomaticTermsOn()
         if automatic is not True:
             made.SetTermTolerance(_arrays.number(automatic, "automatic"))
-    return _filters.run(made, others=[tool]).GetOutput()
+    return _filters.run(made, others=[kind]).GetOutput()
+
+
+def _tissue_response(body, tissues, fixed, spacing, progress, tool, maximum_deflection, samples, name, strain, error_tolerance,
+                     edges, relax, tilt):
+    def setting(felt):
+        kind = _tool(tool)
+        felt.SetTool(kind)
+        felt.SetMaximumDeflection(_arrays.number(maximum_deflection, "maximum_deflection (mm)"))
+        felt.SetNumberOfSamples(_count(samples, "samples"))
+        felt.SetResponseName(_text(name, "name"))
+        felt.SetErrorTolerance(_arrays.number(error_tolerance, "error_tolerance"))
+        felt.SetEdgeCorrection(bool(edges))
+        felt.SetMaximumTilt(_arrays.number(tilt, "tilt (degrees)"))
+        _set_strain(felt, strain)
+        for i, pair in enumerate(relax):
+            what = "relax[%d]" % i
+            if not isinstance(pair, (tuple, list)) or len(pair) != 2:
+                raise ValueError("%s must be (strength, seconds), but is %r" % (what, pair))
+            felt.AddRelaxation(_arrays.number(pair[0], what + ": strength"), _arrays.number(pair[1], what + ": seconds"))
+        return [kind]
+
+    _tool(tool)                                         # a wrong tool is found before the minutes of the tissues
+    solid = _tissues.fill(body, tissues, spacing, _text(fixed, "fixed"), progress)
+    return _tissues.press(solid, setting, progress)
 
 
 def _set_relaxation(made, body, relax):
@@ -172,13 +216,15 @@ def _set_strain(made, strain):
 class Regime(NamedTuple):
     """Whether a body deforms locally or globally, per point. See palpate.regime."""
 
-    index: np.ndarray
+    index: np.ndarray                                   # type: ignore[assignment]  # hides tuple.index
     sensitivity: np.ndarray
     verdict: np.ndarray
 
 
-def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
-           name="Response", compliance_excludes_layer=False, layers=()) -> Regime:
+def regime(body: Body, deflection: Optional[float] = None, tool: Optional[Tool] = None, young: PerPoint = 0.05,
+           poisson: PerPoint = 0.45, layer: Optional[PerPoint] = None, base: Base = "bonded",
+           compliance: Optional[PerPoint] = None, name: str = "Response", compliance_excludes_layer: bool = False,
+           layers: Sequence[Layer] = ()) -> Regime:
     """Whether a body deforms locally or globally under a tool, and so whether the tool's shape matters.
 
     Parameters
@@ -204,15 +250,15 @@ def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=Non
                           layers)
     found.SetInputData(given)
     found.SetResponseName(_text(name, "name"))
-    if tool is not None:
-        tool = _tool(tool)
-        found.SetTool(tool)
+    kind = None if tool is None else _tool(tool)
+    if kind is not None:
+        found.SetTool(kind)
     if deflection is not None:
         depth = _arrays.number(deflection, "deflection (mm)")
         if not depth > 0:
             raise ValueError("deflection must be positive (mm), but is %g" % depth)
         found.SetDeflection(depth)
-    points = _filters.run(found, others=[] if tool is None else [tool]).GetOutput().GetPointData()
+    points = _filters.run(found, others=[] if kind is None else [kind]).GetOutput().GetPointData()
     return Regime(*(_arrays.to_numpy(points.GetArray(array))
                     for array in ("RegimeIndex", "ToolSensitivity", "RegimeVerdict")))
 
@@ -282,7 +328,7 @@ def _add_layers(algorithm, layers):
     return second
 
 
-def _tool(tool):
+def _tool(tool: Tool) -> vtkContactTool:
     if isinstance(tool, vtkContactTool):
         return tool
     made = vtkContactTool()

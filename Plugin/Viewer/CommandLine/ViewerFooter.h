@@ -11,7 +11,7 @@ truncated:R,DEGREES (R: of the flat), blunted:R,DEGREES (R: of the tip), rounded
 profile:FILE.csv (a line r_mm,f_mm per point, from 0,0 outward).
 
 Files: .palpate (written by --export), .vtp .stl .ply .obj .vtk (surfaces), .vtu (volume meshes: their surface is taken),
-.nii .nii.gz .vti (scans: their outer skin is taken).
+.nii .nii.gz .vti (scans: their outer skin is taken; with --tissue segmentations: their tissues are taken).
 
 Environment: PALPATE_THREADS, the largest number of threads of pre-computations (default: one per core). No result
 depends on it.
@@ -25,6 +25,7 @@ Examples:
   palpate liver.stl --measured press.csv --tool sphere:1.6   touched with another tool than measured
   palpate liver.stl --tool sphere:6.35 --voxel 2 --fixed z-   as a solid that lies on its lowest side
   palpate liver.stl --tool sphere:6.35 --solid               its true shape, by finite elements
+  palpate labels.nii.gz --tissue 1:0.006:0.49 --tissue 2:0.06:0.49   a segmentation with a lump: a map of the force
   palpate liver.stl --layer 10               as a layer of 10 mm on a rigid base
   palpate --layers scan                      the head as skin over fat over bone
   palpate liver.stl --layers 1.5:0.2:0.48,6:0.03:0.49   two layers, outermost first, on a rigid base

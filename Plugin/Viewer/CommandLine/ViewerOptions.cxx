@@ -3,6 +3,7 @@
 
 #include "ContactNames.h"
 #include "OptionChecks.h"
+#include "TissueOptions.h"
 #include "TrialOptions.h"
 #include "ViewerFooter.h"
 
@@ -92,7 +93,8 @@ void addViewOptions(CLI::App& app, ViewerOptions& options)
   }
   CLI::Option* map = app.add_flag("--map", options.map,
     "draw where on the body the shape of the first tool matters at --depth: regime index, "
-    "sensitivity and verdict as colours; with --window the body can be turned");
+    "sensitivity and verdict as colours; with --window the body can be turned; with --tissue the "
+    "force");
   for (const char* option :
     { "--measured", "--device", "--hand", "--record", "--trial", "--compare", "--pictures" })
   {
@@ -167,7 +169,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       },
       "fill the closed surface with tetrahedra of this size at the surface, mm, larger inside "
       "(without a number: chosen from body and tools): the responses are then those of the body's "
-      "true shape")
+      "true shape; with --tissue: the size of its tetrahedra")
     ->expected(0, 1)
     ->check(CLI::Validator(
       [](const std::string& text)
@@ -344,12 +346,14 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   addDeviceOptions(app, options);
   addTrialOptions(app, options, alternatives);
   addViewOptions(app, options);
+  addTissueOptions(app, options);
 
   try
   {
     app.parse(argc, argv);
     options.fixedGiven = app.count("--fixed") > 0;
-    if (options.fixedGiven && options.voxel == 0.0 && !options.solid &&
+    checkTissues(app, options);
+    if (options.fixedGiven && options.voxel == 0.0 && !options.solid && options.tissues.empty() &&
       (options.body.empty() || !options.wholeBody))
     {
       throw CLI::RequiresError("--fixed", "--voxel or --solid, or BODY without --no-whole-body");

@@ -6,6 +6,7 @@
 #include "Laws/LawTerms.h"
 #include "LayerChoice.h"
 #include "Mechanics/Relaxation/PronySeries.h"
+#include "TissueChoice.h"
 #include "TrialChoice.h"
 
 #include <array>
@@ -43,6 +44,7 @@ struct ViewerOptions
   bool solid = false;                ///< --solid: whether to fill the body with graded tetrahedra
   double solidSpacing = 0.0;         ///< size of the tetrahedra at the surface, mm; 0: chosen
                                      ///< automatically
+  std::vector<TissueChoice> tissues; ///< --tissue; empty: the body is no segmentation
   std::string fixedFaces = "z-";     ///< sides of the bounding box that hold the solid
   bool fixedGiven = false;
   bool wholeBody = true; ///< whether the compliance of the whole body is included where it applies

@@ -2,7 +2,7 @@
 #include "DetectabilityMap.h"
 
 #include "Mechanics/JoinedText.h"
-#include "Interaction/Display/SceneView.h"
+#include "MapColors.h"
 #include "MapStage.h"
 #include "PhantomBody.h"
 
@@ -16,8 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkScalarBarActor.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -30,12 +28,8 @@ namespace
 {
 constexpr double PerceptibleChange = 10.0; // %, the default of vtkNoduleDetectability
 constexpr double ViewMargin = 7.0;         // mm
-constexpr int MapColors = 256;
-constexpr int BarTextSize = 15;
 constexpr std::size_t MostMaps = 3;
-constexpr Color PaleTissue = { 0.93, 0.89, 0.84 };
-constexpr Color DeepRed = { 0.55, 0.02, 0.10 };
-constexpr Color NoResponse = { 0.62, 0.62, 0.64 };
+constexpr double CurveOfColors = 0.5; // makes small changes distinguishable
 
 /// The change for one tool, in per cent, as scalars of the points.
 vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
@@ -68,65 +62,11 @@ double largestOf(vtkPolyData* body)
   return 10.0 * std::ceil(largest / 10.0);
 }
 
-vtkSmartPointer<vtkLookupTable> makeChangeColors(double largest)
-{
-  auto colors = vtkSmartPointer<vtkLookupTable>::New();
-  colors->SetNumberOfTableValues(MapColors);
-  colors->SetTableRange(0.0, largest);
-  for (int i = 0; i < MapColors; ++i)
-  {
-    // The square root makes small changes distinguishable.
-    const double share = std::sqrt(static_cast<double>(i) / (MapColors - 1));
-    Color color{};
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      color[k] = (1.0 - share) * PaleTissue[k] + share * DeepRed[k];
-    }
-    colors->SetTableValue(i, color[0], color[1], color[2]);
-  }
-  colors->SetNanColor(NoResponse[0], NoResponse[1], NoResponse[2], 1.0);
-  return colors;
-}
-
-vtkSmartPointer<vtkScalarBarActor> makeBar(vtkLookupTable* colors)
-{
-  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
-  bar->SetLookupTable(colors);
-  bar->SetTitle("Change of force\n(%)\n ");
-  bar->SetLabelFormat("%.0f");
-  bar->SetNumberOfLabels(5);
-  bar->SetBarRatio(0.25);
-  bar->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
-  {
-    text->SetColor(TextColor[0], TextColor[1], TextColor[2]);
-    text->SetFontSize(BarTextSize);
-    text->SetBold(0);
-    text->SetItalic(0);
-    text->SetShadow(0);
-  }
-  bar->GetPositionCoordinate()->SetValue(0.77, 0.2);
-  bar->SetWidth(0.22);
-  bar->SetHeight(0.6);
-  return bar;
-}
-
 void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   const MapStage::Viewport& viewport, const std::string& title)
 {
   vtkRenderer* renderer = stage.addRenderer(viewport);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(shown);
-  mapper->SetLookupTable(colors);
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->InterpolateScalarsBeforeMappingOn();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  // The shading is weak, so that colours can be compared with those of the legend.
-  actor->GetProperty()->SetAmbient(0.55);
-  actor->GetProperty()->SetDiffuse(0.45);
-  actor->GetProperty()->SetSpecular(0.0);
-  renderer->AddActor(actor);
+  addColoredBody(shown, colors, "Change of force\n(%)\n ", "%.0f", renderer);
   vtkNew<vtkContourFilter> lines;
   lines->SetInputData(shown);
   lines->SetValue(0, PerceptibleChange);
@@ -141,7 +81,6 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   line->GetProperty()->SetLineWidth(2.0F);
   line->GetProperty()->LightingOff();
   renderer->AddActor(line);
-  renderer->AddViewProp(makeBar(colors));
   stage.addTitle(title);
 }
 
@@ -197,7 +136,8 @@ std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene&
 {
   const std::size_t maps = std::min(scene.tools.size(), MostMaps);
   MapStage stage("Palpate: " + scene.title, options.window);
-  const vtkSmartPointer<vtkLookupTable> colors = makeChangeColors(largestOf(scene.body));
+  const vtkSmartPointer<vtkLookupTable> colors =
+    makeMapColors({ 0.0, largestOf(scene.body) }, CurveOfColors);
   const std::array<MapStage::Viewport, 4> places = { { { 0.0, 0.5, 0.5, 1.0 },
     { 0.5, 0.5, 1.0, 1.0 }, { 0.0, 0.0, 0.5, 0.5 }, { 0.5, 0.0, 1.0, 0.5 } } };
   const std::array<MapStage::Viewport, 2> alone = { { { 0.0, 0.0, 0.62, 1.0 },

@@ -2,6 +2,7 @@
 #include "RegimeMap.h"
 
 #include "DetectabilityMap.h"
+#include "ForceMap.h"
 #include "LayerModel.h"
 #include "MapStage.h"
 #include "ResponseSet.h"
@@ -100,6 +101,10 @@ std::string runRegimeMap(const ViewerOptions& options, const ViewerScene& scene)
   if (scene.nodules)
   {
     return runDetectabilityMap(options, scene);
+  }
+  if (!scene.tissues.empty())
+  {
+    return runForceMap(options, scene);
   }
   if (scene.stored)
   {

@@ -8,6 +8,7 @@
 #include "Mechanics/Files/NumberText.h"
 #include "Mechanics/JoinedText.h"
 #include "PhantomBody.h"
+#include "ProgressLine.h"
 #include "ResponseSet.h"
 #include "SolvedCache.h"
 
@@ -67,7 +68,7 @@ std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
   detectability->SetSourceSpacing(SourceSpacing);
   detectability->SetSourceSpacingWithout(SourceSpacingWithout);
   detectability->StoreWithoutOn();
-  const std::string error = updateQuietly(detectability);
+  const std::string error = updateWithProgress(detectability, "the phantom is solved");
   if (!error.empty())
   {
     return error;

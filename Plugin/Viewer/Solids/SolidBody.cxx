@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidBody.h"
 
-#include "BodyCache.h"
 #include "Response/Files/CollectingWindow.h"
-#include "Mechanics/Files/NumberText.h"
-#include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
-#include "Response/BodyConversion.h"
-#include "ResponseSet.h"
+#include "ProgressLine.h"
+#include "SolidTools.h"
 #include "SolvedCache.h"
 
 #include "vtkElasticContactResponse.h"
@@ -17,11 +14,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
 
 namespace palpate
 {
@@ -74,28 +68,12 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   return sizes;
 }
 
-/// The law of finite strain for a tool: the given one, or Neo-Hooke if it is tabulated for the
-/// tool.
-StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const ViewerScene& scene)
-{
-  if (options.strainGiven && !scene.terms.automatic)
-  {
-    return scene.terms.strain;
-  }
-  const StrainBodies bodies{ scene.poissonsRatio, scene.poissonsRatio };
-  const bool isKnown = isStrainTabulated(*tool->GetKernel(), bodies, options.maximumDeflection);
-  return { isKnown ? StrainModel::NeoHooke : StrainModel::Linear, 0.0 };
-}
-
 /// Cache key: everything that the responses depend on. The revision changes when the same input
 /// gives other results.
 std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   constexpr int Revision = 10;
-  return joined(Revision, solvedKey(options, scene), '|', shortestDecimals(options.solidSpacing),
-    '|', options.fixedFaces, '|', options.strainGiven && !scene.terms.automatic, '|',
-    static_cast<int>(scene.terms.strain.model), ':', scene.terms.strain.parameter,
-    contentOf(scene.body));
+  return joined(Revision, solidTermsKey(options, scene), contentOf(scene.body));
 }
 
 /// Fills the body with tetrahedra. Returns "" or an error.
@@ -104,7 +82,7 @@ std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vt
   filled->SetInputData(body);
   filled->SetSurfaceSpacing(spacing);
   filled->SetFixedFaces(fixed);
-  return updateQuietly(filled);
+  return updateWithProgress(filled, "the body is filled with tetrahedra");
 }
 
 /// Fills the body with longer cells. Defects of the surface have already been reported for the
@@ -122,26 +100,16 @@ std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
 /// Fills the body of the scene and presses its tools. Sets body and notes.
 std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 {
-  std::vector<vtkSmartPointer<vtkContactTool>> tools;
-  std::vector<double> radii;
-  for (const std::string& text : scene.tools)
+  SolidTools made;
+  std::string error = makeSolidTools(options, scene, made);
+  if (!error.empty())
   {
-    tools.push_back(vtkSmartPointer<vtkContactTool>::New());
-    if (!tools.back()->SetSpecification(text))
-    {
-      return "tool '" + text + "' is not known";
-    }
-    radii.push_back(tools.back()->GetKernel()->contactRadius(options.maximumDeflection));
+    return error;
   }
-  // The tool with the widest contact is first, as the others use its solutions.
-  std::vector<std::size_t> order(tools.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::stable_sort(order.begin(), order.end(),
-    [&radii](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
-  const SolidSizes sizes = chooseSizes(scene.body, options.solidSpacing, radii[order.front()]);
+  const SolidSizes sizes = chooseSizes(scene.body, options.solidSpacing, made.widest);
   auto begin = std::chrono::steady_clock::now();
   vtkNew<vtkGradedBody> filled;
-  std::string error = fill(scene.body, sizes.spacing, options.fixedFaces, filled);
+  error = fill(scene.body, sizes.spacing, options.fixedFaces, filled);
   if (!error.empty())
   {
     return error;
@@ -162,27 +130,15 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
   }
   pressed->SetYoungsModulus(scene.youngsModulus);
   pressed->SetPoissonRatio(scene.poissonsRatio);
-  pressed->SetMaximumDeflection(options.maximumDeflection);
-  pressed->SetErrorTolerance(scene.terms.errorTolerance);
-  pressed->SetEdgeCorrection(scene.terms.edges);
-  pressed->SetMaximumTilt(scene.terms.tilt);
-  for (std::size_t i = 0; i < scene.relaxation.count; ++i)
-  {
-    pressed->AddRelaxation(scene.relaxation.strength[i], scene.relaxation.time[i]);
-  }
+  setSolidTerms(options, scene, pressed);
   pressed->SetSourceSpacing(sizes.sources);
   vtkSmartPointer<vtkPolyData> body = scene.body;
   vtkIdType solutions = 0;
-  for (const std::size_t t : order)
+  for (const std::size_t t : made.order)
   {
-    const StrainLaw law = strainUnder(tools[t], options, scene);
-    pressed->SetStrainModel(static_cast<int>(law.model));
-    pressed->SetOgdenExponent(law.parameter);
-    pressed->SetDemirayExponent(law.parameter);
-    pressed->SetTool(tools[t]);
-    pressed->SetResponseName(responseName(t));
+    setSolidTool(options, scene, made, t, pressed);
     pressed->SetSurfaceData(body);
-    error = updateQuietly(pressed);
+    error = updateWithProgress(pressed, "the body is solved under " + scene.tools[t]);
     if (!error.empty())
     {
       return error;
@@ -197,8 +153,8 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
     " mm at the surface",
     options.solidSpacing == 0.0 ? " (chosen from its size and the tools)" : "", ", held at ",
     options.fixedFaces, ", in ", shortly(filledIn), " s; ", solutions, " points of it solved for, ",
-    shortly(sizes.sources), " mm apart, and ", tools.size(),
-    tools.size() == 1 ? " tool in " : " tools in ", shortly(secondsSince(begin)), " s"));
+    shortly(sizes.sources), " mm apart, and ", made.tools.size(),
+    made.tools.size() == 1 ? " tool in " : " tools in ", shortly(secondsSince(begin)), " s"));
   scene.body = body;
   return {};
 }
@@ -206,32 +162,7 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 
 std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene)
 {
-  std::vector<std::string> arrays;
-  for (std::size_t i = 0; i < scene.tools.size(); ++i)
-  {
-    arrays.push_back(responseName(i) + "Force");
-  }
-  const std::string file = cachePlace("solid", solidKey(options, scene), ".vtp");
-  if (const vtkSmartPointer<vtkPolyData> solved = readSolved(file, arrays))
-  {
-    scene.body = solved;
-    scene.notes.push_back("its solid's responses taken from the cache " + file);
-  }
-  else
-  {
-    const std::string error = solveSolid(options, scene);
-    if (!error.empty())
-    {
-      return error;
-    }
-    const std::string fault = keepSolved(scene.body, file);
-    if (!fault.empty())
-    {
-      scene.notes.push_back("cache not used: " + fault);
-    }
-  }
-  scene.stored = true;
-  scene.modelReason = responseText(scene.body, "Response", ResponseArray::Model);
-  return {};
+  return solveOrRead("solid", solidKey(options, scene), scene,
+    [&options, &scene]() { return solveSolid(options, scene); });
 }
 } // namespace palpate

@@ -6,6 +6,7 @@ extern "C" __attribute__((visibility("default"))) const palpate::ModuleTable*
 palpateViewerSolidsModule()
 {
   static const palpate::SolidsModule module{ { PALPATE_VERSION }, palpate::attachSolidResponses,
-    palpate::attachVoxelCompliance, palpate::makeComparedBodies, palpate::makePhantomScene };
+    palpate::attachVoxelCompliance, palpate::makeComparedBodies, palpate::makePhantomScene,
+    palpate::makeSegmentedScene };
   return &module;
 }

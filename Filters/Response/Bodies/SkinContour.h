@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SkinContour_h
+#define palpate_SkinContour_h
+
+#include "Response/Bodies/SkinScan.h"
+#include "Response/FilterStage.h"
+#include "palpateResponseModule.h" // For export macro
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+
+namespace palpate
+{
+/// The contour of a scan, and its smoothing.
+struct SkinContour
+{
+  float value = 0.0F;      ///< grey level of the contour
+  float tissue = 0.0F;     ///< a typical grey level of tissue, above `value`
+  double resolution = 0.0; ///< spacing of the lattice that is contoured, mm; 0: that of the scan
+  int iterations = 20;     ///< of the smoothing, which removes the traces of voxels; 0: none
+  bool isLargest = true;   ///< whether the regions other than the largest are left out
+};
+
+/// Returns the contour with outward normals, in the coordinates of `placed`, whose extent has the
+/// size of the scan. Moves values of the scan that are close to the contour away from it. Returns a
+/// surface without cells if there is no contour, and null if the stage was aborted.
+PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> contourSkin(
+  SkinScan& scan, const SkinContour& wanted, vtkImageData* placed, const FilterStage& stage);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SegmentedVoxels_h
+#define SegmentedVoxels_h
+
+#include "Response/Bodies/SkinScan.h"
+#include "Solids/FiniteElements/ElasticElement.h"
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+
+namespace palpate
+{
+/// The material of the voxels with one label.
+struct Tissue
+{
+  double label = 0.0;
+  ElasticMaterial material;
+};
+
+/// A region of one tissue that other tissues enclose. Lengths in mm.
+struct EnclosedRegion
+{
+  Eigen::Vector3d middle;
+  double radius = 0.0; ///< of the ball around `middle` that holds its voxels
+  double depth = 0.0;  ///< least distance from the outside of the body
+};
+
+/**
+ * The voxels of a labelled image that belong to a body, each with the number of its tissue. All
+ * other voxels are empty. The box of the tissues is cut out, with a margin of two empty voxels
+ * around it, so that the body is closed where the image ends. Voxels are connected through faces.
+ */
+class SegmentedVoxels
+{
+public:
+  /// Takes the voxels of the tissues. Returns "", or a message that names a label that no voxel
+  /// has.
+  std::string take(vtkImageData* image, vtkDataArray* values, const std::vector<Tissue>& tissues);
+
+  /// Empties the voxels that are not connected with the largest region of tissue. Returns their
+  /// fraction of the voxels of tissue.
+  double keepLargestRegion();
+  /// Fills empty regions inside the body that are smaller than `volume` (mm³) with the tissues
+  /// around them. Returns the number of regions.
+  std::size_t fillCavities(double volume);
+
+  /// Volume of the tissues, mm³.
+  double volume() const;
+  /// Area of their outside without the steps of the voxels, mm²: two thirds of that of the voxels'
+  /// faces, which is the mean over all directions of a plane.
+  double area() const;
+  /// The smallest side of a voxel, mm.
+  double smallestSide() const;
+
+  /// The regions of at least eight voxels that other tissues enclose, the largest first.
+  std::vector<EnclosedRegion> findEnclosedRegions() const;
+
+  /// 1 in tissue, 0 in empty voxels.
+  SkinScan mask() const;
+  /// The box as an image whose point scalars (short) are numbers of tissues. Empty voxels have the
+  /// tissue next to them.
+  vtkSmartPointer<vtkImageData> spreadTissues() const;
+
+private:
+  static constexpr std::int16_t Empty = -1;
+
+  template <class Use>
+  void visitNeighbours(std::size_t voxel, const Use& use) const;
+  template <class Belongs>
+  std::vector<std::size_t> takeRegion(
+    std::size_t seed, std::vector<char>& isTaken, const Belongs& belongs) const;
+  bool touchesEmpty(std::size_t voxel) const;
+  std::vector<std::int16_t> nearestTissues() const;
+  Eigen::Vector3d placeOf(std::size_t voxel) const;
+
+  vtkSmartPointer<vtkImageData> Box; ///< place and extent of the voxels, without arrays
+  std::array<std::size_t, 3> Size{};
+  std::array<double, 3> Spacing{};
+  std::vector<std::int16_t> Numbers; ///< Empty, or the number of the tissue; x varies fastest
+};
+} // namespace palpate
+
+#endif

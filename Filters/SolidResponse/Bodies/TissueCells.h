@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TissueCells_h
+#define TissueCells_h
+
+#include "Mechanics/SharedWork.h"
+#include "Solids/FiniteElements/ElasticElement.h"
+
+#include <map>
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkUnstructuredGrid;
+
+namespace palpate
+{
+using TissueMap = std::map<double, ElasticMaterial>;
+
+/// An image and the materials of its values, as vtkScannedMaterial describes them.
+struct TissueScan
+{
+  vtkImageData* image = nullptr;
+  vtkDataArray* values = nullptr; ///< one component per point of the image
+  TissueMap map;                  ///< not empty
+  bool hasLabels = true;          ///< whether values are labels, instead of points on a scale
+  ElasticMaterial outside;        ///< outside the image
+  int subdivisions = 4;           ///< points along each side of a cell
+};
+
+/// Makes `output` of the grid with the cell arrays YoungsModulus and PoissonRatio. Returns "", or a
+/// message about the fault. `output` is empty if the observer stopped the work.
+std::string mapTissues(vtkUnstructuredGrid* grid, const TissueScan& scan,
+  const WorkObserver& observer, vtkUnstructuredGrid* output);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TissueChoice_h
+#define palpate_TissueChoice_h
+
+#include <string>
+
+namespace palpate
+{
+/// A --tissue: a label of a segmentation and its material.
+struct TissueChoice
+{
+  double label = 0.0;
+  double youngsModulus = 0.0; ///< MPa
+  double poissonsRatio = 0.0;
+};
+
+/// Reads "LABEL:MPA:NU". Returns "" or the error.
+std::string readTissue(const std::string& text, TissueChoice& tissue);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_TissueOptions_h
+#define palpate_TissueOptions_h
+
+#include "ViewerOptions.h"
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace palpate
+{
+/// Adds the option of a segmentation, after all options that it excludes.
+void addTissueOptions(CLI::App& app, ViewerOptions& options);
+
+/// Checks the tissues together, and opens the window with the map if no other output is asked for.
+/// Throws CLI::ValidationError.
+void checkTissues(const CLI::App& app, ViewerOptions& options);
+} // namespace palpate
+
+#endif

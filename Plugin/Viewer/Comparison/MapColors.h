@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_MapColors_h
+#define palpate_MapColors_h
+
+#include "vtkLookupTable.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+class vtkPolyData;
+class vtkRenderer;
+
+namespace palpate
+{
+/// Colours from pale tissue to deep red; grey for NaN. `curve`: exponent of the fraction of the
+/// range; below 1 small values are easier to distinguish.
+vtkSmartPointer<vtkLookupTable> makeMapColors(const std::array<double, 2>& range, double curve);
+
+/// Adds a body that is coloured by its point scalars, with a legend. The title of the legend names
+/// quantity and unit.
+void addColoredBody(vtkPolyData* body, vtkLookupTable* colors, const std::string& title,
+  const char* labelFormat, vtkRenderer* renderer);
+} // namespace palpate
+
+#endif
