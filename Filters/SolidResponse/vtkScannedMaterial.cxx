@@ -165,7 +165,7 @@ public:
       const bool isKnown = !isInside || this->Known.count(value) > 0;
       if (!isKnown)
       {
-        this->Fault = palpate::joined("label ", value, " is not in the map: call AddMaterial");
+        this->Fault = palpate::joined("label ", value, " is not among the Materials (AddMaterial)");
       }
       const double key = isInside ? value : std::numeric_limits<double>::infinity();
       this->Volumes[key] += isKnown ? volume : 0.0;
@@ -270,8 +270,8 @@ std::string vtkScannedMaterial::CheckMap()
 {
   if (this->Subdivisions < 1 || this->Subdivisions > MostPlaces)
   {
-    return palpate::joined(
-      "Subdivisions must be 1 to ", MostPlaces, ", but is ", this->Subdivisions);
+    return palpate::joined("Sampling Points Per Side (Subdivisions) must be 1 to ", MostPlaces,
+      ", but is ", this->Subdivisions);
   }
   palpate::FactorRequest outside;
   outside.material = { this->YoungsModulus, this->PoissonRatio };
@@ -282,7 +282,7 @@ std::string vtkScannedMaterial::CheckMap()
   }
   if (this->Rows.empty())
   {
-    return "There is no map from the image's values to materials: call AddMaterial";
+    return "Materials are required, a row for each value of the image (AddMaterial)";
   }
   for (std::size_t i = 0; i < this->Rows.size(); ++i)
   {

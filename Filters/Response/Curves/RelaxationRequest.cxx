@@ -35,7 +35,8 @@ std::string checkStrengths(
   if (branches == 0)
   {
     return joined("Array '", name,
-      "' has strengths of relaxations, but there is no relaxation: see AddRelaxation");
+      "' has strengths of relaxations, but there is no relaxation: add rows to Relaxations "
+      "(AddRelaxation)");
   }
   if (array->GetNumberOfComponents() != branches ||
     array->GetNumberOfTuples() != body->GetNumberOfPoints())
@@ -66,7 +67,7 @@ std::string checkElastic(const MaterialArray& compliance)
     if (!isStorable(array->GetComponent(i, 0)))
     {
       return joined("Array '", name, "': global compliance of point ", i,
-        " must not be negative (mm/N) with ComplianceRelaxes off, but is ",
+        " must not be negative (mm/N) with Compliance Relaxes off, but is ",
         array->GetComponent(i, 0));
     }
   }

@@ -92,7 +92,7 @@ std::string chooseTip(const Ranks& ranks, vtkPolyData* tips, vtkIdType index, Ch
   const vtkIdType tip = index < 0 ? count - 1 : index;
   if (tip >= count)
   {
-    return "TipIndex " + std::to_string(tip) + " is beyond the last of " + std::to_string(count) +
+    return "Tip Index " + std::to_string(tip) + " is beyond the last of " + std::to_string(count) +
       " tips";
   }
   const bool isOwn = tip >= first && tip < first + own;

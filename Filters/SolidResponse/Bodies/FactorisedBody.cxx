@@ -28,7 +28,7 @@ std::string refusal(vtkIdType unknowns, double memoryLimit, double memory)
 {
   return joined("The factorisation of ", unknowns, " unknowns needs about ", memory,
     " MiB, more than ",
-    memoryLimit > 0.0 ? "MemoryLimit, " : "what is available (MemoryLimit is 0), ",
+    memoryLimit > 0.0 ? "Memory Limit, " : "what is available (Memory Limit is 0), ",
     allowedMemory(memoryLimit) / Mebibyte, " MiB");
 }
 } // namespace
@@ -43,17 +43,17 @@ std::string checkFactorRequest(const FactorRequest& request)
   if (!isYoungsModulus(request.material.youngsModulus))
   {
     return joined(
-      "YoungsModulus must be positive and finite (MPa), but is ", request.material.youngsModulus);
+      "Young's Modulus must be positive and finite (MPa), but is ", request.material.youngsModulus);
   }
   const double ratio = request.material.poissonRatio;
   if (!isElementRatio(ratio))
   {
-    return joined("PoissonRatio must lie between 0 and ", LargestPoissonRatio,
+    return joined("Poisson's Ratio must lie between 0 and ", LargestPoissonRatio,
       " (finite elements need a compressible material), but is ", ratio);
   }
   if (!(request.memoryLimit >= 0.0))
   {
-    return joined("MemoryLimit must be 0 or positive (MiB), but is ", request.memoryLimit);
+    return joined("Memory Limit must be 0 or positive (MiB), but is ", request.memoryLimit);
   }
   if (request.solver < static_cast<int>(StiffnessFactor::Kind::Automatic) ||
     request.solver > static_cast<int>(StiffnessFactor::Kind::Simplicial))
