@@ -21,7 +21,7 @@ class Measured(NamedTuple):
     sites: list
 
 
-def measured(body, files, tool="sphere:6.35", model=None, poisson=0.45, maximum_strain=0.4, reach=20.0,
+def measured(body, files, tool="sphere:5", model=None, poisson=0.45, maximum_strain=0.4, reach=20.0,
              registration=None, maximum_deflection=2.0, samples=8, name="Response") -> Measured:
     """Attaches the curve of a tool to each point of a body around measured sites.
 

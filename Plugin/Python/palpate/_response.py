@@ -7,16 +7,16 @@ from typing import NamedTuple
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
-from . import _arrays, _filters
+from . import _arrays, _filters, _words
 from ._bodies import as_body, shallow_copy, warn_about_size
 from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
 
 BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
-STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolContactResponse.NeoHooke,
+STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neo-hooke": vtkToolContactResponse.NeoHooke,
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, base="bonded", compliance=True,
+def response(body, tool="sphere:5", young=0.1, poisson=0.45, layer=None, base="bonded", compliance=True,
              maximum_deflection=2.0, samples=8, name="Response", compliance_excludes_layer=False, curvature=True,
              strain="small", error_tolerance=0.05, layers=(), automatic=None, edges=False,
              relax=(), compliance_relaxes=True, coupling=False, tilt=0.0, points=None) -> vtkPolyData:
@@ -50,12 +50,12 @@ def response(body, tool="sphere:6.35", young=0.05, poisson=0.45, layer=None, bas
     compliance_excludes_layer : True if the compliance was found without the base of the layers, so that both count.
     curvature : whether the law includes the curvature of the body, which is found from the mesh; False: the body counts
         as flat.
-    strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): law of the material at large strain.
+    strain : "small", "neo-hooke", ("ogden", ALPHA) or ("demiray", B): law of the material at large strain.
     error_tolerance : relative to the force, 0.05 for 5 %. Validity is the depth at which the estimated error exceeds it,
         and the error at each sample is stored in NAME + Error. 0: Validity is the depth at which the first assumption of
         the law fails, and no error is stored.
     automatic : relative to the force, 0.01 (or True) for 1 %. Layers, curvature and finite strain are left out of the
-        law if together they change the force by no more than that. "neohooke" is added if its tables have the tool and
+        law if together they change the force by no more than that. "neo-hooke" is added if its tables have the tool and
         it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
         the reasons. None or False: all terms as given.
     edges : whether sharp edges have an effect in palpate.probe and in sessions: a contact near an edge is softer and is
@@ -160,9 +160,7 @@ def _set_points(made, body, points):
 
 def _set_strain(made, strain):
     name, parameter = (strain, None) if isinstance(strain, str) else strain
-    if name not in STRAINS:
-        raise ValueError("strain must be one of %s, but is %r" % (", ".join(map(repr, STRAINS)), name))
-    made.SetStrainModel(STRAINS[name])
+    made.SetStrainModel(_words.value_of(name, STRAINS, "strain"))
     if name == "ogden":
         made.SetOgdenExponent(_arrays.number(parameter, "strain: the exponent of 'ogden'"))
     if name == "demiray":
@@ -177,7 +175,7 @@ class Regime(NamedTuple):
     verdict: np.ndarray
 
 
-def regime(body, deflection=None, tool=None, young=0.05, poisson=0.45, layer=None, base="bonded", compliance=None,
+def regime(body, deflection=None, tool=None, young=0.1, poisson=0.45, layer=None, base="bonded", compliance=None,
            name="Response", compliance_excludes_layer=False, layers=()) -> Regime:
     """Whether a body deforms locally or globally under a tool, and so whether the tool's shape matters.
 
