@@ -59,3 +59,27 @@ response.Tool.Radiusmm = -1
 check(response, "radius", "positive", "-1")
 response.Tool.Radiusmm = 5
 assert complaint(response) == ""
+
+# A value out of range: the message names the property as the panel does, and the filter works again with the value before.
+flat = simple.Triangulate(Input=simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0)))
+pressed = simple.ToolContactResponse(Input=flat)
+WRONG = (
+    (pressed, "YoungsModulus", 0), (pressed, "MaximumDeflection", 0), (pressed, "ErrorTolerance", -1),
+    (pressed, "TermTolerance", -1), (pressed, "LayerThickness", -1), (pressed, "MaximumTilt", -1),
+    (simple.ToolContactProbe(Body=pressed, Tips=flat), "FrictionCoefficient", -1),
+    (simple.Touch(Input=pressed), "Reach", 0),
+    (simple.ContactDeflection(Body=pressed, Tips=simple.ToolContactProbe(Body=pressed, Tips=flat)), "PoissonRatio", 0.7),
+    (simple.ResponseChoice(Input=pressed), "Share", 0),
+    (simple.ReducedContactResponse(Input=pressed), "MaximumNumberOfLaws", 17),
+    (simple.VoxelBody(Input=ball), "Spacing", -1), (simple.SkinSurface(Input=image), "ClosingRadius", -1))
+for proxy, name, wrong in WRONG:
+    item = proxy.SMProxy.GetProperty(name)
+    label = item.GetXMLLabel().split(" (")[0]
+    usual = item.GetElement(0)
+    item.SetElement(0, wrong)
+    proxy.SMProxy.UpdateVTKObjects()
+    text = complaint(proxy)
+    assert label in text, (name, label, text)
+    item.SetElement(0, usual)
+    proxy.SMProxy.UpdateVTKObjects()
+    assert "ERR" not in complaint(proxy), name

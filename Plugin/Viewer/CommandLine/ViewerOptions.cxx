@@ -305,8 +305,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "distance between the vertices of a scan's surface, mm; 0: that of the scan's voxels")
     ->check(notNegative("a distance in mm, e.g. 2; 0: the scan's own"))
     ->capture_default_str();
-  app.add_option("--contour", options.contourValue, "grey level of the skin in a scan")
-    ->check(any("a grey level, e.g. 30"))
+  app
+    .add_option("--contour", options.contourValue,
+      "grey level of the skin in a scan; 0: chosen from the scan (the head's default is 30)")
+    ->check(any("a grey level, e.g. 30; 0: chosen"))
     ->capture_default_str();
   app
     .add_option("--closing", options.closingRadius,
