@@ -50,10 +50,10 @@ pierced.GetPoints().SetPoint(7, float("nan"), 0, 0)
 hole.GetClientSideObject().SetOutput(pierced)
 check(simple.ToolContactResponse(Input=hole), "triangles with a coordinate that is not finite", "left out")
 check(simple.ToolContactProbe(Body=ball, Tips=bare), "no response 'Response'")
-check(simple.ContactDeflection(Body=response, Tips=bare), "output of vtkToolContactProbe", "ContactCell")
+check(simple.ContactDeflection(Body=response, Tips=bare), "output of Tool Contact Probe", "ContactCell")
 check(simple.ResponseCurves(Input=response, PointIds=[1000000]), "Point 1000000")
 response.YoungsModulusArrayMPa = ["POINTS", "Nowhere"]
-check(response, "Array to process 0 ('Nowhere')")
+check(response, "Young's Modulus Array 'Nowhere' (array to process 0)")
 response.YoungsModulusArrayMPa = None
 response.Tool.Radiusmm = -1
 check(response, "radius", "positive", "-1")

@@ -146,6 +146,17 @@ class Messages(unittest.TestCase):
                             self.assertNotRegex(bare, r"\b%s\b" % name, (file, number, text))
         self.assertGreater(messages, 50)
 
+    def test_messages_name_filters_as_the_menus_do(self):
+        classes = {proxy.get("class").replace("vtkPV", "vtk") for group, proxy in proxies() if group == "filters"}
+        self.assertGreater(len(classes), 20)
+        for file in sorted((ROOT / "Filters").rglob("*.cxx")):
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                if line.lstrip().startswith(("//", "*", "#include")):
+                    continue
+                for text in re.findall(r'"((?:[^"\\]|\\.)*)"', line):
+                    bare = re.sub(r"\(vtk\w+\)", "", text)
+                    self.assertFalse(classes & set(re.findall(r"\bvtk\w+", bare)), (file, number, text))
+
     def test_a_name_in_brackets_follows_its_label(self):
         labels = {}
         for _, proxy in proxies():

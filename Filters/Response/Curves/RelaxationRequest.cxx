@@ -29,8 +29,7 @@ std::string checkStrengths(
   const auto branches = static_cast<int>(series.count);
   if (!array)
   {
-    return joined(
-      "Array to process ", RelaxationArrayIndex, " ('", name, "') is not on the input's points");
+    return missingArray(name, RelaxationArrayIndex);
   }
   if (branches == 0)
   {

@@ -91,8 +91,12 @@ std::string findGridArray(vtkAlgorithm* filter, vtkDataSetAttributes* data, vtkI
   array = name ? data->GetArray(name) : find(index);
   if (!array)
   {
-    return joined("Array to process ", index, " ('", name ? name : "active attribute",
-      "') is not on the input's ", data->IsA("vtkCellData") ? "cells" : "points");
+    const bool isOfCells = data->IsA("vtkCellData");
+    const char* label = !isOfCells ? "Layer Thickness Array"
+      : index % 2 == 0             ? "Young's Modulus Array"
+                                   : "Poisson's Ratio Array";
+    return joined(label, " '", name ? name : "active attribute", "' (array to process ", index,
+      ") is not on the input's ", isOfCells ? "cells" : "points");
   }
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {
