@@ -7,6 +7,22 @@
 
 namespace palpate
 {
+/// The name of a property in words, as on a panel: "Friction Coefficient", "Poisson's Ratio".
+inline std::string settingInWords(const std::string& name)
+{
+  if (name == "PoissonRatio")
+  {
+    return "Poisson's Ratio";
+  }
+  std::string words;
+  for (const char letter : name)
+  {
+    words += words.empty() || letter < 'A' || letter > 'Z' ? "" : " ";
+    words += letter;
+  }
+  return words;
+}
+
 /// A fault of one setting; none if the name is empty.
 struct SettingFault
 {
@@ -23,8 +39,11 @@ struct SettingFault
   }
 
   explicit operator bool() const noexcept { return !this->name.empty(); }
-  /// Name and remark as a clause; "" without fault.
-  std::string words() const { return *this ? this->name + ' ' + this->remark : std::string(); }
+  /// Name in words and remark as a clause, "Friction Coefficient must be …"; "" without fault.
+  std::string words() const
+  {
+    return *this ? settingInWords(this->name) + ' ' + this->remark : std::string();
+  }
 };
 } // namespace palpate
 

@@ -17,7 +17,8 @@ namespace palpate
 struct SettingWord
 {
   const char* name = nullptr;   ///< name of the enumerator, "NormalizedDirection"; null: unused
-  const char* option = nullptr; ///< name on a command line, "normalized"
+  const char* option = nullptr; ///< name on a command line and in Python, "normalized-direction"
+  const char* older = nullptr;  ///< an earlier name, which is still read; null: none
 };
 using SettingWords = std::array<SettingWord, 3>;
 
@@ -124,8 +125,8 @@ inline constexpr std::array<SettingRow, 9> SettingTable = { {
       "printed sum of the three forces, slightly too small inside a facet. Normalized direction: "
       "the blended magnitude along the blended normal. Energy-consistent: the gradient of the "
       "blended energy; a closed path within one contact neither gains nor loses energy" },
-    { { { "Paper", "paper" }, { "NormalizedDirection", "normalized" },
-      { "EnergyConsistent", "energy" } } }),
+    { { { "Paper", "paper" }, { "NormalizedDirection", "normalized-direction", "normalized" },
+      { "EnergyConsistent", "energy-consistent", "energy" } } }),
   setting::choice<&ContactSettings::surface>(
     { "ContactSurface", "contact-surface", "",
       "surface that the tip touches. Facets: the triangles. Smooth: a curved patch on each "
@@ -136,7 +137,8 @@ inline constexpr std::array<SettingRow, 9> SettingTable = { {
       "behaviour of a contact before it slides. Elasto-plastic: it sticks, and does not drift "
       "under light loads. Dahl: it creeps from the first displacement on, and drifts. "
       "Shape-derived: its resistance follows from the curves of the response" },
-    { { { "ElastoPlastic", "elasto-plastic" }, { "Dahl", "dahl" }, { "ShapeDerived", "shape" } } }),
+    { { { "ElastoPlastic", "elasto-plastic" }, { "Dahl", "dahl" },
+      { "ShapeDerived", "shape-derived", "shape" } } }),
   setting::number<&FrictionSettings::coefficient>(
     { "FrictionCoefficient", "friction", "",
       "Coulomb's coefficient of friction, at least 0. 0: no friction" },

@@ -61,16 +61,16 @@ std::string BodyMaterial::checkConstants() const
   if (!isYoungsModulus(this->Given.youngsModulus))
   {
     return joined(
-      "YoungsModulus must be positive and finite (MPa), but is ", this->Given.youngsModulus);
+      "Young's Modulus must be positive and finite (MPa), but is ", this->Given.youngsModulus);
   }
   if (!isPoissonsRatio(this->Given.poissonsRatio))
   {
-    return joined("PoissonRatio must lie between 0 and 0.5, but is ", this->Given.poissonsRatio);
+    return joined("Poisson's Ratio must lie between 0 and 0.5, but is ", this->Given.poissonsRatio);
   }
   if (!isThickness(this->Given.thickness))
   {
     return joined(
-      "LayerThickness must be finite and not negative (mm, 0 for a half-space), but is ",
+      "Layer Thickness must be finite and not negative (mm, 0 for a half-space), but is ",
       this->Given.thickness);
   }
   return {};
@@ -120,11 +120,11 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   if (this->Range.hasLayers() && !this->Compliance.empty() && !this->Given.complianceExcludesLayer)
   {
     return joined("The body has layers on a rigid base (",
-      this->Thickness.empty() ? joined("LayerThickness ", this->Given.thickness, " mm")
+      this->Thickness.empty() ? joined("Layer Thickness ", this->Given.thickness, " mm")
                               : joined("array '", values.thickness.name, "'"),
       ") and a global compliance ('", values.compliance.name,
       "'). A compliance that was found on the whole body already contains the base; otherwise "
-      "switch on ComplianceExcludesLayer");
+      "switch on Compliance Excludes Layer");
   }
   return {};
 }
@@ -135,10 +135,10 @@ std::string BodyMaterial::checkStackOf(const Values& values) const
 {
   if (!this->Given.isStack())
   {
-    return values.second.values.empty()
-      ? std::string()
-      : joined("Array '", values.second.name,
-          "' is the thickness of a second layer, but the body has none: see AddLayer");
+    return values.second.values.empty() ? std::string()
+                                        : joined("Array '", values.second.name,
+                                            "' is the thickness of a second layer, but the body "
+                                            "has none: add it to Layers Below (AddLayer)");
   }
   for (const PointValues* each : { &values.youngsModulus, &values.poissonsRatio })
   {

@@ -100,9 +100,9 @@ std::string relaxationReason(
       " to the force at most, within ", inPercent(tolerance));
   }
   std::string words = need.elements == 0
-    ? joined("the body relaxes, quasi-linear suffices (RelaxationElements 0): off by ",
+    ? joined("the body relaxes, quasi-linear suffices (Relaxation Elements 0): off by ",
         inPercent(need.error))
-    : joined("the body relaxes, in ", need.elements, " elements (RelaxationElements): off by ",
+    : joined("the body relaxes, in ", need.elements, " elements (Relaxation Elements): off by ",
         inPercent(need.error));
   words += " of the largest force";
   words += need.error > tolerance ? joined(", more than ", inPercent(tolerance)) : "";

@@ -43,7 +43,7 @@ double SiteMeasurement::place(double largestDistance)
     if (site.distance > largestDistance)
     {
       std::ostringstream text;
-      text << "lies " << site.distance << " mm from the surface, more than MaximumSiteDistance, "
+      text << "lies " << site.distance << " mm from the surface, more than Maximum Site Distance, "
            << largestDistance << " mm";
       site.measured.refusal = text.str();
     }

@@ -188,24 +188,25 @@ std::string vtkMeasuredContactResponse::CheckProperties()
   };
   const auto positive = [&](const char* name, double value)
   { require(std::isfinite(value) && value > 0.0, name, "positive and finite", value); };
-  require(palpate::isPoissonsRatio(this->PoissonRatio), "PoissonRatio", "between 0 and 0.5",
+  require(palpate::isPoissonsRatio(this->PoissonRatio), "Poisson's Ratio", "between 0 and 0.5",
     this->PoissonRatio);
-  require(std::isfinite(this->Noise) && this->Noise >= 0.0, "Noise", "0 or more (N)", this->Noise);
-  positive("MaximumHysteresis", this->MaximumHysteresis);
-  positive("MaximumRateEffect", this->MaximumRateEffect);
-  positive("MaximumStrain", this->MaximumStrain);
-  positive("MaximumMisfit", this->MaximumMisfit);
-  positive("MaximumUncertainty", this->MaximumUncertainty);
-  positive("MaximumSiteDistance", this->MaximumSiteDistance);
+  require(std::isfinite(this->Noise) && this->Noise >= 0.0, "Noise Of Force (Noise)",
+    "0 or more (N)", this->Noise);
+  positive("Maximum Hysteresis", this->MaximumHysteresis);
+  positive("Maximum Rate Effect", this->MaximumRateEffect);
+  positive("Maximum Strain", this->MaximumStrain);
+  positive("Maximum Misfit", this->MaximumMisfit);
+  positive("Maximum Uncertainty", this->MaximumUncertainty);
+  positive("Maximum Site Distance", this->MaximumSiteDistance);
   positive("Reach", this->Reach);
   const int tables = this->GetNumberOfInputConnections(1);
   if (this->FileNames.empty() && tables == 0)
   {
-    return "Curves are required: call AddFileName, or give a table to input port 1";
+    return "Curves are required: give their files (AddFileName), or a Curve Table (input port 1)";
   }
   if (tables > 0 && this->MeasuringTool.empty())
   {
-    return "The MeasuringTool of the table of curves is required, for example 'sphere:6.35'";
+    return "The Measuring Tool of the table of curves is required, for example 'sphere:6.35'";
   }
   palpate::PronySeries series;
   return fault.str().empty() ? this->Relaxations.fillSeries(series) : fault.str();

@@ -125,7 +125,9 @@ std::string checkSettings(const ChoiceSettings& settings)
   }
   if (!(settings.share > 0.0 && settings.share <= 1.0))
   {
-    return joined("Share must be above 0 and at most 1, but is ", settings.share);
+    return joined(
+      "Fraction Of Points Within Tolerance (Share) must be above 0 and at most 1, but is ",
+      settings.share);
   }
   if (!(settings.depth >= 0.0 && std::isfinite(settings.depth)))
   {
@@ -133,7 +135,7 @@ std::string checkSettings(const ChoiceSettings& settings)
   }
   if (settings.mostLaws < 1 || settings.mostLaws > 16)
   {
-    return joined("MaximumNumberOfLaws must lie between 1 and 16, but is ", settings.mostLaws);
+    return joined("Maximum Number Of Laws must lie between 1 and 16, but is ", settings.mostLaws);
   }
   return {};
 }

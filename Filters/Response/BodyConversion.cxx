@@ -186,7 +186,7 @@ std::string checkTriangles(vtkPolyData* body)
   if (body->GetNumberOfStrips() > 0)
   {
     return joined("the body has ", body->GetNumberOfStrips(),
-      " triangle strips; pass it through vtkTriangleFilter first");
+      " triangle strips; apply Triangulate (vtkTriangleFilter) first");
   }
   if (body->GetNumberOfPolys() == 0)
   {
@@ -194,7 +194,8 @@ std::string checkTriangles(vtkPolyData* body)
   }
   if (body->GetPolys()->IsHomogeneous() != 3)
   {
-    return "the body has polygons other than triangles; pass it through vtkTriangleFilter first";
+    return "the body has polygons other than triangles; apply Triangulate (vtkTriangleFilter) "
+           "first";
   }
   if (body->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max() ||
     body->GetNumberOfPolys() > std::numeric_limits<std::int32_t>::max())

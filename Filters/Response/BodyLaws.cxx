@@ -87,7 +87,7 @@ EdgeTerms edgesOf(
 std::string checkToolDepth(const LawRequest& request)
 {
   const std::string fault = request.tool->GetKernel()->checkDepth(request.deflection);
-  return fault.empty() ? fault : "MaximumDeflection: " + fault;
+  return fault.empty() ? fault : "Maximum Deflection: " + fault;
 }
 } // namespace
 
@@ -96,7 +96,7 @@ std::string checkRequest(const LawRequest& request)
   constexpr int mostSamples = ResponseSampling::LargestCount;
   if (!request.tool)
   {
-    return "A Tool is required: call SetTool";
+    return "A Tool is required (SetTool)";
   }
   if (!request.tool->GetKernel())
   {
@@ -106,28 +106,29 @@ std::string checkRequest(const LawRequest& request)
         request.deflection > static_cast<double>(std::numeric_limits<float>::min())))
   {
     return joined(
-      "MaximumDeflection must be positive and finite (mm), but is ", request.deflection);
+      "Maximum Deflection must be positive and finite (mm), but is ", request.deflection);
   }
   if (request.samples < 2 || request.samples > mostSamples)
   {
     return joined(
-      "NumberOfSamples must lie between 2 and ", mostSamples, ", but is ", request.samples);
+      "Number Of Samples must lie between 2 and ", mostSamples, ", but is ", request.samples);
   }
   const double tolerance = request.terms.errorTolerance;
   if (!(tolerance >= 0.0 && std::isfinite(tolerance)))
   {
     return joined(
-      "ErrorTolerance must be finite and not negative (a fraction of the force, 0 for the "
+      "Error Tolerance must be finite and not negative (a fraction of the force, 0 for the "
       "depths of small strain), but is ",
       tolerance);
   }
   const double change = request.terms.changeTolerance;
   if (!(change >= 0.0 && std::isfinite(change)))
   {
-    return joined(
-      "TermTolerance must be finite and not negative (a fraction of the force), but is ", change);
+    return joined("Largest Effect Left Out (TermTolerance) must be finite and not negative (a "
+                  "fraction of the force), but is ",
+      change);
   }
-  return request.responseName.empty() ? "ResponseName must not be empty" : "";
+  return request.responseName.empty() ? "Response Name must not be empty" : "";
 }
 
 std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequest& asked,

@@ -85,7 +85,7 @@ std::string vtkContactDeflection::FindTool(vtkPolyData* body, vtkSmartPointer<vt
   if (!palpate::isPoissonsRatio(this->PoissonRatio))
   {
     std::ostringstream text;
-    text << "PoissonRatio must lie between 0 and 0.5, but is " << this->PoissonRatio;
+    text << "Poisson's Ratio must lie between 0 and 0.5, but is " << this->PoissonRatio;
     return text.str();
   }
   tool = palpate::findTool(this->Tool, body, this->ResponseName, fault);

@@ -177,7 +177,7 @@ public:
   ///@}
 
   /**
-   * Describes a setting that is out of its range, for example "FrictionCoefficient must be finite
+   * Describes a setting that is out of its range, for example "Friction Coefficient must be finite
    * and not negative, but is -1"; "" if all are valid.
    */
   std::string GetFault();

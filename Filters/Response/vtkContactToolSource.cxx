@@ -47,8 +47,8 @@ int vtkContactToolSource::RequestData(
   const palpate::AxisymmetricTool* tool = this->Tool ? this->Tool->GetKernel() : nullptr;
   if (!tool || !(this->Length > 0.0) || !(this->MaximumRadius > 0.0))
   {
-    vtkErrorMacro(<< (tool ? "Length and MaximumRadius must be positive."
-                           : "A valid Tool is required: call SetTool."));
+    vtkErrorMacro(<< (tool ? "Length and Maximum Radius must be positive."
+                           : "A valid Tool is required (SetTool)."));
     return 0;
   }
 

@@ -238,19 +238,19 @@ std::string vtkLayerThickness::Problem(vtkImageData* scan, vtkDataArray* grey) c
   }
   else if (!std::isfinite(this->BaseValue))
   {
-    text << "BaseValue must be finite, but is " << this->BaseValue << ".";
+    text << "Grey Value Of Bone (BaseValue) must be finite, but is " << this->BaseValue << ".";
   }
   else if (!(this->MaximumDepth > 0.0 && this->EdgeWidth > 0.0 && this->SmoothingRadius >= 0.0 &&
              std::isfinite(this->MaximumDepth + this->EdgeWidth + this->SmoothingRadius)))
   {
-    text << "MaximumDepth and EdgeWidth must be positive, SmoothingRadius not negative, and all "
+    text << "Maximum Depth and Edge Width must be positive, Smoothing Radius not negative, and all "
             "finite (mm); they are "
          << this->MaximumDepth << ", " << this->EdgeWidth << " and " << this->SmoothingRadius
          << ".";
   }
   else if (!((this->MaximumDepth + this->EdgeWidth) * SamplesPerVoxel / smallest < MostSamples))
   {
-    text << "MaximumDepth " << this->MaximumDepth << " mm is too deep for voxels of " << smallest
+    text << "Maximum Depth " << this->MaximumDepth << " mm is too deep for voxels of " << smallest
          << " mm.";
   }
   return text.str();

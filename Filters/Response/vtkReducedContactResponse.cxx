@@ -102,7 +102,7 @@ int vtkReducedContactResponse::RequestData(
   }
   if (this->MaximumNumberOfLaws < 1 || this->MaximumNumberOfLaws > 16)
   {
-    vtkErrorMacro(<< "MaximumNumberOfLaws must lie between 1 and 16, but is "
+    vtkErrorMacro(<< "Maximum Number Of Laws must lie between 1 and 16, but is "
                   << this->MaximumNumberOfLaws << ".");
     return 0;
   }

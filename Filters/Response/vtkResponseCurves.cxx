@@ -223,7 +223,7 @@ int vtkResponseCurves::RequestData(
     if (ids.size() > most)
     {
       vtkWarningMacro(<< ids.size() << " points are selected; the curves are of " << most
-                      << " of them (MaximumNumberOfPoints).");
+                      << " of them (Maximum Number Of Points).");
       ids = thinOut(ids, most);
     }
   }

@@ -2,6 +2,7 @@
 #include "vtkSkinSurface.h"
 
 #include "Response/Bodies/SkinContour.h"
+#include "Response/Bodies/SkinLevel.h"
 #include "Response/Bodies/SkinScan.h"
 #include "Response/FilterStage.h"
 
@@ -75,7 +76,7 @@ std::string Problem(vtkImageData* image, vtkDataArray* scalars, double closing, 
   }
   else if (!(closing >= 0.0 && resolution >= 0.0 && std::isfinite(closing + resolution)))
   {
-    text << "ClosingRadius and Resolution must be 0 mm or more, but are " << closing << " and "
+    text << "Closing Radius and Resolution must be 0 mm or more, but are " << closing << " and "
          << resolution << ".";
   }
   else if (resolution > 0.0 && voxels > MaximumVoxels)
@@ -134,28 +135,31 @@ int vtkSkinSurface::RequestData(
 
   double range[2];
   scalars->GetFiniteRange(range);
-  const float contour = static_cast<float>(this->ContourValue);
-  if (!(range[0] < this->ContourValue && this->ContourValue < range[1]))
+  const palpate::SkinLevel level =
+    palpate::skinLevel(scalars, this->ContourValue, range[0], range[1]);
+  this->UsedContourValue = level.given;
+  if (!(range[0] < this->UsedContourValue && this->UsedContourValue < range[1]))
   {
-    vtkErrorMacro("nothing to contour: ContourValue "
-      << this->ContourValue << " is not inside the scalars' range, " << range[0] << " to "
+    vtkErrorMacro("nothing to contour: Contour Value "
+      << this->UsedContourValue << " is not inside the scalars' range, " << range[0] << " to "
       << range[1] << ".");
     return 0;
   }
 
   // Close the openings, and fill the cavities behind them.
   palpate::SkinScan scan = TakeScan(image, scalars, range[0]);
+  level.mark(scan.values);
   if (this->ClosingRadius > 0.0 &&
     !scan.closeOpenings(this->ClosingRadius, Stage{ this, 0.0, 0.2 }))
   {
     return 1;
   }
-  // The grey value of the tissue is as far above the contour value as that of air is below it.
-  const float tissue = 2.0f * contour - static_cast<float>(range[0]);
+  const float contour = level.contour;
+  const float tissue = level.tissue;
   if (!scan.fillCavities(contour, tissue))
   {
     vtkErrorMacro("nothing to contour: after closing by "
-      << this->ClosingRadius << " mm no air, below ContourValue " << this->ContourValue
+      << this->ClosingRadius << " mm no air, below Contour Value " << this->UsedContourValue
       << ", is left at the border of the scan.");
     return 0;
   }
@@ -166,7 +170,7 @@ int vtkSkinSurface::RequestData(
     palpate::contourSkin(scan, wanted, image, { this, 0.2, 1.0 });
   if (surface && surface->GetNumberOfCells() == 0)
   {
-    vtkErrorMacro("nothing to contour at ContourValue " << this->ContourValue << ".");
+    vtkErrorMacro("nothing to contour at Contour Value " << this->UsedContourValue << ".");
     return 0;
   }
   if (surface)
@@ -183,6 +187,7 @@ void vtkSkinSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ContourValue: " << this->ContourValue << "\n";
+  os << indent << "UsedContourValue: " << this->UsedContourValue << "\n";
   os << indent << "ClosingRadius: " << this->ClosingRadius << " mm\n";
   os << indent << "Resolution: " << this->Resolution << " mm\n";
   os << indent << "NumberOfSmoothingIterations: " << this->NumberOfSmoothingIterations << "\n";

@@ -72,12 +72,18 @@ public:
 
   ///@{
   /**
-   * The grey level of the skin, in the unit of the scalars; strictly inside their range. Default
-   * 30, suitable for the T1 scan of Colin 27.
+   * The grey level of the skin, in the unit of the scalars; strictly inside their range. 0
+   * (default): chosen from the scan. Integers of at most 64 different values are labels of tissues;
+   * the skin is then the border of the least label, in the middle between voxels. For any other
+   * scan the level is at 12 % of the range: 31 for grey values from 0 to 255. For the T1 scan of
+   * Colin 27, 30 is suitable. For a level of exactly 0 give a number close to 0.
    */
   vtkSetMacro(ContourValue, double);
   vtkGetMacro(ContourValue, double);
   ///@}
+
+  /** The grey level of the last run, given or chosen; of labels the middle of their range. */
+  vtkGetMacro(UsedContourValue, double);
 
   ///@{
   /**
@@ -118,7 +124,8 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  double ContourValue = 30.0;
+  double ContourValue = 0.0;
+  double UsedContourValue = 0.0;
   double ClosingRadius = 6.0;
   double Resolution = 0.0;
   int NumberOfSmoothingIterations = 30;

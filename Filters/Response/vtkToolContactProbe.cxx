@@ -87,7 +87,7 @@ std::string uncoupledFault(const std::string& name)
 {
   return "Coupled is on, but response '" + name + "' has no coupling: " + "field array '" +
     palpate::arrayName(name, palpate::ResponseArray::Coupling) +
-    "' is missing (vtkToolContactResponse::CouplingOn)";
+    "' is missing; make the response with Coupling on";
 }
 
 /// Checks that tips on several ranks can press at once. Returns "" or an error message. Collective.

@@ -132,11 +132,12 @@ bool vtkToolTouch::CheckSettings()
   const Vector3 second(this->SecondTipPosition);
   if (!tip.allFinite())
   {
-    vtkErrorMacro(<< "TipPosition must be finite (mm), but is " << tip.transpose() << ".");
+    vtkErrorMacro(<< "Tip Position must be finite (mm), but is " << tip.transpose() << ".");
   }
   else if (this->SecondTip && !second.allFinite())
   {
-    vtkErrorMacro(<< "SecondTipPosition must be finite (mm), but is " << second.transpose() << ".");
+    vtkErrorMacro(<< "Second Tip Position must be finite (mm), but is " << second.transpose()
+                  << ".");
   }
   else if (!isLength(this->Indentation))
   {
@@ -146,18 +147,19 @@ bool vtkToolTouch::CheckSettings()
   }
   else if (!isLength(this->ForceScale) || !isLength(this->ToolLength))
   {
-    vtkErrorMacro(<< "ForceScale (mm/N) and ToolLength (mm) must be finite and not negative (0 for "
-                     "automatic), but are "
-                  << this->ForceScale << " and " << this->ToolLength << ".");
+    vtkErrorMacro(
+      << "Force Scale (mm/N) and Tool Length (mm) must be finite and not negative (0 for "
+         "automatic), but are "
+      << this->ForceScale << " and " << this->ToolLength << ".");
   }
   else if (!(this->Reach > 0.0 && std::isfinite(this->Reach)))
   {
-    vtkErrorMacro(<< "Reach must be positive and finite (contact radii), but is " << this->Reach
-                  << ".");
+    vtkErrorMacro(<< "Extent Of Dent (Reach) must be positive and finite (contact radii), but is "
+                  << this->Reach << ".");
   }
   else if (!palpate::isPoissonsRatio(this->PoissonRatio))
   {
-    vtkErrorMacro(<< "PoissonRatio must lie between 0 and 0.5, but is " << this->PoissonRatio
+    vtkErrorMacro(<< "Poisson's Ratio must lie between 0 and 0.5, but is " << this->PoissonRatio
                   << ".");
   }
   else

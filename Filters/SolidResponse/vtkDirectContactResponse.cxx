@@ -174,7 +174,7 @@ std::string vtkDirectContactResponse::CheckProperties()
   std::string fault = palpate::checkShapedRequest(request);
   if (fault.empty() && !(this->ErrorTolerance > 0.0))
   {
-    fault = palpate::joined("ErrorTolerance must be positive, but is ", this->ErrorTolerance);
+    fault = palpate::joined("Error Tolerance must be positive, but is ", this->ErrorTolerance);
   }
   palpate::FactorRequest factor;
   factor.material = { this->YoungsModulus, this->PoissonRatio };
@@ -211,7 +211,7 @@ std::string vtkDirectContactResponse::CheckResponse(
     !palpate::fetchArray<vtkFloatArray>(
       surface, this->ResponseName, palpate::ResponseArray::Error, arrays, fault))
   {
-    return "Wrong input: " + fault + ": make the response with StoreError";
+    return "Wrong input: " + fault + ": make the response with Store Error";
   }
   vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
   if (fault.empty() && pressed && pressed->GetNumberOfComponents() != 1)

@@ -163,7 +163,7 @@ int vtkElasticCompliance::RequestData(
   }
   if (fault.empty() && !isEnded && this->LoadedPoint >= body.surface().pointTotal())
   {
-    fault = palpate::joined("LoadedPoint must be -1 or the index of a surface point (0 to ",
+    fault = palpate::joined("Loaded Point must be -1 or the index of a surface point (0 to ",
       body.surface().pointTotal() - 1, "), but is ", this->LoadedPoint);
   }
   if (!fault.empty())
@@ -256,22 +256,23 @@ std::string vtkElasticCompliance::CheckProperties(const palpate::FactorRequest& 
   }
   if (!(this->PatchRadius >= 0.0 && std::isfinite(this->PatchRadius)))
   {
-    return palpate::joined("PatchRadius must be 0 or positive (mm), but is ", this->PatchRadius);
+    return palpate::joined("Patch Radius must be 0 or positive (mm), but is ", this->PatchRadius);
   }
   if (this->NumberOfModes < 0 || this->NumberOfModes > palpate::MostGlobalModes)
   {
-    return palpate::joined("NumberOfModes must lie between 0 and ", palpate::MostGlobalModes,
+    return palpate::joined("Number Of Modes must lie between 0 and ", palpate::MostGlobalModes,
       ", but is ", this->NumberOfModes);
   }
   if (this->NumberOfCouplingModes < 0 || this->NumberOfCouplingModes > palpate::MostCouplingModes)
   {
-    return palpate::joined("NumberOfCouplingModes must lie between 0 and ",
+    return palpate::joined("Number Of Coupling Modes must lie between 0 and ",
       palpate::MostCouplingModes, ", but is ", this->NumberOfCouplingModes);
   }
   if (this->LoadedPoint < -1 || !std::isfinite(this->LoadForce))
   {
-    return palpate::joined("LoadedPoint must be -1 or the index of a surface point, and LoadForce "
-                           "must be finite, but they are ",
+    return palpate::joined(
+      "Loaded Point must be -1 or the index of a surface point, and Load Force "
+      "must be finite, but they are ",
       this->LoadedPoint, " and ", this->LoadForce, " N");
   }
   return {};

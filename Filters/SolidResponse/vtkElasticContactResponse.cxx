@@ -147,26 +147,31 @@ std::string vtkElasticContactResponse::CheckProperties()
   request.samples = this->NumberOfSamples;
   request.terms.errorTolerance = this->ErrorTolerance;
   std::string fault = palpate::checkShapedRequest(request);
-  fault = fault.empty() ? palpate::checkLength("LayerThickness", this->LayerThickness) : fault;
+  fault = fault.empty() ? palpate::checkLength("Layer Thickness", this->LayerThickness) : fault;
   if (fault.empty() && !(this->TermTolerance >= 0.0 && std::isfinite(this->TermTolerance)))
   {
-    fault = palpate::joined("TermTolerance must be 0 or positive, but is ", this->TermTolerance);
+    fault =
+      palpate::joined("Largest Effect Left Out (TermTolerance) must be 0 or positive, but is ",
+        this->TermTolerance);
   }
   palpate::PronySeries series;
   fault = fault.empty() ? this->Relaxations.fillSeries(series) : fault;
   fault = fault.empty()
     ? palpate::checkTilts({ *this->Tool->GetKernel(), this->MaximumTilt, this->MaximumDeflection })
     : fault;
-  fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
+  fault = fault.empty() ? palpate::checkLength("Largest Contact Radius", this->LargestContactRadius)
                         : fault;
-  return fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
+  return fault.empty()
+    ? palpate::checkLength("Spacing Of Solved Points (SourceSpacing)", this->SourceSpacing)
+    : fault;
 }
 
 std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& finer) const
 {
   if (this->AutomaticTerms)
   {
-    return "AutomaticTerms compares laws at the points of the solid and cannot be used with a "
+    return "Leave Out Small Effects (AutomaticTerms) compares laws at the points of the solid and "
+           "cannot be used with a "
            "Surface";
   }
   return finer.fault().empty() ? "" : "Wrong input: Surface: " + finer.fault();

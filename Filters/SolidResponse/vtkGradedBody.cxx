@@ -52,6 +52,7 @@ int vtkGradedBody::RequestData(
 {
   vtkPolyData* body = vtkPolyData::GetData(inputVector[0]);
   this->CellEstimate = 0.0;
+  this->UsedSpacing = 0.0;
   if (!body || body->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -68,25 +69,27 @@ int vtkGradedBody::RequestData(
 
 std::string vtkGradedBody::CheckProperties() const
 {
-  if (!(this->SurfaceSpacing > 0.0 && std::isfinite(this->SurfaceSpacing)))
+  if (!(this->SurfaceSpacing >= 0.0 && std::isfinite(this->SurfaceSpacing)))
   {
     return palpate::joined(
-      "SurfaceSpacing must be positive and finite (mm), but is ", this->SurfaceSpacing);
+      "Surface Spacing must be 0 or positive, and finite (mm), but is ", this->SurfaceSpacing);
   }
   const double inside = this->InteriorSpacing;
-  if (!(inside == 0.0 || (inside >= this->SurfaceSpacing && std::isfinite(inside))))
+  if (!(inside >= 0.0 && std::isfinite(inside)))
   {
-    return palpate::joined("InteriorSpacing must be 0 or at least SurfaceSpacing, ",
-      this->SurfaceSpacing, " mm, but is ", inside);
+    return palpate::joined(
+      "Interior Spacing must be 0 or positive, and finite (mm), but is ", inside);
   }
   if (!(this->Growth > 0.0 && this->Growth <= LargestGrowth))
   {
-    return palpate::joined(
-      "Growth must be positive and at most ", LargestGrowth, ", but is ", this->Growth);
+    return palpate::joined("Growth Of Cells Inwards (Growth) must be positive and at most ",
+      LargestGrowth, ", but is ", this->Growth);
   }
   if (!(this->Deviation >= 0.0 && std::isfinite(this->Deviation)))
   {
-    return palpate::joined("Deviation must be 0 or positive (mm), but is ", this->Deviation);
+    return palpate::joined(
+      "Largest Deviation From Surface (Deviation) must be 0 or positive (mm), but is ",
+      this->Deviation);
   }
   for (std::size_t i = 0; i < this->FineBalls.size(); ++i)
   {
@@ -122,6 +125,7 @@ std::string vtkGradedBody::Fill(vtkPolyData* body, vtkUnstructuredGrid* output)
   std::string fault =
     palpate::fillGraded(body, cells, palpate::FilterStage{ this, 0.0, 1.0 }, output, report);
   this->CellEstimate = report.cells;
+  this->UsedSpacing = report.spacing;
   for (const std::string& warning : report.warnings)
   {
     vtkWarningMacro(<< warning);
@@ -142,5 +146,6 @@ void vtkGradedBody::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FineBalls: " << this->FineBalls.size() << "\n";
   os << indent << "Deviation: " << this->Deviation << " mm\n";
   os << indent << "FixedFaces: " << this->FixedFaces << "\n";
+  os << indent << "UsedSpacing: " << this->UsedSpacing << " mm\n";
   os << indent << "CellEstimate: " << this->CellEstimate << "\n";
 }

@@ -71,15 +71,19 @@ public:
   static bool IsAvailable();
 
   ///@{
-  /** Length of the cells' edges at the surface, mm, > 0. Default 2. */
+  /**
+   * Length of the cells' edges at the surface, mm. 0 (default): chosen from the body, so that it
+   * gets about 20,000 cells: √(8.7 area / 20,000), at most a sixth of the cube root of the volume.
+   * On a ball of 140 mm diameter this is 5.2 mm.
+   */
   vtkSetMacro(SurfaceSpacing, double);
   vtkGetMacro(SurfaceSpacing, double);
   ///@}
 
   ///@{
   /**
-   * Length of the longest edges inside, mm, at least SurfaceSpacing. 0 (default): four times
-   * SurfaceSpacing.
+   * Length of the longest edges inside, mm, at least the spacing at the surface. 0 (default): four
+   * times SurfaceSpacing.
    */
   vtkSetMacro(InteriorSpacing, double);
   vtkGetMacro(InteriorSpacing, double);
@@ -122,6 +126,10 @@ public:
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
+  /** The spacing at the surface of the last run, given or chosen, mm; 0: the surface was refused.
+   */
+  vtkGetMacro(UsedSpacing, double);
+
   /** Number of cells expected for the last run; also set if the run was refused. */
   vtkGetMacro(CellEstimate, double);
 
@@ -139,13 +147,14 @@ private:
   std::string CheckProperties() const;
   std::string Fill(vtkPolyData* body, vtkUnstructuredGrid* output);
 
-  double SurfaceSpacing = 2.0;
+  double SurfaceSpacing = 0.0;
   double InteriorSpacing = 0.0;
   double Growth = 0.5;
   std::vector<std::array<double, 5>> FineBalls; ///< middle, radius, spacing
   double Deviation = 0.0;
   std::string FixedFaces = "z-";
   double CellEstimate = 0.0;
+  double UsedSpacing = 0.0;
 };
 
 #endif

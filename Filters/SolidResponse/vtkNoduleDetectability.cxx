@@ -186,7 +186,7 @@ std::string vtkNoduleDetectability::FindTools()
     std::string error;
     if (!palpate::parseTool(specification, ignored, error))
     {
-      return "AddMoreTool: " + error;
+      return "More Tools: " + error;
     }
     this->Tools.push_back(vtkSmartPointer<vtkContactTool>::New());
     this->Tools.back()->SetSpecification(specification);
@@ -212,14 +212,19 @@ std::string vtkNoduleDetectability::CheckTools()
   }
   if (!(this->Threshold > 0.0 && std::isfinite(this->Threshold)))
   {
-    return palpate::joined("Threshold must be positive and finite, but is ", this->Threshold);
+    return palpate::joined(
+      "Smallest Felt Change (Threshold) must be positive and finite, but is ", this->Threshold);
   }
-  std::string fault = palpate::checkLength("PressDepth", this->PressDepth);
-  fault = fault.empty() ? palpate::checkLength("LargestContactRadius", this->LargestContactRadius)
+  std::string fault = palpate::checkLength("Press Depth", this->PressDepth);
+  fault = fault.empty() ? palpate::checkLength("Largest Contact Radius", this->LargestContactRadius)
                         : fault;
-  fault = fault.empty() ? palpate::checkLength("SourceSpacing", this->SourceSpacing) : fault;
-  return fault.empty() ? palpate::checkLength("SourceSpacingWithout", this->SourceSpacingWithout)
-                       : fault;
+  fault = fault.empty()
+    ? palpate::checkLength("Spacing Of Solved Points (SourceSpacing)", this->SourceSpacing)
+    : fault;
+  return fault.empty()
+    ? palpate::checkLength("Spacing Of Solved Points Without Nodules (SourceSpacingWithout)",
+        this->SourceSpacingWithout)
+    : fault;
 }
 
 std::string vtkNoduleDetectability::Solve(vtkUnstructuredGrid* grid, bool& ended)
@@ -249,7 +254,7 @@ std::string vtkNoduleDetectability::SolveOne(
   if (fault.empty() && (!factor.young || !factor.poisson))
   {
     fault = palpate::joined("Array to process ", factor.young ? first + 1 : first,
-      factor.young ? " (PoissonRatio" : " (YoungsModulus", " of the body ",
+      factor.young ? " (Poisson's Ratio" : " (Young's Modulus", " of the body ",
       with ? "with" : "without", " nodules) is required, but is not set");
   }
   if (!fault.empty())

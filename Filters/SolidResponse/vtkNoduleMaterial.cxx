@@ -112,8 +112,8 @@ std::string vtkNoduleMaterial::Check()
 {
   if (this->Subdivisions < 1 || this->Subdivisions > MostSubdivisions)
   {
-    return palpate::joined(
-      "Subdivisions must be 1 to ", MostSubdivisions, ", but is ", this->Subdivisions);
+    return palpate::joined("Sampling Points Per Side (Subdivisions) must be 1 to ",
+      MostSubdivisions, ", but is ", this->Subdivisions);
   }
   for (std::size_t i = 0; i < this->Nodules.size(); ++i)
   {
@@ -232,8 +232,8 @@ std::string vtkNoduleMaterial::Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGri
     const Nodule& nodule = this->Nodules[i];
     return palpate::joined("Nodule ", i, ", radius ", nodule.Radius, " mm at ", nodule.Middle[0],
       ", ", nodule.Middle[1], ", ", nodule.Middle[2],
-      " mm, fills no part of any cell: it lies outside, or under others, or between the places of "
-      "Subdivisions");
+      " mm, fills no part of any cell: it lies outside, or under others, or between the "
+      "sampling points of a cell");
   }
   output->ShallowCopy(grid);
   arrays.attach(output, cells, false);

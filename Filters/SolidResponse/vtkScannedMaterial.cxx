@@ -85,8 +85,8 @@ std::string vtkScannedMaterial::CheckMap()
 {
   if (this->Subdivisions < 1 || this->Subdivisions > MostPlaces)
   {
-    return palpate::joined(
-      "Subdivisions must be 1 to ", MostPlaces, ", but is ", this->Subdivisions);
+    return palpate::joined("Sampling Points Per Side (Subdivisions) must be 1 to ", MostPlaces,
+      ", but is ", this->Subdivisions);
   }
   palpate::FactorRequest outside;
   outside.material = { this->YoungsModulus, this->PoissonRatio };
@@ -97,7 +97,7 @@ std::string vtkScannedMaterial::CheckMap()
   }
   if (this->Rows.empty())
   {
-    return "There is no map from the image's values to materials: call AddMaterial";
+    return "Materials are required, a row for each value of the image (AddMaterial)";
   }
   for (std::size_t i = 0; i < this->Rows.size(); ++i)
   {

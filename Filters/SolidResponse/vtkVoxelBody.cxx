@@ -2,6 +2,7 @@
 #include "vtkVoxelBody.h"
 
 #include "Mechanics/Numerics/AvailableMemory.h"
+#include "SolidResponse/Bodies/ChosenSpacing.h"
 #include "SolidResponse/Bodies/ClosedSurface.h"
 #include "SolidResponse/Bodies/ClosestPlace.h"
 #include "Response/FilterStage.h"
@@ -90,36 +91,40 @@ int vtkVoxelBody::RequestData(
   {
     return 1;
   }
-  if (!(this->Spacing > 0.0 && std::isfinite(this->Spacing)))
+  this->UsedSpacing = 0.0;
+  if (!(this->Spacing >= 0.0 && std::isfinite(this->Spacing)))
   {
-    vtkErrorMacro(<< "Spacing must be positive and finite (mm), but is " << this->Spacing << ".");
+    vtkErrorMacro(<< "Spacing must be 0 or positive, and finite (mm), but is " << this->Spacing
+                  << ".");
     return 0;
   }
   palpate::HeldFaces faces{};
   palpate::ClosedSurface closed;
-  std::string fault = palpate::readHeldFaces(this->FixedFaces, 0.5 * this->Spacing, faces);
-  fault = fault.empty() ? palpate::takeClosedSurface(body, closed) : fault;
+  std::string fault = palpate::takeClosedSurface(body, closed);
+  const double spacing = this->Spacing > 0.0 ? this->Spacing : palpate::chosenVoxel(closed.volume);
+  fault = fault.empty() ? palpate::readHeldFaces(this->FixedFaces, 0.5 * spacing, faces) : fault;
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
     return 0;
   }
+  this->UsedSpacing = spacing;
   vtkPolyData* surface = closed.surface;
   const vtkBoundingBox box(surface->GetBounds());
-  const Eigen::Array3d voxels = voxelsAlong(box, this->Spacing);
+  const Eigen::Array3d voxels = voxelsAlong(box, spacing);
   const double total = (voxels + 1.0).prod();
   if (!(total < MostGridPoints))
   {
-    vtkErrorMacro(<< "Spacing " << this->Spacing << " mm makes " << total
+    vtkErrorMacro(<< "Spacing " << spacing << " mm makes " << total
                   << " points of the bounding box: too many.");
     return 0;
   }
-  const double voxelTotal = closed.volume / std::pow(this->Spacing, 3);
+  const double voxelTotal = closed.volume / std::pow(spacing, 3);
   const double needed = BytesPerGridPoint * total + BytesPerVoxel * voxelTotal;
   const double available = palpate::availableMemory();
   if (needed > available)
   {
-    vtkErrorMacro(<< "Spacing " << this->Spacing << " mm makes " << total
+    vtkErrorMacro(<< "Spacing " << spacing << " mm makes " << total
                   << " points of the bounding box and " << voxelTotal
                   << " voxels, which need about " << needed / palpate::Mebibyte << " MiB, but "
                   << available / palpate::Mebibyte << " MiB are available.");
@@ -181,11 +186,11 @@ int vtkVoxelBody::RequestData(
     double along = 0.0;
     int part = 0;
     if (isSharp &&
-      locator->IntersectWithLine(from.data(), to.data(), PickTolerance * this->Spacing, along,
-        at.data(), coordinates.data(), part))
+      locator->IntersectWithLine(from.data(), to.data(), PickTolerance * spacing, along, at.data(),
+        coordinates.data(), part))
     {
       const Eigen::Vector3d edge = palpate::closestPlace(edgeLocator, at).at;
-      if ((edge - at).norm() < 0.5 * this->Spacing)
+      if ((edge - at).norm() < 0.5 * spacing)
       {
         return edge;
       }
@@ -208,7 +213,7 @@ int vtkVoxelBody::RequestData(
   palpate::VolumeMesh mesh = palpate::makeVoxelMesh(grid);
   if (mesh.elements.empty())
   {
-    vtkErrorMacro(<< "No voxel of " << this->Spacing
+    vtkErrorMacro(<< "No voxel of " << spacing
                   << " mm lies inside the surface: Spacing is too coarse.");
     return 0;
   }
@@ -253,6 +258,7 @@ void vtkVoxelBody::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Spacing: " << this->Spacing << " mm\n";
+  os << indent << "UsedSpacing: " << this->UsedSpacing << " mm\n";
   os << indent << "FixedFaces: " << this->FixedFaces << "\n";
   os << indent << "Conform: " << (this->Conform ? "on" : "off") << "\n";
 }

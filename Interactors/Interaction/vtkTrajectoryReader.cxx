@@ -65,7 +65,7 @@ std::string vtkTrajectoryReader::Read()
 {
   if (!this->FileName || !*this->FileName)
   {
-    return "A FileName is required";
+    return "A File Name is required";
   }
   std::error_code missing; // ignored: reading the file will report it
   const auto changed = std::filesystem::last_write_time(this->FileName, missing);

@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> skinOf(
   skin->Update();
   const int* size = scan->GetDimensions();
   notes.push_back(palpate::joined("outer skin of a scan of ", size[0], " x ", size[1], " x ",
-    size[2], " voxels at grey level ", options.contourValue, ", openings up to ",
+    size[2], " voxels at grey level ", skin->GetUsedContourValue(), ", openings up to ",
     2.0 * options.closingRadius, " mm closed: ", skin->GetOutput()->GetNumberOfPoints(),
     " points"));
   if (options.baseValue)

@@ -24,9 +24,9 @@ namespace palpate
 {
 struct BodyFileOptions
 {
-  double lengthScale = 1.0; // mm per unit of length of the file
-  double resolution = 0.0;  // for a scan: resolution of the skin, mm; 0: the scan's own resolution
-  double contourValue = 30.0;      // for a scan: grey level of the skin
+  double lengthScale = 1.0;  // mm per unit of length of the file
+  double resolution = 0.0;   // for a scan: resolution of the skin, mm; 0: the scan's own resolution
+  double contourValue = 0.0; // for a scan: grey level of the skin; 0: chosen from the scan
   double closingRadius = 6.0;      // for a scan: openings up to twice this size are closed, mm
   std::optional<double> baseValue; // for a scan: grey level below which it is bone
 };

@@ -12,7 +12,8 @@ namespace palpate
 namespace
 {
 const char* const InstalledScan = "/usr/share/mricron/templates/ch2.nii.gz";
-}
+constexpr double SkinLevel = 30.0; // grey level of the skin in this scan
+} // namespace
 
 std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
 {
@@ -25,7 +26,7 @@ std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
   }
   BodyFileOptions file;
   file.resolution = options.resolution;
-  file.contourValue = options.contourValue;
+  file.contourValue = options.contourValue == 0.0 ? SkinLevel : options.contourValue;
   file.closingRadius = options.closingRadius;
   scene.layer = { true, 0.0 };
   file.baseValue = scanValue(options, scene.layer);

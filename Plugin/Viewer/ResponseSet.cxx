@@ -146,7 +146,7 @@ std::string attachResponses(
     const std::string fault = error.empty() && !scene.stored
       ? responses.tools.back()->GetKernel()->checkDepth(maximumDeflection)
       : std::string();
-    error = fault.empty() ? error : "MaximumDeflection: " + fault;
+    error = fault.empty() ? error : "Maximum Deflection: " + fault;
   }
   for (std::size_t i = 0; i < count && error.empty(); ++i)
   {

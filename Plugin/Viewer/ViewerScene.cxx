@@ -7,6 +7,10 @@
 #include "ViewerModules.h"
 #include "WholeBodyScene.h"
 
+#include "vtkContactTool.h"
+#include "vtkNew.h"
+#include "vtkToolContactResponse.h"
+
 namespace palpate
 {
 namespace
@@ -161,7 +165,10 @@ std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)
   scene.materialSource = "default of the viewer, soft tissue by order of magnitude; give --young "
                          "and --poisson";
   scene.modelReason = "no layer thickness and no compliance is known for this body";
-  scene.tools = { "sphere:6.35" };
+  scene.tools = { vtkNew<vtkContactTool>()->GetSpecification() };
+  vtkNew<vtkToolContactResponse> usual;
+  scene.youngsModulus = usual->GetYoungsModulus();
+  scene.poissonsRatio = usual->GetPoissonRatio();
   const std::string tool = responseText(scene.body, "Response", ResponseArray::Tool);
   if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio &&
     !options.layer)

@@ -22,7 +22,7 @@ struct ViewerScene
   std::string title;
   vtkSmartPointer<vtkPolyData> body;
   std::vector<std::string> notes; ///< description of how the body was made, one sentence each
-  double youngsModulus = 0.05;
+  double youngsModulus = 0.1;     ///< MPa; as in vtkToolContactResponse
   double poissonsRatio = 0.45;
   LawTerms terms;         ///< terms of the law: strain, curvature, error
   PronySeries relaxation; ///< relaxation of the body

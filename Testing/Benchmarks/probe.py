@@ -31,7 +31,7 @@ def head():
     reader.SetFileName(SCAN)
     skin = palpate.vtkSkinSurface()
     skin.SetInputConnection(reader.GetOutputPort())
-    return palpate.response(skin, young=0.035, poisson=0.49)
+    return palpate.response(skin, "sphere:6.35", young=0.035, poisson=0.49)
 
 
 def scattered(body, count):

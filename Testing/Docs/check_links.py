@@ -41,7 +41,7 @@ def viewer_options():
     sources = sorted((TOP / "Plugin/Viewer/CommandLine").glob("*.cxx"))
     source = "\n".join(file.read_text(encoding="utf-8") for file in sources)
     table = (TOP / "Filters/Contact/SettingTable.h").read_text(encoding="utf-8")
-    settings = {"--" + name for name in re.findall(r'\{ "[A-Z]\w+", "([a-z-]+)", "', table)}
+    settings = {"--" + name for name in re.findall(r'\{ "[A-Z]\w+", "([a-z-]+)", "[^"]*",', table)}
     return set(re.findall(r"--[a-z][a-z-]+", source)) | settings | {"--help"}
 
 

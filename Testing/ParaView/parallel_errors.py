@@ -173,7 +173,7 @@ def check_dent():
     if COUNT > 1:
         dent.SetTipIndex(3)
         error = run(dent)
-        assert "TipIndex 3" in error and "3 tips" in error, error
+        assert "Tip Index 3" in error and "3 tips" in error, error
         bare = vtkPolyData()
         bare.ShallowCopy(felt)
         bare.GetPointData().RemoveArray("ContactRank")

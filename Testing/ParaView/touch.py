@@ -94,7 +94,7 @@ def check_positions(response):
     """By default half of Range deep, in the middle; then where it is moved."""
     touch = simple.Touch(Input=response)
     np.testing.assert_allclose(touch.TipPositionmm, (0, 0, 5), atol=1e-9)
-    assert touch.Snap == 1 and touch.Indentationmm == 0 and touch.ResponseName == "Response"
+    assert touch.SnapToSurface == 1 and touch.Indentationmm == 0 and touch.ResponseName == "Response"
     for tip in ((0.2, 0.1, 5), (-17.3, 12.9, 80), (3, -4, -20)):
         touch.TipPositionmm = tip
         np.testing.assert_allclose(field(touch, "NormalForce"), force_at(RANGE / 2), rtol=FLOAT)
@@ -102,7 +102,7 @@ def check_positions(response):
         np.testing.assert_allclose(field(touch, "Force"), (0, 0, force_at(RANGE / 2)), atol=1e-6)
     touch.Indentationmm = 0.7
     np.testing.assert_allclose(field(touch, "NormalForce"), force_at(0.7), rtol=FLOAT)
-    touch.Snap = 0
+    touch.SnapToSurface = 0
     touch.Indentationmm = 0
     for height in (4.5, 3.1):
         touch.TipPositionmm = (1, 2, height)
@@ -114,7 +114,7 @@ def check_positions(response):
 
 
 def check_dent(touch):
-    touch.Snap = 1
+    touch.SnapToSurface = 1
     touch.Indentationmm = 0
     touch.TipPositionmm = (0, 0, 5)
     touch.UpdatePipeline()
@@ -161,7 +161,7 @@ def forces(touch):
 
 def check_animation(touch):
     """The tip moved along a line by an animation cue: the force follows at each frame."""
-    touch.Snap = 0
+    touch.SnapToSurface = 0
     scene = simple.GetAnimationScene()
     scene.PlayMode = "Sequence"
     scene.StartTime, scene.EndTime, scene.NumberOfFrames = 0, 1, 5
@@ -204,9 +204,9 @@ def check_defaults():
     made = proxy.GetClientSideObject()
     assert type(made) is palpate.vtkToolTouch
     expected = {"Input": None, "Tip Position (mm)": [0, 0, 0], "Second Tip": [0],
-                "Second Tip Position (mm)": [0, 0, 0], "Snap": [1], "Indentation (mm)": [0],
+                "Second Tip Position (mm)": [0, 0, 0], "Snap To Surface": [1], "Indentation (mm)": [0],
                 "Response Name": ["Response"], "Force Scale (mm/N)": [0], "Tool Length (mm)": [0],
-                "Poisson's Ratio": [0.45], "Reach (contact radii)": [20]}
+                "Poisson's Ratio": [0.45], "Extent Of Dent (contact radii)": [20]}
     found = {}
     keys = proxy.NewPropertyIterator()
     keys.Begin()

@@ -50,12 +50,36 @@ pierced.GetPoints().SetPoint(7, float("nan"), 0, 0)
 hole.GetClientSideObject().SetOutput(pierced)
 check(simple.ToolContactResponse(Input=hole), "triangles with a coordinate that is not finite", "left out")
 check(simple.ToolContactProbe(Body=ball, Tips=bare), "no response 'Response'")
-check(simple.ContactDeflection(Body=response, Tips=bare), "output of vtkToolContactProbe", "ContactCell")
+check(simple.ContactDeflection(Body=response, Tips=bare), "output of Tool Contact Probe", "ContactCell")
 check(simple.ResponseCurves(Input=response, PointIds=[1000000]), "Point 1000000")
 response.YoungsModulusArrayMPa = ["POINTS", "Nowhere"]
-check(response, "Array to process 0 ('Nowhere')")
+check(response, "Young's Modulus Array 'Nowhere' (array to process 0)")
 response.YoungsModulusArrayMPa = None
 response.Tool.Radiusmm = -1
 check(response, "radius", "positive", "-1")
 response.Tool.Radiusmm = 5
 assert complaint(response) == ""
+
+# A value out of range: the message names the property as the panel does, and the filter works again with the value before.
+flat = simple.Triangulate(Input=simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0)))
+pressed = simple.ToolContactResponse(Input=flat)
+WRONG = (
+    (pressed, "YoungsModulus", 0), (pressed, "MaximumDeflection", 0), (pressed, "ErrorTolerance", -1),
+    (pressed, "TermTolerance", -1), (pressed, "LayerThickness", -1), (pressed, "MaximumTilt", -1),
+    (simple.ToolContactProbe(Body=pressed, Tips=flat), "FrictionCoefficient", -1),
+    (simple.Touch(Input=pressed), "Reach", 0),
+    (simple.ContactDeflection(Body=pressed, Tips=simple.ToolContactProbe(Body=pressed, Tips=flat)), "PoissonRatio", 0.7),
+    (simple.ResponseChoice(Input=pressed), "Share", 0),
+    (simple.ReducedContactResponse(Input=pressed), "MaximumNumberOfLaws", 17),
+    (simple.VoxelBody(Input=ball), "Spacing", -1), (simple.SkinSurface(Input=image), "ClosingRadius", -1))
+for proxy, name, wrong in WRONG:
+    item = proxy.SMProxy.GetProperty(name)
+    label = item.GetXMLLabel().split(" (")[0]
+    usual = item.GetElement(0)
+    item.SetElement(0, wrong)
+    proxy.SMProxy.UpdateVTKObjects()
+    text = complaint(proxy)
+    assert label in text, (name, label, text)
+    item.SetElement(0, usual)
+    proxy.SMProxy.UpdateVTKObjects()
+    assert "ERR" not in complaint(proxy), name

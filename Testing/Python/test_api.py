@@ -31,7 +31,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-YOUNG, POISSON = 0.05, 0.45
+YOUNG, POISSON = 0.1, 0.45                                # the defaults
 REDUCED = YOUNG / (1 - POISSON**2)
 # Curves are stored as floats: the error of forces is half a unit in the last place of sample and
 # slope.
@@ -154,7 +154,7 @@ class ClosedForms(unittest.TestCase):
         # c of a 60 degree cone at nu = 0.3, from another code: 1.075 at every depth.
         tips = np.array([[0.3, 0.7, -0.5], [0.3, 0.7, -2.0]])
         small, finite = (palpate.probe(palpate.response(plate(), tool="cone:60", poisson=0.3, strain=strain), tips)
-                         .forces[:, 2] for strain in ("small", "neohooke"))
+                         .forces[:, 2] for strain in ("small", "neo-hooke"))
         np.testing.assert_allclose(finite / small, 1.075, atol=0.005)
 
     def test_each_force_has_its_error(self):
@@ -312,8 +312,8 @@ class ClosedForms(unittest.TestCase):
             try:
                 for given in ({"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]},
                               {"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]}):  # the second time from the cache
-                    stack = palpate.probe(palpate.response(plate(), strain="neohooke", **given), tips).forces[:, 2]
-                    one = palpate.probe(palpate.response(plate(), strain="neohooke", layer=7.5), tips).forces[:, 2]
+                    stack = palpate.probe(palpate.response(plate(), strain="neo-hooke", **given), tips).forces[:, 2]
+                    one = palpate.probe(palpate.response(plate(), strain="neo-hooke", layer=7.5), tips).forces[:, 2]
                     small = palpate.probe(palpate.response(plate(), layer=7.5), tips).forces[:, 2]
                     np.testing.assert_allclose(stack, one, rtol=0.004)  # 0.003 from the table, plus the mesh
                     self.assertGreater(abs(one[1] / small[1] - 1), 0.005)
@@ -333,8 +333,8 @@ class ClosedForms(unittest.TestCase):
                              ({"layer": 2, "layers": [(2, -1, POISSON)]}, "Layer 1: Young's modulus"),
                              ({"layer": 2, "layers": [(1, 1, 0.4)] * 4}, "1 to 4 layers"),
                              ({"layer": 2, "base": ("elastic", 1, 0.7)}, "half-space: Poisson's ratio"),
-                             ({"layer": 2, "layers": [(1, 1, 0.4, True)], "strain": "neohooke"},
-                              "Layer 1 slips.*StrainModel"),
+                             ({"layer": 2, "layers": [(1, 1, 0.4, True)], "strain": "neo-hooke"},
+                              "Layer 1 slips.*Strain Model"),
                              ({"layer": 2, "layers": [(1, 1)]}, r"layers\[0\] must be \(thickness"),
                              ({"layer": 2, "layers": [(np.ones(7), 1, 0.4)]}, r"layers\[0\].*shape"),
                              ({"layer": 2, "layers": [(1, 1, 0.4)], "young": np.full(441, 0.1)}, "each layer of a stack has one material"),
@@ -353,7 +353,7 @@ class ClosedForms(unittest.TestCase):
         depth = 0.5
         force = palpate.probe(body, [0.3, 0.7, -depth]).forces[0, 2]
         tool = vtkContactTool()
-        tool.SetSpecification("sphere:6.35")
+        tool.SetSpecification("sphere:5")
         # Eight samples of an exact sphere: an error of at most 2e-4.
         self.assertAlmostEqual(force, tool.GetForce(depth, REDUCED), delta=2e-4 * force)
 
@@ -479,7 +479,7 @@ class PerPoint(unittest.TestCase):
         self.assertFalse(made.GetPointData().HasArray("GlobalCompliance"))
         inside = [77.7, 93.1, 199.0]
         # 1/sqrt(R E*) as on a half-space: the cube is 80 contact radii wide.
-        self.assertAlmostEqual(palpate.probe(made, inside).normal_force[0], 4 / 3 * REDUCED * math.sqrt(5), delta=0.005)
+        self.assertAlmostEqual(palpate.probe(made, inside).normal_force[0], 4 / 3 * REDUCED * math.sqrt(5), delta=0.01)
 
     def test_poisson_and_compliance_per_point(self):
         points, triangles = plate()
@@ -522,7 +522,7 @@ class PerPoint(unittest.TestCase):
     def test_by_the_name_of_an_array(self):
         points, triangles = plate(6)
         body = palpate.response((points, triangles), "flat:3")
-        modulus = numpy_to_vtk(np.full(len(points), 0.2))
+        modulus = numpy_to_vtk(np.full(len(points), 4 * YOUNG))
         modulus.SetName("Stiff")
         body.GetPointData().AddArray(modulus)
         twice = palpate.response(body, "flat:3", young="Stiff", name="Other")
@@ -695,11 +695,11 @@ class Probing(unittest.TestCase):
     def test_a_path_is_one_history(self):
         body = palpate.response(plate(), "flat:3", poisson=0.5)
         tips = np.array([[0.05 * i, 0.3, -1.0] for i in range(41)])
-        felt = palpate.probe(body, tips, path=True, friction=0.5, tangential_stiffness=0.2,
+        felt = palpate.probe(body, tips, path=True, friction=0.5, tangential_stiffness=0.4,
                              time=np.arange(41.0))
         normal = 2 * YOUNG / 0.75 * 3
         np.testing.assert_allclose(felt.normal_force, normal, rtol=STORED)
-        np.testing.assert_allclose(felt.friction[1:4, 0], -0.2 * tips[1:4, 0], atol=1e-12)  # it sticks
+        np.testing.assert_allclose(felt.friction[1:4, 0], -0.4 * tips[1:4, 0], atol=1e-12)  # it sticks
         self.assertAlmostEqual(felt.friction[40, 0], -0.5 * normal, delta=1e-6)             # it slides
         self.assertEqual([felt.contact_state[1], felt.contact_state[40]], [1, 2])
         # The filter on a polyline gives the same.
@@ -715,11 +715,11 @@ class Probing(unittest.TestCase):
         filtered.SetInputData(0, body)
         filtered.SetTipData(data)
         filtered.SetFrictionCoefficient(0.5)
-        filtered.SetTangentialStiffness(0.2)
+        filtered.SetTangentialStiffness(0.4)
         filtered.Update()
         np.testing.assert_array_equal(
             felt.forces, vtk_to_numpy(filtered.GetOutput().GetPointData().GetArray("Force")))
-        np.testing.assert_array_equal(palpate.probe(body, data, friction=0.5, tangential_stiffness=0.2).forces,
+        np.testing.assert_array_equal(palpate.probe(body, data, friction=0.5, tangential_stiffness=0.4).forces,
                                       felt.forces)
 
     def test_nothing_to_feel(self):
@@ -772,8 +772,8 @@ class Errors(unittest.TestCase):
                 (ValueError, "-3", {"tool": "sphere:-3"}),
                 (ValueError, "nowhere.csv", {"tool": "profile:nowhere.csv"}),
                 (TypeError, "tool must be a string", {"tool": 6.35}),
-                (ValueError, r"YoungsModulus must be positive and finite \(MPa\), but is 0", {"young": 0}),
-                (ValueError, "YoungsModulus must be positive.*nan", {"young": math.nan}),
+                (ValueError, r"Young's Modulus must be positive and finite \(MPa\), but is 0", {"young": 0}),
+                (ValueError, "Young's Modulus must be positive.*nan", {"young": math.nan}),
                 (TypeError, r"young \(MPa\) must be a number", {"young": None}),
                 (ValueError, r"young \(MPa\) must have shape \(25,\), but has \(3,\)", {"young": np.ones(3)}),
                 (TypeError, r"young \(MPa\) must be numbers", {"young": np.array(["a"] * 25)}),
@@ -784,26 +784,26 @@ class Errors(unittest.TestCase):
                  {"young": "0.05"}),
                 (ValueError, r"young \(MPa\): 2 of 25 values are masked, the first at 3",
                  {"young": np.ma.masked_array(np.full(25, 0.1), mask=np.isin(np.arange(25), (3, 8)))}),
-                (ValueError, "PoissonRatio must lie between 0 and 0.5, but is 45", {"poisson": 45}),
-                (ValueError, "LayerThickness must be finite and not negative", {"layer": -1}),
-                (ValueError, "ComplianceExcludesLayer", {"layer": 5, "compliance": 0.1}),
+                (ValueError, "Poisson's Ratio must lie between 0 and 0.5, but is 45", {"poisson": 45}),
+                (ValueError, "Layer Thickness must be finite and not negative", {"layer": -1}),
+                (ValueError, "Compliance Excludes Layer", {"layer": 5, "compliance": 0.1}),
                 (ValueError, "base must be 'bonded', 'slip' or", {"base": "glued"}),
-                (ValueError, "MaximumDeflection must be positive", {"maximum_deflection": 0}),
+                (ValueError, "Maximum Deflection must be positive", {"maximum_deflection": 0}),
                 (TypeError, "maximum_deflection", {"maximum_deflection": "deep"}),
-                (ValueError, "NumberOfSamples must lie between 2 and 256, but is 1", {"samples": 1}),
+                (ValueError, "Number Of Samples must lie between 2 and 256, but is 1", {"samples": 1}),
                 (TypeError, "samples must be a whole number", {"samples": 8.5}),
                 (ValueError, "strain must be one of .*'rubber'", {"strain": "rubber"}),
                 (ValueError, "Ogden", {"strain": ("ogden", 0)}),
                 (TypeError, "exponent of 'demiray'", {"strain": ("demiray", "much")}),
-                (ValueError, "ErrorTolerance must be finite", {"error_tolerance": -1}),
-                (ValueError, "TermTolerance must be finite", {"automatic": -1}),
+                (ValueError, "Error Tolerance must be finite", {"error_tolerance": -1}),
+                (ValueError, r"Largest Effect Left Out \(TermTolerance\) must be finite", {"automatic": -1}),
                 (TypeError, "automatic", {"automatic": "yes"}),
                 (ValueError, "points: there is no point 25: the body has 25 points", {"points": [3, 25]}),
                 (ValueError, "points: there is no point -1", {"points": [3, -1]}),
                 (ValueError, "points must have 25 booleans.*but has 3", {"points": [True, False, True]}),
                 (TypeError, "points must be indices or booleans", {"points": [0.5]}),
                 (TypeError, "points must be indices or booleans", {"points": 3}),
-                (ValueError, "ResponseName must not be empty", {"name": ""})):
+                (ValueError, "Response Name must not be empty", {"name": ""})):
             with self.subTest(options=str(options)[:60]):
                 self.complains(kind, words, palpate.response, body, **options)
         broken = vtkContactTool()
@@ -868,9 +868,9 @@ class Errors(unittest.TestCase):
         tip = [0.3, 0.7, -0.5]
         for kind, words, options in (
                 (ValueError, "friction acts along a path only", {"friction": 0.3}),
-                (ValueError, "FrictionCoefficient", {"friction": -1, "path": True}),
-                (ValueError, "TangentialStiffness", {"tangential_stiffness": 0}),
-                (ValueError, "friction_model must be one of elasto-plastic", {"friction_model": "sticky"}),
+                (ValueError, "Friction Coefficient", {"friction": -1, "path": True}),
+                (ValueError, "Tangential Stiffness", {"tangential_stiffness": 0}),
+                (ValueError, "friction_model must be one of 'elasto-plastic'", {"friction_model": "sticky"}),
                 (ValueError, "surface must be one of", {"surface": "round"}),
                 (ValueError, "Indentation must be finite", {"indentation": math.nan}),
                 (ValueError, "no response 'Other'|Other", {"name": "Other"}),

@@ -47,7 +47,7 @@ class Measured(unittest.TestCase):
     def test_what_is_wrong(self):
         file = self.curves()
         for words, arguments in (("model must be one of", {"model": "sponge"}), ("Reach", {"reach": -1}), ("none.csv", {"files": self.folder / "none.csv"}),
-                                 ("MaximumStrain must be positive", {"maximum_strain": 0}),
+                                 ("Maximum Strain must be positive", {"maximum_strain": 0}),
                                  ("is compression negative here", {"files": self.curves(-1.0)})):
             with self.assertRaisesRegex(ValueError, words):
                 palpate.measured(PLATE, **{"files": file, **arguments})

@@ -97,7 +97,7 @@ class Comparison(SessionCase):
                 (("--device", "replay:x.csv"), "--device"),
                 (("--map",), "--map"),
                 (("--trial", "sphere:3,flat:1"), "--trial"),
-                (("--poisson", "0.5"), "PoissonRatio")):
+                (("--poisson", "0.5"), "Poisson's Ratio")):
             with self.subTest(arguments=arguments):
                 self.refuse("--compare", *arguments, words=(word,))
 

@@ -100,7 +100,7 @@ class Phantom(SessionCase):
         self.refuse("--scene", "phantom", "--voxel", "2", words=("--voxel", "phantom"))
         self.refuse("--scene", "phantom", "--layer", "3", words=("--layer", "phantom"))
         self.refuse("--scene", "phantom", "--strain", "neo-hooke", words=("--strain", "phantom"))
-        self.refuse("--scene", "phantom", "--poisson", "0.5", words=("PoissonRatio", "0.5"))
+        self.refuse("--scene", "phantom", "--poisson", "0.5", words=("Poisson's Ratio", "0.5"))
         self.refuse("--scene", "cylinder", "--trial", "lump,none", words=("lump", "--scene phantom"))
         self.refuse("--scene", "phantom", "--trial", "lump,lump+none", words=("twice",))
 

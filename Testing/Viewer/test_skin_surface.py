@@ -3,7 +3,7 @@
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataConnectivityFilter
@@ -228,10 +228,10 @@ class SkinSurface(unittest.TestCase):
                 (bare, {}, ("no point scalars",)),
                 (colours, {}, ("3 components",)),
                 (image(ball()[:, :, :1]), {}, ("three dimensions", "64 x 64 x 1")),
-                (data, {"ContourValue": 100.0}, ("ContourValue 100", "0 to 100")),
-                (data, {"ContourValue": -5.0}, ("ContourValue -5",)),
-                (data, {"ContourValue": float("nan")}, ("ContourValue nan",)),
-                (data, {"ClosingRadius": -1.0}, ("ClosingRadius", "-1")),
+                (data, {"ContourValue": 100.0}, ("Contour Value 100", "0 to 100")),
+                (data, {"ContourValue": -5.0}, ("Contour Value -5",)),
+                (data, {"ContourValue": float("nan")}, ("Contour Value nan",)),
+                (data, {"ClosingRadius": -1.0}, ("Closing Radius", "-1")),
                 (data, {"Resolution": -1.0}, ("Resolution", "-1")),
                 (data, {"Resolution": 1e-4}, ("0.0001 mm is too fine",))):
             with self.subTest(words=words):
@@ -239,6 +239,41 @@ class SkinSurface(unittest.TestCase):
                 for word in words:
                     self.assertIn(word, message)
                 self.assertEqual(count, 0)
+
+    def test_level_is_chosen_from_grey_values(self):
+        """12 % of the range: of a ball from 0 to 255, and of CT numbers from -1024 to 3071, both of one edge width."""
+        self.assertEqual(vtkSkinSurface().GetContourValue(), 0.0)
+        for least, most, level in ((0.0, 255.0, 30.6), (-1024.0, 3071.0, -532.6)):
+            grey = least + (most - least) * ball() / 100.0
+            filter_ = skin_filter(image(grey), ContourValue=0.0)
+            filter_.Update()
+            self.assertAlmostEqual(filter_.GetUsedContourValue(), level, delta=0.1)
+            given = skin(grey, ContourValue=filter_.GetUsedContourValue())
+            self.assertTrue((points(filter_.GetOutput()) == points(given)).all())
+
+    def test_labels_end_in_the_middle_between_voxels(self):
+        """Labels 2 and 7 in label 1: the skin is that of a mask, whichever label lies outside."""
+        inside = distances(SIZE, tuple(CENTRE)) < RADIUS
+        labels = numpy.where(inside, 2, 1)
+        labels[inside & (numpy.arange(SIZE)[:, None, None] > SIZE // 2)] = 7
+        data = vtkImageData()
+        data.SetDimensions(SIZE, SIZE, SIZE)
+        data.GetPointData().SetScalars(
+            numpy_to_vtk(labels.ravel(order="F").astype(numpy.uint8), deep=True))
+        filter_ = skin_filter(data, ContourValue=0.0)
+        filter_.Update()
+        # A mask is exact to half a voxel diagonal; the smoothing leaves less.
+        found = radii(filter_.GetOutput())
+        self.assertAlmostEqual(found.mean(), RADIUS, delta=0.05)
+        self.assertLess(abs(found - RADIUS).max(), 0.5 * 3 ** 0.5)
+        middle = CENTRE[0] + 0.5                        # both labels reach as far
+        left = points(filter_.GetOutput())[:, 0] < middle
+        self.assertAlmostEqual(found[left].mean(), found[~left].mean(), delta=0.05)
+
+    def test_an_image_of_one_value_has_no_skin(self):
+        message, count = errors_of(image(numpy.full((8, 8, 8), 3.0)), ContourValue=0.0)
+        self.assertIn("nothing to contour", message)
+        self.assertEqual(count, 0)
 
     def test_bubble_in_tissue_has_no_skin(self):
         message, count = errors_of(image(100.0 - ball()))

@@ -94,7 +94,7 @@ class Solid(SolidCase):
         path = bodies.write(half.GetOutput(), self.folder / "half.vtp")
         self.refuse(path, "--solid", "2", words=("closed",))
         path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
-        self.refuse(path, "--solid", "0.001", words=("SurfaceSpacing", "MiB"))
+        self.refuse(path, "--solid", "0.001", words=("Surface Spacing", "MiB"))
         self.refuse(path, "--solid", "5", "--poisson", "0.5", words=("0.499",))
 
 

@@ -28,13 +28,13 @@ std::string checkBonds(const LayerStack& stack)
     if (stack.layers[i].slips)
     {
       return joined("Layer ", i,
-        " slips below the layer above it, but StrainModel has a law only for layers that are "
-        "bonded to each other: use SmallStrain, whose error is estimated with an ErrorTolerance");
+        " slips below the layer above it, but Strain Model has a law only for layers that are "
+        "bonded to each other: use Small Strain, whose error is estimated with an Error Tolerance");
     }
   }
   return stack.hasHalfSpace && stack.halfSpace.slips
-    ? "The layers slip on their half-space, but StrainModel has a law only for layers that are "
-      "bonded to it: use SmallStrain, whose error is estimated with an ErrorTolerance"
+    ? "The layers slip on their half-space, but Strain Model has a law only for layers that are "
+      "bonded to it: use Small Strain, whose error is estimated with an Error Tolerance"
     : "";
 }
 

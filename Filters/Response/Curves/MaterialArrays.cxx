@@ -91,6 +91,15 @@ void readValues(const std::string& name, vtkDataArray* array, PointValues& given
 }
 } // namespace
 
+std::string missingArray(const std::string& name, std::size_t index)
+{
+  static constexpr std::array<const char*, 7> Labels = { "Young's Modulus Array",
+    "Layer Thickness Array", "Global Compliance Array", "Poisson's Ratio Array",
+    "Second Layer Thickness Array", "Relaxation Array", "Pressed Points Array" };
+  return joined(
+    Labels[index], " '", name, "' (array to process ", index, ") is not on the input's points");
+}
+
 std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkIdType points)
 {
   const auto& [name, array] = given;
@@ -100,7 +109,7 @@ std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkId
   }
   if (!array)
   {
-    return joined("Array to process ", index, " ('", name, "') is not on the input's points");
+    return missingArray(name, index);
   }
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != points)
   {

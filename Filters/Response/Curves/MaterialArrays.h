@@ -52,6 +52,10 @@ MaterialArrays arraysToProcess(
 PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
   vtkPolyData* body, const std::array<std::string, 5>& names);
 
+/// The message for a requested array that the body lacks. It names the property on the panel: of
+/// the arrays above, of 5 (relaxation) or of 6 (pressed points).
+std::string missingArray(const std::string& name, std::size_t index);
+
 /// Checks that a requested array exists and has one value for each of `points` points. `index` is
 /// the index of the array to process. Returns "" or an error message.
 std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkIdType points);

@@ -29,13 +29,13 @@ std::string checkStrengths(
   const auto branches = static_cast<int>(series.count);
   if (!array)
   {
-    return joined(
-      "Array to process ", RelaxationArrayIndex, " ('", name, "') is not on the input's points");
+    return missingArray(name, RelaxationArrayIndex);
   }
   if (branches == 0)
   {
     return joined("Array '", name,
-      "' has strengths of relaxations, but there is no relaxation: see AddRelaxation");
+      "' has strengths of relaxations, but there is no relaxation: add rows to Relaxations "
+      "(AddRelaxation)");
   }
   if (array->GetNumberOfComponents() != branches ||
     array->GetNumberOfTuples() != body->GetNumberOfPoints())
@@ -66,7 +66,7 @@ std::string checkElastic(const MaterialArray& compliance)
     if (!isStorable(array->GetComponent(i, 0)))
     {
       return joined("Array '", name, "': global compliance of point ", i,
-        " must not be negative (mm/N) with ComplianceRelaxes off, but is ",
+        " must not be negative (mm/N) with Compliance Relaxes off, but is ",
         array->GetComponent(i, 0));
     }
   }

@@ -72,11 +72,11 @@ std::string checkTilts(const TiltRequest& request)
   if (!(request.degrees >= 0.0 && std::isfinite(request.degrees)))
   {
     return joined(
-      "MaximumTilt must be finite and not negative (degrees), but is ", request.degrees);
+      "Maximum Tilt must be finite and not negative (degrees), but is ", request.degrees);
   }
   const std::string fault =
     request.degrees > 0.0 ? checkTilt(request.tool, radians(request)) : std::string();
-  return fault.empty() ? fault : "MaximumTilt: " + fault;
+  return fault.empty() ? fault : "Maximum Tilt: " + fault;
 }
 
 std::string attachTilts(const TiltRequest& request, const BodyMaterial* material, double tolerance,
@@ -91,7 +91,7 @@ std::string attachTilts(const TiltRequest& request, const BodyMaterial* material
     tiltsIn(request, material, static_cast<std::size_t>(output->GetNumberOfPoints()));
   if (!tilts.fault.empty())
   {
-    return "MaximumTilt: " + tilts.fault;
+    return "Maximum Tilt: " + tilts.fault;
   }
   describeTilts(output, name, tilts.table, tilts.weights);
   return material && tolerance > 0.0 ? limitValidity(request, *material, tolerance, name, output)

@@ -25,8 +25,8 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, Chos
   if (!cells || !deflections || !points || !normals || points->GetNumberOfComponents() != 3 ||
     normals->GetNumberOfComponents() != 3)
   {
-    return "port 1 must be the output of vtkToolContactProbe: ContactCell, Deflection, "
-           "ContactPoint(3) or Normal(3) is missing";
+    return "Tips (input port 1) must be the output of Tool Contact Probe (vtkToolContactProbe): "
+           "ContactCell, Deflection, ContactPoint(3) or Normal(3) is missing";
   }
   FieldContact& contact = chosen.contact;
   contact.cell = static_cast<vtkIdType>(cells->GetTuple1(index));
@@ -92,7 +92,7 @@ std::string chooseTip(const Ranks& ranks, vtkPolyData* tips, vtkIdType index, Ch
   const vtkIdType tip = index < 0 ? count - 1 : index;
   if (tip >= count)
   {
-    return "TipIndex " + std::to_string(tip) + " is beyond the last of " + std::to_string(count) +
+    return "Tip Index " + std::to_string(tip) + " is beyond the last of " + std::to_string(count) +
       " tips";
   }
   const bool isOwn = tip >= first && tip < first + own;

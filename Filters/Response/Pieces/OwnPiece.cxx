@@ -49,7 +49,8 @@ std::string checkType(vtkInformation* input, const char* what)
     return {};
   }
   return std::string("the ") + what + " must be vtkPolyData, but is " + given->GetClassName() +
-    "; vtkBodySurface makes one surface of it (in ParaView: Tool Contact Response takes it as it "
+    "; Body Surface (vtkBodySurface) makes one surface of it (in ParaView: Tool Contact Response "
+    "takes it as it "
     "is)";
 }
 } // namespace palpate

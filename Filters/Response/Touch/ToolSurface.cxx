@@ -126,7 +126,7 @@ std::string makeToolSurface(
   normals->Update();
   if (!normals->GetOutput()->GetPointData()->GetNormals())
   {
-    return joined("A tool of Length ", size.length, " mm and MaximumRadius ", size.maximumRadius,
+    return joined("A tool of Length ", size.length, " mm and Maximum Radius ", size.maximumRadius,
       " mm has no surface: these lengths are too far from the size of the tool");
   }
   output->ShallowCopy(normals->GetOutput());

@@ -111,7 +111,8 @@ std::string readHeldFaces(const std::string& text, double usual, HeldFaces& face
     const std::size_t axis = side.size() == 2 ? std::string("xyz").find(side[0]) : 3;
     if (axis > 2 || (side[1] != '-' && side[1] != '+'))
     {
-      return "FixedFaces must name sides among x-, x+, y-, y+, z- and z+, but names '" + side + "'";
+      return "Fixed Faces must name sides among x-, x+, y-, y+, z- and z+, but names '" + side +
+        "'";
     }
     HeldFace held{ usual, side.size() < word.size() };
     if (held.isGiven)
@@ -120,7 +121,7 @@ std::string readHeldFaces(const std::string& text, double usual, HeldFaces& face
       if (!(number >> held.depth) || !number.eof() || !(held.depth > 0.0) ||
         !std::isfinite(held.depth))
       {
-        return "FixedFaces: the depth of a side must be positive (mm), as in 'z-:5', but is '" +
+        return "Fixed Faces: the depth of a side must be positive (mm), as in 'z-:5', but is '" +
           word + "'";
       }
     }

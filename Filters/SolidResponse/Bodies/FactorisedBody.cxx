@@ -28,7 +28,7 @@ std::string refusal(vtkIdType unknowns, double memoryLimit, double memory)
 {
   return joined("The factorisation of ", unknowns, " unknowns needs about ", memory,
     " MiB, more than ",
-    memoryLimit > 0.0 ? "MemoryLimit, " : "what is available (MemoryLimit is 0), ",
+    memoryLimit > 0.0 ? "Memory Limit, " : "what is available (Memory Limit is 0), ",
     allowedMemory(memoryLimit) / Mebibyte, " MiB");
 }
 } // namespace
@@ -43,17 +43,17 @@ std::string checkFactorRequest(const FactorRequest& request)
   if (!isYoungsModulus(request.material.youngsModulus))
   {
     return joined(
-      "YoungsModulus must be positive and finite (MPa), but is ", request.material.youngsModulus);
+      "Young's Modulus must be positive and finite (MPa), but is ", request.material.youngsModulus);
   }
   const double ratio = request.material.poissonRatio;
   if (!isElementRatio(ratio))
   {
-    return joined("PoissonRatio must lie between 0 and ", LargestPoissonRatio,
+    return joined("Poisson's Ratio must lie between 0 and ", LargestPoissonRatio,
       " (finite elements need a compressible material), but is ", ratio);
   }
   if (!(request.memoryLimit >= 0.0))
   {
-    return joined("MemoryLimit must be 0 or positive (MiB), but is ", request.memoryLimit);
+    return joined("Memory Limit must be 0 or positive (MiB), but is ", request.memoryLimit);
   }
   if (request.solver < static_cast<int>(StiffnessFactor::Kind::Automatic) ||
     request.solver > static_cast<int>(StiffnessFactor::Kind::Simplicial))
@@ -91,8 +91,12 @@ std::string findGridArray(vtkAlgorithm* filter, vtkDataSetAttributes* data, vtkI
   array = name ? data->GetArray(name) : find(index);
   if (!array)
   {
-    return joined("Array to process ", index, " ('", name ? name : "active attribute",
-      "') is not on the input's ", data->IsA("vtkCellData") ? "cells" : "points");
+    const bool isOfCells = data->IsA("vtkCellData");
+    const char* label = !isOfCells ? "Layer Thickness Array"
+      : index % 2 == 0             ? "Young's Modulus Array"
+                                   : "Poisson's Ratio Array";
+    return joined(label, " '", name ? name : "active attribute", "' (array to process ", index,
+      ") is not on the input's ", isOfCells ? "cells" : "points");
   }
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {

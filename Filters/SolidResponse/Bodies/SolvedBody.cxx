@@ -97,7 +97,7 @@ std::string checkShapedRequest(const LawRequest& request)
   const std::string fault = checkRequest(request);
   const std::string tooDeep =
     fault.empty() ? request.tool->GetKernel()->checkDepth(request.deflection) : std::string();
-  return tooDeep.empty() ? fault : "MaximumDeflection: " + tooDeep;
+  return tooDeep.empty() ? fault : "Maximum Deflection: " + tooDeep;
 }
 
 std::string checkLength(const char* property, double length)
@@ -149,7 +149,7 @@ std::string SolvedBody::solve(
   {
     return joined("The solutions at ", points.size(), " points for contacts of ", request.radius,
       " mm need about ", bytes / Mebibyte, " MiB, more than ", allowed / Mebibyte,
-      " MiB: give a smaller MaximumDeflection, a smaller tool or a coarser mesh");
+      " MiB: give a smaller Maximum Deflection, a smaller tool or a coarser mesh");
   }
   kept.Radius = 0.0;
   kept.Landmarks.reset();

@@ -156,7 +156,7 @@ public:
       const bool isKnown = !isInside || this->Known.count(value) > 0;
       if (!isKnown)
       {
-        this->Fault = joined("label ", value, " is not in the map: call AddMaterial");
+        this->Fault = joined("label ", value, " is not among the Materials (AddMaterial)");
       }
       const double key = isInside ? value : std::numeric_limits<double>::infinity();
       this->Volumes[key] += isKnown ? volume : 0.0;

@@ -3,6 +3,7 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
+#include "SolidResponse/Bodies/ChosenSpacing.h"
 #include "SolidResponse/Mesher/MeshConversion.h"
 #include "SolidResponse/Mesher/PreparedSurface.h"
 
@@ -60,40 +61,53 @@ std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkOb
 {
   HeldFaces faces{};
   PreparedSurface prepared;
-  std::string fault = readHeldFaces(cells.fixedFaces, 0.5 * cells.spacing, faces);
-  fault = fault.empty() ? takeSurface(body, prepared) : fault;
+  std::string fault = takeSurface(body, prepared);
   if (!fault.empty())
   {
     return fault;
   }
+  const double spacing = cells.spacing > 0.0
+    ? cells.spacing
+    : chosenSpacing(prepared.closed.area, prepared.closed.volume);
+  report.spacing = spacing;
   const double inside =
-    cells.interiorSpacing > 0.0 ? cells.interiorSpacing : InteriorRatio * cells.spacing;
-  report.cells = expectedCells(prepared.closed, cells.spacing, inside, cells.growth);
+    cells.interiorSpacing > 0.0 ? cells.interiorSpacing : InteriorRatio * spacing;
+  fault = readHeldFaces(cells.fixedFaces, 0.5 * spacing, faces);
+  if (fault.empty() && inside < spacing)
+  {
+    fault = joined(
+      "Interior Spacing must be 0 or at least Surface Spacing, ", spacing, " mm, but is ", inside);
+  }
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  report.cells = expectedCells(prepared.closed, spacing, inside, cells.growth);
   for (const FineBall& ball : cells.balls)
   {
-    report.cells += expectedBallCells(ball, cells.spacing, cells.growth);
+    report.cells += expectedBallCells(ball, spacing, cells.growth);
   }
   const double needed = BytesPerCell * report.cells;
   const double available = availableMemory();
   if (!(report.cells < MostCells) || needed > available)
   {
-    return joined("SurfaceSpacing ", cells.spacing, " mm",
-      cells.balls.empty() ? "" : " with its FineBalls", " makes about ", report.cells,
+    return joined("Surface Spacing ", spacing, " mm",
+      cells.balls.empty() ? "" : " with its Fine Balls", " makes about ", report.cells,
       " tetrahedra, which need about ", needed / Mebibyte, " MiB, but ", available / Mebibyte,
       " MiB are available, and more than ", MostCells, " are too many");
   }
-  fault = mendAndCut(cells.spacing, faces, prepared);
+  fault = mendAndCut(spacing, faces, prepared);
   report.warnings = prepared.warnings;
   if (!fault.empty())
   {
     return fault;
   }
   MeshedSurface& wanted = prepared.wanted;
-  wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), cells.spacing);
+  wanted.spacing.assign(static_cast<std::size_t>(wanted.points.cols()), spacing);
   wanted.balls = cells.balls;
   wanted.interiorSpacing = inside;
   wanted.growth = cells.growth;
-  wanted.deviation = cells.deviation > 0.0 ? cells.deviation : DeviationRatio * cells.spacing;
+  wanted.deviation = cells.deviation > 0.0 ? cells.deviation : DeviationRatio * spacing;
   CurvedTetrahedra curved;
   bool isStopped = false;
   const auto meshed = [&](double done)
@@ -101,7 +115,7 @@ std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkOb
     isStopped = observer && !observer(MeshedShare * done);
     return !isStopped;
   };
-  fault = fillPrepared(prepared, cells.spacing, report.cells, meshed, curved);
+  fault = fillPrepared(prepared, spacing, report.cells, meshed, curved);
   if (!fault.empty() || isStopped)
   {
     return fault;

@@ -16,7 +16,7 @@ namespace palpate
 /// The cells that fill a closed surface, as the properties of vtkGradedBody describe them.
 struct GradedCells
 {
-  double spacing = 2.0;         ///< spacing at the surface, mm
+  double spacing = 0.0;         ///< spacing at the surface, mm; 0: chosenSpacing()
   double interiorSpacing = 0.0; ///< mm; 0: four times `spacing`
   double growth = 0.5;
   double deviation = 0.0; ///< mm; 0: a twentieth of `spacing`
@@ -27,6 +27,7 @@ struct GradedCells
 /// Expected number of cells, also set if they are too many, and the repairs of the surface.
 struct GradedReport
 {
+  double spacing = 0.0; ///< the spacing at the surface, given or chosen, mm
   double cells = 0.0;
   std::vector<std::string> warnings;
 };

@@ -140,7 +140,7 @@ std::string fillPrepared(PreparedSurface& prepared, double spacing, double cells
   } while (mesh.isTooRough && wanted.deviation < spacing);
   if (mesh.isTooRough)
   {
-    return joined("The surface is rougher than SurfaceSpacing ", spacing,
+    return joined("The surface is rougher than Surface Spacing ", spacing,
       " mm can follow: smooth it, or give a larger one");
   }
   if (!fault.empty() || mesh.cells.empty())
@@ -152,7 +152,8 @@ std::string fillPrepared(PreparedSurface& prepared, double spacing, double cells
   if (!(std::abs(volume / expected - 1.0) < LostVolume))
   {
     return joined("The tetrahedra fill ", volume, " of the ", expected,
-      " mm³ inside the surface: SurfaceSpacing ", spacing, " mm is too coarse for some part of it");
+      " mm³ inside the surface: Surface Spacing ", spacing,
+      " mm is too coarse for some part of it");
   }
   curved = curveTetrahedra(mesh, outsideReach(prepared.closed.surface, wanted, prepared.cuts));
   return {};

@@ -264,7 +264,7 @@ ContactField BodyDisplay::makeField(Dent& dent, std::string& fault)
   const AxisymmetricTool* law = dent.tool ? dent.tool->GetKernel() : nullptr;
   if (fault.empty() && !isPoissonsRatio(this->PoissonRatio))
   {
-    fault = "PoissonRatio must lie between 0 and 0.5";
+    fault = "Poisson's Ratio must lie between 0 and 0.5";
   }
   if (fault.empty() && !isTriangle(this->Body, static_cast<vtkIdType>(contact.cell)))
   {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The pages of ParaView's help, with the pictures of the manual beside them. Appends to `panel`, what
-# paraview_add_plugin() takes.
+# The pages of ParaView's help, with the pictures of the manual, in the order of contents.xml. Without that file ParaView would
+# list them by file name, and its index twice. Appends to `panel`, what paraview_add_plugin() takes.
 if(PARAVIEW_USE_QT)
   set(help "${CMAKE_CURRENT_BINARY_DIR}/HelpPages")
   set(help_pages)
@@ -12,5 +12,9 @@ if(PARAVIEW_USE_QT)
     configure_file("${file}" "${help}/${name}" COPYONLY)
     list(APPEND help_pages "${help}/${name}")
   endforeach()
+  set(contents "${CMAKE_CURRENT_SOURCE_DIR}/Help/contents.xml")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${contents}")
+  file(READ "${contents}" help_contents)
+  list(APPEND panel DOCUMENTATION_TOC "${help_contents}")
   list(APPEND panel DOCUMENTATION_DIR "${help}" DOCUMENTATION_DEPENDENCIES ${help_pages})
 endif()

@@ -102,8 +102,8 @@ LiveTouchForm::LiveTouchForm(QWidget* contents)
   , force(named<QLabel>("force", "The force that the device applies, N."))
   , limit(named<QLabel>("limit", "The largest force of the device, N."))
   , error(named<QLabel>("error", "Estimated error of the ideal force, from the response."))
-  , memory(
-      wrapped("memory", "For a body that relaxes: the part of the ideal force that is memory."))
+  , memory(wrapped("memory",
+      "For a body that relaxes: the part of the ideal force that fades while the tool rests."))
   , deflection(named<QLabel>("deflection", "Depth of the tip in the undeformed body, mm."))
   , servo(named<QLabel>("servo", "Ticks of the servo loop, and the number of missed ticks."))
   , grant(wrapped("grant",
@@ -122,7 +122,7 @@ LiveTouchForm::LiveTouchForm(QWidget* contents)
   this->depth->setRange(0.0, 1000.0);
   this->depth->setSingleStep(0.1);
   this->depth->setSpecialValueText("half of the range");
-  this->snap->setText("keep to the surface");
+  this->snap->setText("snap to the surface");
   this->snap->setChecked(true);
   this->force->setMinimumWidth(this->force->fontMetrics().horizontalAdvance("00.000 N"));
 
@@ -143,11 +143,11 @@ LiveTouchForm::LiveTouchForm(QWidget* contents)
   rows->addRow("", this->remark);
   rows->addRow("Force", felt);
   rows->addRow("Error", this->error);
-  rows->addRow("Memory", this->memory);
-  rows->addRow("Limit", this->limit);
+  rows->addRow("Force that relaxes", this->memory);
+  rows->addRow("Largest force", this->limit);
   rows->addRow("Deflection", this->deflection);
-  rows->addRow("Servo", this->servo);
-  rows->addRow("Granted", this->grant);
+  rows->addRow("Servo rate", this->servo);
+  rows->addRow("Real-time priority", this->grant);
 }
 
 void LiveTouchForm::listDevices()

@@ -22,7 +22,7 @@ class Measured(NamedTuple):
     sites: List[Dict[str, Any]]
 
 
-def measured(body: Body, files: Union[File, Sequence[File]], tool: Tool = "sphere:6.35",
+def measured(body: Body, files: Union[File, Sequence[File]], tool: Tool = "sphere:5",
              model: Optional[Literal["half-space", "compliance", "layer"]] = None, poisson: float = 0.45,
              maximum_strain: float = 0.4, reach: float = 20.0, registration: Optional[File] = None,
              maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response") -> Measured:

@@ -8,7 +8,7 @@ from typing import Any, List, Literal, NamedTuple, Optional, Tuple, Union, overl
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import _arrays, _filters
+from . import _arrays, _filters, _words
 from ._bodies import as_body, shallow_copy
 from ._types import Body, Reals
 from .palpateResponse import vtkToolContactProbe
@@ -222,9 +222,7 @@ def _as_tips(tips, path, time, axis, coupled):
 
 
 def _choose(argument, value):
-    if value not in CHOICES[argument]:
-        raise ValueError("%s must be one of %s, but is %r" % (argument, ", ".join(CHOICES[argument]), value))
-    return CHOICES[argument][value]
+    return _words.value_of(value, CHOICES[argument], argument)
 
 
 class _prepared:

@@ -8,17 +8,17 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
-from . import _arrays, _filters, _tissues
+from . import _arrays, _filters, _tissues, _words
 from ._bodies import as_body, shallow_copy, warn_about_size
 from ._types import Base, Body, Layer, PerPoint, Reals, Strain, Tool
 from .palpateResponse import vtkContactRegime, vtkContactTool, vtkToolContactResponse
 
 BASES = {"bonded": vtkToolContactResponse.Bonded, "slip": vtkToolContactResponse.Slip}
-STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neohooke": vtkToolContactResponse.NeoHooke,
+STRAINS = {"small": vtkToolContactResponse.SmallStrain, "neo-hooke": vtkToolContactResponse.NeoHooke,
            "ogden": vtkToolContactResponse.Ogden, "demiray": vtkToolContactResponse.Demiray}
 
 
-def response(body: Body, tool: Tool = "sphere:6.35", young: PerPoint = 0.05, poisson: PerPoint = 0.45,
+def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson: PerPoint = 0.45,
              layer: Optional[PerPoint] = None, base: Base = "bonded", compliance: Optional[PerPoint] = True,
              maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response",
              compliance_excludes_layer: bool = False, curvature: bool = True, strain: Strain = "small",
@@ -57,12 +57,12 @@ def response(body: Body, tool: Tool = "sphere:6.35", young: PerPoint = 0.05, poi
     compliance_excludes_layer : True if the compliance was found without the base of the layers, so that both count.
     curvature : whether the law includes the curvature of the body, which is found from the mesh; False: the body counts
         as flat.
-    strain : "small", "neohooke", ("ogden", ALPHA) or ("demiray", B): law of the material at large strain.
+    strain : "small", "neo-hooke", ("ogden", ALPHA) or ("demiray", B): law of the material at large strain.
     error_tolerance : relative to the force, 0.05 for 5 %. Validity is the depth at which the estimated error exceeds it,
         and the error at each sample is stored in NAME + Error. 0: Validity is the depth at which the first assumption of
         the law fails, and no error is stored.
     automatic : relative to the force, 0.01 (or True) for 1 %. Layers, curvature and finite strain are left out of the
-        law if together they change the force by no more than that. "neohooke" is added if its tables have the tool and
+        law if together they change the force by no more than that. "neo-hooke" is added if its tables have the tool and
         it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
         the reasons. None or False: all terms as given.
     edges : whether sharp edges have an effect in palpate.probe and in sessions: a contact near an edge is softer and is
@@ -204,9 +204,7 @@ def _set_points(made, body, points):
 
 def _set_strain(made, strain):
     name, parameter = (strain, None) if isinstance(strain, str) else strain
-    if name not in STRAINS:
-        raise ValueError("strain must be one of %s, but is %r" % (", ".join(map(repr, STRAINS)), name))
-    made.SetStrainModel(STRAINS[name])
+    made.SetStrainModel(_words.value_of(name, STRAINS, "strain"))
     if name == "ogden":
         made.SetOgdenExponent(_arrays.number(parameter, "strain: the exponent of 'ogden'"))
     if name == "demiray":
@@ -221,7 +219,7 @@ class Regime(NamedTuple):
     verdict: np.ndarray
 
 
-def regime(body: Body, deflection: Optional[float] = None, tool: Optional[Tool] = None, young: PerPoint = 0.05,
+def regime(body: Body, deflection: Optional[float] = None, tool: Optional[Tool] = None, young: PerPoint = 0.1,
            poisson: PerPoint = 0.45, layer: Optional[PerPoint] = None, base: Base = "bonded",
            compliance: Optional[PerPoint] = None, name: str = "Response", compliance_excludes_layer: bool = False,
            layers: Sequence[Layer] = ()) -> Regime:

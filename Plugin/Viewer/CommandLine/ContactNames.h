@@ -22,6 +22,19 @@ inline ContactNames namesOf(const SettingRow& setting)
   return names;
 }
 
+/// The name of a value for one of its names: an earlier name becomes the present one.
+inline std::string presentName(const SettingRow& setting, const std::string& name)
+{
+  for (const SettingWord& word : setting.words)
+  {
+    if (word.older && name == word.older)
+    {
+      return word.option;
+    }
+  }
+  return name;
+}
+
 /// The range of a setting.
 inline NumberRange rangeOf(const SettingRow& setting)
 {

@@ -170,8 +170,8 @@ std::string readStrain(const std::string& text, LawTerms& terms)
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
   const std::map<std::string, StrainModel> models = { { "small", StrainModel::Linear },
-    { "neo-hooke", StrainModel::NeoHooke }, { "ogden", StrainModel::Ogden },
-    { "demiray", StrainModel::Demiray } };
+    { "neo-hooke", StrainModel::NeoHooke }, { "neohooke", StrainModel::NeoHooke },
+    { "ogden", StrainModel::Ogden }, { "demiray", StrainModel::Demiray } };
   const auto found = models.find(name);
   if (found == models.end())
   {

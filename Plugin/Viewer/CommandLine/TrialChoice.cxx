@@ -54,9 +54,10 @@ std::string readContact(
     return fault;
   }
   std::string known;
+  const std::string wanted = presentName(setting, text);
   for (const auto& [name, value] : namesOf(setting))
   {
-    if (name == text)
+    if (name == wanted)
     {
       setting.set(contact, value);
       return {};

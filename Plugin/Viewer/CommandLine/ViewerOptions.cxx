@@ -39,6 +39,13 @@ void addContactOptions(CLI::App& app, ContactSettings& contact)
           [&contact, &setting, names](const std::string& name)
           { setting.set(contact, names.at(name)); },
           help)
+        ->transform(CLI::Validator(
+          [&setting](std::string& name)
+          {
+            name = presentName(setting, name);
+            return std::string();
+          },
+          ""))
         ->check(CLI::IsMember(names))
         ->default_str(setting.words[usual].option);
     }
@@ -121,11 +128,17 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
   app.add_option("--scan", options.scan, "scan of the head scene (default: mricron-data's ch2)");
   app
     .add_option("--tool", options.tools,
-      "a tool; with several tools their curves are compared, and the first one touches the body")
+      "a tool (for BODY sphere:5 by default); with several tools their curves are compared, and "
+      "the "
+      "first one touches the body")
     ->check(CLI::Validator(checkToolText, "SHAPE:SIZE"));
-  app.add_option("--young", options.youngsModulus, "Young's modulus of the body, MPa")
+  app
+    .add_option("--young", options.youngsModulus,
+      "Young's modulus of the body, MPa (for BODY 0.1 by default)")
     ->check(within(YoungsModulusRange, "POSITIVE"));
-  app.add_option("--poisson", options.poissonsRatio, "Poisson's ratio of the body")
+  app
+    .add_option(
+      "--poisson", options.poissonsRatio, "Poisson's ratio of the body (for BODY 0.45 by default)")
     ->check(within(PoissonsRatioRange, "0 TO 0.5"));
   app.add_option("--depth", options.depth, "depth to which the tip is pressed, mm")
     ->check(positive("a depth in mm, e.g. 1", LargestDepth));
@@ -294,8 +307,10 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "distance between the vertices of a scan's surface, mm; 0: that of the scan's voxels")
     ->check(notNegative("a distance in mm, e.g. 2; 0: the scan's own"))
     ->capture_default_str();
-  app.add_option("--contour", options.contourValue, "grey level of the skin in a scan")
-    ->check(any("a grey level, e.g. 30"))
+  app
+    .add_option("--contour", options.contourValue,
+      "grey level of the skin in a scan; 0: chosen from the scan (the head's default is 30)")
+    ->check(any("a grey level, e.g. 30; 0: chosen"))
     ->capture_default_str();
   app
     .add_option("--closing", options.closingRadius,

@@ -50,7 +50,7 @@ struct ViewerOptions
   bool wholeBody = true; ///< whether the compliance of the whole body is included where it applies
   double lengthScale = 1.0;
   double resolution = 0.0;
-  double contourValue = 30.0;
+  double contourValue = 0.0; ///< grey level of the skin in a scan; 0: chosen from the scan
   double closingRadius = 6.0;
   std::optional<std::array<double, 3>> site;
   std::optional<std::array<double, 3>> slideTo;

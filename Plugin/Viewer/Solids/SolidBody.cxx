@@ -4,6 +4,7 @@
 #include "Response/Files/CollectingWindow.h"
 #include "Mechanics/JoinedText.h"
 #include "ProgressLine.h"
+#include "SolidResponse/Bodies/ChosenSpacing.h"
 #include "SolidTools.h"
 #include "SolvedCache.h"
 
@@ -21,17 +22,9 @@ namespace palpate
 {
 namespace
 {
-// These sizes take two minutes on two cores: the factorization for a hundred thousand unknowns, and
-// ten thousand solutions.
-constexpr double UsualCells = 20000.0;
-constexpr double UsualSources = 10000.0;
-/// Number of vtkGradedBody's cells: this factor times the surface area, divided by the square of
-/// the spacing.
-constexpr double CellsPerSquare = 8.7;
-/// Limits of the spacing: at least this fraction of the contact radius, and at most this fraction
-/// of the cube root of the volume, which the shape of the body needs.
+constexpr double UsualSources = 10000.0; ///< about a minute on two cores
+/// The spacing is at least this fraction of the contact radius, if the shape of the body allows it.
 constexpr double LeastOfContact = 0.5;
-constexpr double MostOfBody = 1.0 / 6.0;
 /// Sources are nodes, including the nodes in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
 /// Ratio of the spacings of the second and the first mesh. The second mesh serves to estimate the
@@ -60,9 +53,9 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   sizes.spacing = given;
   if (given == 0.0)
   {
-    sizes.spacing =
-      std::max(std::sqrt(CellsPerSquare * area / UsualCells), LeastOfContact * contactRadius);
-    sizes.spacing = std::min(sizes.spacing, MostOfBody * std::cbrt(shape->GetVolume()));
+    const double volume = shape->GetVolume();
+    sizes.spacing = std::min(std::max(chosenSpacing(area, volume), LeastOfContact * contactRadius),
+      LargestOfBody * std::cbrt(volume));
   }
   sizes.sources = std::max(LeastOfSpacing * sizes.spacing, std::sqrt(area / UsualSources));
   return sizes;

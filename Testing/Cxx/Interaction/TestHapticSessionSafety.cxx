@@ -116,10 +116,10 @@ void checkLimits(vtkPolyData* body)
     PALPATE_CHECK(session->GetState() == vtkHapticSession::Stopped);
   };
   safety->SetForceLimit(std::nan(""));
-  refused("MaximumForce");
+  refused("Maximum Force");
   safety->SetForceLimit(1.5);
   safety->SetEntryRamp(-1.0);
-  refused("EntryRamp");
+  refused("Entry Ramp");
   safety->SetEntryRamp(0.0);
   device->SetScale(0.0);
   refused("Scale");
@@ -223,7 +223,7 @@ void checkChange(vtkPolyData* body)
   session->SetResponseName("Small");
   session->GetSettings()->SetFrictionCoefficient(-1.0);
   PALPATE_CHECK(!session->ApplyChanges());
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "FrictionCoefficient");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Friction Coefficient");
   session->GetSettings()->SetFrictionCoefficient(0.0);
   session->Step(0.1);
   PALPATE_CHECK(device->Force == last && session->GetRecorder()->GetTicks().back().scene == 1);

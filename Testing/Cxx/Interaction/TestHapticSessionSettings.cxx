@@ -65,14 +65,14 @@ void checkRefused(vtkPolyData* body)
     std::function<void(Settings)> set;
   };
   const std::vector<Wrong> wrong = {
-    { "ForceForm", "7", [](Settings s) { s->SetForceForm(7); } },
-    { "ContactSurface", "-1", [](Settings s) { s->SetContactSurface(-1); } },
-    { "FrictionModel", "3", [](Settings s) { s->SetFrictionModel(3); } },
-    { "FrictionCoefficient", "nan", [](Settings s) { s->SetFrictionCoefficient(std::nan("")); } },
-    { "TangentialStiffness", "-2", [](Settings s) { s->SetTangentialStiffness(-2.0); } },
-    { "FrictionBreakaway", "2", [](Settings s) { s->SetFrictionBreakaway(2.0); } },
-    { "FrictionStickRadius", "0.25", [](Settings s) { s->SetFrictionStickRadius(0.25); } },
-    { "PoissonRatio", "0.75", [](Settings s) { s->SetPoissonRatio(0.75); } },
+    { "Force Form", "7", [](Settings s) { s->SetForceForm(7); } },
+    { "Contact Surface", "-1", [](Settings s) { s->SetContactSurface(-1); } },
+    { "Friction Model", "3", [](Settings s) { s->SetFrictionModel(3); } },
+    { "Friction Coefficient", "nan", [](Settings s) { s->SetFrictionCoefficient(std::nan("")); } },
+    { "Tangential Stiffness", "-2", [](Settings s) { s->SetTangentialStiffness(-2.0); } },
+    { "Friction Breakaway", "2", [](Settings s) { s->SetFrictionBreakaway(2.0); } },
+    { "Friction Stick Radius", "0.25", [](Settings s) { s->SetFrictionStickRadius(0.25); } },
+    { "Poisson's Ratio", "0.75", [](Settings s) { s->SetPoissonRatio(0.75); } },
   };
   for (const Wrong& setting : wrong)
   {

@@ -119,7 +119,7 @@ void checkFiles()
   vtkNew<vtkTrajectoryReader> reader;
   Messages messages(reader);
   reader->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "FileName is required");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "File Name is required");
   write("# a hand\n\"time_s\",tip_x_mm,tip_y_mm,tip_z_mm\n0,1,2,3\n0.5,1,2,4\n");
   PALPATE_CHECK(vtkTrajectoryReader::CanReadFile(File) == 1);
   reader->SetFileName(File);

@@ -66,9 +66,9 @@ TEST(BodyMaterial, WrongConstantsAreNamed)
     return BodyMaterial({ young, poisson, thickness, LayerBase::Bonded, false }).checkConstants();
   };
   EXPECT_EQ(check(0.1, 0.45, 1.0), "");
-  expectNames(check(0.0, 0.45, 0.0), { "YoungsModulus", "MPa", "0" });
-  expectNames(check(0.1, 0.51, 0.0), { "PoissonRatio", "0.51" });
-  expectNames(check(0.1, 0.45, -1.0), { "LayerThickness", "-1" });
+  expectNames(check(0.0, 0.45, 0.0), { "Young's Modulus", "MPa", "0" });
+  expectNames(check(0.1, 0.51, 0.0), { "Poisson's Ratio", "0.51" });
+  expectNames(check(0.1, 0.45, -1.0), { "Layer Thickness", "-1" });
 }
 
 TEST(BodyMaterial, AWrongValueIsNamedWithItsPoint)
@@ -94,7 +94,8 @@ TEST(BodyMaterial, ABaseIsNotCountedTwice)
   values.compliance = { "C", { 1.0 } };
   BodyMaterial::Constants layered = Usual;
   layered.thickness = 3.0;
-  expectNames(take(layered, values, 1), { "LayerThickness 3", "'C'", "ComplianceExcludesLayer" });
+  expectNames(
+    take(layered, values, 1), { "Layer Thickness 3", "'C'", "Compliance Excludes Layer" });
   layered.complianceExcludesLayer = true;
   EXPECT_EQ(take(layered, values, 1), "");
 }

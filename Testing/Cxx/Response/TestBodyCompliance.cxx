@@ -346,11 +346,11 @@ void checkErrors()
     checkText(messages.errors(), words, __FILE__, __LINE__);
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   };
-  fails([](auto* f) { f->SetYoungsModulus(0.0); }, { "YoungsModulus", "0" });
-  fails([](auto* f) { f->SetPoissonRatio(0.5); }, { "PoissonRatio", "0.5" });
+  fails([](auto* f) { f->SetYoungsModulus(0.0); }, { "Young's Modulus", "0" });
+  fails([](auto* f) { f->SetPoissonRatio(0.5); }, { "Poisson's Ratio", "0.5" });
   fails([](auto* f) { f->SetContactRadius(-1.0); }, { "ContactRadius", "-1" });
   fails([](auto* f) { f->SetNumberOfCells(5); }, { "NumberOfCells", "5" });
-  fails([](auto* f) { f->SetFixedFaces("w+"); }, { "FixedFaces", "w+" });
+  fails([](auto* f) { f->SetFixedFaces("w+"); }, { "Fixed Faces", "w+" });
   vtkNew<vtkPlaneSource> sheet;
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(sheet->GetOutputPort());

@@ -189,7 +189,7 @@ void checkErrors()
   regime->SetDeflection(1.0);
   regime->SetPoissonRatio(0.6);
   regime->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "PoissonRatio", "0.6");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Poisson's Ratio", "0.6");
   regime->SetPoissonRatio(0.3);
   useArray(regime, 2, "missing");
   regime->Update();

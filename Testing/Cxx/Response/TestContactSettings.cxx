@@ -87,15 +87,15 @@ void checkFaults()
   PALPATE_CHECK(settings->GetFault().empty());
   settings->SetFrictionCoefficient(-1.0);
   PALPATE_CHECK(
-    settings->GetFault() == "FrictionCoefficient must be finite and not negative, but is -1");
+    settings->GetFault() == "Friction Coefficient must be finite and not negative, but is -1");
   settings->SetFrictionCoefficient(std::nan(""));
-  PALPATE_CHECK_TEXT(settings->GetFault(), "FrictionCoefficient", "nan");
+  PALPATE_CHECK_TEXT(settings->GetFault(), "Friction Coefficient", "nan");
   settings->SetFrictionCoefficient(0.2);
   settings->SetFrictionModel(3);
-  PALPATE_CHECK_TEXT(settings->GetFault(), "FrictionModel", "2 (ShapeDerived)", "but is 3");
+  PALPATE_CHECK_TEXT(settings->GetFault(), "Friction Model", "2 (ShapeDerived)", "but is 3");
   settings->SetFrictionModel(0);
   settings->SetFrictionStickRadius(0.5); // wrong only until the breakaway is set
-  PALPATE_CHECK_TEXT(settings->GetFault(), "FrictionStickRadius", "breakaway", "0.5");
+  PALPATE_CHECK_TEXT(settings->GetFault(), "Friction Stick Radius", "breakaway", "0.5");
   settings->SetFrictionBreakaway(0.4);
   PALPATE_CHECK(settings->GetFault().empty());
 }
@@ -149,9 +149,9 @@ void checkSharing()
   Messages touching(touch);
   first->GetSettings()->SetFrictionBreakaway(2.0);
   second->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "FrictionBreakaway must lie between 0 and 1", "is 2");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Friction Breakaway must lie between 0 and 1", "is 2");
   touch->Update();
-  PALPATE_CHECK_TEXT(touching.takeErrors(), "FrictionBreakaway must lie between 0 and 1", "is 2");
+  PALPATE_CHECK_TEXT(touching.takeErrors(), "Friction Breakaway must lie between 0 and 1", "is 2");
   second->SetSettings(nullptr); // its own settings again, as at first
   PALPATE_CHECK(second->GetSettings() && second->GetSettings() != first->GetSettings());
   PALPATE_CHECK(lastFriction(second) == 0.0 && messages.none());

@@ -191,7 +191,7 @@ void checkErrors()
   source->SetLength(30.0);
   source->SetMaximumRadius(-1.0);
   source->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "MaximumRadius");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Maximum Radius");
   PALPATE_CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
   source->SetMaximumRadius(1e300); // as from a body with a damaged coordinate
   source->SetLength(1e300);

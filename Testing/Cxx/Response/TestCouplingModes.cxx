@@ -213,7 +213,7 @@ void checkFaults()
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK_TEXT(
-    messages.takeErrors(), "NumberOfCouplingModes must lie between 0 and 16, but is 17");
+    messages.takeErrors(), "Number Of Coupling Modes must lie between 0 and 16, but is 17");
   filter->SetNumberOfCouplingModes(0);
   filter->Update();
   PALPATE_CHECK(messages.none());

@@ -62,10 +62,10 @@ void checkErrors()
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   };
   filter->SetPoissonRatio(0.6);
-  fails({ "PoissonRatio", "0.6" });
+  fails({ "Poisson's Ratio", "0.6" });
   filter->SetPoissonRatio(0.5);
   filter->SetTipIndex(3);
-  fails({ "TipIndex 3", "1 tips" });
+  fails({ "Tip Index 3", "1 tips" });
   filter->SetTipIndex(-1);
   for (const vtkIdType cell : { 8, 100 })
   {

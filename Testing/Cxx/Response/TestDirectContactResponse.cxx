@@ -310,7 +310,7 @@ void checkErrors()
   wrong(filter, { "Tool" });
   filter = press(before, body, coarser, "z-");
   filter->SetErrorTolerance(0.0);
-  wrong(filter, { "ErrorTolerance", "0" });
+  wrong(filter, { "Error Tolerance", "0" });
   filter = press(before, body, coarser, "w-");
   wrong(filter, { "w-" });
   filter = press(before, body, body, "z-");
@@ -323,10 +323,10 @@ void checkErrors()
   without->ShallowCopy(before);
   without->GetPointData()->RemoveArray("ResponseError");
   filter = press(without, body, coarser, "z-");
-  wrong(filter, { "ResponseError", "StoreError" });
+  wrong(filter, { "ResponseError", "Store Error" });
   filter = press(before, body, coarser, "z-");
   filter->SetYoungsModulus(-1.0);
-  wrong(filter, { "YoungsModulus", "-1" });
+  wrong(filter, { "Young's Modulus", "-1" });
   // If every error is within the tolerance, nothing is pressed, and the solids are not used.
   filter = press(before, body, coarser, "z-");
   filter->SetErrorTolerance(1.0);

@@ -236,11 +236,11 @@ void checkErrors()
   };
   const auto nothing = [](vtkElasticCompliance*) {};
   Grid grid = block(3, 3);
-  fails(grid, [](auto* f) { f->SetPoissonRatio(0.4995); }, { "PoissonRatio", "0.4995" });
-  fails(grid, [](auto* f) { f->SetYoungsModulus(0.0); }, { "YoungsModulus", "0" });
-  fails(grid, [](auto* f) { f->SetYoungsModulus(std::nan("")); }, { "YoungsModulus", "nan" });
-  fails(grid, [](auto* f) { f->SetPatchRadius(-1.0); }, { "PatchRadius", "-1" });
-  fails(grid, [](auto* f) { f->SetLoadedPoint(5000); }, { "LoadedPoint", "5000" });
+  fails(grid, [](auto* f) { f->SetPoissonRatio(0.4995); }, { "Poisson's Ratio", "0.4995" });
+  fails(grid, [](auto* f) { f->SetYoungsModulus(0.0); }, { "Young's Modulus", "0" });
+  fails(grid, [](auto* f) { f->SetYoungsModulus(std::nan("")); }, { "Young's Modulus", "nan" });
+  fails(grid, [](auto* f) { f->SetPatchRadius(-1.0); }, { "Patch Radius", "-1" });
+  fails(grid, [](auto* f) { f->SetLoadedPoint(5000); }, { "Loaded Point", "5000" });
   fails(grid,
     [](auto* f)
     { f->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Stiff"); },

@@ -255,7 +255,7 @@ void checkErrorsAndAbort()
     const auto filter = makeFilter(bar(6, 3), count);
     Messages messages(filter.Get());
     filter->Update();
-    PALPATE_CHECK_TEXT(messages.errors(), "NumberOfModes");
+    PALPATE_CHECK_TEXT(messages.errors(), "Number Of Modes");
     PALPATE_CHECK_TEXT(messages.errors(), std::to_string(count).c_str());
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   }

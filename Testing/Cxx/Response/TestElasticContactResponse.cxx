@@ -518,20 +518,21 @@ void checkErrors()
   const auto nothing = [](vtkElasticContactResponse*) {};
   const Grid grid = block(4, 2);
   fails(grid, [](auto* f) { f->SetTool(nullptr); }, { "Tool", "SetTool" });
-  fails(grid, [](auto* f) { f->SetPoissonRatio(0.5); }, { "PoissonRatio", "0.5" });
-  fails(grid, [](auto* f) { f->SetYoungsModulus(-1.0); }, { "YoungsModulus", "-1" });
-  fails(grid, [](auto* f) { f->SetLayerThickness(-1.0); }, { "LayerThickness", "-1" });
+  fails(grid, [](auto* f) { f->SetPoissonRatio(0.5); }, { "Poisson's Ratio", "0.5" });
+  fails(grid, [](auto* f) { f->SetYoungsModulus(-1.0); }, { "Young's Modulus", "-1" });
+  fails(grid, [](auto* f) { f->SetLayerThickness(-1.0); }, { "Layer Thickness", "-1" });
   fails(grid, [](auto* f) { f->SetTermTolerance(-0.1); }, { "TermTolerance", "-0.1" });
-  fails(grid, [](auto* f) { f->SetMaximumDeflection(0.0); }, { "MaximumDeflection", "0" });
+  fails(grid, [](auto* f) { f->SetMaximumDeflection(0.0); }, { "Maximum Deflection", "0" });
   fails(
-    grid, [](auto* f) { f->SetMaximumDeflection(std::nan("")); }, { "MaximumDeflection", "nan" });
-  fails(grid, [](auto* f) { f->SetNumberOfSamples(1); }, { "NumberOfSamples", "1" });
-  fails(grid, [](auto* f) { f->SetErrorTolerance(-0.1); }, { "ErrorTolerance", "-0.1" });
-  fails(grid, [](auto* f) { f->SetLargestContactRadius(-2.0); }, { "LargestContactRadius", "-2" });
+    grid, [](auto* f) { f->SetMaximumDeflection(std::nan("")); }, { "Maximum Deflection", "nan" });
+  fails(grid, [](auto* f) { f->SetNumberOfSamples(1); }, { "Number Of Samples", "1" });
+  fails(grid, [](auto* f) { f->SetErrorTolerance(-0.1); }, { "Error Tolerance", "-0.1" });
+  fails(
+    grid, [](auto* f) { f->SetLargestContactRadius(-2.0); }, { "Largest Contact Radius", "-2" });
   fails(grid, [](auto* f) { f->SetSourceSpacing(-1.0); }, { "SourceSpacing", "-1" });
   fails(grid, [](auto* f) { f->SetSolver(7); }, { "Solver", "7" });
-  fails(grid, [](auto* f) { f->SetMemoryLimit(0.01); }, { "MemoryLimit", "MiB" });
-  fails(grid, [](auto* f) { f->SetResponseName(""); }, { "ResponseName" });
+  fails(grid, [](auto* f) { f->SetMemoryLimit(0.01); }, { "Memory Limit", "MiB" });
+  fails(grid, [](auto* f) { f->SetResponseName(""); }, { "Response Name" });
   fails(grid,
     [](auto* f)
     { f->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Stiff"); },

@@ -323,7 +323,7 @@ void checkSolidsTooLarge()
   {
     compliance->SetMemoryLimit(limit);
     compliance->Update();
-    PALPATE_CHECK_TEXT(messages.takeErrors(), "unknowns", "needs about", "MemoryLimit", "MiB");
+    PALPATE_CHECK_TEXT(messages.takeErrors(), "unknowns", "needs about", "Memory Limit", "MiB");
     PALPATE_CHECK(compliance->GetOutput()->GetNumberOfPoints() == 0);
     PALPATE_CHECK(compliance->GetMemoryEstimate() > limit);
   }

@@ -495,20 +495,20 @@ void checkErrors()
   };
   const auto nothing = [](vtkGradedBody*) {};
   const auto solid = boxOnGround(12.0, 8.0, 6.0);
-  fails(solid, [](auto* f) { f->SetSurfaceSpacing(0.0); }, { "SurfaceSpacing", "0" });
-  fails(solid, [](auto* f) { f->SetSurfaceSpacing(std::nan("")); }, { "SurfaceSpacing", "nan" });
-  fails(solid, [](auto* f) { f->SetInteriorSpacing(1.0); }, { "InteriorSpacing", "1" });
+  fails(solid, [](auto* f) { f->SetSurfaceSpacing(-1.0); }, { "Surface Spacing", "-1" });
+  fails(solid, [](auto* f) { f->SetSurfaceSpacing(std::nan("")); }, { "Surface Spacing", "nan" });
+  fails(solid, [](auto* f) { f->SetInteriorSpacing(1.0); }, { "Interior Spacing", "1" });
   fails(solid, [](auto* f) { f->SetGrowth(0.0); }, { "Growth", "0" });
   fails(solid, [](auto* f) { f->SetGrowth(3.0); }, { "Growth", "3" });
   fails(solid, [](auto* f) { f->SetDeviation(-1.0); }, { "Deviation", "-1" });
-  fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "FixedFaces", "w+" });
+  fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "Fixed Faces", "w+" });
   fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, 1, 0); }, { "FineBall 0", "spacing", "0" });
   fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, -1, 1); }, { "FineBall 0", "radius", "-1" });
   fails(
     solid, [](auto* f) { f->AddFineBall(0, 0, std::nan(""), 1, 1); }, { "FineBall 0", "middle" });
-  fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, 9, 1e-3); }, { "FineBalls", "MiB" });
-  fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-3); }, { "SurfaceSpacing", "MiB" });
-  fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-200); }, { "SurfaceSpacing", "many" });
+  fails(solid, [](auto* f) { f->AddFineBall(0, 0, 0, 9, 1e-3); }, { "Fine Balls", "MiB" });
+  fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-3); }, { "Surface Spacing", "MiB" });
+  fails(solid, [](auto* f) { f->SetSurfaceSpacing(1e-200); }, { "Surface Spacing", "many" });
   vtkNew<vtkSphereSource> open;
   open->SetEndTheta(200.0);
   open->Update();

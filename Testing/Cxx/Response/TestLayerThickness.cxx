@@ -324,11 +324,11 @@ void testErrors()
   { return errorAfter(body, scan, [=](vtkLayerThickness* filter) { (filter->*set)(value); }); };
   for (const double wrong : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
   {
-    PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetMaximumDepth, wrong), "MaximumDepth");
-    PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetEdgeWidth, wrong), "EdgeWidth");
+    PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetMaximumDepth, wrong), "Maximum Depth");
+    PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetEdgeWidth, wrong), "Edge Width");
   }
-  PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetMaximumDepth, 1e9), "MaximumDepth", "too deep");
-  PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetSmoothingRadius, -1.0), "SmoothingRadius", "-1");
+  PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetMaximumDepth, 1e9), "Maximum Depth", "too deep");
+  PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetSmoothingRadius, -1.0), "Smoothing Radius", "-1");
   PALPATE_CHECK_TEXT(with(&vtkLayerThickness::SetBaseValue, nan), "BaseValue");
 
   PALPATE_CHECK_TEXT(

@@ -98,7 +98,7 @@ void checkDistance(const std::string& folder)
   const MeasuredFilter filter = measure(planeBody(10.0, 10), file, "sphere:1.6");
   Messages messages(filter.Get());
   filter->Update();
-  PALPATE_CHECK_TEXT(messages.warnings(), "1 of 2 sites", "'far'", "5 mm", "MaximumSiteDistance");
+  PALPATE_CHECK_TEXT(messages.warnings(), "1 of 2 sites", "'far'", "5 mm", "Maximum Site Distance");
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK_TEXT(siteText(filter, 1, "Verdict"), "5 mm from the surface");
   PALPATE_CHECK(siteText(filter, 0, "Verdict") == "identified");
@@ -210,10 +210,10 @@ void checkProperties(const std::string& folder)
   refuse({ "Noise", "-1" });
   filter->SetNoise(0.0);
   filter->SetPoissonRatio(0.7);
-  refuse({ "PoissonRatio", "0.7" });
+  refuse({ "Poisson's Ratio", "0.7" });
   filter->SetPoissonRatio(0.45);
   filter->SetMaximumDeflection(-2.0); // for the inner filter
-  refuse({ "MaximumDeflection", "-2" });
+  refuse({ "Maximum Deflection", "-2" });
   filter->SetMaximumDeflection(2.0);
   filter->SetTool(nullptr);
   refuse({ "Tool is required" });

@@ -149,7 +149,7 @@ void checkErrors(const std::string& folder)
     checkText(messages.errors(), words, __FILE__, __LINE__);
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   };
-  refuse(table, "", { "MeasuringTool", "required" });
+  refuse(table, "", { "Measuring Tool", "required" });
   refuse(table, "spoon:3", { "Table 0", "tool", "spoon" });
   Table wrong = Table::New();
   wrong->DeepCopy(table);

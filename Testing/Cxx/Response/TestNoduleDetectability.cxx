@@ -206,16 +206,17 @@ void checkErrors()
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   };
   fails(grid, [](auto* f) { f->SetTool(nullptr); }, { "Tool", "SetTool" });
-  fails(grid, [](auto* f) { f->AddMoreTool("spere:1"); }, { "AddMoreTool", "spere" });
+  fails(grid, [](auto* f) { f->AddMoreTool("spere:1"); }, { "More Tools", "spere" });
   fails(grid, [](auto* f) { f->SetThreshold(0.0); }, { "Threshold", "0" });
   fails(grid, [](auto* f) { f->SetThreshold(std::nan("")); }, { "Threshold", "nan" });
-  fails(grid, [](auto* f) { f->SetMaximumDeflection(-1.0); }, { "MaximumDeflection", "-1" });
-  fails(grid, [](auto* f) { f->SetPressDepth(-0.1); }, { "PressDepth", "-0.1" });
-  fails(grid, [](auto* f) { f->SetNumberOfSamples(1); }, { "NumberOfSamples", "1" });
+  fails(grid, [](auto* f) { f->SetMaximumDeflection(-1.0); }, { "Maximum Deflection", "-1" });
+  fails(grid, [](auto* f) { f->SetPressDepth(-0.1); }, { "Press Depth", "-0.1" });
+  fails(grid, [](auto* f) { f->SetNumberOfSamples(1); }, { "Number Of Samples", "1" });
   fails(grid, [](auto* f) { f->SetSourceSpacing(-1.0); }, { "SourceSpacing", "-1" });
   fails(grid, [](auto* f) { f->SetSourceSpacingWithout(-1.0); }, { "SourceSpacingWithout", "-1" });
-  fails(grid, [](auto* f) { f->SetLargestContactRadius(-1.0); }, { "LargestContactRadius", "-1" });
-  fails(grid, [](auto* f) { f->SetMemoryLimit(0.01); }, { "MemoryLimit", "MiB" });
+  fails(
+    grid, [](auto* f) { f->SetLargestContactRadius(-1.0); }, { "Largest Contact Radius", "-1" });
+  fails(grid, [](auto* f) { f->SetMemoryLimit(0.01); }, { "Memory Limit", "MiB" });
   fails(grid, [](auto* f) { f->SetSolver(7); }, { "Solver", "7" });
   const auto nothing = [](vtkNoduleDetectability*) {};
   fails(block(4, 2), nothing, { "YoungsModulus", "cells" });

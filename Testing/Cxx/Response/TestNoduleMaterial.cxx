@@ -201,8 +201,8 @@ void checkErrors()
   fails([](auto* f) { f->AddNodule(6, 6, 6, 1.0, -2.0); }, { "Nodule 1", "modulus", "-2" });
   fails([](auto* f) { f->AddNodule(6, 6, 6, 1.0, 1.0, 0.5); }, { "Nodule 1", "Poisson", "0.5" });
   fails([](auto* f) { f->AddNodule(60, 6, 6, 3.0, 1.0); }, { "Nodule 1", "60", "outside" });
-  fails([](auto* f) { f->SetYoungsModulus(0.0); }, { "YoungsModulus", "0" });
-  fails([](auto* f) { f->SetPoissonRatio(0.5); }, { "PoissonRatio", "0.5" });
+  fails([](auto* f) { f->SetYoungsModulus(0.0); }, { "Young's Modulus", "0" });
+  fails([](auto* f) { f->SetPoissonRatio(0.5); }, { "Poisson's Ratio", "0.5" });
   fails([](auto* f) { f->SetSubdivisions(0); }, { "Subdivisions", "0" });
   fails([](auto* f)
     { f->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Stiff"); },

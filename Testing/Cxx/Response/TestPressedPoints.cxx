@@ -169,8 +169,8 @@ void checkErrors()
   Messages messages(filter.Get());
   filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Chosen");
   filter->Update();
-  PALPATE_CHECK_TEXT(
-    messages.takeErrors(), "Array to process 6 ('Chosen') is not on the input's points");
+  PALPATE_CHECK_TEXT(messages.takeErrors(),
+    "Pressed Points Array 'Chosen' (array to process 6) is not on the input's points");
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
 
   vtkNew<vtkFloatArray> wide;

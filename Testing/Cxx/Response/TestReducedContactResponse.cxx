@@ -209,7 +209,7 @@ void checkErrors()
   }
   filter->SetTolerance(0.01);
   filter->SetMaximumNumberOfLaws(17);
-  expect("MaximumNumberOfLaws", "17");
+  expect("Maximum Number Of Laws", "17");
   filter->SetMaximumNumberOfLaws(8);
   filter->SetResponseName("Finger");
   expect("Finger", "No response");

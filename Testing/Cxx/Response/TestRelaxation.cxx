@@ -199,7 +199,7 @@ void checkChoice(vtkPolyData* body)
     vtkDataArray* elements = fieldOf(choice->GetOutput(), "ResponseRelaxationElements");
     PALPATE_CHECK(elements && elements->GetTuple1(0) == each.elements);
     PALPATE_CHECK(fieldOf(choice->GetOutput(), "ResponseRelaxationTime") != nullptr);
-    PALPATE_CHECK_TEXT(choice->GetReason(), "The body relaxes", "RelaxationElements",
+    PALPATE_CHECK_TEXT(choice->GetReason(), "The body relaxes", "Relaxation Elements",
       "the speed of the tool is not known", "longer than 2 s", "shorter than 0.1 s", "160 %");
   }
   // At most 0.8 % of the force: within the tolerance.

@@ -125,7 +125,7 @@ void checkWrongSettings(vtkPolyData* body)
     reasonOf(narrow), "'GlobalCompliance'", "each of the 2 relaxations", "but has 1");
   const Filter missing = everything(body);
   missing->SetInputArrayToProcess(Strengths, 0, 0, 0, "Nowhere");
-  PALPATE_CHECK_TEXT(reasonOf(missing), "Array to process 5 ('Nowhere')");
+  PALPATE_CHECK_TEXT(reasonOf(missing), "Relaxation Array 'Nowhere' (array to process 5)");
 
   Body wrong = Body::New();
   wrong->DeepCopy(body);

@@ -342,7 +342,7 @@ void checkErrors()
   expect("RegimeDeflection", "0.7 mm");
   filter->SetDeflection(0.0);
   filter->SetMaximumNumberOfLaws(17);
-  expect("MaximumNumberOfLaws", "17");
+  expect("Maximum Number Of Laws", "17");
   filter->SetMaximumNumberOfLaws(8);
   filter->SetResponseName("Finger");
   expect("Finger", "No response");

@@ -236,7 +236,7 @@ void checkSelections(vtkPolyData* body)
   curves->SetInputData(1, all);
   curves->Update();
   PALPATE_CHECK((pointsOf(curves->GetOutput(), "Response") == Ids{ 0, 4, 8 }));
-  PALPATE_CHECK_TEXT(messages.warnings(), "9 points", "3 of them", "MaximumNumberOfPoints");
+  PALPATE_CHECK_TEXT(messages.warnings(), "9 points", "3 of them", "Maximum Number Of Points");
   messages.clear();
 
   Body partly = Body::New();

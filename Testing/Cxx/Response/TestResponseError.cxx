@@ -270,8 +270,8 @@ void checkFaults()
     filter->Update();
     PALPATE_CHECK_TEXT(messages.errors(), words);
   };
-  expect("ErrorTolerance must be", [](const Filter& f) { f->SetErrorTolerance(-0.1); });
-  expect("ErrorTolerance must be", [](const Filter& f) { f->SetErrorTolerance(std::nan("")); });
+  expect("Error Tolerance must be", [](const Filter& f) { f->SetErrorTolerance(-0.1); });
+  expect("Error Tolerance must be", [](const Filter& f) { f->SetErrorTolerance(std::nan("")); });
   expect("Ogden",
     [](const Filter& f)
     {

@@ -54,27 +54,27 @@ void checkProperties()
   {
     const double wrong = value;
     expectError([=](Filter& f) { f->SetYoungsModulus(wrong); },
-      [](Filter& f) { f->SetYoungsModulus(0.1); }, { "YoungsModulus", text });
+      [](Filter& f) { f->SetYoungsModulus(0.1); }, { "Young's Modulus", text });
     expectError([=](Filter& f) { f->SetMaximumDeflection(wrong); },
-      [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "MaximumDeflection", text });
+      [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "Maximum Deflection", text });
   }
   expectError([](Filter& f) { f->SetMaximumDeflection(1e-50); }, // too small for a float
-    [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "MaximumDeflection", "1e-50" });
+    [](Filter& f) { f->SetMaximumDeflection(2.0); }, { "Maximum Deflection", "1e-50" });
   for (const auto& [value, text] : { std::pair{ 0.6, "0.6" }, { 0.501, "0.501" }, { -0.1, "-0.1" },
          { -1e-3, "-0.001" }, { NotANumber, "nan" } })
   {
     const double wrong = value;
     expectError([=](Filter& f) { f->SetPoissonRatio(wrong); },
-      [](Filter& f) { f->SetPoissonRatio(0.5); }, { "PoissonRatio", text });
+      [](Filter& f) { f->SetPoissonRatio(0.5); }, { "Poisson's Ratio", text });
   }
   for (const int wrong : { 1, 10000 })
   {
     expectError([=](Filter& f) { f->SetNumberOfSamples(wrong); },
       [](Filter& f) { f->SetNumberOfSamples(2); },
-      { "NumberOfSamples", "256", std::to_string(wrong).c_str() });
+      { "Number Of Samples", "256", std::to_string(wrong).c_str() });
   }
   expectError([](Filter& f) { f->SetResponseName(""); },
-    [](Filter& f) { f->SetResponseName("Response"); }, { "ResponseName" });
+    [](Filter& f) { f->SetResponseName("Response"); }, { "Response Name" });
 }
 
 void checkTool()

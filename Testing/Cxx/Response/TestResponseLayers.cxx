@@ -158,7 +158,7 @@ void checkSeries()
   useArray(filter, ComplianceIndex, "C");
   Messages messages(filter.Get());
   filter->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "'Scalp'", "'C'", "ComplianceExcludesLayer");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "'Scalp'", "'C'", "Compliance Excludes Layer");
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
 
   filter->ComplianceExcludesLayerOn();
@@ -226,7 +226,7 @@ void checkErrors()
     useArray(filter, ThicknessIndex, "");
     filter->SetLayerThickness(wrong);
     filter->Update();
-    PALPATE_CHECK_TEXT(messages.takeErrors(), "LayerThickness");
+    PALPATE_CHECK_TEXT(messages.takeErrors(), "Layer Thickness");
     filter->SetLayerThickness(4.0);
     filter->Update();
     PALPATE_CHECK(messages.none());

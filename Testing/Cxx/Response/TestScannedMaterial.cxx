@@ -124,13 +124,13 @@ void checkErrors()
     checkText(messages.errors(), words, __FILE__, __LINE__);
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   };
-  fails([](auto* f) { f->ClearMaterials(); }, { "no map", "AddMaterial" });
+  fails([](auto* f) { f->ClearMaterials(); }, { "Materials are required", "AddMaterial" });
   fails([](auto* f) { f->AddMaterial(1.0, 0.3, 0.4); }, { "Materials 0 and 2", "1" });
   fails([](auto* f) { f->AddMaterial(7.0, -0.3, 0.4); }, { "Material 2", "Young", "-0.3" });
   fails([](auto* f) { f->AddMaterial(7.0, 0.3, 0.5); }, { "Material 2", "Poisson", "0.5" });
   fails([](auto* f) { f->AddMaterial(std::nan(""), 0.3, 0.4); }, { "Material 2", "nan" });
   fails([](auto* f) { f->SetSubdivisions(0); }, { "Subdivisions", "0" });
-  fails([](auto* f) { f->SetYoungsModulus(0.0); }, { "YoungsModulus", "0" });
+  fails([](auto* f) { f->SetYoungsModulus(0.0); }, { "Young's Modulus", "0" });
   fails(
     [](auto* f)
     {

@@ -257,10 +257,10 @@ void checkFaults()
     return messages.takeErrors();
   };
   // 90 - 60 - 4 degrees.
-  PALPATE_CHECK_TEXT(faultOf("cone:60", 27.0), "MaximumTilt", "27", "26");
-  PALPATE_CHECK_TEXT(faultOf("flat:1", 85.0), "MaximumTilt", "85");
-  PALPATE_CHECK_TEXT(faultOf("flat:1", -1.0), "MaximumTilt must be finite and not negative", "-1");
-  PALPATE_CHECK_TEXT(faultOf("flat:1", std::nan("")), "MaximumTilt", "nan");
+  PALPATE_CHECK_TEXT(faultOf("cone:60", 27.0), "Maximum Tilt", "27", "26");
+  PALPATE_CHECK_TEXT(faultOf("flat:1", 85.0), "Maximum Tilt", "85");
+  PALPATE_CHECK_TEXT(faultOf("flat:1", -1.0), "Maximum Tilt must be finite and not negative", "-1");
+  PALPATE_CHECK_TEXT(faultOf("flat:1", std::nan("")), "Maximum Tilt", "nan");
 
   const Filter filter = tiltable(planeBody(10.0, 4), "flat:1", 1.0, 20.0);
   filter->Update();

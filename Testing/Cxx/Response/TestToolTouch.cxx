@@ -249,7 +249,7 @@ void checkSecondTip()
     touch->SetSecondTipPosition(NAN, 0.0, 0.0);
     Messages messages(touch);
     touch->Update();
-    PALPATE_CHECK_TEXT(messages.takeErrors(), "SecondTipPosition must be finite");
+    PALPATE_CHECK_TEXT(messages.takeErrors(), "Second Tip Position must be finite");
   }
 }
 
@@ -324,7 +324,7 @@ void checkErrors()
   touch->SetIndentation(0.0);
   touch->SetTipPosition(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   touch->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "TipPosition", "nan");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Tip Position", "nan");
   touch->SetTipPosition(0.0, 0.0, 0.0);
   touch->SetReach(0.0);
   touch->Update();
@@ -332,11 +332,11 @@ void checkErrors()
   touch->SetReach(20.0);
   touch->SetPoissonRatio(0.6);
   touch->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "PoissonRatio", "0.6");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Poisson's Ratio", "0.6");
   touch->SetPoissonRatio(0.45);
   touch->SetForceScale(-2.0);
   touch->Update();
-  PALPATE_CHECK_TEXT(messages.takeErrors(), "ForceScale", "-2");
+  PALPATE_CHECK_TEXT(messages.takeErrors(), "Force Scale", "-2");
   touch->SetForceScale(0.0);
   touch->Update();
   PALPATE_CHECK(messages.none());

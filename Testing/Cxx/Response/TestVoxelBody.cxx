@@ -143,8 +143,8 @@ void checkErrors()
   };
   const auto nothing = [](vtkVoxelBody*) {};
   const auto solid = boxOnGround(12.0, 8.0, 6.0);
-  fails(solid, [](auto* f) { f->SetSpacing(0.0); }, { "Spacing", "0" });
-  fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "FixedFaces", "w+" });
+  fails(solid, [](auto* f) { f->SetSpacing(-1.0); }, { "Spacing", "-1" });
+  fails(solid, [](auto* f) { f->SetFixedFaces("z-,w+"); }, { "Fixed Faces", "w+" });
   vtkNew<vtkSphereSource> open;
   open->SetEndTheta(200.0);
   open->Update();

@@ -21,6 +21,7 @@ namespace meshes = CGAL::Polygon_mesh_processing;
 
 constexpr double OnPlane = 1e-9; ///< fraction of the body's size; allows for rounding errors of
                                  ///< constructed points
+constexpr const char* NothingLeft = "nothing of the body would be left";
 
 std::string nameOf(const CutPlane& plane)
 {
@@ -75,7 +76,7 @@ void addRims(const CutPlane& plane, MeshedSurface& surface)
 }
 
 /// Sorts points and triangles by position, because CGAL orders the results of a cut by memory
-/// addresses.
+/// addresses. The next cut, and the cells, depend on the order.
 void sortElements(MeshedSurface& surface)
 {
   const auto count = static_cast<std::size_t>(surface.points.cols());
@@ -105,9 +106,15 @@ void sortElements(MeshedSurface& surface)
   std::sort(surface.triangles.begin(), surface.triangles.end());
 }
 
-/// Cuts a mesh at a plane. Returns "", or a message about the fault.
-std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
+/// Cuts a surface at a plane and sorts its elements. Returns "", or a message about the fault.
+std::string cutAt(const CutPlane& plane, MeshedSurface& surface)
 {
+  CgalSurface mesh;
+  std::string fault = toCgal(surface, mesh);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   try
   {
     if (!meshes::clip(mesh, convertPlane(plane), CGAL::parameters::clip_volume(true)))
@@ -119,19 +126,22 @@ std::string cutAt(const CutPlane& plane, CgalSurface& mesh)
   {
     return joined("the surface cannot be cut at ", nameOf(plane), " (", failed.what(), ")");
   }
+  mesh.collect_garbage();
+  if (mesh.number_of_faces() == 0)
+  {
+    return NothingLeft;
+  }
+  fromCgal(mesh, surface);
+  roundTo(plane, surface);
+  sortElements(surface);
   return {};
 }
-} // namespace
 
-std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,
-  const std::vector<CutPlane>& before)
+/// Removes parts of less than the volume `least`, mm³. Returns "", or a message about the fault.
+std::string removeSmallParts(double least, MeshedSurface& surface)
 {
   CgalSurface mesh;
-  std::string fault = toCgal(surface, mesh);
-  for (std::size_t i = 0; i < planes.size() && fault.empty(); ++i)
-  {
-    fault = cutAt(planes[i], mesh);
-  }
+  const std::string fault = toCgal(surface, mesh);
   if (!fault.empty())
   {
     return fault;
@@ -139,13 +149,26 @@ std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& plane
   meshes::remove_connected_components_of_negligible_size(
     mesh, CGAL::parameters::area_threshold(0.0).volume_threshold(least));
   mesh.collect_garbage();
-  if (mesh.number_of_faces() == 0)
-  {
-    return "nothing of the body would be left";
-  }
+  fromCgal(mesh, surface);
+  return surface.triangles.empty() ? NothingLeft : "";
+}
+} // namespace
+
+std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,
+  const std::vector<CutPlane>& before)
+{
   MeshedSurface made = surface;
   made.rims.clear();
-  fromCgal(mesh, made);
+  std::string fault;
+  for (std::size_t i = 0; i < planes.size() && fault.empty(); ++i)
+  {
+    fault = cutAt(planes[i], made);
+  }
+  fault = fault.empty() ? removeSmallParts(least, made) : fault;
+  if (!fault.empty())
+  {
+    return fault;
+  }
   std::vector<CutPlane> all = planes;
   all.insert(all.end(), before.begin(), before.end());
   for (const CutPlane& plane : all)

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Spacings of the cells that fill a body if the user gives none. They follow from the body's size,
+ * so that a body of any size gets about the same number of cells.
+ */
+#ifndef palpate_ChosenSpacing_h
+#define palpate_ChosenSpacing_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+/// Number of graded tetrahedra: this factor times the area, divided by the square of the spacing;
+/// measured on balls.
+inline constexpr double CellsPerSquare = 8.7;
+/// The solution of so many tetrahedra takes about two minutes on two cores.
+inline constexpr double ChosenTetrahedra = 20000.0;
+/// Largest spacing relative to the cube root of the volume; the shape of a body needs it.
+inline constexpr double LargestOfBody = 1.0 / 6.0;
+inline constexpr double ChosenVoxels = 10000.0;
+
+/// Spacing of graded tetrahedra at the surface, mm, for an area (mm²) and a volume (mm³).
+inline double chosenSpacing(double area, double volume)
+{
+  return std::min(
+    std::sqrt(CellsPerSquare * area / ChosenTetrahedra), LargestOfBody * std::cbrt(volume));
+}
+
+/// Side of the voxels, mm, for a volume (mm³).
+inline double chosenVoxel(double volume)
+{
+  return std::cbrt(volume / ChosenVoxels);
+}
+} // namespace palpate
+
+#endif
