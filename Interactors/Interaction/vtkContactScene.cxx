@@ -193,6 +193,7 @@ void vtkContactScene::SwitchTrail()
 {
   const bool visible = this->TrailVisibility && !this->Blind && !this->Trail->isEmpty();
   this->Trail->actor()->SetVisibility(visible);
+  this->Legends->explainGaps(visible ? this->Trail->gapsInWords() : std::string());
   this->Legends->force()->SetVisibility(visible);
 }
 

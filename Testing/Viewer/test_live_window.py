@@ -225,9 +225,6 @@ class LiveWindow(unittest.TestCase):
         self.assertLess(max(depths), 0.8 + 1e-4)  # the facets' corners are stored as floats
         self.assertAlmostEqual(depths[-1], 0.8, delta=0.04)  # blended normals over facets, as above
         self.assertGreater(max(tick["ideal_force_N"] for tick in ticks), 50.0)
-        for tick in ticks:  # a mouse feels nothing: no factor, no limit
-            applied = math.hypot(*(tick[f"force_{axis}_N"] for axis in "xyz"))
-            self.assertAlmostEqual(applied, tick["ideal_force_N"], delta=1e-9 * max(1.0, applied))
 
     def test_one_finger_lifts_the_force_off_the_other(self):
         self.quit()

@@ -94,6 +94,21 @@ void ForceTrail::add(const ShownContact& contact)
   this->Contacts.push_back(place);
 }
 
+std::string ForceTrail::gapsInWords() const
+{
+  bool isBroken = false;
+  bool isDashed = false;
+  for (std::size_t i = 1; i < this->Contacts.size(); ++i)
+  {
+    isBroken = isBroken || this->Contacts[i].begins;
+    isDashed = isDashed || !(this->Contacts[i].begins || this->Contacts[i].valid);
+  }
+  return isBroken && isDashed ? "gap: no contact,\nor beyond validity"
+    : isBroken                ? "gap: no contact"
+    : isDashed                ? "gap: beyond validity"
+                              : "";
+}
+
 void ForceTrail::draw()
 {
   DashedLine line(TrailDash, TrailGap);

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <string>
 #include <vector>
 
 class vtkActor;
@@ -35,6 +36,8 @@ public:
 
   /// True if no line is visible.
   bool isEmpty() const { return this->Contacts.size() < 2; }
+  /// Explains the gaps of the line, "gap: no contact" or "gap: beyond validity"; "" without gaps.
+  std::string gapsInWords() const;
   vtkActor* actor() { return this->Actor; }
 
 private:

@@ -58,11 +58,19 @@ void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
   }
 }
 
+const std::string ForceTitle = "Force (N)";
+
+void setLegendTitle(vtkScalarBarActor* legend, const std::string& title)
+{
+  legend->SetTitle((title + "\n ").c_str()); // an empty line above the bar
+}
+
 /// Styles a legend: a narrow bar with a title and five numbers in `fontSize` points.
-void styleLegend(vtkScalarBarActor* legend, vtkLookupTable* table, const char* title, int fontSize)
+void styleLegend(
+  vtkScalarBarActor* legend, vtkLookupTable* table, const std::string& title, int fontSize)
 {
   legend->SetLookupTable(table);
-  legend->SetTitle((std::string(title) + "\n ").c_str()); // an empty line above the bar
+  setLegendTitle(legend, title);
   legend->SetNumberOfLabels(5);
   legend->SetLabelFormat("%.2f");
   legend->SetBarRatio(0.25);
@@ -107,11 +115,16 @@ SceneLegends::SceneLegends()
   this->DisplacementColors->SetVectorModeToMagnitude();
   fillColors(this->ForceColors, TrailColors);
   styleLegend(this->Displacement, this->DisplacementColors, "Displacement (mm)", LegendSize);
-  styleLegend(this->Force, this->ForceColors, "Force (N)", LegendSize);
+  styleLegend(this->Force, this->ForceColors, ForceTitle, LegendSize);
   this->Force->SetLabelFormat("%.4g");
 }
 
 SceneLegends::~SceneLegends() = default;
+
+void SceneLegends::explainGaps(const std::string& words)
+{
+  setLegendTitle(this->Force, ForceTitle + (words.empty() ? "" : "\n" + words));
+}
 
 double SceneLegends::share(vtkRenderer* renderer)
 {

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 class vtkActor2D;
 class vtkLookupTable;
 class vtkPolyData;
@@ -30,6 +32,9 @@ public:
   vtkLookupTable* forceColors() { return this->ForceColors; }
   vtkScalarBarActor* displacement() { return this->Displacement; }
   vtkScalarBarActor* force() { return this->Force; }
+
+  /// Adds an explanation of gaps to the title of the trail's legend; "": none.
+  void explainGaps(const std::string& words);
 
   /// The fraction of a viewport's width that the column takes.
   static double share(vtkRenderer* renderer);

@@ -21,10 +21,52 @@ constexpr double HeadingHeight = 40.0;
 constexpr double SliderHeight = 48.0;
 constexpr double ButtonHeight = 32.0;
 constexpr double ButtonGap = 5.0;
-constexpr double StatusHeight = 58.0;
+constexpr double StatusHeight = 58.0; // at least
+constexpr double StatusGap = 12.0;    // above the status
+constexpr double StatusMargin = 24.0; // above and below the status
 constexpr int FontSize = 14;
 constexpr int HeadingSize = 13;
 constexpr int SmallestSize = 8;
+
+/// Breaks a text into lines that fit: at a blank, else after a slash of a path, else anywhere
+/// between two letters (UTF-8).
+std::string broken(const std::string& text, const std::function<bool(const std::string&)>& fits)
+{
+  constexpr std::size_t none = std::string::npos;
+  std::string done;
+  std::string line;
+  for (std::size_t i = 0; i < text.size();)
+  {
+    std::size_t next = i + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0U) == 0x80U)
+    {
+      ++next;
+    }
+    const std::string letter = text.substr(i, next - i);
+    i = next;
+    if (letter == "\n")
+    {
+      done += line + letter;
+      line.clear();
+      continue;
+    }
+    if (line.empty() || fits(line + letter))
+    {
+      line += letter;
+      continue;
+    }
+    const std::size_t blank = line.rfind(' ');
+    const std::size_t slash = line.rfind('/');
+    const std::size_t end = letter == " " ? line.size()
+      : blank != none                     ? blank
+      : slash != none                     ? slash + 1
+                                          : line.size();
+    done += line.substr(0, end) + "\n";
+    line = line.substr(end) + letter;
+    line.erase(0, line.front() == ' ' ? 1 : 0);
+  }
+  return done + line;
+}
 } // namespace
 
 PanelSheet::PanelSheet()
@@ -124,15 +166,23 @@ void PanelSheet::clear()
   this->Actions.clear();
 }
 
-void PanelSheet::setStatus(const std::string& text)
+void PanelSheet::breakStatus(double width, int fontSize, BrokenText& made)
 {
-  this->Status->SetInput(text.c_str());
-}
-
-std::string PanelSheet::status() const
-{
-  const char* text = this->Status->GetInput();
-  return text ? text : "";
+  if (this->StatusText == made.text && width == made.width && fontSize == made.fontSize)
+  {
+    return;
+  }
+  this->Status->GetTextProperty()->SetFontSize(fontSize);
+  double size[2] = { 0.0, 0.0 };
+  const auto fits = [&](const std::string& line)
+  {
+    this->Status->SetInput(line.c_str());
+    this->Status->GetSize(this->Renderer, size);
+    return size[0] <= width;
+  };
+  const std::string lines = broken(this->StatusText, fits);
+  fits(lines);
+  made = { this->StatusText, width, fontSize, lines, lines.empty() ? 0.0 : size[1] };
 }
 
 void PanelSheet::show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor)
@@ -184,6 +234,15 @@ void PanelSheet::place()
     return;
   }
   const int* size = this->Renderer->GetSize();
+  // Room for all lines of the status, before the other rows get smaller.
+  this->breakStatus(Width - 2.0 * Margin, FontSize - 1, this->FullSize);
+  for (Row& row : this->Rows)
+  {
+    if (row.text == this->Status.Get())
+    {
+      row.height = std::max(StatusHeight, this->FullSize.height + StatusMargin);
+    }
+  }
   double needed = Margin;
   for (const Row& row : this->Rows)
   {
@@ -193,6 +252,8 @@ void PanelSheet::place()
   const double left = std::round(share * Margin);
   const double width = size[0] - 2.0 * left;
   const int fontSize = std::max(static_cast<int>(share * FontSize), SmallestSize);
+  this->breakStatus(width, fontSize - 1, this->ShownSize);
+  this->Status->SetInput(this->ShownSize.lines.c_str());
   double top = size[1];
   for (Row& row : this->Rows)
   {
@@ -207,7 +268,8 @@ void PanelSheet::place()
       const bool isStatus = row.text == this->Status.Get();
       row.text->GetTextProperty()->SetFontSize(
         isStatus ? fontSize - 1 : std::max(static_cast<int>(share * HeadingSize), SmallestSize));
-      row.text->SetPosition(left, isStatus ? top - std::round(0.2 * height) : bottom + 7.0 * share);
+      row.text->SetPosition(
+        left, isStatus ? top - std::round(StatusGap * share) : bottom + 7.0 * share);
     }
     if (row.slider)
     {

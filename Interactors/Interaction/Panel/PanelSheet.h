@@ -41,8 +41,9 @@ public:
   void addStatus();
   void clear();
 
-  void setStatus(const std::string& text);
-  std::string status() const;
+  /// The text is broken into lines that fit into the sheet.
+  void setStatus(const std::string& text) { this->StatusText = text; }
+  const std::string& status() const { return this->StatusText; }
 
   void show(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor);
   void hide();
@@ -66,6 +67,17 @@ private:
     bool isShown() const;
   };
 
+  /// The status in lines, as made for a width and a font, pixels.
+  struct BrokenText
+  {
+    std::string text;
+    double width = 0.0;
+    int fontSize = 0;
+    std::string lines;
+    double height = 0.0; ///< pixels
+  };
+  /// Breaks the status, if `broken` is not up to date.
+  void breakStatus(double width, int fontSize, BrokenText& broken);
   void observe(vtkObject* object, unsigned long event, const Action& action);
 
   std::vector<Row> Rows;
@@ -73,6 +85,9 @@ private:
   std::vector<vtkSmartPointer<PanelButton>> Buttons;
   std::vector<vtkSmartPointer<vtkAbstractWidget>> Widgets;
   vtkNew<vtkTextActor> Status;
+  std::string StatusText;
+  BrokenText FullSize;       ///< for a sheet with enough room
+  BrokenText ShownSize;      ///< as shown
   std::list<Action> Actions; ///< referenced by the widgets
   vtkRenderer* Renderer = nullptr;
 };

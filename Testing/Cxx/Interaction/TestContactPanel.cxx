@@ -14,11 +14,14 @@
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkSessionFiles.h"
 
+#include "vtkPropCollection.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkTextActor.h"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <string>
 #include <thread>
 
 namespace
@@ -254,6 +257,56 @@ void checkRelaxation(Window& w)
   PALPATE_CHECK(!w.panel->FindSlider("Relaxation time", 0.1, nowhere));
 }
 
+/// The status that the panel shows: its text without line breaks, and its box in pixels.
+std::string shownStatus(Window& w, double box[4])
+{
+  vtkPropCollection* props = w.right->GetViewProps();
+  const auto joined = [](std::string text)
+  {
+    text.erase(
+      std::remove_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == ' '; }),
+      text.end());
+    return text;
+  };
+  const std::string whole = joined(w.panel->GetStatus());
+  for (int i = 0; i < props->GetNumberOfItems(); ++i)
+  {
+    auto* text = vtkTextActor::SafeDownCast(props->GetItemAsObject(i));
+    if (text && text->GetInput() && joined(text->GetInput()) == whole)
+    {
+      double size[4];
+      text->GetBoundingBox(w.right, size);
+      const double* at = text->GetPosition();
+      box[0] = at[0] + size[0];
+      box[1] = at[0] + size[1];
+      box[2] = at[1] + size[2];
+      box[3] = at[1] + size[3];
+      return whole;
+    }
+  }
+  return {};
+}
+
+/// A status that is longer than the panel is wide, with and without blanks, is shown whole.
+void checkWholeStatus(Window& w)
+{
+  const auto folder = std::filesystem::current_path() / "TestContactPanel";
+  for (const std::string& name : { std::string("pictures of the left hand with its five fingers"),
+         std::string(60, 'w'), std::string("a/longer/path/of/many/folders/for/pictures") })
+  {
+    std::filesystem::create_directories(folder / name);
+    w.files->SetOutputFolder((folder / name).string());
+    w.press("Picture");
+    PALPATE_CHECK_TEXT(w.panel->GetStatus(), name.c_str(), "palpate-");
+    double box[4] = { -1.0, 0.0, -1.0, 0.0 };
+    PALPATE_CHECK(!shownStatus(w, box).empty());
+    const int* size = w.right->GetSize();
+    PALPATE_CHECK(box[0] >= 0.0 && box[1] <= size[0]);
+    PALPATE_CHECK(box[2] >= 0.0 && box[3] <= size[1]);
+  }
+  w.files->SetOutputFolder(folder.string());
+}
+
 void checkSession(Window& w)
 {
   const auto folder = std::filesystem::current_path() / "TestContactPanel";
@@ -267,6 +320,7 @@ void checkSession(Window& w)
   PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.csv"));
   w.press("Picture");
   PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.png"));
+  checkWholeStatus(w);
   w.press("Keys: ?");
   PALPATE_CHECK(w.style->GetHelpVisibility());
   w.press("Keys: ?");

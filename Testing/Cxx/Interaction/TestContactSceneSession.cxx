@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkContactScene.h"
 #include "vtkRenderWindow.h"
+#include "vtkScalarBarActor.h"
 
 namespace
 {
@@ -140,6 +141,9 @@ int TestContactSceneSession(int, char*[])
   PALPATE_CHECK_NEAR(bounds[1], contact[0], 1.6); // the trail may end with a gap between dashes
   PALPATE_CHECK_NEAR(bounds[0], contact[0] - 49 * 0.12, 1.6);
   PALPATE_CHECK(scene->GetTrailActor()->GetVisibility());
+  vtkScalarBarActor* legend = scene->GetTrailLegend();
+  PALPATE_CHECK_TEXT(legend->GetTitle(), "Force (N)");
+  PALPATE_CHECK(std::string(legend->GetTitle()).find("no contact") == std::string::npos);
 
   // After the tool has lifted off, the camera still finds the last contact. The trail remains; it
   // is not drawn through the air to the next contact.
@@ -157,8 +161,10 @@ int TestContactSceneSession(int, char*[])
     trail->GetCellBounds(i, piece);
     PALPATE_CHECK(piece[3] < 1.0 || piece[2] > 4.0); // contacts were at y = 0.2 mm and 5 mm
   }
+  PALPATE_CHECK_TEXT(legend->GetTitle(), "Force (N)", "gap: no contact");
   scene->ClearTrail();
   PALPATE_CHECK(!scene->GetTrailActor()->GetVisibility());
+  PALPATE_CHECK(std::string(legend->GetTitle()).find("gap") == std::string::npos);
 
   // Another response of the same body, of a flat punch of 1.6 mm, has another validity.
   session->SetResponseName("Flat");
