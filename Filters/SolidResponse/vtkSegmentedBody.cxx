@@ -138,11 +138,11 @@ std::string vtkSegmentedBody::CheckTissues() const
   if (!(this->SurfaceSpacing >= 0.0 && std::isfinite(this->SurfaceSpacing)))
   {
     return palpate::joined(
-      "SurfaceSpacing must be 0 or positive and finite (mm), but is ", this->SurfaceSpacing);
+      "Surface Spacing must be 0 or positive and finite (mm), but is ", this->SurfaceSpacing);
   }
   if (this->Tissues.empty())
   {
-    return "There is no tissue: call AddTissue for each label of the body";
+    return "Tissues are required, a row for each label of the body (AddTissue)";
   }
   for (std::size_t i = 0; i < this->Tissues.size(); ++i)
   {

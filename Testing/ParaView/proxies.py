@@ -89,7 +89,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Input": None, "Image": None, "Image Array": "", "Length Unit": 0, "Materials (value, MPa)": None, "Values Are Labels": 1,
         "Young's Modulus (MPa)": 0.1, "Poisson's Ratio": 0.45, "Sampling Points Per Side": 4},
     ("filters", "SegmentedBody"): {
-        "Input": None, "Labels": "", "Tissues": None, "Surface Spacing (mm)": 0.0, "Fixed Faces": "z-"},
+        "Input": None, "Label Array": "", "Tissues": None, "Surface Spacing (mm)": 0.0, "Fixed Faces": "z-"},
     ("filters", "ForceMap"): {"Input": None, "Depth (mm)": 1.0, "Response Name": "Response"},
     ("filters", "NoduleDetectability"): {
         "Input": None, "Length Unit": 0, "Tool": None, "More Tools": None, "Smallest Felt Change": 0.1, "Press Depth (mm)": 0.0,
@@ -453,7 +453,7 @@ def check_segmented():
     """Three filters from an image of labels to the map: a hard ball under the upper face is felt above it."""
     labels = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Label",
                                Function="if(abs(coordsZ) > 6, 0, if(mag(coords - 2*kHat) < 2.6, 2, 1))")
-    body = simple.SegmentedBody(Input=labels, Labels=["POINTS", "Label"], SurfaceSpacingmm=4)
+    body = simple.SegmentedBody(Input=labels, LabelArray=["POINTS", "Label"], SurfaceSpacingmm=4)
     body.Tissues = [1, YOUNG, POISSON, 2, 10 * YOUNG, POISSON]
     moduli = fetched_cells(body, "YoungsModulus")
     assert YOUNG <= moduli.min() < 1.01 * YOUNG and 5 * YOUNG < moduli.max() <= 10 * YOUNG, moduli

@@ -257,7 +257,7 @@ class Response(unittest.TestCase):
         self.refuses(ValueError, "label 2 is not in the image: its labels are 0, 1", tissues={1: SOFT, 2: HARD})
         self.refuses(ValueError, "label 1.*Poisson's ratio must lie between 0 and 0.499, but is 0.5", tissues={1: (0.1, 0.5)})
         self.refuses(ValueError, "label 1.*Young's modulus must be positive and finite .MPa., but is 0", tissues={1: (0, 0.4)})
-        self.refuses(ValueError, "There is no tissue", tissues={})
+        self.refuses(ValueError, "Tissues are required", tissues={})
         self.refuses(ValueError, r"tissues\[1\] must be \(young in MPa, poisson\)", tissues={1: 0.1})
         self.refuses(TypeError, "tissues must be a dictionary", tissues=[(1, 0.1, 0.45)])
         self.refuses(TypeError, "a label must be a number", tissues={"skin": SOFT})
@@ -285,7 +285,7 @@ class Response(unittest.TestCase):
         for name, value in (("young", 0.1), ("layer", 3.0), ("compliance", None), ("curvature", False), ("points", [0]),
                             ("young", np.ones(3))):
             self.refuses(ValueError, "%s cannot be combined with tissues" % name, **{name: value})
-        self.refuses(ValueError, "SurfaceSpacing must be 0 or positive", spacing=-1)
+        self.refuses(ValueError, "Surface Spacing must be 0 or positive", spacing=-1)
         self.refuses(ValueError, "cannot be filled.*'w-'", fixed="w-")
         with self.assertRaisesRegex(ValueError, "cube:3"):
             palpate.response(image(self.LABELS, 3.0), "cube:3", tissues=self.TISSUES)

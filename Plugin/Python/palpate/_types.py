@@ -26,4 +26,4 @@ Body = Union[vtkDataObject, vtkAlgorithm, vtkAlgorithmOutput, Wrapped, Tuple[Rea
 Tool = Union[str, vtkContactTool]
 Layer = Union[Tuple[PerPoint, float, float], Tuple[PerPoint, float, float, bool]]
 Base = Union[Literal["bonded", "slip"], Tuple[Literal["elastic"], float, float]]
-Strain = Union[Literal["small", "neohooke"], Tuple[Literal["ogden", "demiray"], float]]
+Strain = Union[Literal["small", "neo-hooke", "neohooke"], Tuple[Literal["ogden", "demiray"], float]]
