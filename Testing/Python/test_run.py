@@ -47,6 +47,9 @@ class Demo(unittest.TestCase):
     def test_with_a_display_there_is_a_window(self):
         self.assertEqual(self.given(), "[--window]")
         self.assertEqual(self.given("a.vtp", "--depth", "1"), "[--window a.vtp --depth 1]")
+        # The program opens the window with the map.
+        self.assertEqual(self.given("a.nii", "--tissue", "1:0.1:0.4"), "[a.nii --tissue 1:0.1:0.4]")
+        self.assertEqual(self.given("a.nii", "--tissue=1:0.1:0.4"), "[a.nii --tissue=1:0.1:0.4]")
         self.assertEqual(self.given("a.vtp", display=""), "[--output %s a.vtp]" % (self.folder / "build/demo"))
 
 
