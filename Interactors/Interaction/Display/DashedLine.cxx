@@ -33,6 +33,7 @@ void DashedLine::moveTo(const Eigen::Vector3d& point, double value)
   this->Last = point;
   this->LastValue = value;
   this->InGap = false;
+  this->IsAfterGap = false;
   this->Remaining = this->Dash;
 }
 
@@ -63,6 +64,7 @@ void DashedLine::lineTo(const Eigen::Vector3d& point, double value, bool dashed)
     {
       this->extend(cut, cutValue);
     }
+    this->IsAfterGap = this->InGap;
     this->end();
     this->Last = cut;
     this->LastValue = cutValue;
@@ -74,6 +76,7 @@ void DashedLine::lineTo(const Eigen::Vector3d& point, double value, bool dashed)
   {
     this->extend(point, value);
   }
+  this->IsAfterGap = this->IsAfterGap || this->InGap;
   this->Last = point;
   this->LastValue = value;
 }
@@ -82,6 +85,8 @@ void DashedLine::extend(const Eigen::Vector3d& point, double value)
 {
   if ((point - this->Last).norm() > Closest)
   {
+    this->HasGaps = this->HasGaps || this->IsAfterGap;
+    this->IsAfterGap = false;
     if (this->OpenPoints == 0)
     {
       this->Lines->InsertNextCell(0);

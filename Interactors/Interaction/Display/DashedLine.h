@@ -29,6 +29,8 @@ public:
   /// Draws a line from the last point to `point`; dashes continue around corners.
   void lineTo(const Eigen::Vector3d& point, double value = 0.0, bool dashed = false);
 
+  /// Whether there is a gap between two dashes.
+  bool hasGaps() const { return this->HasGaps; }
   /// Returns all lines so far, with the values as the active scalars `name`.
   vtkSmartPointer<vtkPolyData> take(const char* name);
 
@@ -39,6 +41,8 @@ private:
   double Dash;
   double Gap;
   bool InGap = false;
+  bool IsAfterGap = false; ///< whether a gap has passed since the last dash
+  bool HasGaps = false;
   double Remaining; ///< remaining length of the present dash or gap, mm
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
   double LastValue = 0.0;

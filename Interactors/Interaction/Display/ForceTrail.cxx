@@ -97,16 +97,14 @@ void ForceTrail::add(const ShownContact& contact)
 std::string ForceTrail::gapsInWords() const
 {
   bool isBroken = false;
-  bool isDashed = false;
   for (std::size_t i = 1; i < this->Contacts.size(); ++i)
   {
     isBroken = isBroken || this->Contacts[i].begins;
-    isDashed = isDashed || !(this->Contacts[i].begins || this->Contacts[i].valid);
   }
-  return isBroken && isDashed ? "gap: no contact,\nor beyond validity"
-    : isBroken                ? "gap: no contact"
-    : isDashed                ? "gap: beyond validity"
-                              : "";
+  return isBroken && this->IsDashed ? "gap: no contact,\nor beyond validity"
+    : isBroken                      ? "gap: no contact"
+    : this->IsDashed                ? "gap: beyond validity"
+                                    : "";
 }
 
 void ForceTrail::draw()
@@ -125,6 +123,7 @@ void ForceTrail::draw()
     }
     begins = false;
   }
+  this->IsDashed = line.hasGaps();
   this->Tube->SetInputData(line.take("Force"));
 }
 } // namespace palpate

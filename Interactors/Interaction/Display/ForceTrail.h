@@ -58,6 +58,7 @@ private:
   bool IsNear = false; ///< whether the next contact may replace the last one
   bool InAir = true;
   bool IsLive = false;
+  bool IsDashed = false; ///< whether a part beyond validity leaves a gap in the drawn line
   vtkSmartPointer<vtkTubeFilter> Tube;
   vtkSmartPointer<vtkActor> Actor;
 };
