@@ -171,8 +171,7 @@ std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& fi
   if (this->AutomaticTerms)
   {
     return "Leave Out Small Effects (AutomaticTerms) compares laws at the points of the solid and "
-           "cannot be used with a "
-           "Surface";
+           "cannot be used with a Surface";
   }
   return finer.fault().empty() ? "" : "Wrong input: Surface: " + finer.fault();
 }

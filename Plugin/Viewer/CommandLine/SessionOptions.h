@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef palpate_SessionOptions_h
+#define palpate_SessionOptions_h
+
+#include "ViewerOptions.h"
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace palpate
+{
+/// Adds the settings of the contact that the table offers as options.
+void addContactOptions(CLI::App& app, ContactSettings& contact);
+
+/// Adds the options of the device, the servo thread and its records.
+void addDeviceOptions(CLI::App& app, ViewerOptions& options);
+} // namespace palpate
+
+#endif
