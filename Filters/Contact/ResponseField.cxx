@@ -55,7 +55,7 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
   }
   this->Records.resize(this->Stride * this->Points);
   const RisingStiffness rising(this->Sampling);
-  std::atomic<bool> areAllRising{ true };
+  std::atomic<bool> areAllRising{ !arrays.multipleOf || arrays.multipleOf->hasRisingStiffness() };
   forRanges(this->Points,
     [&](std::size_t first, std::size_t last)
     {
@@ -69,7 +69,7 @@ ResponseField::ResponseField(const ResponseArrays& arrays, const PackedMesh* mes
             mesh->pointNormal(point).cast<float>();
         }
       }
-      if (!this->areRising(rising, first, last))
+      if (!arrays.multipleOf && !this->areRising(rising, first, last))
       {
         areAllRising.store(false, std::memory_order_relaxed);
       }

@@ -19,6 +19,7 @@
 
 namespace palpate
 {
+class ResponseField;
 class RisingStiffness;
 
 /**
@@ -44,6 +45,9 @@ struct ResponseArrays
   RelaxationTerms relaxation; ///< if the body relaxes
   CouplingTerms coupling;     ///< if contacts on the body are coupled
   TiltViews tilt;             ///< the effect of tilting the tool, if known
+  /// A field whose curves are these curves times a number, if there is one: whether the stiffness
+  /// rises is then known. Must exist during construction only.
+  const ResponseField* multipleOf = nullptr;
 
   /// The largest δ_max of all points, mm; 0 if no point has a response.
   double longestRange() const noexcept

@@ -305,8 +305,8 @@ std::shared_ptr<const ContactBody> makeContactBody(
   return error.empty() ? made : nullptr;
 }
 
-std::shared_ptr<const ContactBody> makeContactBody(
-  vtkPolyData* body, const std::string& name, std::string& error, const ContactBody& same)
+std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body, const std::string& name,
+  std::string& error, const ContactBody& same, bool isMultiple)
 {
   ResponseArrays arrays;
   if (!viewResponse(body, name, arrays, error))
@@ -324,6 +324,7 @@ std::shared_ptr<const ContactBody> makeContactBody(
   {
     return makeContactBody(body, name, error); // one of the two is cut along its edges
   }
+  arrays.multipleOf = isMultiple ? &same.response : nullptr;
   const FilterThreads threads;
   return std::make_shared<const ContactBody>(same, arrays);
 }

@@ -460,7 +460,7 @@ def check_segmented():
     assert type(body.GetClientSideObject()) is palpate.vtkSegmentedBody
     assert body.GetClientSideObject().GetNumberOfFineRegions() == 1
     felt = simple.ElasticContactResponse(Input=body, YoungsModulusArrayMPa=["CELLS", "YoungsModulus"],
-                                         PoissonsRatioArray=["CELLS", "PoissonRatio"], MaximumDeflectionmm=0.5, SourceSpacingmm=2)
+                                         PoissonsRatioArray=["CELLS", "PoissonRatio"], MaximumDeflectionmm=0.5, SpacingOfSolvedPointsmm=2)
     felt.Tool.Shape = "Sphere"
     felt.Tool.Radiusmm = 2
     mapped = simple.ForceMap(Input=felt, Depthmm=0.4)

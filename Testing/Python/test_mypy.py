@@ -34,7 +34,7 @@ reveal_type(palpate.vtkContactTool().GetForce(0.1, 1.0))        # is: builtins.f
 reveal_type(palpate.vtkToolContactResponse().GetTool())         # is: palpate.palpateResponse.vtkContactTool
 palpate.response(body, tool=3)                                  # wrong: "tool"
 palpate.response(body, yuong=0.05)                              # wrong: "yuong"
-palpate.response(body, strain="neo-hooke")                      # wrong: "strain"
+palpate.response(body, strain="hooke")                          # wrong: "strain"
 palpate.response(body, samples="8")                             # wrong: "samples"
 palpate.probe(body)                                             # wrong: "probe"
 palpate.probe(body, np.zeros((4, 3)), force_form="smooth")      # wrong: "probe"

@@ -16,7 +16,7 @@ from vtkmodules.vtkFiltersCore import vtkStripper, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 RADIUS = 20.0
-ADVICE = r"\d+ triangle strips; pass it through vtkTriangleFilter first"
+ADVICE = r"\d+ triangle strips; apply Triangulate \(vtkTriangleFilter\) first"
 
 
 def ball():

@@ -282,7 +282,7 @@ class Response(unittest.TestCase):
             palpate.response(image(self.LABELS, 3.0))
 
     def test_faults_of_other_arguments(self):
-        for name, value in (("young", 0.1), ("layer", 3.0), ("compliance", None), ("curvature", False), ("points", [0]),
+        for name, value in (("young", 0.2), ("layer", 3.0), ("compliance", None), ("curvature", False), ("points", [0]),
                             ("young", np.ones(3))):
             self.refuses(ValueError, "%s cannot be combined with tissues" % name, **{name: value})
         self.refuses(ValueError, "Surface Spacing must be 0 or positive", spacing=-1)

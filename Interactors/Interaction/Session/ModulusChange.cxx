@@ -164,7 +164,7 @@ MadeResponses scaleModulus(const MadeResponses& known, const ResponseRequest& wa
     made.forms[i] =
       known.forms[i] == known.body ? made.body : scaled(known.forms[i], wanted, factor);
     made.kernels.read[name] =
-      makeContactBody(made.forms[i], name, made.error, *known.kernels.read.at(name));
+      makeContactBody(made.forms[i], name, made.error, *known.kernels.read.at(name), true);
   }
   for (const auto& [response, peaks] : known.kernels.peaks)
   {
