@@ -9,8 +9,11 @@
 #include "Haptics/Devices/TrajectoryFile.h"
 
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTable.h"
 #include "vtkTextProperty.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -285,10 +288,12 @@ void HapticWindow::arrange()
 
 void HapticWindow::printSummary()
 {
+  vtkNew<vtkTable> statistics;
+  this->Session->GetRecorder()->GetStatistics(statistics);
   std::printf("%lld ticks, %lld missed; strongest force %.4g N\n",
     static_cast<long long>(this->Session->GetNumberOfTicks()),
     static_cast<long long>(this->Session->GetRecorder()->GetNumberOfMissedTicks()),
-    this->StrongestForces.front());
+    statistics->GetValueByName(0, "PeakForce (N)").ToDouble());
   for (std::size_t hand = 1; hand < this->StrongestForces.size(); ++hand)
   {
     std::printf("hand %zu: strongest force %.4g N, device %s\n", hand + 1,

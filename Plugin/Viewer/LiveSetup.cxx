@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LiveSetup.h"
 
+#include "ProgressLine.h"
 #include "Response/Files/CollectingWindow.h"
 
 #include "vtkContactSetup.h"
 #include "vtkToolContactResponse.h"
+
+#include <chrono>
+#include <thread>
 
 namespace palpate
 {
@@ -35,6 +39,20 @@ void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
   setup->SetBaseYoungsModulus(stack.halfSpace.youngsModulus);
   setup->SetBasePoissonRatio(stack.halfSpace.poissonsRatio);
   setup->SetBaseSlips(stack.halfSpace.slips);
+}
+
+/// Makes the responses, with their progress. Returns false after an error.
+bool computeResponses(vtkContactSetup* setup)
+{
+  constexpr std::chrono::milliseconds pause{ 10 };
+  ProgressLine line("the responses are computed");
+  setup->Request();
+  while (setup->IsBusy())
+  {
+    line.show(setup->GetProgress());
+    std::this_thread::sleep_for(pause);
+  }
+  return setup->Collect();
 }
 } // namespace
 
@@ -80,7 +98,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene
   setup->SetChoiceDeflection(scene.depth);
   {
     const QuietScope quiet;
-    if (!setup->Update())
+    if (!computeResponses(setup))
     {
       return quiet.window->reason();
     }

@@ -71,9 +71,12 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   const auto value = [&](const char* column)
   { return statistics->GetValueByName(0, column).ToDouble(); };
   std::printf("\n%s\n", scene.title.c_str());
-  std::printf("  body        %lld vertices, %lld triangles\n",
+  std::array<double, 6> bounds{};
+  responses.body->GetBounds(bounds.data());
+  std::printf("  body        %lld vertices, %lld triangles, %.4g x %.4g x %.4g mm\n",
     static_cast<long long>(responses.body->GetNumberOfPoints()),
-    static_cast<long long>(responses.body->GetNumberOfPolys()));
+    static_cast<long long>(responses.body->GetNumberOfPolys()), bounds[1] - bounds[0],
+    bounds[3] - bounds[2], bounds[5] - bounds[4]);
   std::printf("  material    %s\n", describeMaterial(scene).c_str());
   std::printf("  tools      ");
   for (const std::string& tool : scene.tools)
@@ -92,8 +95,11 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   }
   std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
     value("Ticks"), session->GetRate(), value("TicksInContact"));
+  const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
+  const auto peak = std::max_element(ticks.begin(), ticks.end(),
+    [](const Tick& a, const Tick& b) { return a.contact.force.norm() < b.contact.force.norm(); });
   std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),
-    value("PeakDeflection (mm)"));
+    peak == ticks.end() ? 0.0 : peak->contact.deflection);
   const std::string memory = memoryInWords(value("PeakForce (N)"), value("MemoryAtPeak (N)"));
   if (!memory.empty())
   {
@@ -104,8 +110,7 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   {
     std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
   }
-  const std::string trust =
-    describeTrust(responses.body, session->GetRecorder()->GetTicks(), scene.terms.errorTolerance);
+  const std::string trust = describeTrust(responses.body, ticks, scene.terms.errorTolerance);
   if (!trust.empty())
   {
     std::printf("  error       %s\n", trust.c_str());

@@ -87,11 +87,10 @@ void addBodyCompliance(const ViewerOptions& options, ViewerScene& scene)
   {
     return;
   }
-  const auto range = std::minmax_element(found.compliance.begin(), found.compliance.end());
   scene.solid = true;
   scene.modelReason = "in series with the compliance of the whole body, by finite elements";
-  scene.notes.push_back(joined("as a whole the body, held at ", found.heldAt, ", yields by ",
-    *range.first, " to ", *range.second, " mm/N (--fixed, --no-whole-body)"));
+  scene.notes.push_back(joined("the forces include the deflection of the whole body, held at ",
+    found.heldAt, " (--fixed, --no-whole-body)"));
   for (const std::string& warning : found.warnings)
   {
     std::fprintf(stderr, "palpate: warning: %s\n", warning.c_str());

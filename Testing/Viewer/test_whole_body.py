@@ -6,7 +6,7 @@ import unittest
 import bodies
 from session import SessionCase, peak_force
 
-HELD = r"as a whole the body, held at (\S+), yields by (\S+) to (\S+) mm/N"
+HELD = r"the forces include the deflection of the whole body, held at (\S+) "
 
 
 class WholeBody(SessionCase):
@@ -25,11 +25,10 @@ class WholeBody(SessionCase):
         whole = self.press_ball(whole_body=True)
         solved = self.solutions()
         self.assertEqual(len(solved), 1)
-        side, lowest, highest = re.search(HELD, whole.stderr).groups()
+        side = re.search(HELD, whole.stderr).group(1)
         # A cap with a height h of the diameter d has a projected area of pi h (d - h), a quarter of the square at h = 0.09 d.
         # Whole rings of triangles count, so it takes the next step of 3 %: 12 % of 50 mm.
         self.assertEqual(side, "z-:6")
-        self.assertLess(float(lowest), float(highest))
         self.assertIn("in series with the compliance of the whole body", whole.stdout)
         self.assertLess(peak_force(whole), peak_force(local))
         again = self.press_ball(whole_body=True)
