@@ -47,6 +47,7 @@ void vtkContactSetup::AddTool(vtkContactTool* tool)
 void vtkContactSetup::RemoveAllTools()
 {
   this->Kept->tools.clear();
+  this->ChosenTool = 0;
   this->Modified();
 }
 

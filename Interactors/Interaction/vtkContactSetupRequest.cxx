@@ -37,6 +37,13 @@ Tool copyOf(vtkContactTool* tool)
   return copy;
 }
 
+/// A text that is equal for equal tools. A profile has no text of its own.
+std::string keyOf(vtkContactTool* tool)
+{
+  const bool isText = tool->HasSize() || tool->GetShape() == vtkContactTool::PowerLaw;
+  return tool->GetSpecification() + (isText ? "" : ' ' + std::to_string(tool->GetMTime()));
+}
+
 /// A shallow copy of `body`, the body on the screen, with the arrays that another thread added to a
 /// copy of it.
 vtkSmartPointer<vtkPolyData> withAddedArrays(vtkPolyData* body, const palpate::MadeResponses& made)
@@ -82,7 +89,7 @@ bool vtkContactSetup::MakeRequest(palpate::ResponseRequest& request)
   for (int i = 0; i < this->GetNumberOfTools(); ++i)
   {
     request.tools.push_back(copyOf(this->GetTool(i)));
-    request.toolTimes.push_back(this->GetTool(i)->GetMTime());
+    request.toolKeys.push_back(keyOf(this->GetTool(i)));
     request.names.push_back(this->GetResponseName(i));
   }
   request.stored = this->Model == Stored;
@@ -200,6 +207,11 @@ void vtkContactSetup::Cancel()
     return;
   }
   kept.background.cancel();
+  kept.requested = 0;
+  if (!kept.output)
+  {
+    return;
+  }
   this->SetYoungsModulus(kept.shown.youngsModulus);
   this->SetPoissonRatio(kept.shown.poissonRatio);
   this->SetModel(kept.shown.model);
@@ -211,7 +223,11 @@ void vtkContactSetup::Cancel()
       kept.tools[i]->SetSize(kept.shown.sizes[i]);
     }
   }
-  kept.requested = this->GetMTime(); // the present responses are those of these settings
+  palpate::ResponseRequest present;
+  if (!this->MakeRequest(present) || !palpate::areEqual(kept.made.of, present))
+  {
+    kept.requested = 0; // something else has changed
+  }
 }
 
 bool vtkContactSetup::Collect()

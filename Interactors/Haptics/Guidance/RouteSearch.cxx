@@ -91,7 +91,7 @@ void RouteSearch::beginArc() noexcept
 {
   const Vector3 from = this->Way.last() - this->Goal.centre;
   const Vector3 to = this->Goal.way[this->Goal.steps - 1] - this->Goal.centre;
-  if (!this->Goal.leadsOut)
+  if (!this->Goal.leadsOut || !from.allFinite() || !to.allFinite())
   {
     this->end(FreeLine::State::Blocked);
     return;
@@ -124,6 +124,7 @@ FreeLine::State RouteSearch::go(int queries) noexcept
     if (this->Now == Stage::Choose)
     {
       this->choose();
+      --queries; // so that each tick ends
       continue;
     }
     const FreeLine::State state = this->Line.go(queries);

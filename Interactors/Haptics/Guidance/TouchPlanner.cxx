@@ -10,6 +10,10 @@ namespace palpate
 {
 namespace
 {
+/// A goal that is farther away from the surface is moved onto it, mm. A picked place is off by
+/// rounding.
+constexpr double OffSurface = 0.05;
+
 /// Largest distance of a corner from the centre of the body's box, mm.
 double largestRadius(const PackedMesh& mesh)
 {
@@ -75,8 +79,8 @@ TouchGoal TouchPlanner::plan(const Vector3& point, const Vector3& normal, double
   const double drop = body.tilt ? body.tilt->largestDrop() : 0.0;
   const double most = (height > 0.0 ? height : Approach) + drop;
   TouchGoal goal = this->Last;
-  const bool isSame = goal.number > 0 && goal.surface == this->Surface && goal.point == point &&
-    goal.normal == normal && most == this->LastMost;
+  const bool isSame = goal.number > 0 && goal.surface == this->Surface &&
+    this->LastPoint == point && this->LastNormal == normal && most == this->LastMost;
   goal.number = ++this->LastNumber;
   goal.bodyNumber = newest.number;
   goal.body = &body;
@@ -85,16 +89,25 @@ TouchGoal TouchPlanner::plan(const Vector3& point, const Vector3& normal, double
     goal.surface = this->Surface;
     goal.point = point;
     goal.normal = normal;
-    goal.triangle = body.tree.closest(point).triangle;
-    goal.hover = freeHeight(body, point, normal, most);
+    const SurfacePoint closest = body.tree.closest(point);
+    goal.triangle = closest.triangle;
+    if (closest.triangle >= 0 && (closest.projection.point - point).norm() > OffSurface)
+    {
+      goal.point = closest.projection.point; // such as after a change of the body
+      goal.normal = surfaceNormal(body, closest.triangle, closest.projection.weights);
+    }
+    goal.hover = freeHeight(body, goal.point, goal.normal, most);
     goal.margin = marginShare * std::min(goal.hover, Approach) + (goal.hover > drop ? drop : 0.0);
     goal.centre = body.surface.centre();
-    goal.radius = this->Radius;
+    const Vector3 top = goal.point + goal.hover * goal.normal;
+    goal.radius = std::max(this->Radius, (top - goal.centre).norm() + Approach);
     this->findWay(goal);
   }
   goal.height = height > 0.0 ? goal.hover : height;
   this->Last = goal;
   this->LastMost = most;
+  this->LastPoint = point;
+  this->LastNormal = normal;
   return goal;
 }
 
@@ -123,7 +136,7 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
 {
   const Vector3 from = goal.way[goal.steps - 1];
   const double length = lengthToSphere(from - goal.centre, direction, goal.radius);
-  if (!isFree(*goal.body, from, from + length * direction, goal.margin))
+  if (!(length > 0.0) || !isFree(*goal.body, from, from + length * direction, goal.margin))
   {
     return false;
   }

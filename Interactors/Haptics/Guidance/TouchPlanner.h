@@ -31,8 +31,8 @@ public:
   bool hasBody() const noexcept { return !this->Bodies.empty(); }
 
   /// The goal of a tip at `height` (mm, negative: pressed) above a point with an outward unit
-  /// normal. A tip that does not press is lowered to the free height if that is smaller. setBody
-  /// must have set a body.
+  /// normal. A point that is not on the surface is replaced by the closest one that is. A tip that
+  /// does not press is lowered to the free height if that is smaller. setBody must have set a body.
   TouchGoal plan(const Vector3& point, const Vector3& normal, double height);
 
   /// Releases the bodies with a smaller number than that of the oldest body in use.
@@ -53,9 +53,11 @@ private:
   std::uint64_t LastNumber = 0;
   std::uint64_t LastBody = 0;
   std::uint64_t Surface = 0;
-  double Radius = 0.0;   ///< of a sphere around the body, mm
-  double LastMost = 0.0; ///< largest height of the last column, mm
-  TouchGoal Last;        ///< the way of the same place is not searched again
+  double Radius = 0.0;                 ///< of a sphere around the body, mm
+  double LastMost = 0.0;               ///< largest height of the last column, mm
+  Vector3 LastPoint = Vector3::Zero(); ///< as given
+  Vector3 LastNormal = Vector3::Zero();
+  TouchGoal Last; ///< the way of the same place is not searched again
 };
 } // namespace palpate
 

@@ -93,14 +93,14 @@ void findValidity(vtkPolyData* body, const std::string& responseName, ShownConta
   {
     return;
   }
-  const StoredError errors(body, responseName);
+  contact.error =
+    StoredError(body, responseName)
+      .at(contact.cell, contact.tick.contact.contactPoint.data(), contact.tick.contact.deflection);
   vtkNew<vtkIdList> corners;
   body->GetCellPoints(contact.cell, corners);
   for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
   {
     const vtkIdType corner = corners->GetId(i);
-    const double error = errors.at(corner, contact.tick.contact.deflection);
-    contact.error = error > contact.error || i == 0 ? error : contact.error;
     if (validity->GetTuple1(corner) < contact.validity)
     {
       contact.validity = validity->GetTuple1(corner);

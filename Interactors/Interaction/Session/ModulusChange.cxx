@@ -20,8 +20,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double Rounding = 1e-12;   // relative, of the product of modulus and compliance
-constexpr std::size_t Share = 65536; // numbers that a thread scales at a time
+constexpr double LargestChange = 1e6; // of the modulus; floats keep their accuracy
+constexpr double Rounding = 1e-12;    // relative, of the product of modulus and compliance
+constexpr std::size_t Share = 65536;  // numbers that a thread scales at a time
 
 auto lawOf(const LawTerms& terms)
 {
@@ -33,7 +34,7 @@ auto lawOf(const LawTerms& terms)
 /// apart.
 auto partsOf(const ResponseRequest& request)
 {
-  return std::tie(request.body, request.names, request.toolTimes, request.stored,
+  return std::tie(request.body, request.names, request.toolKeys, request.stored,
     request.poissonRatio, request.maximumDeflection, request.layerThickness, request.thicknessArray,
     request.base, request.complianceArray, request.tolerance, request.choiceDeflection);
 }
@@ -72,9 +73,10 @@ double powerOf(const std::string& name, const ResponseRequest& request)
   {
     return 0.0;
   }
-  return name == request.complianceArray ? powerOf("mm/N")
-    : name.rfind("GlobalMode", 0) == 0   ? powerOf("\u221a(mm/N)")
-                                         : 0.0;
+  return name == request.complianceArray || name == request.complianceArray + "Error"
+    ? powerOf("mm/N")
+    : name.rfind("GlobalMode", 0) == 0 ? powerOf("\u221a(mm/N)")
+                                       : 0.0;
 }
 
 vtkSmartPointer<vtkDataArray> scaled(vtkDataArray* array, double factor)
@@ -131,13 +133,23 @@ vtkSmartPointer<vtkPolyData> scaled(
 }
 } // namespace
 
+bool areEqual(const ResponseRequest& one, const ResponseRequest& other)
+{
+  return partsOf(one) == partsOf(other) && lawOf(one.terms) == lawOf(other.terms) &&
+    haveSameRelaxation(one.relaxation, other.relaxation) && one.deeper == other.deeper &&
+    one.secondArray == other.secondArray && one.halfSpace == other.halfSpace &&
+    one.coupling == other.coupling && one.youngsModulus == other.youngsModulus &&
+    one.complianceFactor == other.complianceFactor;
+}
+
 bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted)
 {
   const auto modulusTimesCompliance = [](const ResponseRequest& request)
   { return request.youngsModulus * request.complianceFactor; };
+  const double factor = wanted.youngsModulus / known.youngsModulus;
   const bool isProportional = !wanted.stored && !wanted.coupling && wanted.deeper.empty() &&
-    wanted.secondArray.empty() && !wanted.halfSpace && wanted.youngsModulus > 0.0 &&
-    std::isfinite(wanted.youngsModulus) &&
+    wanted.secondArray.empty() && !wanted.halfSpace && factor > 1.0 / LargestChange &&
+    factor < LargestChange &&
     (wanted.complianceArray.empty() ||
       std::abs(modulusTimesCompliance(wanted) / modulusTimesCompliance(known) - 1.0) < Rounding);
   return isProportional && !known.coupling && known.deeper.empty() && !known.halfSpace &&

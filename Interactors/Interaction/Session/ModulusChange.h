@@ -8,6 +8,9 @@
 
 namespace palpate
 {
+/// Whether two requests ask for the same responses of the same body.
+bool areEqual(const ResponseRequest& one, const ResponseRequest& other);
+
 /// Whether `wanted` is `known` with another Young's modulus, and all forces are proportional to
 /// this modulus: the body has no material with a modulus of its own (layers below, half-space below
 /// the layers, a compliance that stays), and contacts are not coupled.

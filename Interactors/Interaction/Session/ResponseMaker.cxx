@@ -32,7 +32,7 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
     vtkDataArray* given = data->GetArray(i);
     const std::string name = given && given->GetName() ? given->GetName() : "";
     const bool isMode = name.rfind("GlobalMode", 0) == 0 || name == CouplingModesName;
-    if (name != request.complianceArray && !isMode)
+    if (name != request.complianceArray && name != request.complianceArray + "Error" && !isMode)
     {
       continue;
     }

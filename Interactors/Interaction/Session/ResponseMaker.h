@@ -26,8 +26,8 @@ struct ResponseRequest
 {
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
-  std::vector<vtkMTimeType> toolTimes; ///< modification times of the tools
-  std::vector<std::string> names;      ///< prefix of each tool's response
+  std::vector<std::string> toolKeys; ///< equal for equal tools
+  std::vector<std::string> names;    ///< prefix of each tool's response
   bool stored = false; ///< whether the body already has the responses, so that only the kernels are
                        ///< made
   double youngsModulus = 0.0; ///< MPa

@@ -190,4 +190,25 @@ TEST_P(GuidedHandOver, JumpsAroundTheBody)
   std::printf("%s: %d ticks, %d pressed\n", shape.name.c_str(), hand.Ticks, hand.Pressed);
 }
 
+/// A place off the surface, also outside the sphere around the body, stands for the closest one on
+/// it.
+TEST(GuidedHand, APlaceOffTheSurfaceIsPutOnIt)
+{
+  const GuidedShape shape = guidedShapes().front();
+  GuidedSteering hand(shape);
+  std::mt19937 random(7);
+  hand.steer(hand.anyPlace(random), -0.5);
+  hand.ticks(300);
+  for (const double factor : { 1.1, 2.0, 3.0, 40.0 })
+  {
+    const SurfacePlace place = hand.anyPlace(random);
+    const SurfacePlace off{ factor * place.point, place.normal };
+    const SurfacePlace nearest = hand.placeAt(off.point);
+    hand.steer(off, -0.5);
+    hand.At = nearest;
+    hand.ticks(1500);
+    EXPECT_LE((hand.Tip - nearest.point + 0.5 * nearest.normal).norm(), 1e-6) << factor;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(FiveBodies, GuidedHandOver, ::testing::Range<std::size_t>(0, 5));

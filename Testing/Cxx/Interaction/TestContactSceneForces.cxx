@@ -272,7 +272,7 @@ void checkError(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vt
   other->GetPointData()->AddArray(error);
   scene->SetBody(other);
   PALPATE_CHECK(scene->ShowTip(tips, tip));
-  PALPATE_CHECK_TEXT(caption(scene->GetRenderer()), " N \u00b1 4 %");
+  PALPATE_CHECK_TEXT(caption(scene->GetRenderer()), " N \u00b1 3 %");
   scene->SetBody(body);
 }
 } // namespace

@@ -124,6 +124,21 @@ void checkCancel()
   setup->Request();
   PALPATE_CHECK(!setup->IsBusy() && !setup->Collect()); // nothing is missing
   setup->Cancel();                                      // no effect
+  // Other changes remain, and are made by the next request.
+  setup->SetMaximumDeflection(1.5);
+  setup->Request();
+  setup->Cancel();
+  setup->Request();
+  PALPATE_CHECK(collected(setup));
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * Reduced * 1.5), 1.0, Stored);
+  setup->SetMaximumDeflection(2.0);
+  // Before the first output there is nothing to return to.
+  const auto fresh = makeSetup(planeBody(20.0, 150));
+  fresh->Request();
+  fresh->Cancel();
+  PALPATE_CHECK(fresh->GetYoungsModulus() == Modulus && fresh->GetPoissonRatio() == Poisson);
+  fresh->Request();
+  PALPATE_CHECK(collected(fresh));
   setup->SetPoissonRatio(0.2);
   setup->Request();
   PALPATE_CHECK(collected(setup) && setup->GetProgress() == 1.0);
@@ -272,6 +287,7 @@ void checkModulusChange()
   constexpr double factor = 2.7;
   const Body body = planeBody(10.0, 10);
   pointArray(body, "GlobalCompliance", [](vtkIdType i) { return 0.5 + 0.001 * i; });
+  pointArray(body, "GlobalComplianceError", [](vtkIdType) { return 0.03; });
   pointArray(body, "LayerThickness", [](vtkIdType i) { return 4.0 + 0.01 * i; });
   struct Case
   {
