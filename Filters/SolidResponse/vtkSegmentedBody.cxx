@@ -5,6 +5,7 @@
 #include "Mechanics/ReducedModulus.h"
 #include "Response/Bodies/SkinContour.h"
 #include "Response/FilterStage.h"
+#include "SolidResponse/Bodies/ChosenSpacing.h"
 #include "SolidResponse/Bodies/FactorisedBody.h"
 #include "SolidResponse/Bodies/SegmentedVoxels.h"
 #include "SolidResponse/Bodies/SourceSpacing.h"
@@ -38,11 +39,6 @@ constexpr double FilledShare = 0.95;
 
 /// Number of cells that the surface, and that all enclosed regions together, should have.
 constexpr double UsualCells = 10000.0;
-/// Number of cells of a graded body: this factor times the area, divided by the square of the
-/// spacing.
-constexpr double CellsPerSquare = 8.7;
-/// The largest spacing, as a fraction of the cube root of the volume.
-constexpr double MostOfBody = 1.0 / 6.0;
 /// Side of the cavities that are filled, in spacings.
 constexpr double LeastCavity = 2.0;
 /// The lattice of the contour may be coarser than the voxels, but not than this fraction of the
@@ -268,8 +264,7 @@ void vtkSegmentedBody::ChooseCells(
   cells.fixedFaces = this->FixedFaces;
   cells.spacing = this->SurfaceSpacing > 0.0
     ? this->SurfaceSpacing
-    : std::min(std::sqrt(CellsPerSquare * voxels.area() / UsualCells),
-        MostOfBody * std::cbrt(voxels.volume()));
+    : palpate::chosenSpacing(voxels.area(), voxels.volume(), UsualCells);
   this->UsedSpacing = cells.spacing;
   std::vector<palpate::EnclosedRegion> regions = voxels.findEnclosedRegions();
   regions.resize(std::min(regions.size(), MostFineRegions));

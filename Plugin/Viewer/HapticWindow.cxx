@@ -130,7 +130,7 @@ HapticWindow::HapticWindow(
     [this]
     {
       this->StrongestForces.resize(static_cast<std::size_t>(this->Session->GetNumberOfDevices()));
-      for (std::size_t hand = 0; hand < this->StrongestForces.size(); ++hand)
+      for (std::size_t hand = 1; hand < this->StrongestForces.size(); ++hand)
       {
         const Tick& tick = this->Session->GetNewestTick(static_cast<int>(hand));
         this->StrongestForces[hand] = std::max(this->StrongestForces[hand], tick.idealForce.norm());

@@ -75,8 +75,8 @@ private:
   const ViewerScene& Scene;
   const ResponseSet& Responses;
   double LargestForce; ///< largest force for the scale of arrows and charts, N
-  std::vector<double> StrongestForces{ 0.0 }; ///< largest ideal force in any frame, for each hand,
-                                              ///< N
+  std::vector<double> StrongestForces{ 0.0 }; ///< largest ideal force in any frame, for each
+                                              ///< further hand, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;
   std::string HelpText;

@@ -8,9 +8,6 @@
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
-
 #include <algorithm>
 #include <cstdio>
 

@@ -20,11 +20,11 @@ inline constexpr double ChosenTetrahedra = 20000.0;
 inline constexpr double LargestOfBody = 1.0 / 6.0;
 inline constexpr double ChosenVoxels = 10000.0;
 
-/// Spacing of graded tetrahedra at the surface, mm, for an area (mm²) and a volume (mm³).
-inline double chosenSpacing(double area, double volume)
+/// Spacing of about `cells` graded tetrahedra at the surface, mm, for an area (mm²) and a volume
+/// (mm³).
+inline double chosenSpacing(double area, double volume, double cells = ChosenTetrahedra)
 {
-  return std::min(
-    std::sqrt(CellsPerSquare * area / ChosenTetrahedra), LargestOfBody * std::cbrt(volume));
+  return std::min(std::sqrt(CellsPerSquare * area / cells), LargestOfBody * std::cbrt(volume));
 }
 
 /// Side of the voxels, mm, for a volume (mm³).

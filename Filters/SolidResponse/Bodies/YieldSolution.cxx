@@ -7,6 +7,7 @@
 #include "Mechanics/JoinedText.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/FilterStage.h"
+#include "SolidResponse/Bodies/ChosenSpacing.h"
 #include "SolidResponse/Bodies/CoarseSurface.h"
 #include "SolidResponse/Bodies/CoarserBody.h"
 #include "SolidResponse/Bodies/SolvedBody.h"
@@ -32,15 +33,11 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeastCells = 100;        ///< of a request
-constexpr double CellsPerSquare = 8.7; // of the surface, over the squared spacing
-// The spacing is at least this fraction of the contact radius, and at most this fraction of the
-// cube root of the volume.
-constexpr double LeastOfContact = 0.25;
-constexpr double MostOfBody = 1.0 / 6.0;
-constexpr double LeastOfSpacing = 0.5; // distance of solved points: nodes, also mid-edge ones
-constexpr double PointsPerCell = 0.15; // solved points
-constexpr double CoarserRatio = 2.0;   // of the second mesh's cells
+constexpr int LeastCells = 100;         ///< of a request
+constexpr double LeastOfContact = 0.25; // the least spacing over the contact radius
+constexpr double LeastOfSpacing = 0.5;  // distance of solved points: nodes, also mid-edge ones
+constexpr double PointsPerCell = 0.15;  // solved points
+constexpr double CoarserRatio = 2.0;    // of the second mesh's cells
 /// A surface with more triangles, or one that cannot be filled, is replaced by a coarse one with
 /// voxels of this fraction of the cells' spacing.
 constexpr vtkIdType MostTriangles = 300000;
@@ -158,7 +155,7 @@ double spacingOf(const ClosedSurface& closed, int cells, double radius)
 {
   const double wanted =
     std::max(std::sqrt(CellsPerSquare * closed.area / cells), LeastOfContact * radius);
-  return std::min(wanted, MostOfBody * std::cbrt(closed.volume));
+  return std::min(wanted, LargestOfBody * std::cbrt(closed.volume));
 }
 
 /// Fills the body or, if it has too much detail or cannot be filled, a coarse surface of it.
