@@ -134,6 +134,10 @@ int vtkDirectContactResponse::RequestData(
   std::string fault = this->CheckProperties();
   fault = fault.empty() && !surface ? "Wrong input: " + sound.fault() : fault;
   fault = fault.empty() ? this->CheckResponse(surface, body, coarser) : fault;
+  if (fault.empty() && !palpate::hasSurfaceMesher())
+  {
+    fault = std::string("No part can be filled: ") + palpate::missingMesher();
+  }
   if (fault.empty())
   {
     palpate::copyWithOwnFields(surface, output);
@@ -162,10 +166,6 @@ int vtkDirectContactResponse::RequestData(
 
 std::string vtkDirectContactResponse::CheckProperties()
 {
-  if (!palpate::hasSurfaceMesher())
-  {
-    return std::string("No part can be filled: ") + palpate::missingMesher();
-  }
   palpate::LawRequest request;
   request.tool = this->Tool;
   request.responseName = this->ResponseName;

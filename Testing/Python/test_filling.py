@@ -66,10 +66,6 @@ class SameBits(unittest.TestCase):
     """Cuts at several sides. The order of the triangles of each cut came from memory addresses, which differ from process to
     process and from run to run."""
 
-    def setUp(self):
-        if not vtkGradedBody.IsAvailable():
-            self.skipTest("built without CGAL")
-
     def test_in_several_processes(self):
         found = [subprocess.run([sys.executable, __file__, "--digests"], capture_output=True, text=True, check=True).stdout
                  for _ in range(PROCESSES)]
@@ -85,8 +81,6 @@ class SameBits(unittest.TestCase):
 
 class ChosenSizes(unittest.TestCase):
     def test_tetrahedra_follow_the_body(self):
-        if not vtkGradedBody.IsAvailable():
-            self.skipTest("built without CGAL")
         self.assertEqual(vtkGradedBody().GetSurfaceSpacing(), 0.0)
         for radius in (5.0, 70.0):
             solid = filled(vtkGradedBody, ball(radius))
@@ -99,8 +93,6 @@ class ChosenSizes(unittest.TestCase):
             self.assertLess(count, 25000)
 
     def test_a_flat_body_has_no_more_cells(self):
-        if not vtkGradedBody.IsAvailable():
-            self.skipTest("built without CGAL")
         solid = filled(vtkGradedBody, box())
         area, volume = 2 * (30 * 30 + 2 * 30 * 20), 30 * 30 * 20
         expected = min(math.sqrt(8.7 * area / 20000), volume ** (1 / 3) / 6)
@@ -108,8 +100,7 @@ class ChosenSizes(unittest.TestCase):
 
     def test_given_sizes_are_kept(self):
         self.assertEqual(filled(vtkVoxelBody, ball(20.0), Spacing=2.5).GetUsedSpacing(), 2.5)
-        if vtkGradedBody.IsAvailable():
-            self.assertEqual(filled(vtkGradedBody, ball(20.0), SurfaceSpacing=5.0).GetUsedSpacing(), 5.0)
+        self.assertEqual(filled(vtkGradedBody, ball(20.0), SurfaceSpacing=5.0).GetUsedSpacing(), 5.0)
 
     def test_voxels_follow_the_body(self):
         self.assertEqual(vtkVoxelBody().GetSpacing(), 0.0)

@@ -62,9 +62,9 @@ def scan():
 
 
 def solid(spacing):
-    made = palpate.vtkGradedBody()
+    made = palpate.vtkVoxelBody()    # every build has it; vtkGradedBody needs CGAL
     made.SetInputData(ball())
-    made.SetSurfaceSpacing(spacing)
+    made.SetSpacing(spacing)
     made.SetFixedFaces("z-:3")
     return made
 
