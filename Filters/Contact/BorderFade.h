@@ -3,6 +3,7 @@
 #define palpate_BorderFade_h
 
 #include "Contact/PackedMesh.h"
+#include "Contact/Pressed.h"
 
 #include <Eigen/Geometry>
 
@@ -40,6 +41,8 @@ struct BorderFade
   /// to the tip, on the inner side.
   static BorderFade at(const PackedMesh& mesh, std::int32_t triangle, const Vector3& weights,
     const Vector3& offset) noexcept;
+  /// Sets the reach of a tool beyond a border; `tip` is the followed point.
+  static void reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) noexcept;
 
 private:
   /// Length (>= 0) of the part of a vector that is in the cone between two unit vectors.
@@ -110,6 +113,17 @@ inline BorderFade BorderFade::at(const PackedMesh& mesh, std::int32_t triangle,
   const double left = beyond < fade.depth ? 1.0 - beyond / fade.depth : 0.0;
   fade.fraction = left * left * (3.0 - 2.0 * left);
   return fade;
+}
+
+inline void BorderFade::reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) noexcept
+{
+  ContactPlace& place = pressed.place();
+  const BorderFade fade =
+    at(mesh, place.triangle, place.projection.weights, tip - place.projection.point);
+  pressed.reach.depth = fade.depth - pressed.sunk;
+  pressed.reach.share.value = fade.fraction; // without its gradient: no force pulls the tip back
+  place.normal = mesh.faceNormal(place.triangle);
+  place.weightGradients.setZero();
 }
 } // namespace palpate
 

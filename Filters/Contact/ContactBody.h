@@ -81,7 +81,44 @@ public:
   const std::unique_ptr<const BodyCoupling> coupling;     ///< null: contacts are not coupled
   const std::unique_ptr<const BodyTilt> tilt;             ///< null: tilts have no effect
 
+  /// Prefetches the responses of a triangle.
+  void prefetchResponses(std::int32_t triangle) const noexcept
+  {
+    for (const std::int32_t corner : this->surface.corners(triangle))
+    {
+      this->response.prefetch(corner);
+    }
+  }
+  /// Prefetches all that a tick reads on a triangle and on its neighbours.
+  void prefetchAround(std::int32_t triangle) const noexcept
+  {
+    this->prefetch(triangle);
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const std::int32_t across = this->surface.neighbour(triangle, edge);
+      if (across >= 0)
+      {
+        this->prefetch(across);
+      }
+    }
+    // If a face is not certainly the nearest one, the tick checks the triangles around its corners.
+    for (const std::int32_t corner : this->surface.corners(triangle))
+    {
+      this->surface.visitAround(
+        corner, [this](std::int32_t near) { this->surface.prefetch(near); });
+    }
+  }
+
 private:
+  void prefetch(std::int32_t triangle) const noexcept
+  {
+    this->surface.prefetchInput(triangle);
+    if (this->edges)
+    {
+      this->edges->prefetch(triangle);
+    }
+    this->prefetchResponses(triangle);
+  }
   static double creaseTurn(const ResponseArrays& responses)
   {
     return responses.edges.areFelt() ? BodyEdges::LeastTurn : 0.0;

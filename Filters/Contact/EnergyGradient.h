@@ -32,12 +32,11 @@ struct EnergyGradient
   static ContactPlace onFacet(
     const PackedMesh& mesh, const Vector3& tip, const SurfacePoint& surface) noexcept;
 
-  /// Force on the tool, N. `normalForce` is Σ n_i f_i, along the surface's outward normal. Element
-  /// i of `energies` is e_i; a constant common to all three has no effect.
-  static Vector3 force(double normalForce, const Vector3& normal,
+  /// Σ e_i ∇n_i, N. Element i of `energies` is e_i; a constant common to all three has no effect.
+  static Vector3 ofEnergies(
     const Eigen::Matrix3d& weightGradients, const Vector3& energies) noexcept
   {
-    return normalForce * normal - weightGradients.col(1) * (energies[1] - energies[0]) -
+    return weightGradients.col(1) * (energies[1] - energies[0]) +
       weightGradients.col(2) * (energies[2] - energies[0]);
   }
 };

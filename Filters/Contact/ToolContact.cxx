@@ -3,34 +3,14 @@
 
 #include "Contact/BorderFade.h"
 #include "Contact/EnergyGradient.h"
+#include "Contact/ForceDirection.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace palpate
 {
-namespace
-{
-Contact withoutForce(ContactState state) noexcept
-{
-  Contact none;
-  none.state = state;
-  return none;
-}
-
-ContactState stateOf(ContactTracker::Outcome outcome) noexcept
-{
-  switch (outcome)
-  {
-    case ContactTracker::Outcome::Border:
-      return ContactState::LostAtBorder;
-    case ContactTracker::Outcome::Invalid:
-      return ContactState::Invalid;
-    default:
-      return ContactState::None;
-  }
-}
-} // namespace
+using Outcome = ContactTracker::Outcome;
 
 void ToolContact::reset() noexcept
 {
@@ -44,154 +24,319 @@ void ToolContact::lose() noexcept
   this->Resistance.reset();
   this->Relaxation.lose();
   this->LastWeights.setZero();
-  this->IsReleased = false;
-  this->IsWithoutEdges = false;
+  this->Edges = EdgeMode::Active;
 }
 
-[[gnu::hot]] ContactTracker::Result ToolContact::find(const ToolPose& pose) noexcept
+[[gnu::hot]] Pressed ToolContact::find(const ToolPose& pose) noexcept
 {
-  this->IsInTime = false;
+  this->Relaxation.setInTime(false);
   return this->follow(pose);
 }
 
-[[gnu::hot]] ContactTracker::Result ToolContact::find(const ToolPose& pose, double elapsed) noexcept
+[[gnu::hot]] Pressed ToolContact::find(const ToolPose& pose, double elapsed) noexcept
 {
   this->pass(elapsed);
-  this->IsInTime = this->Relaxation.isFelt();
+  this->Relaxation.setInTime(true);
   return this->follow(pose);
 }
 
-[[gnu::hot]] ContactTracker::Result ToolContact::follow(const ToolPose& pose) noexcept
+[[gnu::hot]] inline Pressed ToolContact::follow(const ToolPose& pose) noexcept
 {
-  this->prefetchLast();
-  const Vector3 followed = this->Tilt.follow(pose, this->Tracker.triangle() >= 0);
+  const std::int32_t last = this->Tracker.triangle();
+  if (last >= 0) // the contact is probably on this triangle again or next to it
+  {
+    this->Body.prefetchResponses(last);
+  }
+  const Vector3 followed = this->Tilt.follow(pose, last >= 0);
   this->LastStep = followed - this->LastTip;
   this->LastTip = followed;
-  this->IsNew = this->Tracker.triangle() < 0;
-  const ContactTracker::Result found = this->Tracker.update(followed);
-  if (this->IsWithoutEdges && found.outcome == ContactTracker::Outcome::Crease)
+  Pressed at{ this->Tracker.update(followed), last < 0 };
+  if (this->Edges == EdgeMode::Ignored && at.found.outcome == Outcome::Crease)
   {
     this->Tracker.reset();
-    return this->Tracker.update(followed);
+    at.found = this->Tracker.update(followed);
   }
-  return found;
+  return at;
 }
 
-void ToolContact::sink(const ContactPlace& place) noexcept
+[[gnu::hot]] Contact ToolContact::feel(Pressed& at, double lowering) noexcept
 {
-  this->Sunk = this->Lowering;
-  if (this->Tilt.isFelt())
-  {
-    this->Sunk += this->Tilt.turn(
-      this->Body.surface.corners(place.triangle), place.projection.weights, this->Body.response);
-  }
-}
-
-bool ToolContact::press(const ContactTracker::Result& found, Pressed& pressed) noexcept
-{
-  using Outcome = ContactTracker::Outcome;
-  if (found.outcome == Outcome::Outside || found.outcome == Outcome::Invalid ||
-    !this->hasResponse(found.place))
-  {
-    return false;
-  }
-  pressed.place = found.place;
-  pressed.share = 1.0;
-  this->Lowering = 0.0;
-  this->sink(found.place);
-  const BlendedResponse response(this->Body.response,
-    this->Body.surface.corners(found.place.triangle), found.place.projection.weights);
-  if (found.outcome == Outcome::Border)
-  {
-    const BorderFade left = this->fadeAt(found.place);
-    pressed.depth = left.depth - this->Sunk;
-    pressed.share = left.fraction;
-    pressed.place.weightGradients.setZero();
-  }
-  else if (this->isAtEdges(found))
-  {
-    const EdgeEffect effect = this->edgeEffect(pressed.place);
-    const double whole = response.evaluate(effect.depth).force;
-    pressed.depth = effect.depth;
-    pressed.share =
-      effect.share + (whole > 0.0 ? response.energy(effect.depth) * effect.byDepth / whole : 0.0);
-  }
-  else
-  {
-    this->setGradients(pressed.place);
-    pressed.depth = -pressed.place.signedDistance - this->Sunk;
-  }
-  pressed.place.weightGradients = this->weightGradients(pressed.place);
-  return pressed.depth > 0.0 && pressed.share > 0.0;
-}
-
-void ToolContact::setGradients(ContactPlace& place) const noexcept
-{
-  if (this->Settings.form == ForceForm::EnergyConsistent &&
-    this->Settings.surface == ContactSurface::Facets)
-  {
-    place = EnergyGradient::onFacet(this->Body.surface, this->LastTip, place);
-  }
-}
-
-[[gnu::hot]] Contact ToolContact::feel(ContactTracker::Result found, double sunk) noexcept
-{
-  const ContactTracker::Outcome outcome = found.outcome;
-  ContactPlace& place = found.place;
-  this->Lowering = sunk;
   this->LastWeights.setZero();
-  this->IsReleased = this->IsReleased && outcome != ContactTracker::Outcome::Outside;
-  this->IsWithoutEdges = this->IsWithoutEdges && outcome != ContactTracker::Outcome::Outside;
-  if (this->IsReleased && outcome != ContactTracker::Outcome::Invalid)
-  {
-    this->Tracker.reset();
-    return this->end(ContactState::None);
-  }
-  if (outcome != ContactTracker::Outcome::Outside && outcome != ContactTracker::Outcome::Invalid)
-  {
-    this->sink(place);
-  }
-  if (outcome == ContactTracker::Outcome::Border)
-  {
-    return this->fade(place);
-  }
-  if (this->isAtEdges(found))
-  {
-    return this->feelEdges(place);
-  }
-  if (outcome != ContactTracker::Outcome::Inside)
-  {
-    return this->end(stateOf(outcome));
-  }
-  this->setGradients(place);
-  place.signedDistance += this->Sunk;
-  if (place.signedDistance > 0.0)
-  {
-    return this->end(ContactState::None);
-  }
-  Contact result;
-  const BlendedResponse response(
-    this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
-  if (!this->hasResponse(place) || !this->blend(place, response, result))
+  if (at.found.outcome == Outcome::Invalid)
   {
     return this->end(ContactState::Invalid);
+  }
+  if (at.found.outcome == Outcome::Outside)
+  {
+    this->Edges = EdgeMode::Active;
+    return this->end(ContactState::None);
+  }
+  if (this->Edges == EdgeMode::Released)
+  {
+    this->Tracker.reset();
+    return this->end(ContactState::None);
+  }
+  this->reach(at, lowering);
+  if (at.reach.nearerAcross >= 0)
+  {
+    this->crossEdges(at, lowering);
+  }
+  if (!at.presses())
+  {
+    return this->endAtDepth(at, lowering);
+  }
+  Contact result;
+  if (!this->hasResponse(at.place()) || !this->push(at, result))
+  {
+    return this->end(at.isAtBorder ? ContactState::LostAtBorder : ContactState::Invalid);
   }
   if (result.state == ContactState::None)
   {
     return this->endDetached();
   }
-  this->complete(place, response, 1.0, result);
+  this->addFriction(result);
+  if (at.isAtBorder)
+  {
+    result.state = ContactState::LostAtBorder;
+  }
   return result;
+}
+
+[[gnu::hot]] inline void ToolContact::reach(Pressed& at, double lowering) noexcept
+{
+  ContactPlace& place = at.place();
+  const PackedMesh& surface = this->Body.surface;
+  at.isAtBorder = at.found.outcome == Outcome::Border;
+  at.isAtEdges = this->Body.edges && this->Edges == EdgeMode::Active &&
+    (at.found.outcome == Outcome::Crease ||
+      (at.found.outcome == Outcome::Inside && this->Body.edges->areNear(place.triangle)));
+  at.sunk = lowering +
+    this->Tilt.lean(surface.corners(place.triangle), place.projection.weights, this->Body.response);
+  if (!place.isSmooth && (at.isAtEdges || this->Settings.form == ForceForm::EnergyConsistent))
+  {
+    place = EnergyGradient::onFacet(surface, this->LastTip, place);
+  }
+  if (at.isAtBorder)
+  {
+    BorderFade::reach(surface, this->LastTip, at);
+  }
+  else if (at.isAtEdges)
+  {
+    this->Body.edges->reach(surface, this->LastTip, at);
+  }
+  else
+  {
+    at.reach.depth = -(place.signedDistance + at.sunk);
+  }
+  if (this->usesGradients(place))
+  {
+    this->Tilt.changeToTip(
+      place.weightGradients, surface.corners(place.triangle), this->Body.response);
+  }
+}
+
+void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
+{
+  constexpr int others = 2; // at a corner
+  for (int face = 0; face < others && at.reach.depth > 0.0 && at.reach.nearerAcross >= 0; ++face)
+  {
+    const ContactTracker::Result across =
+      this->Tracker.handOver(this->LastTip, at.reach.nearerAcross);
+    if (across.outcome != Outcome::Inside)
+    {
+      break;
+    }
+    at = { across, at.isNew };
+    this->reach(at, lowering);
+  }
+}
+
+[[gnu::hot]] inline bool ToolContact::push(const Pressed& at, Contact& result) noexcept
+{
+  const ContactPlace& place = at.place();
+  const ContactReach& reach = at.reach;
+  this->LastCorners = this->Body.surface.corners(place.triangle);
+  this->LastWeights = place.projection.weights;
+  result.triangle = this->Body.surface.inputTriangle(place.triangle);
+  result.contactPoint = place.projection.point;
+  result.deflection = reach.depth;
+  const ResponseValue upright = this->response().evaluate(reach.depth);
+  result.state = upright.beyondRange ? ContactState::BeyondRange : ContactState::Slide;
+
+  Jet work = this->slowWork(at, reach.depth, upright);
+  this->Slow = { work.byDepth, work.byDepthTwice, false };
+  if (this->Relaxation.isInTime())
+  {
+    this->addMemory(work, at, result);
+  }
+  const double whole = work.byDepth; // without the effect of edges and borders
+  const Vector3 out = this->vectorToContact(place);
+  const ForceDirection direction = ForceDirection::of(
+    this->Settings.form, this->Body.response, this->LastCorners, at, upright.force, out);
+  work.byDepth *= direction.ratio;
+  result.normal = direction.normal;
+  double slope = 1.0; // |∇δ|
+  if (at.isAtEdges || at.isAtBorder)
+  {
+    work *= reach.share;
+  }
+  if (at.isAtEdges)
+  {
+    result.normal = reach.ownNormal * direction.normal + reach.otherNormals;
+    slope = result.normal.norm();
+    result.normal /= slope;
+  }
+  result.normalForce = work.byDepth * slope;
+  result.stiffness = work.byDepthTwice * slope * slope;
+  if (this->Relaxation.isInTime())
+  {
+    result.memory *= whole > 0.0 ? result.normalForce / whole : reach.share.value;
+  }
+  result.force = result.normalForce * result.normal - work.byPlace;
+  if (at.isAtEdges && result.force.dot(out) < 0.0)
+  {
+    result.force = ForceDirection::outwardPart(result.force, out);
+    result.normalForce = result.force.norm();
+    result.normal =
+      result.normalForce > 0.0 ? Vector3(result.force / result.normalForce) : result.normal;
+  }
+  this->Tilt.addTorque(work, this->LastCorners,
+    this->usesGradients(place) ? &place.weightGradients : nullptr, this->Body.response, result);
+  return result.force.allFinite();
+}
+
+[[gnu::hot, gnu::always_inline]] inline Jet ToolContact::slowWork(
+  const Pressed& at, double depth, const ResponseValue& upright) const noexcept
+{
+  const ContactPlace& place = at.place();
+  const BlendedResponse curves = this->curvesAt(place);
+  const bool hasEnergy = this->Settings.form == ForceForm::EnergyConsistent;
+  const bool isValueUsed =
+    at.isAtEdges || this->Tilt.isTilted() || (hasEnergy && this->Relaxation.isInTime());
+  Jet work;
+  work.value = isValueUsed ? curves.energy(depth) : 0.0;
+  work.byDepth = upright.force;
+  work.byDepthTwice = upright.stiffness;
+  if (hasEnergy)
+  {
+    work.byPlace = EnergyGradient::ofEnergies(place.weightGradients, curves.energies(depth));
+  }
+  this->Tilt.multiply(work, this->Body.surface.corners(place.triangle), place.projection.weights,
+    depth, hasEnergy ? &place.weightGradients : nullptr);
+  return work;
+}
+
+void ToolContact::addMemory(Jet& work, const Pressed& at, Contact& result) noexcept
+{
+  const Jet slow = work;
+  // The material under a tilted tool has moved as under an upright tool with the same force.
+  const ContactTilt::Alike upright =
+    this->Tilt.alike(this->response(), result.deflection, this->Slow);
+  const ContactRelaxation::Force felt = this->Relaxation.press(
+    { this->LastCorners, this->LastWeights, result.contactPoint, upright.depth }, upright.value);
+  result.state = felt.isTouched ? result.state : ContactState::None;
+  result.memory = felt.total - slow.byDepth;
+  if (slow.value > 0.0) // otherwise the value is not used
+  {
+    work.value += this->Relaxation.storedEnergy();
+  }
+  if (this->Settings.form == ForceForm::EnergyConsistent)
+  {
+    // The energy stored by the memory force is divided among the corners in proportion to their
+    // slow work: the curves of one tool on bodies of different stiffness have the same shape.
+    work.byPlace *= slow.value > 0.0 ? work.value / slow.value : 1.0;
+    work.byPlace +=
+      EnergyGradient::ofEnergies(at.place().weightGradients, this->Relaxation.strengthEnergies());
+  }
+  work.byTilt *= slow.byDepth > 0.0 ? felt.total / slow.byDepth : 1.0;
+  work.byDepth = felt.total;
+  work.byDepthTwice = felt.stiffness * upright.stiffening;
+}
+
+[[gnu::hot]] inline void ToolContact::addFriction(Contact& result) noexcept
+{
+  result.friction = this->Relaxation.slide(result.contactPoint, result.normal);
+  if (this->Settings.friction.coefficient > 0.0)
+  {
+    const Friction::Result friction = this->Resistance.update(
+      result.contactPoint, result.normal, result.normalForce, result.deflection, this->response());
+    result.friction += friction.force;
+    if (!friction.sliding && result.state == ContactState::Slide)
+    {
+      result.state = ContactState::Stick;
+    }
+  }
+  result.force += result.friction;
+}
+
+bool ToolContact::press(Pressed& at) noexcept
+{
+  if (at.found.outcome == Outcome::Outside || at.found.outcome == Outcome::Invalid ||
+    !this->hasResponse(at.place()))
+  {
+    return false;
+  }
+  this->reach(at, 0.0);
+  return at.reach.depth > 0.0 && at.reach.share.value > 0.0;
+}
+
+ResponseValue ToolContact::slowResponse(const Pressed& at, double depth) const noexcept
+{
+  const ResponseValue upright = this->curvesAt(at.place()).evaluate(depth);
+  if (!(depth > 0.0))
+  {
+    return upright;
+  }
+  Jet work = this->slowWork(at, depth, upright);
+  work *= at.reach.share;
+  return { work.byDepth, work.byDepthTwice, upright.beyondRange };
+}
+
+[[gnu::hot]] double ToolContact::cappedShare(
+  const Contact& contact, double maximumStiffness) const noexcept
+{
+  if (!(contact.normalForce > 0.0))
+  {
+    return 1.0;
+  }
+  const BlendedResponse curve = this->response();
+  const ContactTilt::Alike upright = this->Tilt.alike(curve, contact.deflection, this->Slow);
+  return this->Relaxation.cappedShare(
+    curve, upright.depth, maximumStiffness / std::max(upright.stiffening, 1e-9));
+}
+
+Contact ToolContact::endAtDepth(const Pressed& at, double lowering) noexcept
+{
+  if (!at.isAtEdges)
+  {
+    return this->end(at.isAtBorder ? ContactState::LostAtBorder : ContactState::None);
+  }
+  const bool isLowered = at.reach.depth + at.sunk > 0.0 && at.reach.share.value > 0.0;
+  if (!isLowered && at.isNew)
+  {
+    this->Edges = EdgeMode::Ignored;
+    this->Tracker.reset();
+    Pressed again{ this->Tracker.update(this->LastTip) };
+    return this->feel(again, lowering);
+  }
+  if (!isLowered)
+  {
+    this->Tracker.reset();
+    this->Edges = EdgeMode::Released;
+  }
+  return this->end(ContactState::None);
 }
 
 Contact ToolContact::end(ContactState state) noexcept
 {
   this->Resistance.reset();
-  if (this->IsInTime && state != ContactState::Invalid)
+  if (state != ContactState::Invalid)
   {
     this->Relaxation.lift();
   }
-  return withoutForce(state);
+  Contact none;
+  none.state = state;
+  return none;
 }
 
 Contact ToolContact::endDetached() noexcept
@@ -199,58 +344,17 @@ Contact ToolContact::endDetached() noexcept
   this->Resistance.reset();
   this->Relaxation.lose();
   this->LastWeights.setZero();
-  return withoutForce(ContactState::None);
+  return {};
 }
 
-BorderFade ToolContact::fadeAt(const ContactPlace& place) const noexcept
+// A tick on a new triangle would wait for the triangle's memory, then for that of its new corner. A
+// prefetch does not wait.
+void ToolContact::foresee() const noexcept
 {
-  return BorderFade::at(this->Body.surface, place.triangle, place.projection.weights,
-    this->LastTip - place.projection.point);
-}
-
-Contact ToolContact::fade(ContactPlace& place) noexcept
-{
-  const BorderFade left = this->fadeAt(place);
-  const BlendedResponse response(
-    this->Body.response, this->Body.surface.corners(place.triangle), place.projection.weights);
-  place.signedDistance = this->Sunk - left.depth;
-  place.normal = this->Body.surface.faceNormal(place.triangle);
-  place.weightGradients.setZero();
-  Contact result;
-  if (!(left.fraction > 0.0) || place.signedDistance > 0.0 || !this->hasResponse(place) ||
-    !this->blend(place, response, result))
-  {
-    return this->end(ContactState::LostAtBorder);
-  }
-  if (result.state == ContactState::None)
-  {
-    return this->endDetached();
-  }
-  result.memory *= left.fraction;
-  result.normalForce *= left.fraction;
-  result.stiffness *= left.fraction;
-  result.force *= left.fraction;
-  this->complete(place, response, left.fraction, result);
-  result.state = ContactState::LostAtBorder;
-  return result;
-}
-
-void ToolContact::prefetchLast() const noexcept
-{
-  const std::int32_t triangle = this->Tracker.triangle();
-  // The contact is likely to be on this triangle again or next to it. Its responses are prefetched
-  // during the search.
+  const std::int32_t triangle = this->Tracker.triangleAhead(this->LastTip + this->LastStep);
   if (triangle >= 0)
   {
-    this->prefetchResponses(triangle);
-  }
-}
-
-void ToolContact::prefetchResponses(std::int32_t triangle) const noexcept
-{
-  for (const std::int32_t corner : this->Body.surface.corners(triangle))
-  {
-    this->Body.response.prefetch(corner);
+    this->Body.prefetchAround(triangle);
   }
 }
 
@@ -258,45 +362,18 @@ void ToolContact::rehearse(double elapsed) const noexcept
 {
   ToolContact scratch(*this);
   const ToolPose ahead(this->LastTip + this->LastStep);
-  this->IsInTime ? scratch.update(ahead, elapsed) : scratch.update(ahead);
+  this->Relaxation.isInTime() ? scratch.update(ahead, elapsed) : scratch.update(ahead);
 }
 
-// A tick on a new triangle would wait for the triangle's memory, then for that of its new corner. A
-// prefetch does not wait.
-void ToolContact::foresee() const noexcept
+[[gnu::hot]] inline Vector3 ToolContact::vectorToContact(const ContactPlace& place) const noexcept
 {
-  const PackedMesh& surface = this->Body.surface;
-  const std::int32_t triangle = this->Tracker.triangleAhead(this->LastTip + this->LastStep);
-  if (triangle < 0)
-  {
-    return;
-  }
-  const auto ask = [this, &surface](std::int32_t likely)
-  {
-    surface.prefetchInput(likely);
-    if (this->Body.edges)
-    {
-      this->Body.edges->prefetch(likely);
-    }
-    this->prefetchResponses(likely);
-  };
-  ask(triangle);
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    const std::int32_t across = surface.neighbour(triangle, edge);
-    if (across >= 0)
-    {
-      ask(across);
-    }
-  }
-  // If a face is not certainly the nearest one, the tick checks the triangles around its corners.
-  for (const std::int32_t corner : surface.corners(triangle))
-  {
-    surface.visitAround(corner, [&surface](std::int32_t near) { surface.prefetch(near); });
-  }
+  constexpr double rounding = 1e-9; // mm; the direction of a shorter vector is uncertain
+  const Vector3 way = place.projection.point - this->LastTip;
+  return way.squaredNorm() > rounding * rounding ? way
+                                                 : this->Body.surface.areaNormal(place.triangle);
 }
 
-[[gnu::hot]] bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
+[[gnu::hot]] inline bool ToolContact::hasResponse(const ContactPlace& place) const noexcept
 {
   const TriangleCorners& corners = this->Body.surface.corners(place.triangle);
   bool valid = true;

@@ -2,11 +2,13 @@
 #ifndef palpate_ToolContact_h
 #define palpate_ToolContact_h
 
-#include "Contact/ContactBody.h"
 #include "Contact/Contact.h"
+#include "Contact/ContactBody.h"
 #include "Contact/ContactSettings.h"
 #include "Contact/ContactTracker.h"
 #include "Contact/Friction.h"
+#include "Contact/Jet.h"
+#include "Contact/Pressed.h"
 #include "Contact/Relaxation/ContactRelaxation.h"
 #include "Contact/Tilt/ContactTilt.h"
 #include "Mechanics/PalpateExport.h"
@@ -15,8 +17,6 @@
 
 namespace palpate
 {
-struct BorderFade;
-
 /**
  * Computes the contact force from the tip's position, one tick after another.
  *
@@ -30,6 +30,10 @@ struct BorderFade;
  * against the body's normal changes the force and adds a torque (ContactTilt). On a body that
  * relaxes, an update with the time since the last update results in the force with memory
  * (ContactRelaxation); an update without a time results in the slow response.
+ *
+ * All effects act on one work (Jet): the work of the upright tool, times the factor of the tilt,
+ * plus the energy of the memory, times the factor of edges or border. Its derivatives are the
+ * normal force, the stiffness, the moment and the force along the surface.
  *
  * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
  * thread; the body may be shared and must outlive it.
@@ -56,33 +60,32 @@ public:
     return this->update(ToolPose(tip), elapsed);
   }
   /// Computes the slow response; the memory of a body that relaxes is not changed.
-  Contact update(const ToolPose& pose) noexcept { return this->feel(this->find(pose), 0.0); }
+  Contact update(const ToolPose& pose) noexcept
+  {
+    Pressed at = this->find(pose);
+    return this->feel(at, 0.0);
+  }
   /// Computes the response `elapsed` s after the last update of this kind. If the first such update
   /// finds the tip inside the body, the tip is assumed to have rested there.
   Contact update(const ToolPose& pose, double elapsed) noexcept
   {
-    return this->feel(this->find(pose, elapsed), 0.0);
+    Pressed at = this->find(pose, elapsed);
+    return this->feel(at, 0.0);
   }
 
   /// First half of an update: finds the contact.
-  ContactTracker::Result find(const ToolPose& pose) noexcept;
-  ContactTracker::Result find(const ToolPose& pose, double elapsed) noexcept;
+  Pressed find(const ToolPose& pose) noexcept;
+  Pressed find(const ToolPose& pose, double elapsed) noexcept;
   /// Second half of an update: the result for a found contact if other forces have lowered the
-  /// surface by `sunk` mm. To be called once after each find().
-  Contact feel(ContactTracker::Result found, double sunk) noexcept;
+  /// surface by `lowering` mm. To be called once after each find().
+  Contact feel(Pressed& at, double lowering) noexcept;
 
-  /// State of a tool that presses, for tools that lower the surface under one another.
-  struct Pressed
-  {
-    ContactPlace place; ///< the contact; the gradients of the area coordinates are by the tip
-    double depth = 0.0; ///< mm
-    double share = 1.0; ///< fraction of the slow response that edges and borders leave, approximate
-  };
-  /// Finds how the tool presses; to be called between find() and feel(). Returns false if it does
+  /// Finds how deep the tool presses if nothing lowers the surface, for tools that lower the
+  /// surface under one another; to be called between find() and feel(). Returns false if it does
   /// not press.
-  bool press(const ContactTracker::Result& found, Pressed& pressed) noexcept;
+  bool press(Pressed& at) noexcept;
   /// The slow response of the tool at a depth (mm) at that contact, in its present tilt.
-  ResponseValue slowResponse(const Pressed& pressed, double depth) const noexcept;
+  ResponseValue slowResponse(const Pressed& at, double depth) const noexcept;
 
   /// Adds time during which the position of the tip is unknown.
   void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
@@ -115,66 +118,53 @@ public:
   double cappedShare(const Contact& contact, double maximumStiffness) const noexcept;
 
 private:
-  ContactTracker::Result follow(const ToolPose& pose) noexcept;
-  bool isAtEdges(const ContactTracker::Result& found) const noexcept
+  Pressed follow(const ToolPose& pose) noexcept;
+  bool hasResponse(const ContactPlace& place) const noexcept;
+  BlendedResponse curvesAt(const ContactPlace& place) const noexcept
   {
-    return !this->IsWithoutEdges &&
-      (found.outcome == ContactTracker::Outcome::Crease ||
-        (found.outcome == ContactTracker::Outcome::Inside && this->Body.edges &&
-          this->Body.edges->areNear(found.place.triangle)));
+    return { this->Body.response, this->Body.surface.corners(place.triangle),
+      place.projection.weights };
   }
-  /// Starts a contact inside the body at a point at which the law of edges leaves no force.
-  Contact feelWithoutEdges() noexcept;
-  /// Sets Sunk: by how much the followed point is deeper than the tool presses at a contact,
-  /// because of the lowering of the surface and of the tilt.
-  void sink(const ContactPlace& place) noexcept;
-  /// Sets the gradients of facets if the force form needs them.
-  void setGradients(ContactPlace& place) const noexcept;
-  /// Gradients of the area coordinates by the position of the tip.
-  Eigen::Matrix3d weightGradients(const ContactPlace& place) const noexcept;
-  /// Replaces the slow response of `result` by the force with memory.
-  void relax(const ContactPlace& place, const BlendedResponse& response, const ResponseValue& slow,
-    Contact& result) noexcept;
-  /// The contact near sharp edges or beyond one (BodyEdges).
-  Contact feelEdges(ContactPlace& place) noexcept;
-  EdgeEffect edgeEffect(ContactPlace& place) const noexcept;
-  /// As edgeEffect(); the contact moves to the face across a blunt edge if that face is nearer.
-  EdgeEffect onNearestFace(ContactPlace& place) noexcept;
-  /// Applies the effect of edges to a contact for which only the depth of that effect was used.
-  void applyEdges(
-    const EdgeEffect& effect, const BlendedResponse& response, Contact& result) const noexcept;
+
+  /// Sets how deep the tool presses, and the factor of its work that edges or a border leave.
+  void reach(Pressed& at, double lowering) noexcept;
+  /// Moves the contact to the face across a blunt edge as long as that face is nearer.
+  void crossEdges(Pressed& at, double lowering) noexcept;
+  /// Whether the force has a part due to the gradients of the area coordinates.
+  bool usesGradients(const ContactPlace& place) const noexcept
+  {
+    return this->Settings.form == ForceForm::EnergyConsistent ||
+      (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth);
+  }
+  /// The slow work at a depth > 0, in the present tilt. Its value is computed only if an effect
+  /// needs it.
+  Jet slowWork(const Pressed& at, double depth, const ResponseValue& upright) const noexcept;
+  /// Adds the memory of a body that relaxes to a slow work.
+  void addMemory(Jet& work, const Pressed& at, Contact& result) noexcept;
+  /// Sets all results except friction. Returns false if the force is not finite or has no
+  /// direction. The state is None if a body that relaxes has not yet recovered to the tool.
+  bool push(const Pressed& at, Contact& result) noexcept;
+  void addFriction(Contact& result) noexcept;
+  /// The vector from the tip to the contact point.
+  Vector3 vectorToContact(const ContactPlace& place) const noexcept;
+
+  /// The result of a tool that does not press.
+  Contact endAtDepth(const Pressed& at, double lowering) noexcept;
   Contact end(ContactState state) noexcept;
   /// Ends the contact because the body has not yet recovered to the tool.
   Contact endDetached() noexcept;
-  /// Work done by the tool in its present tilt, N mm.
-  double work(const BlendedResponse& response, double deflection) const noexcept
+
+  /// Effect of edges on a contact. It is Active again when the tip has been outside.
+  enum class EdgeMode : std::uint8_t
   {
-    return this->Tilt.isTilted() ? this->Tilt.work() : response.energy(deflection);
-  }
-  /// Work of each corner's curve, plus the energy stored there by the memory force.
-  Vector3 energies(const BlendedResponse& response, double deflection) const noexcept;
-  /// The fade beyond an open border, and the depth below the border.
-  BorderFade fadeAt(const ContactPlace& place) const noexcept;
-  /// The contact beyond an open border.
-  Contact fade(ContactPlace& place) noexcept;
-  void prefetchLast() const noexcept;
-  void prefetchResponses(std::int32_t triangle) const noexcept;
-  bool hasResponse(const ContactPlace& place) const noexcept;
-  /// Sets all results except friction. Returns false if the force is not finite or has no
-  /// direction. The state is None if a body that relaxes has not yet recovered to the tool.
-  bool blend(const ContactPlace& place, const BlendedResponse& response, Contact& result) noexcept;
-  /// The vector from the tip to the contact point.
-  Vector3 vectorToContact(const ContactPlace& place) const noexcept;
-  /// Removes the part of the force that points into the body, which different curves and edges can
-  /// cause.
-  void keepOutward(const ContactPlace& place, Contact& result) const noexcept;
-  /// Σ n_i factor_i U_i.
-  Vector3 sumOfNormals(const ContactPlace& place, const Vector3& factors) const noexcept;
-  /// Adds torque and friction; `share` is the fraction of the energy that edges and borders leave.
-  void complete(const ContactPlace& place, const BlendedResponse& response, double share,
-    Contact& result) noexcept;
-  void addTorque(const ContactPlace& place, double share, Contact& result) const noexcept;
-  void addFriction(const BlendedResponse& response, Contact& result) noexcept;
+    Active,
+    /// An edge has released the tip. A contact that began at a depth would return energy that was
+    /// never put in.
+    Released,
+    /// The contact began inside the body at a point at which the law of edges leaves no force, far
+    /// below an edge or between bumps.
+    Ignored
+  };
 
   const ContactBody& Body;
   ContactSettings Settings;
@@ -182,18 +172,10 @@ private:
   Friction Resistance;
   Vector3 LastTip = Vector3::Zero();  ///< the tip, or the followed point of a tilted tool
   Vector3 LastStep = Vector3::Zero(); ///< from the preceding tip to LastTip
-  double Lowering = 0.0;              ///< lowering of the surface by other tools, mm
-  double Sunk = 0.0;                  ///< Lowering plus the effect of the tilt, mm
-  /// An edge has released the tip. The next contact begins only after the tip has been outside: a
-  /// contact that begins at a depth would return energy that was never put in.
-  bool IsReleased = false;
-  bool IsNew = false; ///< the last update searched the whole body
-  /// The contact began inside the body at a point at which the law of edges leaves no force, far
-  /// below an edge or between bumps. Edges have no effect on it until the tip has been outside.
-  bool IsWithoutEdges = false;
+  EdgeMode Edges = EdgeMode::Active;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
-  bool IsInTime = false;
+  ResponseValue Slow; ///< at the last contact, without the effect of edges and borders
   ContactTilt Tilt;
   ContactRelaxation Relaxation; ///< last member, because most bodies do not relax
 };

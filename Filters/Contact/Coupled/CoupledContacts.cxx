@@ -81,9 +81,9 @@ const std::vector<Contact>& CoupledContacts::settleAll() noexcept
 void CoupledContacts::load(std::size_t contact) noexcept
 {
   Load& load = this->Loads[contact];
-  const ToolContact::Pressed& pressed = load.pressed;
+  Pressed& pressed = load.pressed;
   load.sunk = 0.0;
-  load.presses = this->Body.coupling && this->Contacts[contact].press(load.found, load.pressed);
+  load.presses = this->Body.coupling && this->Contacts[contact].press(pressed = load.found);
   if (!load.presses)
   {
     load.force = 0.0;
@@ -97,8 +97,8 @@ void CoupledContacts::load(std::size_t contact) noexcept
   const double last = load.force;
   load.force = last > 0.0 && load.before > 0.0 ? std::max(0.0, 2.0 * last - load.before) : last;
   load.before = last;
-  load.spot = this->Body.coupling->at(pressed.place.triangle, pressed.place.projection.weights,
-    this->Contacts[contact].slowResponse(pressed, pressed.depth).stiffness);
+  load.spot = this->Body.coupling->at(pressed.place().triangle, pressed.place().projection.weights,
+    this->Contacts[contact].slowResponse(pressed, pressed.reach.depth).stiffness);
 }
 
 void CoupledContacts::fillCompliances() noexcept
@@ -146,8 +146,8 @@ double CoupledContacts::pointForceError(std::size_t contact) const noexcept
 double CoupledContacts::press(std::size_t contact) noexcept
 {
   Load& load = this->Loads[contact];
-  const ResponseValue value =
-    this->Contacts[contact].slowResponse(load.pressed, load.pressed.depth - this->sunkBy(contact));
+  const ResponseValue value = this->Contacts[contact].slowResponse(
+    load.pressed, load.pressed.reach.depth - this->sunkBy(contact));
   const double before = load.whole;
   load.whole = std::isfinite(value.force) ? value.force : 0.0;
   load.stiffness = value.stiffness;
@@ -270,12 +270,12 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
     {
       hasOthers = true;
       byWeights += other.force *
-        this->Body.coupling->gradient(own.spot, own.pressed.place.triangle, other.spot);
+        this->Body.coupling->gradient(own.spot, own.pressed.place().triangle, other.spot);
     }
   }
   // The area coordinates have a constant sum, so that an additive constant of the derivatives has
   // no effect.
-  const Eigen::Matrix3d& gradients = own.pressed.place.weightGradients;
+  const Eigen::Matrix3d& gradients = own.pressed.place().weightGradients;
   const Vector3 side = own.force *
     (gradients.col(1) * (byWeights[1] - byWeights[0]) +
       gradients.col(2) * (byWeights[2] - byWeights[0]));

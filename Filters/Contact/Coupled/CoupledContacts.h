@@ -101,8 +101,9 @@ private:
   /// State of one contact in this tick.
   struct Load
   {
-    ContactTracker::Result found;
-    ToolContact::Pressed pressed; ///< valid if the tool presses
+    Pressed found;
+    Pressed pressed; ///< `found` with its reach on the surface that nothing lowers, if the tool
+                     ///< presses
     bool presses = false;
     double sunk = 0.0;
     double force = 0.0;

@@ -87,15 +87,6 @@ BodyEdges::BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double rang
 {
 }
 
-/// The factor Ψ of the work near the sharp edges of one face, with derivatives as in EdgeEffect.
-struct BodyEdges::Share
-{
-  double value = 1.0;
-  double byDepth = 0.0;
-  double byDepthTwice = 0.0;
-  Vector3 byPlace = Vector3::Zero();
-};
-
 /// The faces near blunt edges under which the tip is: the face of the contact, the faces across its
 /// edges, and the faces across the edges of those.
 class BodyEdges::Faces
@@ -116,19 +107,19 @@ public:
     }
   }
 
-  EdgeEffect effect() noexcept
+  ContactReach reach() noexcept
   {
-    EdgeEffect effect;
-    effect.depth = this->IsOutside ? 0.0 : this->own().depth;
+    ContactReach reach;
+    reach.depth = this->IsOutside ? 0.0 : this->own().depth;
     if (this->Count > 1 && !this->IsOutside)
     {
-      this->join(effect);
+      this->join(reach);
     }
-    if (effect.depth > 0.0)
+    if (reach.depth > 0.0)
     {
-      this->addShares(effect);
+      this->addShares(reach);
     }
-    return effect;
+    return reach;
   }
 
 private:
@@ -229,7 +220,7 @@ private:
   }
 
   /// δ^-4 = Σ w_k δ_k^-4.
-  void join(EdgeEffect& effect) noexcept
+  void join(ContactReach& reach) noexcept
   {
     double sum = 0.0;
     Vector3 sumChange = Vector3::Zero();
@@ -247,13 +238,13 @@ private:
       if (face.depth < least)
       {
         least = face.depth;
-        effect.nearerAcross = face.triangle;
+        reach.nearerAcross = face.triangle;
       }
     }
-    effect.depth = this->own().depth / std::sqrt(std::sqrt(sum));
+    reach.depth = this->own().depth / std::sqrt(std::sqrt(sum));
     // -∇δ = δ (n/δ_own + Σ ∇part / (4 Σ part)).
     const Vector3 outward =
-      effect.depth * (this->own().normal / this->own().depth + 0.25 / sum * sumChange);
+      reach.depth * (this->own().normal / this->own().depth + 0.25 / sum * sumChange);
     for (std::size_t k = 0; k < this->Count; ++k)
     {
       Face& face = this->Known[k];
@@ -262,24 +253,22 @@ private:
     }
     // The part along the contact's own normal is kept separate, because the normal of a curved
     // surface differs from that of its face.
-    effect.ownNormal = effect.depth / this->own().depth * this->own().part;
-    effect.otherNormals = outward - effect.ownNormal * this->own().normal;
+    reach.ownNormal = reach.depth / this->own().depth * this->own().part;
+    reach.otherNormals = outward - reach.ownNormal * this->own().normal;
   }
 
-  void addShares(EdgeEffect& effect) const noexcept
+  void addShares(ContactReach& reach) const noexcept
   {
-    effect.share = 0.0;
+    reach.share.value = 0.0;
     for (std::size_t k = 0; k < this->Count; ++k)
     {
       const Face& face = this->Known[k];
       if (face.part > 0.0)
       {
-        const Share share = this->Edges.shareOf(
-          face.triangle, this->Tip + face.depth * face.normal, face.normal, effect.depth);
-        effect.share += face.part * share.value;
-        effect.byDepth += face.part * share.byDepth;
-        effect.byDepthTwice += face.part * share.byDepthTwice;
-        effect.byPlace += face.part * share.byPlace + share.value * face.partChange;
+        Jet share = this->Edges.shareOf(
+          face.triangle, this->Tip + face.depth * face.normal, face.normal, reach.depth);
+        share *= { face.part, 0.0, 0.0, 0.0, face.partChange };
+        reach.share += share;
       }
     }
   }
@@ -291,16 +280,34 @@ private:
   std::array<Face, MostFaces> Known;
 };
 
-EdgeEffect BodyEdges::at(
+ContactReach BodyEdges::at(
   const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept
 {
   if (!this->areNear(triangle) || !(depth > 0.0))
   {
-    EdgeEffect effect;
-    effect.depth = depth;
-    return effect;
+    ContactReach reach;
+    reach.depth = depth;
+    return reach;
   }
-  return Faces(*this, tip, triangle, normal, depth).effect();
+  return Faces(*this, tip, triangle, normal, depth).reach();
+}
+
+void BodyEdges::reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) const noexcept
+{
+  ContactPlace& place = pressed.place();
+  if (place.onCrease && !place.isSmooth)
+  {
+    place.normal = mesh.faceNormal(place.triangle);
+  }
+  const double height =
+    place.normal.dot(place.projection.point - tip); // of the plane above the tip
+  const Vector3 deepest = tip + pressed.sunk * place.normal;
+  pressed.reach =
+    this->at(mesh.toLocal(deepest), place.triangle, place.normal, height - pressed.sunk);
+  if (place.onCrease)
+  {
+    place.projection.point = tip + height * place.normal;
+  }
 }
 
 /// Remaining fraction of an edge's sharpness at a distance, and its derivative by the distance.
@@ -326,12 +333,10 @@ BodyEdges::Softness BodyEdges::softnessAt(double distance) const noexcept
   return { far.value * held, held * (far.slope + far.value * bySlope) };
 }
 
-/// The product of the factors Ψ of all sharp edges of a face. `foot` is the tip's projection on the
-/// plane of the face.
-BodyEdges::Share BodyEdges::shareOf(
+Jet BodyEdges::shareOf(
   std::int32_t triangle, const Vector3& foot, const Vector3& normal, double depth) const noexcept
 {
-  Share all;
+  Jet all;
   const double m = this->Terms.exponent;
   const double radius = contactRadius(this->Terms, depth);
   const EdgeChains::Near* const near = this->Chains.near(triangle);
@@ -349,17 +354,12 @@ BodyEdges::Share BodyEdges::shareOf(
     const EdgeLaw::Value law = this->Law.at(u, sharpness);
     const double one = -u * (m - 1.0) / depth; // du/dδ
     const double two = u * (m - 1.0) * m / (depth * depth);
-    const double share = law.share;
-    const double byDepth = law.slope * one;
-    const double byDepthTwice = law.bend * one * one + law.slope * two;
     // Ψ = 1/(1 + s k), with s the sharpness: dΨ/ds = -Ψ (1 - Ψ)/s.
-    const double bySharpness = softness.part > 0.0 ? -share * (1.0 - share) / softness.part : 0.0;
+    const double bySharpness =
+      softness.part > 0.0 ? -law.share * (1.0 - law.share) / softness.part : 0.0;
     const double byDistance = law.slope / radius + bySharpness * softness.slope;
-    all.byPlace = all.byPlace * share + all.value * byDistance * within(normal, place.gradient);
-    all.byDepthTwice =
-      all.byDepthTwice * share + 2.0 * all.byDepth * byDepth + all.value * byDepthTwice;
-    all.byDepth = all.byDepth * share + all.value * byDepth;
-    all.value *= share;
+    all *= { law.share, law.slope * one, law.bend * one * one + law.slope * two, 0.0,
+      byDistance * within(normal, place.gradient) };
   }
   return all;
 }

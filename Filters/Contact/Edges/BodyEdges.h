@@ -4,7 +4,9 @@
 
 #include "Contact/Edges/EdgeChains.h"
 #include "Contact/Edges/EdgeLaw.h"
+#include "Contact/Jet.h"
 #include "Contact/PackedMesh.h"
+#include "Contact/Pressed.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
@@ -12,23 +14,6 @@
 
 namespace palpate
 {
-/// Effect of the sharp edges around a contact, as functions of the tip's position alone.
-struct EdgeEffect
-{
-  double depth = 0.0; ///< δ at which the curve is evaluated, mm; <= 0: no contact
-  /// -∇δ = ownNormal times the normal of the contact's own face, plus otherNormals.
-  double ownNormal = 1.0;
-  Vector3 otherNormals = Vector3::Zero();
-  /// Ψ, the factor of the work at that depth, with its derivatives by the depth (1/mm, 1/mm²) and
-  /// its gradient by the tip's position at constant depth (1/mm).
-  double share = 1.0;
-  double byDepth = 0.0;
-  double byDepthTwice = 0.0;
-  Vector3 byPlace = Vector3::Zero();
-  /// The triangle on the other side of a blunt edge if its face is nearer; else -1.
-  std::int32_t nearerAcross = -1;
-};
-
 /**
  * The sharp convex edges of a body and their effect on a contact that is followed on one face.
  *
@@ -68,10 +53,12 @@ public:
     return this->Chains.near(triangle) != nullptr;
   }
   void prefetch(std::int32_t triangle) const noexcept { this->Chains.prefetch(triangle); }
-  /// The effect on a contact at `depth` under the plane with the normal `normal`; local
-  /// coordinates.
-  EdgeEffect at(
+  /// The reach of a contact at `depth` under the plane with the normal `normal`; local coordinates.
+  ContactReach at(
     const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept;
+  /// Sets the reach of a tool near or beyond edges; `tip` is the followed point. Beyond an edge the
+  /// plane of the face continues, and the contact point is on this plane.
+  void reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) const noexcept;
 
   const EdgeTerms& terms() const noexcept { return this->Terms; }
   /// Bytes held.
@@ -79,10 +66,11 @@ public:
 
 private:
   class Faces;
-  struct Share;
   struct Softness;
   Softness softnessAt(double distance) const noexcept;
-  Share shareOf(
+  /// The product of the factors Ψ of all sharp edges of a face. `foot` is the tip's projection on
+  /// the plane of the face.
+  Jet shareOf(
     std::int32_t triangle, const Vector3& foot, const Vector3& normal, double depth) const noexcept;
 
   EdgeTerms Terms;

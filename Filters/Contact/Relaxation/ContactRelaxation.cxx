@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Relaxation/ContactRelaxation.h"
 
+#include "Contact/CappedResponse.h"
 #include "Mechanics/Numerics/IncreasingRoot.h"
 
 #include <algorithm>
@@ -62,6 +63,10 @@ void ContactRelaxation::beginTick() noexcept
 
 void ContactRelaxation::lift() noexcept
 {
+  if (!this->IsInTime)
+  {
+    return;
+  }
   if (this->HasBegun)
   {
     this->beginTick();
@@ -274,7 +279,7 @@ double ContactRelaxation::secantCompliance() const noexcept
   return this->Slow > 0.0 ? 2.0 * this->Depth / ((this->Body->exponent() + 1.0) * this->Slow) : 0.0;
 }
 
-Vector3 ContactRelaxation::slide(const Vector3& contactPoint, const Vector3& normal) noexcept
+Vector3 ContactRelaxation::drag(const Vector3& contactPoint, const Vector3& normal) noexcept
 {
   // Ratio of tangential to normal stiffness: 2 (1-ν)/(2-ν) for a flat end on an incompressible
   // body.
@@ -296,6 +301,19 @@ Vector3 ContactRelaxation::slide(const Vector3& contactPoint, const Vector3& nor
     this->exchange(slid == way ? share : shareOfWay(slid, radius));
   }
   return this->Drag.force();
+}
+
+double ContactRelaxation::cappedShare(
+  const BlendedResponse& curve, double depth, double maximumStiffness) const noexcept
+{
+  if (!this->IsInTime)
+  {
+    return CappedResponse(curve, maximumStiffness).share(depth);
+  }
+  const double cap = maximumStiffness / this->stiffening();
+  const double whole = this->Now.total;
+  const double capped = this->cappedForce(CappedResponse(curve, cap).evaluate(depth).force, cap);
+  return std::min(1.0, whole > 0.0 ? capped / whole : 1.0);
 }
 
 double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness) const noexcept

@@ -117,7 +117,10 @@ public:
   /// `body` must outlive this object; null: the body does not relax. `elements` <= 0: quasi-linear.
   ContactRelaxation(const BodyRelaxation* body, int elements) noexcept;
 
-  bool isFelt() const noexcept { return this->Body != nullptr; }
+  /// Selects whether the next tick adds memory, if the body relaxes. Without memory lift() and
+  /// slide() have no effect.
+  void setInTime(bool is) noexcept { this->IsInTime = is && this->Body; }
+  bool isInTime() const noexcept { return this->IsInTime; }
   /// Resets the memory: the next contact is assumed to have been at rest at the point where it is
   /// found.
   void reset() noexcept;
@@ -154,16 +157,15 @@ public:
 
   /// Moves the tool along the surface; to be called after press(). Returns the sideways force on
   /// the tool, N.
-  Vector3 slide(const Vector3& contactPoint, const Vector3& normal) noexcept;
+  Vector3 slide(const Vector3& contactPoint, const Vector3& normal) noexcept
+  {
+    return this->IsInTime ? this->drag(contactPoint, normal) : Vector3(Vector3::Zero());
+  }
 
-  /// The part of the force of the last press that remains if the stiffness of the curve is capped.
-  /// `cappedSlow` (N) is the capped slow force, `maximumStiffness` (N/mm) the cap.
-  double cappedForce(double cappedSlow, double maximumStiffness) const noexcept;
-  /// Force of the last press, N.
-  double force() const noexcept { return this->Now.total; }
-  /// Stiffness of the contact divided by the slow stiffness, for a loop that keeps the force
-  /// constant between two ticks.
-  double stiffening() const noexcept;
+  /// The fraction (0 to 1) of the force at `depth` on the curve, with the memory of the last press
+  /// if there is any, that remains if the stiffness is limited to `maximumStiffness`, N/mm.
+  double cappedShare(
+    const BlendedResponse& curve, double depth, double maximumStiffness) const noexcept;
 
   /// Energy stored by the memory force in the last press, N mm.
   double storedEnergy() const noexcept;
@@ -171,6 +173,13 @@ public:
   Vector3 strengthEnergies() const noexcept;
 
 private:
+  Vector3 drag(const Vector3& contactPoint, const Vector3& normal) noexcept;
+  /// The part of the force of the last press that remains if the stiffness of the curve is capped.
+  /// `cappedSlow` (N) is the capped slow force, `maximumStiffness` (N/mm) the cap.
+  double cappedForce(double cappedSlow, double maximumStiffness) const noexcept;
+  /// Stiffness of the contact divided by the slow stiffness, for a loop that keeps the force
+  /// constant between two ticks.
+  double stiffening() const noexcept;
   void beginTick() noexcept;
   /// Continues at another point; the tool was not in contact in between.
   void jumpTo(const Place& place) noexcept;
@@ -190,6 +199,7 @@ private:
   const BodyRelaxation* Body;
   ForceNodes Nodes;
   bool IsOne; ///< quasi-linear: only one element
+  bool IsInTime = false;
 
   double Elapsed = 0.0;
   double StepTime = -1.0; ///< time step of Step, s

@@ -35,13 +35,6 @@ double angleBetween(const Vector3& a, const Vector3& b) noexcept
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
-
-ResponseValue combined(const ResponseValue& upright, double work, const TiltFactor& tau) noexcept
-{
-  return { upright.force * tau.value + work * tau.byDepth,
-    upright.stiffness * tau.value + 2.0 * upright.force * tau.byDepth + work * tau.byDepthTwice,
-    upright.beyondRange };
-}
 } // namespace
 
 [[gnu::hot]] Vector3 ContactTilt::follow(const ToolPose& pose, bool isFollowed) noexcept
@@ -69,7 +62,7 @@ ResponseValue combined(const ResponseValue& upright, double work, const TiltFact
   return pose.tip + this->Under * this->Down;
 }
 
-double ContactTilt::turn(
+double ContactTilt::leanAt(
   const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept
 {
   const Vector3 sum = sumOfNormals(corners, weights, response);
@@ -88,8 +81,8 @@ double ContactTilt::turn(
   return -this->Under * this->Down.dot(this->Normal) - this->Deepest.drop;
 }
 
-Eigen::Matrix3d ContactTilt::ofTip(const Eigen::Matrix3d& weightGradients,
-  const TriangleCorners& corners, const ResponseField& response) const noexcept
+void ContactTilt::changeGradients(Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
+  const ResponseField& response) const noexcept
 {
   // The followed point is p = tip - e n(p): a step of the tip is (1 + e dn/dp) times a step of p.
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
@@ -103,86 +96,78 @@ Eigen::Matrix3d ContactTilt::ofTip(const Eigen::Matrix3d& weightGradients,
   Eigen::Matrix3d inverse;
   bool isInvertible = false;
   step.computeInverseWithCheck(inverse, isInvertible, 1e-3);
-  return isInvertible ? Eigen::Matrix3d(inverse.transpose() * weightGradients) : weightGradients;
+  if (isInvertible)
+  {
+    weightGradients = (inverse.transpose() * weightGradients).eval();
+  }
 }
 
-ResponseValue ContactTilt::tilted(const TriangleCorners& corners, const Vector3& weights,
-  double depth, const ResponseValue& upright, double work) const noexcept
+Jet ContactTilt::factor(const TriangleCorners& corners, const Vector3& weights, double depth,
+  const Eigen::Matrix3d* weightGradients) const noexcept
 {
   const BodyTilt::Weights laws = this->Body->weights(corners, weights);
-  return combined(upright, work, this->Body->table().at(depth, this->Angle, laws.data()));
+  const TiltFactor tau = this->Body->table().at(depth, this->Angle, laws.data());
+  Jet factor{ tau.value, tau.byDepth, tau.byDepthTwice, tau.byAngle };
+  for (std::size_t k = 0; weightGradients && this->Body->isPerPoint() && k < 3; ++k)
+  {
+    const BodyTilt::Weights own = this->Body->weights(corners[k]);
+    factor.byPlace += this->Body->table().at(depth, this->Angle, own.data()).value *
+      weightGradients->col(static_cast<Eigen::Index>(k));
+  }
+  return factor;
 }
 
-ResponseValue ContactTilt::press(const TriangleCorners& corners, const Vector3& weights,
-  double depth, const ResponseValue& upright, double work) noexcept
-{
-  this->Work = work;
-  this->Depth = depth;
-  const BodyTilt::Weights laws = this->Body->weights(corners, weights);
-  this->Factor = this->Body->table().at(depth, this->Angle, laws.data());
-  this->Force = combined(upright, work, this->Factor);
-  return this->Force;
-}
-
-ContactTilt::Alike ContactTilt::alike(const BlendedResponse& curve) const noexcept
+ContactTilt::Alike ContactTilt::findAlike(
+  const BlendedResponse& curve, double depth, const ResponseValue& tilted) const noexcept
 {
   constexpr int doublings = 16;
-  double most = this->Depth;
-  for (int i = 0; i < doublings && curve.evaluate(most).force < this->Force.force; ++i)
+  double most = depth;
+  for (int i = 0; i < doublings && curve.evaluate(most).force < tilted.force; ++i)
   {
     most *= 2.0;
   }
   Alike same;
   same.depth = increasingRoot(
-    [&](double depth) -> ValueAndSlope
+    [&](double at) -> ValueAndSlope
     {
-      const ResponseValue value = curve.evaluate(depth);
-      return { value.force - this->Force.force, value.stiffness };
+      const ResponseValue value = curve.evaluate(at);
+      return { value.force - tilted.force, value.stiffness };
     },
-    0.0, most, this->Depth);
+    0.0, most, depth);
   same.value = curve.evaluate(same.depth);
-  same.stiffening = same.value.stiffness > 0.0 ? this->Force.stiffness / same.value.stiffness : 1.0;
+  same.stiffening = same.value.stiffness > 0.0 ? tilted.stiffness / same.value.stiffness : 1.0;
   return same;
 }
 
-Vector3 ContactTilt::energies(const TriangleCorners& corners, const Vector3& upright) const noexcept
+void ContactTilt::addMoment(double byTilt, const TriangleCorners& corners,
+  const Eigen::Matrix3d* weightGradients, const ResponseField& response,
+  Contact& result) const noexcept
 {
-  Vector3 energies = this->Factor.value * upright;
-  if (this->Body->isPerPoint())
+  if (this->Body->table().isBeyond(this->Angle) && result.state == ContactState::Slide)
   {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const BodyTilt::Weights laws = this->Body->weights(corners[k]);
-      energies[static_cast<Eigen::Index>(k)] +=
-        this->Work * this->Body->table().at(this->Depth, this->Angle, laws.data()).value;
-    }
+    result.state = ContactState::TiltedTooFar;
   }
-  return energies;
-}
-
-Vector3 ContactTilt::torque(double moment) const noexcept
-{
-  const double sine = std::sin(this->Angle);
-  return sine > Upright ? Vector3(moment / sine * this->Axis.cross(this->Normal)) : Vector3::Zero();
-}
-
-Vector3 ContactTilt::forceBeside(double moment, const TriangleCorners& corners,
-  const Eigen::Matrix3d& weightGradients, const ResponseField& response) const noexcept
-{
-  // cos θ = axis · n, n = Σ n_i U_i/|Σ n_i U_i|.
+  result.tilt = this->Angle;
   const double sine = std::sin(this->Angle);
   if (!(sine > Upright))
   {
-    return Vector3::Zero();
+    return;
   }
+  const double moment = result.normalForce * this->Deepest.offset + byTilt; // M
+  result.torque = moment / sine * this->Axis.cross(this->Normal);
+  if (!weightGradients)
+  {
+    return;
+  }
+  // cos θ = axis · n, n = Σ n_i U_i/|Σ n_i U_i|.
   const double cosine = this->Axis.dot(this->Normal);
   Vector3 gradient = Vector3::Zero(); // of cos θ
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vector3 normal = response.normal(corners[k]);
     gradient += (this->Axis.dot(normal) - cosine * this->Normal.dot(normal)) *
-      weightGradients.col(static_cast<Eigen::Index>(k));
+      weightGradients->col(static_cast<Eigen::Index>(k));
   }
-  return moment / (sine * this->NormalLength) * gradient;
+  result.force += moment / (sine * this->NormalLength) * gradient;
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #define palpate_ContactTilt_h
 
 #include "Contact/Contact.h"
+#include "Contact/Jet.h"
 #include "Contact/Tilt/BodyTilt.h"
 #include "Mechanics/PalpateExport.h"
 
@@ -33,9 +34,8 @@ public:
   {
   }
 
-  /// Whether the last pose had an axis and the body has tilt data.
-  bool isFelt() const noexcept { return this->IsFelt; }
-  /// Whether the tilt at the contact changes the force of the upright tool.
+  /// Whether the tilt at the contact changes the force of the upright tool. If not, the functions
+  /// below have no effect.
   bool isTilted() const noexcept
   {
     constexpr double upright = 1e-7; // rad; M and the change of F are of this order, relative to F
@@ -47,53 +47,75 @@ public:
 
   /// Sets the tilt from the smooth normal at the contact. Returns by how much the followed point is
   /// deeper than the deepest point of the tool, mm.
-  double turn(
-    const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept;
+  double lean(
+    const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept
+  {
+    return this->IsFelt ? this->leanAt(corners, weights, response) : 0.0;
+  }
 
-  /// Gradients of the area coordinates by the position of the tip, from those by the position of
-  /// the followed point. On a curved body the two points move differently.
-  Eigen::Matrix3d ofTip(const Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
-    const ResponseField& response) const noexcept;
+  /// Changes gradients of the area coordinates by the position of the followed point to gradients
+  /// by the position of the tip. On a curved body the two points move differently.
+  void changeToTip(Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
+    const ResponseField& response) const noexcept
+  {
+    if (this->IsFelt)
+    {
+      this->changeGradients(weightGradients, corners, response);
+    }
+  }
 
-  /// The result that press() would have at another depth; changes nothing.
-  ResponseValue tilted(const TriangleCorners& corners, const Vector3& weights, double depth,
-    const ResponseValue& upright, double work) const noexcept;
-  /// The force of the tilted tool at a depth > 0 of its deepest point, computed from the force and
-  /// the work of the upright tool at that depth.
-  ResponseValue press(const TriangleCorners& corners, const Vector3& weights, double depth,
-    const ResponseValue& upright, double work) noexcept;
+  /// Multiplies the work of the upright tool at a depth > 0 by τ. With `weightGradients` (by the
+  /// tip) the differences of τ between the three points count; null: these are neglected.
+  void multiply(Jet& work, const TriangleCorners& corners, const Vector3& weights, double depth,
+    const Eigen::Matrix3d* weightGradients) const noexcept
+  {
+    if (this->isTilted())
+    {
+      work *= this->factor(corners, weights, depth, weightGradients);
+    }
+  }
 
-  // Results of the last press.
-  /// The work done, N mm.
-  double work() const noexcept { return this->Factor.value * this->Work; }
-  /// The depth at which the upright tool has the same force, mm, and its force and stiffness at
-  /// that depth.
+  /// The upright tool with the same force.
   struct Alike
   {
-    double depth = 0.0;
+    double depth = 0.0; ///< mm
     ResponseValue value;
     double stiffening = 1.0; ///< stiffness of the tilted tool divided by that of the upright tool
   };
-  Alike alike(const BlendedResponse& curve) const noexcept;
-  /// The energies at the corners, computed from those of the upright tool
-  /// (BlendedResponse::energies).
-  Vector3 energies(const TriangleCorners& corners, const Vector3& upright) const noexcept;
-  /// Moment M in N mm. `force` (N) is the force after all reductions, `share` the remaining
-  /// fraction of the work.
-  double moment(double force, double share) const noexcept
+  /// `tilted` is the slow response of the tilted tool at `depth`.
+  Alike alike(
+    const BlendedResponse& curve, double depth, const ResponseValue& tilted) const noexcept
   {
-    return force * this->Deepest.offset + share * this->Work * this->Factor.byAngle;
+    return this->isTilted() && tilted.force > 0.0 ? this->findAlike(curve, depth, tilted)
+                                                  : Alike{ depth, tilted, 1.0 };
   }
-  /// Torque on the tool about its tip, N mm.
-  Vector3 torque(double moment) const noexcept;
-  /// -M ∇θ, N; `weightGradients` as returned by ofTip().
-  Vector3 forceBeside(double moment, const TriangleCorners& corners,
-    const Eigen::Matrix3d& weightGradients, const ResponseField& response) const noexcept;
 
-  double angle() const noexcept { return this->Angle; }
-  bool isTooFar() const noexcept { return this->Body->table().isBeyond(this->Angle); }
+  /// Adds tilt and torque to the result for the whole work. With `weightGradients` (by the tip)
+  /// adds the force -M ∇θ too; null: the force form has no energy.
+  void addTorque(const Jet& work, const TriangleCorners& corners,
+    const Eigen::Matrix3d* weightGradients, const ResponseField& response,
+    Contact& result) const noexcept
+  {
+    if (this->isTilted())
+    {
+      this->addMoment(work.byTilt, corners, weightGradients, response, result);
+    }
+  }
 
 private:
+  double leanAt(
+    const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept;
+  void changeGradients(Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
+    const ResponseField& response) const noexcept;
+  /// τ with its derivatives.
+  Jet factor(const TriangleCorners& corners, const Vector3& weights, double depth,
+    const Eigen::Matrix3d* weightGradients) const noexcept;
+  Alike findAlike(
+    const BlendedResponse& curve, double depth, const ResponseValue& tilted) const noexcept;
+  void addMoment(double byTilt, const TriangleCorners& corners,
+    const Eigen::Matrix3d* weightGradients, const ResponseField& response,
+    Contact& result) const noexcept;
+
   const BodyTilt* Body;
   bool IsFelt = false;
   Vector3 Axis = Vector3::Zero();
@@ -104,10 +126,6 @@ private:
   double NormalLength = 1.0;
   double Angle = 0.0;
   DeepestPoint Deepest;
-  double Depth = 0.0;
-  TiltFactor Factor;
-  ResponseValue Force;
-  double Work = 0.0; ///< of the upright tool
 };
 } // namespace palpate
 
