@@ -236,16 +236,20 @@ void ToolContact::addMemory(Jet& work, const Pressed& at, Contact& result) noexc
     { this->LastCorners, this->LastWeights, result.contactPoint, upright.depth }, upright.value);
   result.state = felt.isTouched ? result.state : ContactState::None;
   result.memory = felt.total - slow.byDepth;
+  // A tilted tool stores more energy than the upright one, in proportion to their slow works.
+  const double stretch = this->Tilt.isTilted() && slow.value > 0.0
+    ? slow.value / this->response().energy(upright.depth)
+    : 1.0;
   if (slow.value > 0.0) // otherwise the value is not used
   {
-    work.value += this->Relaxation.storedEnergy();
+    work.value += stretch * this->Relaxation.storedEnergy();
   }
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
     // The energy stored by the memory force is divided among the corners in proportion to their
     // slow work: the curves of one tool on bodies of different stiffness have the same shape.
     work.byPlace *= slow.value > 0.0 ? work.value / slow.value : 1.0;
-    work.byPlace +=
+    work.byPlace += stretch *
       EnergyGradient::ofEnergies(at.place().weightGradients, this->Relaxation.strengthEnergies());
   }
   work.byTilt *= slow.byDepth > 0.0 ? felt.total / slow.byDepth : 1.0;
