@@ -26,7 +26,7 @@ vtkIdType firstPolyOf(vtkPolyData* body)
 
 int vtkHapticSession::AddDevice(const std::string& name)
 {
-  constexpr int most = palpate::HandsStep::Most;
+  constexpr int most = palpate::ServoStep::Most;
   if (this->GetNumberOfDevices() >= most)
   {
     vtkErrorMacro(<< "Device '" << name << "' cannot be added: a session has at most " << most
@@ -217,7 +217,7 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(const std::vect
   this->FittedFactor = factor;
   this->FitReason = reason;
   return std::make_unique<palpate::ServoScene>(
-    std::move(body), this->Settings->GetKernel(), factor, hands.size() > 1 ? hands.size() : 0);
+    std::move(body), this->Settings->GetKernel(), factor, hands.size());
 }
 
 bool vtkHapticSession::FitToDevice(
@@ -286,38 +286,22 @@ std::shared_ptr<palpate::SessionRun> vtkHapticSession::MakeRun(const std::vector
     : std::min(recorder->GetRecordedSeconds(), kept.historySeconds);
   settings.realTime.lockMemory = this->LockMemory;
   settings.rehearsal = this->Rehearsal;
-  std::shared_ptr<palpate::RealTimeRun> live;
-  if (hands.size() == 1)
+  palpate::SessionHands devices;
+  std::vector<palpate::ServoStep::Hand> ends;
+  for (vtkHapticDevice* device : this->Devices())
   {
-    palpate::ServoStep step(std::move(scene), this->Device->GetMapping(), hands[0].safety,
-      this->Device->GetClutchButtons());
-    if (!this->RealTime)
-    {
-      return std::make_shared<palpate::VirtualRun>(
-        this->Device->GetHand(), std::move(step), this->Rate, kept);
-    }
-    live = std::make_shared<palpate::RealTimeRun>(
-      this->Device->GetHand(), std::move(step), settings, kept);
+    ends.push_back(
+      { device->GetMapping(), hands[devices.size()].safety, device->GetClutchButtons() });
+    devices.push_back(device->GetHand());
   }
-  else
+  palpate::ServoStep step(std::move(scene), ends);
+  if (!this->RealTime)
   {
-    palpate::SessionHands devices;
-    std::vector<palpate::HandsStep::Hand> ends;
-    for (vtkHapticDevice* device : this->Devices())
-    {
-      ends.push_back(
-        { device->GetMapping(), hands[devices.size()].safety, device->GetClutchButtons() });
-      devices.push_back(device->GetHand());
-    }
-    palpate::HandsStep step(std::move(scene), ends);
-    if (!this->RealTime)
-    {
-      return std::make_shared<palpate::VirtualRun>(
-        std::move(devices), std::move(step), this->Rate, kept);
-    }
-    live =
-      std::make_shared<palpate::RealTimeRun>(std::move(devices), std::move(step), settings, kept);
+    return std::make_shared<palpate::VirtualRun>(
+      std::move(devices), std::move(step), this->Rate, kept);
   }
+  auto live =
+    std::make_shared<palpate::RealTimeRun>(std::move(devices), std::move(step), settings, kept);
   const std::string error = live->start();
   if (!error.empty())
   {

@@ -4,7 +4,7 @@
 #include "Interaction/Panel/KeyHelp.h"
 #include "Interaction/Panel/SteeredHand.h"
 #include "Interaction/Panel/SurfacePicker.h"
-#include "Haptics/Servo/HandsStep.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "vtkContactScene.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticSession.h"
@@ -86,7 +86,7 @@ double vtkInteractorStyleHaptic::GetWheelDepth() const
 
 void vtkInteractorStyleHaptic::SetHand(int hand)
 {
-  const int last = static_cast<int>(palpate::HandsStep::Most) - 1;
+  const int last = static_cast<int>(palpate::ServoStep::Most) - 1;
   this->Hand = std::clamp(hand, 0, last);
   this->Hands.resize(std::max(this->Hands.size(), static_cast<std::size_t>(this->Hand) + 1));
   this->Modified();

@@ -36,49 +36,77 @@ CoupledContacts::CoupledContacts(
 }
 
 template <class Find>
-void CoupledContacts::findAll(const Find& find) noexcept
+[[gnu::hot]] const std::vector<Contact>& CoupledContacts::feelAll(
+  const Find& find, int rounds) noexcept
 {
   for (std::size_t i = 0; i < this->Contacts.size(); ++i)
   {
+    this->Loads[i].isMissing = false;
     this->Loads[i].found = find(i);
     this->load(i);
+    if (rounds > Rounds)
+    {
+      this->Loads[i].force = 0.0;
+    }
   }
+  return this->solve(rounds);
 }
 
 const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses) noexcept
 {
-  this->findAll([this, poses](std::size_t i) { return this->Contacts[i].find(poses[i]); });
-  return this->feelAll(Rounds);
+  return this->feelAll([&](std::size_t i) { return this->Contacts[i].find(poses[i]); }, Rounds);
 }
 
 const std::vector<Contact>& CoupledContacts::update(const ToolPose* poses, double elapsed) noexcept
 {
-  this->findAll([&](std::size_t i) { return this->Contacts[i].find(poses[i], elapsed); });
-  return this->feelAll(Rounds);
+  return this->feelAll(
+    [&](std::size_t i) { return this->Contacts[i].find(poses[i], elapsed); }, Rounds);
 }
 
 const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses) noexcept
 {
-  this->findAll([this, poses](std::size_t i) { return this->Contacts[i].find(poses[i]); });
-  return this->settleAll();
+  return this->feelAll(
+    [&](std::size_t i) { return this->Contacts[i].find(poses[i]); }, SettlingRounds);
 }
 
 const std::vector<Contact>& CoupledContacts::settle(const ToolPose* poses, double elapsed) noexcept
 {
-  this->findAll([&](std::size_t i) { return this->Contacts[i].find(poses[i], elapsed); });
-  return this->settleAll();
+  return this->feelAll(
+    [&](std::size_t i) { return this->Contacts[i].find(poses[i], elapsed); }, SettlingRounds);
 }
 
-const std::vector<Contact>& CoupledContacts::settleAll() noexcept
+[[gnu::hot]] const std::vector<Contact>& CoupledContacts::step(
+  const std::optional<ToolPose>* poses, double elapsed) noexcept
 {
-  for (Load& load : this->Loads)
+  if (this->Contacts.size() == 1 && poses[0])
   {
-    load.force = 0.0;
+    this->Felt[0] = this->Contacts[0].update(*poses[0], elapsed);
+    return this->Felt;
   }
-  return this->feelAll(SettlingRounds);
+  const auto find = [&](std::size_t i)
+  {
+    if (poses[i])
+    {
+      return this->Contacts[i].find(*poses[i], elapsed);
+    }
+    this->Contacts[i].pass(elapsed);
+    this->Loads[i].isMissing = true;
+    return Pressed();
+  };
+  return this->feelAll(find, Rounds);
 }
 
-void CoupledContacts::load(std::size_t contact) noexcept
+void CoupledContacts::assume(const CoupledContacts& other) noexcept
+{
+  this->Contacts.clear();
+  for (const ToolContact& contact : other.Contacts) // a contact can be copied, but not assigned
+  {
+    this->Contacts.push_back(contact);
+  }
+  this->Loads = other.Loads;
+}
+
+[[gnu::hot]] void CoupledContacts::load(std::size_t contact) noexcept
 {
   Load& load = this->Loads[contact];
   Pressed& pressed = load.pressed;
@@ -226,7 +254,7 @@ double CoupledContacts::solveRound() noexcept
   return largest > 0.0 ? change / largest : 0.0;
 }
 
-const std::vector<Contact>& CoupledContacts::feelAll(int rounds) noexcept
+[[gnu::hot]] const std::vector<Contact>& CoupledContacts::solve(int rounds) noexcept
 {
   this->Stiffening = 0.0;
   if (this->Body.coupling)
@@ -244,6 +272,12 @@ const std::vector<Contact>& CoupledContacts::feelAll(int rounds) noexcept
     Load& load = this->Loads[i];
     Contact& felt = this->Felt[i];
     load.sunk = load.presses ? this->sunkBy(i) : 0.0;
+    if (load.isMissing)
+    {
+      felt = Contact();
+      felt.state = ContactState::Invalid;
+      continue;
+    }
     felt = this->Contacts[i].feel(load.found, load.sunk);
     if (load.force > 0.0 && felt.normalForce > 0.0 &&
       this->Settings.form == ForceForm::EnergyConsistent)
@@ -285,29 +319,12 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
   }
 }
 
-void CoupledContacts::pass(double elapsed) noexcept
-{
-  for (ToolContact& contact : this->Contacts)
-  {
-    contact.pass(elapsed);
-  }
-}
-
 void CoupledContacts::reset() noexcept
 {
-  for (std::size_t i = 0; i < this->Contacts.size(); ++i)
+  this->lose();
+  for (ToolContact& contact : this->Contacts)
   {
-    this->Contacts[i].reset();
-    this->Loads[i] = Load{};
-  }
-  this->Stiffening = 0.0;
-}
-
-void CoupledContacts::lose() noexcept
-{
-  for (std::size_t i = 0; i < this->Contacts.size(); ++i)
-  {
-    this->lose(i);
+    contact.reset();
   }
 }
 
@@ -316,22 +333,6 @@ void CoupledContacts::lose(std::size_t contact) noexcept
   this->Contacts[contact].lose();
   this->Loads[contact] = Load{};
   this->Stiffening = 0.0;
-}
-
-void CoupledContacts::foresee() const noexcept
-{
-  for (const ToolContact& contact : this->Contacts)
-  {
-    contact.foresee();
-  }
-}
-
-void CoupledContacts::rehearse(double elapsed) const noexcept
-{
-  for (const ToolContact& contact : this->Contacts)
-  {
-    contact.rehearse(elapsed);
-  }
 }
 
 std::size_t CoupledContacts::gatherCompliances(double factor, double* matrix) const noexcept
@@ -353,24 +354,21 @@ std::size_t CoupledContacts::gatherCompliances(double factor, double* matrix) co
 
 Eigen::MatrixXd CoupledContacts::stiffness() const
 {
-  const std::size_t count = this->Loads.size();
-  std::vector<double> compliances(count * count);
-  const auto rows = static_cast<Eigen::Index>(this->gatherCompliances(1.0, compliances.data()));
-  const Eigen::MatrixXd inverse =
-    Eigen::Map<const Eigen::MatrixXd>(compliances.data(), rows, rows).partialPivLu().inverse();
-  const auto size = static_cast<Eigen::Index>(count);
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
-  Eigen::Index next = 0; // index in the inverse, column by column
-  for (std::size_t j = 0; j < count; ++j)
+  std::vector<Eigen::Index> counting;
+  for (std::size_t i = 0; i < this->Loads.size(); ++i)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    if (this->Loads[i].counts())
     {
-      if (this->Loads[i].counts() && this->Loads[j].counts())
-      {
-        all(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = inverse(next++);
-      }
+      counting.push_back(static_cast<Eigen::Index>(i));
     }
   }
+  const auto rows = static_cast<Eigen::Index>(counting.size());
+  Eigen::MatrixXd compliances(rows, rows);
+  this->gatherCompliances(1.0, compliances.data());
+  const auto size = static_cast<Eigen::Index>(this->Loads.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
+  const Eigen::MatrixXd inverse = compliances.partialPivLu().inverse();
+  all(counting, counting) = inverse;
   return all;
 }
 

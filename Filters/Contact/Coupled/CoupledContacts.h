@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace palpate
@@ -66,6 +67,18 @@ public:
   const std::vector<Contact>& settle(const ToolPose* poses) noexcept;
   const std::vector<Contact>& settle(const ToolPose* poses, double elapsed) noexcept;
 
+  /// Makes a tick of a servo loop, `elapsed` s after the last. A contact without a pose is kept:
+  /// its result is Invalid, it does not act on the others, and only time passes for it. One contact
+  /// alone is a ToolContact: stiffness() does not know it.
+  const std::vector<Contact>& step(const std::optional<ToolPose>* poses, double elapsed) noexcept;
+  /// Moves one contact, without time, so that the next tick continues at this pose.
+  void move(std::size_t contact, const ToolPose& pose) noexcept
+  {
+    this->Contacts[contact].update(pose);
+  }
+  /// Takes the history of other contacts, as many, on the same body. Allocates nothing.
+  void assume(const CoupledContacts& other) noexcept;
+
   const std::vector<Contact>& felt() const noexcept { return this->Felt; }
   /// How far the other contacts lower the surface at a contact, mm.
   double sunk(std::size_t contact) const noexcept { return this->Loads[contact].sunk; }
@@ -75,11 +88,21 @@ public:
   double pointForceError(std::size_t contact) const noexcept;
 
   /// They apply the functions of ToolContact of the same names to all contacts.
-  void pass(double elapsed) noexcept;
   void reset() noexcept;
-  void lose() noexcept;
-  void foresee() const noexcept;
-  void rehearse(double elapsed) const noexcept;
+  void lose() noexcept
+  {
+    for (std::size_t i = 0; i < this->Contacts.size(); ++i)
+    {
+      this->lose(i);
+    }
+  }
+  void foresee() const noexcept
+  {
+    for (const ToolContact& contact : this->Contacts)
+    {
+      contact.foresee();
+    }
+  }
   /// Ends one contact, which then no longer acts on the others.
   void lose(std::size_t contact) noexcept;
 
@@ -110,7 +133,8 @@ private:
     double before = 0.0; ///< force in the preceding tick, N
     double stiffness = 0.0;
     BodyCoupling::Spot spot;
-    double whole = 0.0; ///< force of the curve, N, even if it does not act on the tool
+    double whole = 0.0;     ///< force of the curve, N, even if it does not act on the tool
+    bool isMissing = false; ///< there is no pose in this tick
     /// The tool had no force in the last tick although its curve had one: an edge released the
     /// tool, or the relaxing body has not yet recovered to it.
     bool isOff = false;
@@ -119,10 +143,9 @@ private:
     bool counts() const noexcept { return this->force > 0.0 && this->stiffness > 0.0; }
   };
 
-  const std::vector<Contact>& feelAll(int rounds) noexcept;
   template <class Find>
-  void findAll(const Find& find) noexcept;
-  const std::vector<Contact>& settleAll() noexcept;
+  const std::vector<Contact>& feelAll(const Find& find, int rounds) noexcept;
+  const std::vector<Contact>& solve(int rounds) noexcept;
   void load(std::size_t contact) noexcept;
   void fillCompliances() noexcept;
   /// How far the other contacts lower the surface at a contact, mm.

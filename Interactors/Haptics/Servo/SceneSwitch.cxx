@@ -34,48 +34,16 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
   return contact.deflection * (1.0 + friction.coefficient * ratio);
 }
 
-/// The force of the scene's contact, or of a copy of it, computed by the same code.
-[[gnu::hot, gnu::noinline]] SceneForce feel(const ServoScene& scene, ToolContact& touch,
-  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
-{
-  const Contact contact = touch.update(pose, elapsed);
-  const bool isCapped = contact.normalForce > 0.0 && !std::isinf(limits.straight);
-  const double share =
-    isCapped ? touch.cappedShare(contact, limits.straight / scene.forceFactor) : 1.0;
-  return forceOf(scene, contact, share, pose, limits);
-}
-[[gnu::hot]] SceneForce feel(
-  ServoScene& scene, const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
-{
-  return feel(scene, scene.contact, pose, elapsed, limits);
-}
-SceneForce feelCopied(const ServoScene& scene, const ToolPose& pose, double elapsed,
-  const StiffnessLimits& limits) noexcept
-{
-  ToolContact scratch(scene.contact);
-  return feel(scene, scratch, pose, elapsed, limits);
-}
-
-/// Moves the contact to the side of the body on which `other` is, so that the next tick continues
-/// there.
-void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noexcept
-{
-  // Fraction of the deflection: near that side, yet below most other surfaces.
-  constexpr double Depth = 0.1;
-  if (other.triangle >= 0 && other.deflection > 0.0)
-  {
-    ToolPose near = pose;
-    near.tip = other.contactPoint + Depth * (pose.tip - other.contactPoint);
-    contact.update(near);
-  }
-}
-} // namespace
-
-[[gnu::hot]] SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
-  const ToolPose& pose, const StiffnessLimits& limits) noexcept
+/// The force of one of the scene's contacts, or of a copy of them, computed by the same code.
+[[gnu::hot, gnu::noinline]] SceneForce feel(const ServoScene& scene, CoupledContacts& contacts,
+  std::size_t hand, const ToolPose& pose, const StiffnessLimits& limits) noexcept
 {
   SceneForce felt;
-  felt.contact = contact;
+  felt.contact = contacts.felt()[hand];
+  const Contact& contact = felt.contact;
+  const bool isCapped = contact.normalForce > 0.0 && !std::isinf(limits.straight);
+  const double share =
+    isCapped ? contacts.cappedShare(hand, limits.straight / scene.forceFactor) : 1.0;
   felt.forceFactor = scene.forceFactor;
   felt.idealForce = contact.force;
   felt.cappedForce = share * contact.force;
@@ -86,10 +54,11 @@ void enter(ToolContact& contact, const Contact& other, const ToolPose& pose) noe
     felt.idealTorque = contact.torque;
     felt.cappedTorque = std::min(share, turning) * contact.torque;
   }
-  felt.reach = reachOf(contact, scene.settings.friction);
+  felt.reach = reachOf(contact, scene.settings.friction) + contacts.sunk(hand);
   felt.outside = contact.state == ContactState::None;
   return felt;
 }
+} // namespace
 
 SceneSwitch::SceneSwitch(std::unique_ptr<ServoScene> scene) noexcept
   : Current(std::move(scene))
@@ -98,6 +67,7 @@ SceneSwitch::SceneSwitch(std::unique_ptr<ServoScene> scene) noexcept
 
 SceneSwitch::SceneSwitch(const SceneSwitch& other)
   : Ramp(other.Ramp)
+  , Moves(other.Moves)
   , Entering(other.Entering)
   , Changes(other.Changes)
 {
@@ -106,19 +76,23 @@ SceneSwitch::SceneSwitch(const SceneSwitch& other)
   copy(other.Waiting, this->Waiting);
 }
 
-void SceneSwitch::change(std::unique_ptr<ServoScene> next) noexcept
+bool SceneSwitch::change(std::unique_ptr<ServoScene> next) noexcept
 {
-  if (!next)
+  if (!next || next->contacts.count() != this->hands())
   {
-    return;
+    this->retire(std::move(next));
+    return false;
   }
-  if (!this->Leaving)
+  if (this->Leaving)
+  {
+    this->retire(std::move(this->Waiting));
+    this->Waiting = std::move(next);
+  }
+  else
   {
     this->begin(std::move(next));
-    return;
   }
-  this->retire(std::move(this->Waiting));
-  this->Waiting = std::move(next);
+  return true;
 }
 
 void SceneSwitch::begin(std::unique_ptr<ServoScene> next) noexcept
@@ -126,7 +100,7 @@ void SceneSwitch::begin(std::unique_ptr<ServoScene> next) noexcept
   this->Leaving = std::move(this->Current);
   this->Current = std::move(next);
   this->Ramp = ForceRamp(0.0);
-  this->Entering = true;
+  this->Entering.set();
   ++this->Changes;
 }
 
@@ -154,57 +128,90 @@ void SceneSwitch::forget() noexcept
   {
     this->end();
   }
-  this->Current->contact.lose();
+  this->Current->contacts.lose();
+}
+
+void SceneSwitch::forget(std::size_t hand) noexcept
+{
+  this->Current->contacts.lose(hand);
+  if (this->Leaving)
+  {
+    this->Leaving->contacts.lose(hand);
+  }
 }
 
 void SceneSwitch::reset() noexcept
 {
   this->forget();
-  this->Current->contact.reset();
+  this->Current->contacts.reset();
 }
 
-void SceneSwitch::pass(double elapsed) noexcept
+[[gnu::hot]] void SceneSwitch::update(const std::optional<ToolPose>* poses, double elapsed) noexcept
 {
-  this->Current->contact.pass(elapsed);
-  if (this->Leaving)
-  {
-    this->Leaving->contact.pass(elapsed);
-  }
-}
-
-[[gnu::hot]] SceneForce SceneSwitch::update(
-  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
-{
-  const bool moves = this->Leaving && !this->Entering;
-  if (moves && this->Ramp.advance(1.0, elapsed) >= 1.0)
+  const bool isAnyThere =
+    std::any_of(poses, poses + this->hands(), [](const auto& pose) { return pose.has_value(); });
+  this->Moves = this->Leaving && isAnyThere && !this->Entering.all();
+  if (this->Moves && this->Ramp.advance(1.0, elapsed) >= 1.0)
   {
     this->end();
   }
-  SceneForce felt = this->Leaving ? this->blend(pose, elapsed, limits)
-                                  : feel(*this->Current, pose, elapsed, limits);
-  felt.changing = moves;
+  if (this->Leaving)
+  {
+    this->Leaving->contacts.step(poses, elapsed);
+    this->enter(poses);
+  }
+  this->Current->contacts.step(poses, elapsed);
+}
+
+void SceneSwitch::enter(const std::optional<ToolPose>* poses) noexcept
+{
+  // Fraction of the deflection: near the side of the old contact, yet below most other surfaces.
+  constexpr double Depth = 0.1;
+  for (std::size_t i = 0; i < this->hands(); ++i)
+  {
+    const Contact& old = this->Leaving->contacts.felt()[i];
+    if (this->Entering[i] && poses[i] && old.triangle >= 0 && old.deflection > 0.0)
+    {
+      ToolPose near = *poses[i];
+      near.tip = old.contactPoint + Depth * (near.tip - old.contactPoint);
+      this->Current->contacts.move(i, near);
+    }
+    this->Entering[i] = this->Entering[i] && !poses[i];
+  }
+}
+
+[[gnu::hot]] SceneForce SceneSwitch::force(
+  std::size_t hand, const ToolPose& pose, const StiffnessLimits& limits) const noexcept
+{
+  SceneForce felt = feel(*this->Current, this->Current->contacts, hand, pose, limits);
+  if (this->Leaving)
+  {
+    this->blend(feel(*this->Leaving, this->Leaving->contacts, hand, pose, limits), felt);
+  }
+  felt.changing = this->Moves;
   return felt;
 }
 
-SceneForce SceneSwitch::rehearse(
-  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept
+void SceneSwitch::rehearse(const std::optional<ToolPose>* poses, double elapsed) const noexcept
 {
-  if (this->Leaving)
+  for (ServoScene* scene : { this->Leaving.get(), this->Current.get() })
   {
-    feelCopied(*this->Leaving, pose, elapsed, limits);
+    if (scene)
+    {
+      scene->rehearsed.assume(scene->contacts);
+      scene->rehearsed.step(poses, elapsed);
+    }
   }
-  return feelCopied(*this->Current, pose, elapsed, limits);
 }
 
-SceneForce SceneSwitch::blend(
-  const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
+SceneForce SceneSwitch::rehearsedForce(
+  std::size_t hand, const ToolPose& pose, const StiffnessLimits& limits) const noexcept
 {
-  const SceneForce before = feel(*this->Leaving, pose, elapsed, limits);
-  if (std::exchange(this->Entering, false))
-  {
-    enter(this->Current->contact, before.contact, pose);
-  }
-  SceneForce felt = feel(*this->Current, pose, elapsed, limits);
+  return feel(*this->Current, this->Current->rehearsed, hand, pose, limits);
+}
+
+void SceneSwitch::blend(const SceneForce& before, SceneForce& felt) const noexcept
+{
   const double way = this->Ramp.share();
   const double rest = (1.0 - way) * before.forceFactor;
   const double factor = rest + way * felt.forceFactor;
@@ -218,6 +225,5 @@ SceneForce SceneSwitch::blend(
   felt.forceFactor = factor;
   felt.reach = std::max(before.reach, felt.reach);
   felt.outside = before.outside && felt.outside;
-  return felt;
 }
 } // namespace palpate

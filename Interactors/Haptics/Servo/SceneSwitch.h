@@ -5,12 +5,14 @@
 #include "Haptics/Safety/SafetyLinks.h"
 #include "Mechanics/PalpateExport.h"
 #include "Contact/Coupled/CoupledContacts.h"
-#include "Contact/ToolContact.h"
 
+#include <algorithm>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace palpate
@@ -22,18 +24,19 @@ namespace palpate
  */
 struct ServoScene
 {
+  static constexpr std::size_t MostHands = 4;
+
   /// `contactBody` must not be null; the scene shares its ownership. `sceneForceFactor` (0, 1] fits
   /// this scene to the device, in addition to SafetySettings::forceFactor: the force is multiplied
-  /// by both. A factor out of its range counts as 0: no force. `hands`: for a HandsStep the number
-  /// of contacts, one per hand; 0 for a ServoStep.
+  /// by both. A factor out of its range counts as 0: no force. `hands`: the number of devices, each
+  /// with one contact; clamped to the range 1 to MostHands.
   explicit ServoScene(std::shared_ptr<const ContactBody> contactBody,
     const ContactSettings& contactSettings = {}, double sceneForceFactor = 1.0,
-    std::size_t hands = 0)
+    std::size_t hands = 1)
     : body(std::move(contactBody))
     , settings(contactSettings)
-    , contact(*this->body, contactSettings)
-    , together(hands > 0 ? std::make_unique<CoupledContacts>(*this->body, contactSettings, hands)
-                         : nullptr)
+    , contacts(*this->body, contactSettings, std::min(hands, MostHands))
+    , rehearsed(this->contacts)
     , forceFactor(sceneForceFactor > 0.0 && sceneForceFactor <= 1.0 ? sceneForceFactor : 0.0)
   {
   }
@@ -49,8 +52,8 @@ struct ServoScene
   ServoScene(const ServoScene& other)
     : body(other.body)
     , settings(other.settings)
-    , contact(other.contact)
-    , together(other.together ? std::make_unique<CoupledContacts>(*other.together) : nullptr)
+    , contacts(other.contacts)
+    , rehearsed(other.rehearsed)
     , forceFactor(other.forceFactor)
   {
   }
@@ -58,9 +61,8 @@ struct ServoScene
 
   const std::shared_ptr<const ContactBody> body;
   const ContactSettings settings;
-  ToolContact contact;
-  /// For several hands, instead of `contact`; or null.
-  const std::unique_ptr<CoupledContacts> together;
+  CoupledContacts contacts;
+  CoupledContacts rehearsed; ///< a copy of `contacts` with a tick made in advance
   const double forceFactor;
   /// The next scene in a list of scenes that are no longer needed: freeing the first scene frees
   /// all.
@@ -84,7 +86,7 @@ inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
   return most < torque ? most / torque : 1.0;
 }
 
-/// The force of a scene on the tip, or the blend of two scenes during a change. Body frame; mm, N.
+/// The force of a scene on one tip, or the blend of two scenes during a change. Body frame; mm, N.
 struct SceneForce
 {
   Contact contact;                        ///< of the newest scene
@@ -94,26 +96,22 @@ struct SceneForce
   Vector3 cappedTorque = Vector3::Zero(); ///< blended, with each torsional stiffness capped
   double forceFactor = 1.0;               ///< blended; 0: no force
   double share = 1.0;                     ///< fraction of idealForce from the newest scene
-  /// The longest displacement (mm) over which the contacts can return work: the deflection and the
-  /// elastic displacement of the friction.
+  /// The longest displacement (mm) over which the contact can return work: the deflection, how far
+  /// the other hands lower the surface, and the elastic displacement of the friction.
   double reach = 0.0;
   bool outside = true;   ///< no contact
   bool changing = false; ///< the fraction differs from that of the last tick
 };
 
-/// The force of a scene's contact on a tool in the pose `pose`. `share` is the fraction of the
-/// contact's force that the stiffness cap leaves.
-PALPATE_EXPORT SceneForce forceOf(const ServoScene& scene, const Contact& contact, double share,
-  const ToolPose& pose, const StiffnessLimits& limits) noexcept;
-
 /**
- * The scene of a ServoStep, and its change to another scene while the tip may be in contact.
+ * The scene of a ServoStep, and its change to another scene while tips may be in contact.
  *
- * The force changes from the old scene to the new one within 50 ms (ForceRamp). Both contacts are
- * computed at the present tip. The sent force is (1-w) φ F of the old scene plus w φ' F' of the new
- * one, where w grows linearly in time and φ, φ' are the force factors. Therefore the force changes
- * per tick by at most |φ'F' - φF| T / 50 ms, in addition to the blended changes of both forces by
- * motion. No tick is stiffer than the stiffer of the two scenes.
+ * The force on each hand changes from the old scene to the new one within 50 ms (ForceRamp). The
+ * contacts of both scenes are computed at the present tips. The sent force is (1-w) φ F of the old
+ * scene plus w φ' F' of the new one, where w grows linearly in time and φ, φ' are the force
+ * factors. Therefore the force changes per tick by at most |φ'F' - φF| T / 50 ms, in addition to
+ * the blended changes of both forces by motion. No tick is stiffer than the stiffer of the two
+ * scenes.
  *
  * The new contact begins at the position of the old one: under the same side of a thin body, if
  * both bodies have that side. The new contact begins without pre-sliding displacement, so that
@@ -122,7 +120,10 @@ PALPATE_EXPORT SceneForce forceOf(const ServoScene& scene, const Contact& contac
  * be necessary, or a force that does not respond to the hand. If several scenes wait, the newest is
  * used.
  *
- * Only the constructors allocate or free memory; a tick of a ramp costs two contacts.
+ * The contacts of a hand without a pose are kept in both scenes, and time passes for them. While no
+ * hand has a pose, the ramp does not advance.
+ *
+ * Only the constructors allocate or free memory; a tick of a ramp costs two contacts per hand.
  */
 class PALPATE_EXPORT SceneSwitch
 {
@@ -136,10 +137,23 @@ public:
   SceneSwitch& operator=(SceneSwitch&&) = delete;
   ~SceneSwitch() = default;
 
-  /// Makes one tick, `elapsed` s after the last.
-  SceneForce update(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
+  /// Number of hands of all scenes.
+  std::size_t hands() const noexcept { return this->Current->contacts.count(); }
 
-  /// Makes one tick for a tool along the body's normal.
+  /// Makes one tick, `elapsed` s after the last, with one pose for each hand.
+  void update(const std::optional<ToolPose>* poses, double elapsed) noexcept;
+  /// The force on a hand in that tick; its pose must be that of the tick.
+  SceneForce force(
+    std::size_t hand, const ToolPose& pose, const StiffnessLimits& limits) const noexcept;
+
+  /// One tick of one hand.
+  SceneForce update(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept
+  {
+    const std::optional<ToolPose> poses(pose);
+    this->update(&poses, elapsed);
+    return this->force(0, pose, limits);
+  }
+  /// The same for a tool along the body's normal.
   SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
   {
     StiffnessLimits limits;
@@ -147,50 +161,61 @@ public:
     return this->update(ToolPose(tip), elapsed, limits);
   }
 
+  /// Makes the tick of update() on copies of the contacts. During a ramp the old scene is also
+  /// computed, and its result is discarded. Changes no result of update() and force().
+  void rehearse(const std::optional<ToolPose>* poses, double elapsed) const noexcept;
+  /// The force of the current scene on a hand in the rehearsed tick.
+  SceneForce rehearsedForce(
+    std::size_t hand, const ToolPose& pose, const StiffnessLimits& limits) const noexcept;
+
   /// See ToolContact::foresee.
   void foresee() const noexcept
   {
-    this->Current->contact.foresee();
+    this->Current->contacts.foresee();
     if (this->Leaving)
     {
-      this->Leaving->contact.foresee();
+      this->Leaving->contacts.foresee();
     }
   }
 
-  /// Returns the result that update would have for the current scene. It uses a copy of the
-  /// contact, which is discarded. During a ramp the old scene is also computed, and its result is
-  /// discarded. Changes nothing.
-  SceneForce rehearse(
-    const ToolPose& pose, double elapsed, const StiffnessLimits& limits) const noexcept;
-
-  /// Begins the change to this scene; null has no effect.
-  void change(std::unique_ptr<ServoScene> next) noexcept;
+  /// Begins the change to this scene. Returns false for null, or if the scene is made for another
+  /// number of hands; such a scene is only returned by takeRetired().
+  bool change(std::unique_ptr<ServoScene> next) noexcept;
   bool isSwitching() const noexcept { return this->Leaving != nullptr; }
   /// Number of changes, including a change that has only begun.
   std::uint32_t changes() const noexcept { return this->Changes; }
+  /// Whether the contacts of several hands act on one another, in one of the scenes.
+  bool isCoupled() const noexcept
+  {
+    return this->Current->body->coupling || (this->Leaving && this->Leaving->body->coupling);
+  }
   /// The scenes that are no longer needed, as a list, or null; they must be freed outside the tick.
   std::unique_ptr<ServoScene> takeRetired() noexcept { return std::move(this->Retired); }
 
   /// Ends the contacts and a ramp: only the newest scene remains. The memory of the body is kept.
   void forget() noexcept;
+  /// Ends the contacts of one hand, which then no longer act on the others. A ramp continues.
+  void forget(std::size_t hand) noexcept;
   /// As forget(), and clears the memory of the body.
   void reset() noexcept;
-  /// Adds time (s) during which the position of the tip is unknown.
-  void pass(double elapsed) noexcept;
 
 private:
   void begin(std::unique_ptr<ServoScene> next) noexcept;
   /// Ends a ramp; the change to a waiting scene begins.
   void end() noexcept;
   void retire(std::unique_ptr<ServoScene> scene) noexcept;
-  SceneForce blend(const ToolPose& pose, double elapsed, const StiffnessLimits& limits) noexcept;
+  /// Begins the contacts of the new scene where those of the old one are.
+  void enter(const std::optional<ToolPose>* poses) noexcept;
+  void blend(const SceneForce& before, SceneForce& felt) const noexcept;
 
   std::unique_ptr<ServoScene> Current;
   std::unique_ptr<ServoScene> Leaving; ///< null except during a ramp
   std::unique_ptr<ServoScene> Waiting; ///< null except after a change during a ramp
   std::unique_ptr<ServoScene> Retired;
   ForceRamp Ramp{ 0.0 };
-  bool Entering = false; ///< the ramp has not had a tick yet
+  bool Moves = false; ///< the ramp advanced in the last tick
+  /// Hands without a tick in the ramp yet; all: the ramp has not begun.
+  std::bitset<ServoScene::MostHands> Entering;
   std::uint32_t Changes = 0;
 };
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include "Contact/LargePages.h"
 #include "Haptics/Safety/ForceRelease.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -84,12 +85,8 @@ std::string ServoLoopSettings::fault() const
 }
 
 ServoLoop::ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings)
-  : Devices{ &device }
-  , Step(std::move(step))
-  , Settings(settings)
+  : ServoLoop(std::vector<HapticDevice*>{ &device }, std::move(step), settings)
 {
-  this->Channels.push_back(std::make_unique<Channel>(recordedTicks(settings)));
-  this->resetStatistics();
 }
 
 ServoLoop::ServoLoop(HapticDevice& device, ServoStep step, double rate)
@@ -98,11 +95,12 @@ ServoLoop::ServoLoop(HapticDevice& device, ServoStep step, double rate)
 }
 
 ServoLoop::ServoLoop(
-  std::vector<HapticDevice*> devices, HandsStep step, const ServoLoopSettings& settings)
+  std::vector<HapticDevice*> devices, ServoStep step, const ServoLoopSettings& settings)
   : Devices(std::move(devices))
-  , Hands(std::move(step))
+  , Step(std::move(step))
   , Settings(settings)
 {
+  this->Devices.resize(std::min(this->Devices.size(), this->Step.count()));
   for (std::size_t i = 0; i < this->Devices.size(); ++i)
   {
     this->Channels.push_back(std::make_unique<Channel>(recordedTicks(settings)));
@@ -210,15 +208,15 @@ bool ServoLoop::goesOn() const noexcept
 [[gnu::hot]] void ServoLoop::run(std::promise<RealTimeGrant>& granted) noexcept
 {
   granted.set_value(requestRealTime(this->Settings.realTime));
-  std::array<std::optional<ForceHold>, HandsStep::Most> holds;
+  std::array<std::optional<ForceHold>, ServoStep::Most> holds;
   for (std::size_t i = 0; i < this->Devices.size(); ++i)
   {
     holds[i].emplace(*this->Devices[i]);
   }
   const auto period =
     static_cast<std::int64_t>(std::llround(NanosecondsPerSecond / this->Settings.rate));
-  this->Newest = Tick();
-  this->Likely = DeviceSample();
+  this->Newest.fill({});
+  this->Samples.fill({});
   const std::int64_t begin = now();
   std::int64_t deadline = begin;
   std::int64_t before = begin; // start of the last tick
@@ -253,7 +251,7 @@ bool ServoLoop::goesOn() const noexcept
     {
       skip((done - deadline) / period + 1);
     }
-    this->foresee();
+    this->Step.foresee();
     this->wait(deadline, secondsSince(begin, deadline));
   }
   this->finish();
@@ -261,25 +259,17 @@ bool ServoLoop::goesOn() const noexcept
 
 [[gnu::hot]] void ServoLoop::tick(double time) noexcept
 {
-  if (this->Step)
-  {
-    const DeviceSample sample = this->Devices[0]->read(time);
-    this->Newest = this->Step->step(sample, time);
-    this->write(0, sample, this->Newest);
-    this->Likely = sample;
-    this->Likely.position += sample.position - this->LastPosition;
-    this->LastPosition = sample.position;
-    return;
-  }
-  std::array<DeviceSample, HandsStep::Most> samples;
   for (std::size_t i = 0; i < this->Devices.size(); ++i)
   {
-    samples[i] = this->Devices[i]->read(time);
+    const Eigen::Vector3d before = this->Samples[i].position;
+    this->Samples[i] = this->Devices[i]->read(time);
+    this->Likely[i] = this->Samples[i];
+    this->Likely[i].position += this->Samples[i].position - before;
   }
-  const std::vector<Tick>& ticks = this->Hands->step(samples.data(), time);
+  this->Step.step(this->Samples.data(), time, this->Newest.data());
   for (std::size_t i = 0; i < this->Devices.size(); ++i)
   {
-    this->write(i, samples[i], ticks[i]);
+    this->write(i, this->Samples[i], this->Newest[i]);
   }
 }
 
@@ -293,11 +283,6 @@ bool ServoLoop::goesOn() const noexcept
   this->Meter.invalidSamples.add(sample.valid ? 0 : 1);
   this->Meter.repeatedSamples.add(sample.valid && !sample.fresh ? 1 : 0);
   this->Meter.refusedForces.add(taken ? 0 : 1);
-}
-
-void ServoLoop::foresee() const noexcept
-{
-  this->Step ? this->Step->foresee() : this->Hands->foresee();
 }
 
 void ServoLoop::wait(std::int64_t deadline, double time) noexcept
@@ -318,14 +303,12 @@ void ServoLoop::wait(std::int64_t deadline, double time) noexcept
 
 void ServoLoop::rehearse(double time) noexcept
 {
-  if (!this->Step)
+  this->Step.rehearse(this->Likely.data(), time, this->Rehearsed.data());
+  for (std::size_t i = 0; i < this->Devices.size(); ++i)
   {
-    this->Hands->rehearse(1.0 / this->Settings.rate);
-    return;
+    this->Channels[i]->latest.prepare(this->Rehearsed[i]);
+    this->Channels[i]->recording.prepare(this->Rehearsed[i]);
   }
-  const Tick tick = this->Step->rehearse(this->Likely, time);
-  this->Channels[0]->latest.prepare(tick);
-  this->Channels[0]->recording.prepare(tick);
   prefetchLine(&this->Scenes);
   prefetchLine(&this->Meter.invalidSamples);
   prefetchLine(&this->Meter.refusedForces);
@@ -335,11 +318,10 @@ void ServoLoop::rehearse(double time) noexcept
 {
   if (std::unique_ptr<ServoScene> scene = this->Scenes.take())
   {
-    this->Step ? this->Step->change(std::move(scene))
-               : static_cast<void>(this->Hands->change(std::move(scene)));
+    this->Step.change(std::move(scene));
     this->Meter.sceneChanges.add();
   }
-  this->Scenes.giveBack(this->Step ? this->Step->takeRetired() : this->Hands->takeRetired());
+  this->Scenes.giveBack(this->Step.takeRetired());
 }
 
 void ServoLoop::finish() noexcept
@@ -347,7 +329,7 @@ void ServoLoop::finish() noexcept
   // A device may still be busy with the last force; a disconnected device accepts no force.
   constexpr int Attempts = 10;
   constexpr std::int64_t Pause = NanosecondsPerSecond / 1000;
-  std::array<bool, HandsStep::Most> isDone{};
+  std::array<bool, ServoStep::Most> isDone{};
   bool areAll = false;
   for (int i = 0; i < Attempts && !areAll; ++i)
   {
@@ -362,11 +344,11 @@ void ServoLoop::finish() noexcept
       areAll = areAll && isDone[d];
     }
   }
-  this->Step ? this->Step->reset() : this->Hands->reset();
-  this->Scenes.giveBack(this->Step ? this->Step->takeRetired() : this->Hands->takeRetired());
+  this->Step.reset();
+  this->Scenes.giveBack(this->Step.takeRetired());
   for (std::size_t d = 0; d < this->Devices.size(); ++d)
   {
-    const Tick& newest = this->Step ? this->Newest : this->Hands->ticks()[d];
+    const Tick& newest = this->Newest[d];
     Tick last;
     last.time = newest.time;
     last.tip = newest.tip;

@@ -3,7 +3,6 @@
 #define palpate_ServoLoop_h
 
 #include "Haptics/Devices/HapticDevice.h"
-#include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/LatestValue.h"
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Servo/RealTimeGrant.h"
@@ -12,12 +11,12 @@
 #include "Haptics/Servo/ServoMeter.h"
 #include "Haptics/Servo/ServoStep.h"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <future>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -35,9 +34,9 @@ struct PALPATE_EXPORT ServoLoopSettings
   /// constructor allocates the memory, about 600 bytes per tick and device.
   double recordedSeconds = 0.0;
   /// Time (s) before each deadline at which the thread wakes up. It then computes the tick in
-  /// advance (ServoStep::rehearse; for several devices only their contacts) and waits without
-  /// sleeping. Therefore the sample is read on time, and its force is sent sooner. A processor is
-  /// busy during this time; 0 (none) to half a period.
+  /// advance (ServoStep::rehearse) and waits without sleeping. Therefore the sample is read on
+  /// time, and its force is sent sooner. A processor is busy during this time; 0 (none) to half a
+  /// period.
   double rehearsal = 0.0;
   RealTimeRequest realTime;
 
@@ -46,10 +45,9 @@ struct PALPATE_EXPORT ServoLoopSettings
 };
 
 /**
- * The servo thread: device → ServoStep → device at a fixed rate. It publishes the newest tick in a
- * slot and every tick in a ring. With several devices (devices → HandsStep → devices) all devices
- * are read, then stepped, then written, in one thread and with one time; each device has a separate
- * slot and ring.
+ * The servo thread: devices → ServoStep → devices at a fixed rate. It publishes the newest tick in
+ * a slot and every tick in a ring. Several devices are all read, then stepped, then written, in one
+ * thread and with one time; each device has a separate slot and ring.
  *
  * Deadlines are absolute: tick k is due k periods after the start. This due time is the time of the
  * tick, no matter when the thread wakes up. A tick that cannot begin before the next one is due is
@@ -73,8 +71,8 @@ public:
   ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings);
   /// `rate` in ticks per second.
   ServoLoop(HapticDevice& device, ServoStep step, double rate);
-  /// One device per hand of the step, none of them null.
-  ServoLoop(std::vector<HapticDevice*> devices, HandsStep step, const ServoLoopSettings& settings);
+  /// One device per hand of the step, none of them null; further devices are ignored.
+  ServoLoop(std::vector<HapticDevice*> devices, ServoStep step, const ServoLoopSettings& settings);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
@@ -107,8 +105,8 @@ public:
 
   /// Renders another scene after the next tick, or after the next start: the force changes to the
   /// new one within 50 ms (ServoStep). If several scenes are passed in quick succession, only the
-  /// newest is certain to be rendered. Frees the scenes that are no longer in use. For several
-  /// devices the scene must be made for the same number of hands (HandsStep).
+  /// newest is certain to be rendered. Frees the scenes that are no longer in use. The scene must
+  /// be made for the number of devices.
   void changeScene(std::unique_ptr<ServoScene> scene);
   /// Frees the scenes that are no longer in use, some time after a change; returns their number.
   std::size_t freeScenes() noexcept { return this->Scenes.collect(); }
@@ -140,7 +138,6 @@ private:
   void tick(double time) noexcept;
   void write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept;
   void takeScene() noexcept;
-  void foresee() const noexcept;
   /// Waits until a deadline, ns, and makes a rehearsal before it. `time` (s) is that of the tick at
   /// the deadline.
   void wait(std::int64_t deadline, double time) noexcept;
@@ -151,13 +148,15 @@ private:
   DeviceErrors errors() const;
 
   std::vector<HapticDevice*> Devices;
-  std::optional<ServoStep> Step;  ///< for one device
-  std::optional<HandsStep> Hands; ///< for several devices, instead
+  ServoStep Step;
   ServoLoopSettings Settings;
   std::vector<std::unique_ptr<Channel>> Channels;
-  Tick Newest;         ///< of one device
-  DeviceSample Likely; ///< the last sample of one device, advanced by its last displacement
-  Eigen::Vector3d LastPosition = Eigen::Vector3d::Zero(); ///< of that sample
+  // One for each device:
+  std::array<DeviceSample, ServoStep::Most> Samples;
+  /// The last samples, advanced by their last displacements.
+  std::array<DeviceSample, ServoStep::Most> Likely;
+  std::array<Tick, ServoStep::Most> Newest;
+  std::array<Tick, ServoStep::Most> Rehearsed;
   SceneExchange<ServoScene> Scenes;
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };

@@ -5,88 +5,157 @@
 #include "Mechanics/PalpateExport.h"
 #include "Haptics/Servo/DeviceEnd.h"
 #include "Haptics/Servo/SceneSwitch.h"
-#include "Contact/ToolContact.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace palpate
 {
 /**
- * One step of the servo loop, as a function of a sample and a time: device sample → mapping and
+ * One step of the servo loop, as a function of samples and a time: device sample → mapping and
  * clutch → contact (SceneSwitch) → safety chain → force on the device. It is used by ServoLoop, or
- * by a loop of the caller.
+ * by a loop of the caller. There is one device, or several on one body.
  *
- * Body, tool, material and settings may change while the tip is in contact: change() passes another
- * scene, and the force changes to that of the new scene within 50 ms.
+ * Body, tool, material and settings may change while tips are in contact: change() passes another
+ * scene, and the force on each hand changes to that of the new scene within 50 ms.
  *
- * If the device reports the orientation of the tool, the contact is that of a tool along this axis.
+ * If a device reports the orientation of the tool, the contact is that of a tool along this axis.
  * There is then a torque, which is sent to a device that outputs torque. An orientation that is not
  * finite makes a sample invalid. If the orientation is unknown, the tool is along the body's
  * normal, and the results are bit for bit those of versions without tilt. The clutch stops the tip,
  * not the axis: a decoupled hand still turns the tool.
  *
- * The force is exactly zero, in the same tick, if the sample is not valid or not finite, if the
- * force is not finite, if the device has sent no reading for longer than its time-out, and while
- * the step is stopped. The contacts then end, and so does a ramp. The contacts are kept if readings
- * are missing for no longer than the device's time-out, see SafetyChain.
+ * The force on a hand is exactly zero, in the same tick, if its sample is not valid or not finite,
+ * if the force is not finite, if the device has sent no reading for longer than its time-out, and
+ * while the hand is stopped. Its contacts then end. If the force of every hand has ended, a ramp
+ * ends too. The contacts are kept if readings are missing for no longer than the device's time-out,
+ * see SafetyChain.
+ *
+ * **Several devices.** All are read and their contacts are stepped together (CoupledContacts: on a
+ * body with coupling each contact lowers the surface under the others). Each force passes a
+ * separate mapping, clutch and safety chain. A hand without a sample, or whose force has ended, has
+ * no effect on the others in that tick. A tool whose gate is closed, or whose hand is decoupled by
+ * the clutch, is still in the body and affects the others.
+ *
+ * The stiffness cap of each device takes into account how much stiffer all contacts are together:
+ * no motion of all hands, in or out, is stiffer than the device's limit. On a body with coupling
+ * the passivity controls share one account of energy, because the energy that one hand has put in
+ * is returned to another hand when the first one unloads. In each tick, the energy that no force
+ * needs is transferred to the hands at which the scene stores it. All hands together receive no
+ * more than they have put in, plus the energy that the damping of their devices dissipates.
  *
  * step() and all other noexcept functions neither allocate, free, lock nor throw. All functions are
- * for one thread.
+ * for one thread. Hands are numbered from 0.
  */
 class PALPATE_EXPORT ServoStep
 {
 public:
+  static constexpr std::size_t Most = ServoScene::MostHands;
+
+  /// One device. A mapping that has a fault() makes every sample invalid. The clutch is held while
+  /// any of the bits `clutchButtons` of DeviceSample::buttons is set.
+  struct Hand
+  {
+    WorkspaceMapping mapping;
+    SafetySettings safety;
+    std::uint32_t clutchButtons = 0;
+  };
+
   /// Only two links of the safety chain are active, finiteness and magnitude
   /// (SafetySettings::magnitudeOnly). If the limit is negative or NaN, no force is sent. The body
   /// must outlive the step.
   ServoStep(const ContactBody& body, const WorkspaceMapping& mapping, double maximumForce,
     const ContactSettings& settings = {});
-  /// `scene` must not be null. A mapping that has a fault() makes every sample invalid. The clutch
-  /// is held while any of the bits `clutchButtons` of DeviceSample::buttons is set.
+  /// `scene` must not be null.
   ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& mapping,
     const SafetySettings& safety, std::uint32_t clutchButtons = 0);
+  /// 1 to Most hands; further hands are ignored. A `scene` for another number of hands is made
+  /// again.
+  ServoStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>& hands);
 
-  /// Makes a step. `time` in s must increase, for the ramps and the safety chain.
+  std::size_t count() const noexcept { return this->Devices.size(); }
+
+  /// Makes a step of one device. `time` in s must increase, for the ramps and the safety chain.
   Tick step(const DeviceSample& sample, double time) noexcept;
+  /// Makes a step of all devices: count() samples in, count() ticks out.
+  void step(const DeviceSample* samples, double time, Tick* ticks) noexcept;
 
-  /// Prefetches the memory that the next step reads if the hand continues its motion. To be called
-  /// after the force is sent and before the loop waits; optional. Changes nothing.
+  /// Prefetches the memory that the next step reads if the hands continue their motion. To be
+  /// called after the forces are sent and before the loop waits; optional. Changes nothing.
   void foresee() const noexcept { this->Scenes.foresee(); }
-  /// Returns the result that step() would have for a likely sample. It uses copies of contact,
-  /// clutch and safety chain, and loads the data and code of a step into the caches. To be called
-  /// shortly before the next sample is read; optional. Changes nothing; costs as much as a step.
-  Tick rehearse(const DeviceSample& likely, double time) const noexcept;
+  /// Returns the result that step() would have for likely samples; during a ramp, with the new
+  /// scene alone. It uses copies of contacts, clutches and safety chains, and loads the data and
+  /// code of a step into the caches. To be called shortly before the next sample is read; optional.
+  /// Has no effect on a step; costs as much as a step.
+  Tick rehearse(const DeviceSample& likely, double time) noexcept;
+  void rehearse(const DeviceSample* likely, double time, Tick* ticks) noexcept;
 
-  /// Changes to another scene; null has no effect. See SceneSwitch.
-  void change(std::unique_ptr<ServoScene> next) noexcept { this->Scenes.change(std::move(next)); }
+  /// Changes to another scene. Returns false for null, or if the scene is made for another number
+  /// of hands; such a scene is only returned by takeRetired(). See SceneSwitch.
+  bool change(std::unique_ptr<ServoScene> next) noexcept
+  {
+    return this->Scenes.change(std::move(next));
+  }
   /// Whether a ramp is active or about to begin.
   bool isSwitching() const noexcept { return this->Scenes.isSwitching(); }
   /// The scenes that are no longer needed, as a list (ServoScene::next), or null. They must be
   /// freed outside the tick. Scenes that are not taken are freed with the step.
   std::unique_ptr<ServoScene> takeRetired() noexcept { return this->Scenes.takeRetired(); }
 
-  /// Ends the force from the next step until start().
+  /// Ends the forces from the next step until start().
   void stop() noexcept;
-  void start() noexcept { this->End.start(); }
-  /// Resets contacts, ramp, clutch and the history of the safety chain. A stopped step remains
+  void start() noexcept;
+  /// The same for one hand.
+  void stop(std::size_t hand) noexcept;
+  void start(std::size_t hand) noexcept { this->Devices[hand].end.start(); }
+  /// Resets contacts, ramp, clutches and the history of the safety chains. A stopped hand remains
   /// stopped.
   void reset() noexcept;
 
-  const WorkspaceMapping& mapping() const noexcept { return this->End.mapping(); }
+  const WorkspaceMapping& mapping(std::size_t hand = 0) const noexcept
+  {
+    return this->Devices[hand].end.mapping();
+  }
   /// The settings given to the constructor; the force factor of the scene applies in addition.
-  const SafetySettings& safety() const noexcept { return this->End.safety(); }
+  const SafetySettings& safety(std::size_t hand = 0) const noexcept
+  {
+    return this->Devices[hand].end.safety();
+  }
   /// The energy that the hand has put in and not received back, J, as observed by the safety chain.
-  double energy() const noexcept { return this->End.energy(); }
+  double energy(std::size_t hand = 0) const noexcept { return this->Devices[hand].end.energy(); }
 
 private:
+  /// A device and its part of the present tick.
+  struct Device
+  {
+    DeviceEnd end;
+    SafetyInput input;
+    bool isOver = false;   ///< the force was ended
+    bool isAtWork = false; ///< the gate was open in the last tick, and the force did not end
+    bool sharesEnergy = false;
+    double wanted = 0.0; ///< J, the missing energy of its account
+  };
+
+  /// Makes ticks of Devices or Rehearsed. Returns the number of hands whose force was ended.
+  std::size_t makeTicks(std::vector<Device>& devices, const DeviceSample* samples, double time,
+    double elapsed, Tick* ticks) noexcept;
+  static void shareEnergy(std::vector<Device>& devices) noexcept;
+  /// Makes a step. The ticks must have their default values.
+  void makeStep(const DeviceSample* samples, double time, Tick* ticks) noexcept;
+  void makeRehearsal(const DeviceSample* likely, double time, Tick* ticks) noexcept;
   /// Time since the last step, s; 0 if the time does not increase.
   double since(double time) const noexcept
   {
     return time > this->LastTime ? time - this->LastTime : 0.0;
   }
 
-  DeviceEnd End;
+  std::vector<Device> Devices;
+  std::vector<Device> Rehearsed;              ///< copies
+  std::vector<std::optional<ToolPose>> Poses; ///< of the present tick
   SceneSwitch Scenes;
   double LastTime; ///< NaN: there was no step yet
 };

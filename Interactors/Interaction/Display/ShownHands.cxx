@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/ShownHands.h"
 
-#include "Haptics/Servo/HandsStep.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "Interaction/Display/DashedLine.h"
 #include "Interaction/Display/DisplayColors.h"
 #include "Interaction/Display/RigidFrame.h"
@@ -34,7 +34,7 @@ constexpr double LineShare = 0.05;  // fraction of the circle's radius
 } // namespace
 
 ShownHands::ShownHands()
-  : FreeDirections(HandsStep::Most, Eigen::Vector3d::Zero())
+  : FreeDirections(ServoStep::Most, Eigen::Vector3d::Zero())
 {
   this->Hands.push_back(this->makeHand());
 }

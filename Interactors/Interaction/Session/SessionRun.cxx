@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Session/SessionRun.h"
 
-#include <array>
 #include <chrono>
 #include <utility>
 
@@ -20,19 +19,11 @@ std::vector<HapticDevice*> pointersTo(const SessionHands& hands)
 }
 } // namespace
 
-VirtualRun::VirtualRun(
-  std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept)
-  : SessionRun({ std::move(hand) }, rate, kept)
+VirtualRun::VirtualRun(SessionHands hands, ServoStep servo, double rate, const TicksKept& kept)
+  : SessionRun(std::move(hands), rate, kept)
   , Step(std::move(servo))
   , Period(1.0 / rate)
-  , Newest(1)
-{
-}
-
-VirtualRun::VirtualRun(SessionHands hands, HandsStep servo, double rate, const TicksKept& kept)
-  : SessionRun(std::move(hands), rate, kept)
-  , JointStep(std::move(servo))
-  , Period(1.0 / rate)
+  , Samples(this->hands())
   , Newest(this->hands())
 {
 }
@@ -51,14 +42,7 @@ void VirtualRun::stop()
 
 void VirtualRun::change(std::unique_ptr<ServoScene> scene)
 {
-  if (this->Step)
-  {
-    this->Step->change(std::move(scene));
-  }
-  else
-  {
-    this->JointStep->change(std::move(scene));
-  }
+  this->Step.change(std::move(scene));
 }
 
 double VirtualRun::time() const
@@ -82,18 +66,18 @@ void VirtualRun::tick()
 {
   const double time = this->time();
   const auto begin = std::chrono::steady_clock::now();
-  if (this->Step)
+  for (std::size_t i = 0; i < this->hands(); ++i)
   {
-    this->Newest[0] = this->Step->step(this->Hands[0]->read(time), time);
-    this->Hands[0]->writeWrench(this->Newest[0].wrench());
+    this->Samples[i] = this->Hands[i]->read(time);
   }
-  else
+  this->Step.step(this->Samples.data(), time, this->Newest.data());
+  for (std::size_t i = 0; i < this->hands(); ++i)
   {
-    this->stepAll(time);
+    this->Hands[i]->writeWrench(this->Newest[i].wrench());
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
   // Retired scenes are freed here, outside of the measured time of the tick.
-  this->Step ? this->Step->takeRetired() : this->JointStep->takeRetired();
+  this->Step.takeRetired();
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
     this->keep(i, this->Newest[i]);
@@ -104,29 +88,8 @@ void VirtualRun::tick()
   }
 }
 
-void VirtualRun::stepAll(double time)
-{
-  std::array<DeviceSample, HandsStep::Most> samples;
-  for (std::size_t i = 0; i < this->hands(); ++i)
-  {
-    samples[i] = this->Hands[i]->read(time);
-  }
-  this->Newest = this->JointStep->step(samples.data(), time);
-  for (std::size_t i = 0; i < this->hands(); ++i)
-  {
-    this->Hands[i]->writeWrench(this->Newest[i].wrench());
-  }
-}
-
-RealTimeRun::RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
-  const ServoLoopSettings& settings, const TicksKept& kept)
-  : SessionRun({ std::move(hand) }, settings.rate, kept)
-  , Loop(*this->Hands[0], std::move(servo), settings)
-{
-}
-
 RealTimeRun::RealTimeRun(
-  SessionHands hands, HandsStep servo, const ServoLoopSettings& settings, const TicksKept& kept)
+  SessionHands hands, ServoStep servo, const ServoLoopSettings& settings, const TicksKept& kept)
   : SessionRun(std::move(hands), settings.rate, kept)
   , Loop(pointersTo(this->Hands), std::move(servo), settings)
 {

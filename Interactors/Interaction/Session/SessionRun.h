@@ -2,7 +2,6 @@
 #ifndef SessionRun_h
 #define SessionRun_h
 
-#include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/ServoLoop.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Servo/TickHistory.h"
@@ -12,7 +11,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,10 +100,7 @@ protected:
 class VirtualRun final : public SessionRun
 {
 public:
-  VirtualRun(
-    std::shared_ptr<HapticDevice> hand, ServoStep servo, double rate, const TicksKept& kept);
-  /// For several devices.
-  VirtualRun(SessionHands hands, HandsStep servo, double rate, const TicksKept& kept);
+  VirtualRun(SessionHands hands, ServoStep servo, double rate, const TicksKept& kept);
   ~VirtualRun() override { this->stop(); }
 
   void stop() override;
@@ -119,14 +114,13 @@ public:
 
 private:
   void tick();
-  void stepAll(double time);
 
-  std::optional<ServoStep> Step;      ///< the step of one device
-  std::optional<HandsStep> JointStep; ///< the step of several devices, instead of Step
+  ServoStep Step;
   double Period;
   double ReachedTime =
     0.0; ///< sum of all steps so far, s; ticks are behind it by less than one period
   bool Running = true;
+  std::vector<DeviceSample> Samples;
   std::vector<Tick> Newest;
 };
 
@@ -134,11 +128,8 @@ private:
 class RealTimeRun final : public SessionRun
 {
 public:
-  RealTimeRun(std::shared_ptr<HapticDevice> hand, ServoStep servo,
-    const ServoLoopSettings& settings, const TicksKept& kept);
-  /// For several devices.
   RealTimeRun(
-    SessionHands hands, HandsStep servo, const ServoLoopSettings& settings, const TicksKept& kept);
+    SessionHands hands, ServoStep servo, const ServoLoopSettings& settings, const TicksKept& kept);
 
   /// Starts the loop. Returns "" or an error.
   std::string start() { return this->Loop.start(); }

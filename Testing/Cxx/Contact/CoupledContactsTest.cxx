@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -72,6 +73,57 @@ TEST(CoupledContacts, OneIsAToolContactToTheBit)
     }
     EXPECT_GT(forces, 100);
     EXPECT_EQ(one.stiffening(), 1.0);
+  }
+}
+
+// In a loop, a contact without a pose is not ended: only time passes for it.
+TEST(CoupledContacts, AStepIsAToolContactAndKeepsItWithoutAPose)
+{
+  CoupledPlate plate;
+  plate.relaxation.series = relaxation({ { 1.0, 0.02 } });
+  plate.relaxation.exponent = 1.5;
+  for (const std::size_t count : { 1U, 2U })
+  {
+    const auto body = plate.body(count == 1);
+    for (const ContactSettings& settings : settingsWithFriction())
+    {
+      CoupledContacts contacts(*body, settings, count);
+      CoupledContacts copies(*body, settings, count);
+      std::vector<ToolContact> alone(count, ToolContact(*body, settings));
+      std::vector<std::optional<ToolPose>> poses(count);
+      int back = 0;
+      for (int tick = 0; tick < 600; ++tick)
+      {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          poses[i].reset();
+          if (tick % 11 != static_cast<int>(i))
+          {
+            poses[i].emplace(pathOf(tick, static_cast<double>(i)));
+          }
+        }
+        copies.assume(contacts);
+        const auto& copied = copies.step(poses.data(), 1e-3);
+        const auto& felt = contacts.step(poses.data(), 1e-3);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          expectSame(copied[i], felt[i], tick);
+          if (poses[i])
+          {
+            expectSame(felt[i], alone[i].update(*poses[i], 1e-3), tick);
+            back += tick % 11 == static_cast<int>(i) + 1 && felt[i].friction.norm() > 0.0;
+          }
+          else
+          {
+            alone[i].pass(1e-3);
+            EXPECT_EQ(felt[i].state, ContactState::Invalid);
+            EXPECT_EQ(felt[i].force, Vector3::Zero());
+          }
+        }
+      }
+      // A contact that began again would have no friction in its first tick.
+      EXPECT_TRUE(back > 10 || settings.friction.coefficient == 0.0);
+    }
   }
 }
 

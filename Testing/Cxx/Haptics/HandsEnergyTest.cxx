@@ -2,7 +2,7 @@
 // Passivity control of two hands whose contacts deflect the surface for one another. In a passive
 // scene it does not reduce their forces, even if one hand leaves under the other. In an active
 // scene both together get no more energy than they put in.
-#include "Haptics/Servo/HandsStep.h"
+#include "Haptics/Servo/ServoStep.h"
 
 #include "CoupledPlate.h"
 
@@ -37,21 +37,24 @@ struct TwoHands
   {
   }
 
-  const std::vector<Tick>& press(double first, double second)
+  const std::array<Tick, 2>& press(
+    double first, double second, const std::array<bool, 2>& areThere = { true, true })
   {
     this->places = { this->mapping.toDevice({ 25.0, 29.3, -first }),
       this->mapping.toDevice({ 30.0, 29.3, -second }) };
     std::array<DeviceSample, 2> samples;
     for (std::size_t i = 0; i < 2; ++i)
     {
-      samples[i].valid = true;
+      samples[i].valid = areThere[i];
       samples[i].position = this->places[i];
     }
-    return this->step.step(samples.data(), Period * this->tick++);
+    this->step.step(samples.data(), Period * this->tick++, this->ticks.data());
+    return this->ticks;
   }
 
   WorkspaceMapping mapping;
-  HandsStep step;
+  ServoStep step;
+  std::array<Tick, 2> ticks;
   std::array<Vector3d, 2> places; ///< m
   int tick = 0;
 };
@@ -132,5 +135,49 @@ TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
   }
   EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // the Slack of each hand, and rounding
   EXPECT_GT(acted, 1000);
+}
+
+// The same, with gaps of 1 to 15 readings that end no contact. The hands move smoothly: an
+// unobserved hand is assumed to accelerate by at most 20 m/s², and these do so by 0.5 m/s².
+TEST(HandsEnergy, GapsGiveThemNoMore)
+{
+  SafetySettings safety = SafetySettings::of({});
+  safety.capStiffness = false;
+  safety.maximumForce = std::numeric_limits<double>::infinity();
+  const double damping = 0.5 * safety.maximumStiffness * Period;
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> length(1, 15);
+  TwoHands hands(safety, 1.0);
+  std::array<int, 2> missing{ 0, 0 }; // ticks without a reading; negative: with readings
+  std::array<Vector3d, 2> places;
+  std::array<Vector3d, 2> forces{ Vector3d::Zero(), Vector3d::Zero() };
+  double balance = 0.0; // J
+  double least = 0.0;
+  int continued = 0;
+  for (int tick = 0; tick < 20000; ++tick)
+  {
+    const double t = Period * tick;
+    std::array<bool, 2> wereThere{ missing[0] <= 0, missing[1] <= 0 };
+    for (int& left : missing)
+    {
+      left = left == 1 ? -5 * length(random) : left == 0 && tick > 100 ? length(random) : left;
+      left += left > 0 ? -1 : left < 0 ? 1 : 0;
+    }
+    const std::array<bool, 2> areThere{ missing[0] <= 0, missing[1] <= 0 };
+    const auto& ticks = hands.press(
+      0.3 + 0.7 * std::sin(19.0 * t - 1.5), 0.3 + 0.7 * std::sin(26.0 * t - 1.5), areThere);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const Vector3d moved = tick > 0 ? Vector3d(hands.places[i] - places[i]) : Vector3d::Zero();
+      balance += damping * moved.squaredNorm() / Period - forces[i].dot(moved);
+      places[i] = hands.places[i];
+      forces[i] = ticks[i].deviceForce;
+      continued += areThere[i] && !wereThere[i] && ticks[i].contact.normalForce > 0.0 &&
+        (ticks[i].acted & static_cast<std::uint16_t>(SafetyLink::Gate)) == 0;
+    }
+    least = std::min(least, balance);
+  }
+  EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0);
+  EXPECT_GT(continued, 300);
 }
 } // namespace hands_energy

@@ -6,7 +6,6 @@
 #include "SampleResponses.h"
 #include "SampleTilts.h"
 #include "Contact/Coupled/CoupledContacts.h"
-#include "Haptics/Servo/HandsStep.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -256,6 +255,7 @@ TEST(TickAllocation, OfSeveralThatFeelOneAnother)
   palpate::ContactSettings settings;
   settings.form = palpate::ForceForm::EnergyConsistent;
   palpate::CoupledContacts contacts(*plate, settings, 5);
+  palpate::CoupledContacts copies(contacts);
   States states{};
   int sunk = 0;
   const long before = allocationCount();
@@ -270,7 +270,7 @@ TEST(TickAllocation, OfSeveralThatFeelOneAnother)
     const auto& felt =
       isSettled ? contacts.settle(poses.data(), 1e-3) : contacts.update(poses.data(), 1e-3);
     contacts.foresee();
-    contacts.rehearse(1e-3);
+    copies.assume(contacts);
     const double share = contacts.cappedShare(0, 1.0);
     met(states, share >= 0.0 ? felt[1].state : ContactState::Stick);
     sunk += contacts.sunk(4) > 0.0;
@@ -345,9 +345,10 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
   rough.friction.coefficient = 0.3;
   const auto scene = [&] { return std::make_unique<palpate::ServoScene>(plate, rough, 1.0, 3); };
   const palpate::SafetySettings safety = palpate::SafetySettings::of({});
-  palpate::HandsStep step(scene(), { { {}, safety, 1 }, { {}, safety }, { {}, safety } });
-  auto next = scene();
+  ServoStep step(scene(), { { {}, safety, 1 }, { {}, safety }, { {}, safety } });
+  std::array<std::unique_ptr<palpate::ServoScene>, 3> next{ scene(), scene(), scene() };
   std::array<int, 3> forces{};
+  int ramped = 0;
   States states{};
   const long before = allocationCount();
   for (int tick = 0; tick < Ticks; ++tick)
@@ -362,17 +363,20 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
       sample.fresh = tick % 700 > 50;
       sample.buttons = tick / 150 % 5 == 4 ? 1 : 0;
     }
-    const std::vector<Tick>& ticks = step.step(samples.data(), 1e-3 * tick);
+    std::array<Tick, 3> ticks;
+    step.rehearse(samples.data(), 1e-3 * tick, ticks.data());
+    step.step(samples.data(), 1e-3 * tick, ticks.data());
     step.foresee();
     for (std::size_t i = 0; i < 3; ++i)
     {
       forces[i] += ticks[i].deviceForce.norm() > 0.0;
       met(states, ticks[i].contact.state);
     }
-    if (tick == 2000)
+    if (tick == 2000 || tick == 2020 || tick == 2040) // two wait; the last replaces the other
     {
-      step.change(std::move(next));
+      step.change(std::move(next[static_cast<std::size_t>(tick - 2000) / 20]));
     }
+    ramped += ticks[2].sceneShare < 1.0;
     if (tick % 900 == 899)
     {
       step.stop(1);
@@ -381,6 +385,7 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
   }
   EXPECT_EQ(allocationCount(), before);
   EXPECT_FALSE(step.isSwitching());
+  EXPECT_GT(ramped, 90); // two ramps of 50 ticks, less those in which the hand was missing
   expectEverywhere(states);
   EXPECT_GT(*std::min_element(forces.begin(), forces.end()), 100);
 }

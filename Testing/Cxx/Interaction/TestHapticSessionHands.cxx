@@ -167,9 +167,10 @@ void checkChange(vtkPolyData* body)
   session->Step(0.4);
   session->SetBody(flatOn(false));
   PALPATE_CHECK(session->ApplyChanges());
-  session->Step(0.05);
-  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.0, 0.05 * Spring); // one tick of the ramp
-  session->Step(0.06);
+  session->Step(0.026); // half way of the ramp of 50 ms, which begins with the second tick
+  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * (coupled(0.5, 0.8) + 0.5 * Spring), 1e-5);
+  PALPATE_CHECK_NEAR(forceOf(session, 1), 0.5 * (coupled(0.8, 0.5) + 0.8 * Spring), 1e-5);
+  session->Step(0.03);
   PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * Spring, 1e-5); // floats
   PALPATE_CHECK_NEAR(forceOf(session, 1), 0.8 * Spring, 1e-5);
 }

@@ -2,7 +2,7 @@
 // Two coupled devices on one half-space: the largest stable stiffness of their opposite and of
 // their common motion, and the effect of each link of the chain under the strongest push on both.
 #include "EnergyAudit.h"
-#include "Haptics/Servo/HandsStep.h"
+#include "Haptics/Servo/ServoStep.h"
 #include "LoopPoles.h"
 #include "Parts.h"
 #include "Renderings.h"
@@ -27,7 +27,7 @@ constexpr std::size_t Hands = 2;
 using Heights = std::array<double, Hands>; // m
 
 /// Two masses that move up and down at a distance (m), each under the push of the setting, with one
-/// HandsStep.
+/// ServoStep.
 class TwoHands
 {
 public:
@@ -59,7 +59,8 @@ public:
     // Both move along one axis only, so the sum of their works equals that of one motion in a
     // plane.
     this->Audit.moved(this->Place);
-    const std::vector<Tick>& felt = this->Step.step(samples.data(), time);
+    std::array<Tick, Hands> felt;
+    this->Step.step(samples.data(), time, felt.data());
     Eigen::Vector3d forces = Eigen::Vector3d::Zero();
     bool isFree = true;
     for (std::size_t i = 0; i < Hands; ++i)
@@ -108,7 +109,7 @@ public:
 
 private:
   LoopSetting Setting;
-  HandsStep Step;
+  ServoStep Step;
   EnergyAudit Audit;
   std::array<std::unique_ptr<SimulatedDevice>, Hands> Devices;
   Eigen::Vector3d Place = Eigen::Vector3d::Zero(); ///< heights of both, m

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two devices on one body: the effect of one contact on the other, compared with equations solved
-// by hand; separate data of each hand; loss of one; change of the scene for both.
-#include "Haptics/Servo/HandsStep.h"
+// by hand; separate data of each hand; loss of one.
+#include "TwoHandStep.h"
 
-#include "CoupledPlate.h"
-#include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -18,7 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace hands_step
+namespace servo_hands
 {
 using Eigen::Vector3d;
 using namespace palpate;
@@ -28,25 +26,9 @@ using namespace palpate::testing;
 namespace
 {
 constexpr double Endless = std::numeric_limits<double>::infinity();
-constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, for a flat end on 1 MPa
-constexpr double Apart = 5.0;                       ///< mm
-constexpr double Mutual = 1.0 / (Pi * Apart);       ///< C_12 of Boussinesq, mm/N
-
-using Samples = std::array<DeviceSample, 2>;
-
-DeviceSample sampleOf(const WorkspaceMapping& mapping, const Vector3d& tip)
-{
-  DeviceSample sample;
-  sample.position = mapping.toDevice(tip);
-  sample.valid = true;
-  return sample;
-}
-
-/// Samples of two hands at these depths below z = 0, mm.
-Samples pressing(double first, double second)
-{
-  return { sampleOf({}, { 25.0, 29.3, -first }), sampleOf({}, { 25.0 + Apart, 29.3, -second }) };
-}
+constexpr double Spring = FlatEnds::Spring;
+constexpr double Apart = FlatEnds::Apart;
+constexpr double Mutual = FlatEnds::Mutual;
 
 std::unique_ptr<ServoScene> sceneOf(
   std::shared_ptr<const ContactBody> body, const ContactSettings& settings = {})
@@ -59,16 +41,10 @@ std::shared_ptr<const ContactBody> flatPlate(bool isCoupled = true)
   return CoupledPlate(true).body(isCoupled);
 }
 
-HandsStep handsOn(const std::shared_ptr<const ContactBody>& body,
+TwoHandStep handsOn(const std::shared_ptr<const ContactBody>& body,
   const SafetySettings& safety = SafetySettings::magnitudeOnly(Endless))
 {
   return { sceneOf(body), { { {}, safety }, { {}, safety } } };
-}
-
-/// Force of the first of two linear springs, each of which lowers the surface for the other.
-double coupled(double own, double other)
-{
-  return Spring * (own - Mutual * Spring * other) / (1.0 - std::pow(Mutual * Spring, 2));
 }
 
 void expectSame(const Tick& one, const Tick& other)
@@ -94,7 +70,7 @@ Vector3d wandering(int tick)
 
 // One hand, or two hands on a body without coupling, give the same bits as a separate ServoStep for
 // each, with a mapping that turns, all links of the chain, and the clutch.
-TEST(HandsStep, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
+TEST(ServoHands, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
 {
   const CoupledPlate plate;
   const std::shared_ptr<const ContactBody> body = plate.body(false);
@@ -106,28 +82,29 @@ TEST(HandsStep, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
   rough.friction.coefficient = 0.4;
   const auto scene = [&](const auto& of, std::size_t hands)
   { return std::make_unique<ServoScene>(of, rough, 0.8, hands); };
-  HandsStep hands(scene(body, 2), { { turned, safety, 1 }, { {}, safety } });
-  HandsStep alone(scene(coupling, 1), { { turned, safety, 1 } });
-  ServoStep first(scene(body, 0), turned, safety, 1);
-  ServoStep second(scene(body, 0), {}, safety);
+  TwoHandStep hands(scene(body, 2), { { turned, safety, 1 }, { {}, safety } });
+  ServoStep alone(scene(coupling, 1), { { turned, safety, 1 } });
+  ServoStep first(scene(body, 1), turned, safety, 1);
+  ServoStep second(scene(body, 1), {}, safety);
   int forces = 0;
   for (int tick = 0; tick < 3000; ++tick)
   {
-    Samples samples{ sampleOf(turned, wandering(tick)), sampleOf({}, wandering(tick + 500)) };
+    TwoSamples samples{ sampleOf(turned, wandering(tick)), sampleOf({}, wandering(tick + 500)) };
     samples[0].buttons = tick / 300 % 3 == 2 ? 1 : 0;
     samples[0].fresh = tick % 1000 < 960; // silent for longer than the time-out
+    samples[1].valid = tick % 90 > 5;     // gaps
     const double time = 1e-3 * tick;
-    const std::vector<Tick>& both = hands.step(samples.data(), time);
+    const auto& both = hands.press(samples, time);
     const Tick one = first.step(samples[0], time);
+    expectSame(alone.step(samples[0], time), one);
     if ((one.acted & static_cast<std::uint16_t>(SafetyLink::Watchdog)) == 0)
     {
       expectSame(both[0], one);
-      expectSame(alone.step(samples.data(), time)[0], one);
     }
-    else // a silent device has no force and no contact
+    else // a silent device has no force, and no effect on the other
     {
       EXPECT_EQ(both[0].deviceForce, Vector3d::Zero());
-      EXPECT_EQ(alone.step(samples.data(), time)[0].contact.state, ContactState::Invalid);
+      EXPECT_EQ(both[0].contact.state, ContactState::Invalid);
     }
     expectSame(both[1], second.step(samples[1], time));
     forces += both[0].deviceForce.norm() > 0.0 && both[1].deviceForce.norm() > 0.0;
@@ -135,19 +112,19 @@ TEST(HandsStep, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
   EXPECT_GT(forces, 300);
 }
 
-TEST(HandsStep, TheSecondLiftsForceOffTheFirst)
+TEST(ServoHands, TheSecondLiftsForceOffTheFirst)
 {
   const auto body = flatPlate();
-  HandsStep hands = handsOn(body);
-  Samples samples = pressing(0.5, -1.0);
-  EXPECT_NEAR(hands.step(samples.data(), 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6); // floats
+  TwoHandStep hands = handsOn(body);
+  TwoSamples samples = FlatEnds::pressing(0.5, -1.0);
+  EXPECT_NEAR(hands.press(samples, 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6); // floats
   for (int tick = 1; tick < 200; ++tick)
   {
     const double depth = std::min(0.8, 0.008 * tick); // mm, of the second hand
-    samples = pressing(0.5, depth);
-    const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
-    const double first = coupled(0.5, depth);
-    const double second = coupled(depth, 0.5);
+    samples = FlatEnds::pressing(0.5, depth);
+    const auto& ticks = hands.press(samples, 1e-3 * tick);
+    const double first = FlatEnds::force(0.5, depth);
+    const double second = FlatEnds::force(depth, 0.5);
     // 8 mm/s: with two iterations per tick, the error is below 1e-4 of the force during motion.
     const double left = tick < 110 ? 2e-4 : 2e-6; // 10 ticks after the motion only the error of
                                                   // floats is left
@@ -158,18 +135,18 @@ TEST(HandsStep, TheSecondLiftsForceOffTheFirst)
     }
   }
   // The force of the first hand is reduced by C_12 F_2 K.
-  const auto& ticks = hands.ticks();
+  const auto& ticks = hands.ticks;
   EXPECT_NEAR(0.5 * Spring - ticks[0].deviceForce.z(), Mutual * ticks[1].deviceForce.z() * Spring,
     1e-5); // floats
   EXPECT_GT(0.5 * Spring - ticks[0].deviceForce.z(), 0.3);
 
-  HandsStep apart = handsOn(flatPlate(false));
-  samples = pressing(0.5, 0.8);
-  EXPECT_NEAR(apart.step(samples.data(), 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6);
+  TwoHandStep apart = handsOn(flatPlate(false));
+  samples = FlatEnds::pressing(0.5, 0.8);
+  EXPECT_NEAR(apart.press(samples, 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6);
 }
 
 // In the tick in which one device is lost, the other has the force of a single contact.
-TEST(HandsStep, LosingOneLeavesTheOtherAlone)
+TEST(ServoHands, LosingOneLeavesTheOtherAlone)
 {
   const auto body = flatPlate();
   SafetySettings safety = SafetySettings::of({});
@@ -184,16 +161,16 @@ TEST(HandsStep, LosingOneLeavesTheOtherAlone)
   };
   for (const Loss loss : { NoSample, NotFinite, Silent, Stopped })
   {
-    HandsStep hands = handsOn(body, safety);
-    Samples samples = pressing(-0.5, -0.5);
-    hands.step(samples.data(), 0.0);
-    samples = pressing(0.5, 0.8);
+    TwoHandStep hands = handsOn(body, safety);
+    TwoSamples samples = FlatEnds::pressing(-0.5, -0.5);
+    hands.press(samples, 0.0);
+    samples = FlatEnds::pressing(0.5, 0.8);
     for (int tick = 1; tick < 50; ++tick)
     {
-      hands.step(samples.data(), 1e-3 * tick);
+      hands.press(samples, 1e-3 * tick);
     }
-    EXPECT_NEAR(hands.ticks()[0].deviceForce.z(), coupled(0.5, 0.8), 1e-5);
-    EXPECT_NEAR(hands.ticks()[1].deviceForce.z(), coupled(0.8, 0.5), 1e-5);
+    EXPECT_NEAR(hands.ticks[0].deviceForce.z(), FlatEnds::force(0.5, 0.8), 1e-5);
+    EXPECT_NEAR(hands.ticks[1].deviceForce.z(), FlatEnds::force(0.8, 0.5), 1e-5);
     int tick = 50;
     samples[1].valid = loss != NoSample;
     samples[1].fresh = loss != Silent;
@@ -204,11 +181,11 @@ TEST(HandsStep, LosingOneLeavesTheOtherAlone)
     }
     for (; loss == Silent && tick < 49 + 20; ++tick) // up to the time-out the contact remains
     {
-      hands.step(samples.data(), 1e-3 * tick);
-      EXPECT_GT(hands.ticks()[1].deviceForce.z(), 0.0);
+      hands.press(samples, 1e-3 * tick);
+      EXPECT_GT(hands.ticks[1].deviceForce.z(), 0.0);
     }
     ++tick; // 20 ms are at the time-out, or beyond it by rounding
-    const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
+    const auto& ticks = hands.press(samples, 1e-3 * tick);
     EXPECT_EQ(ticks[1].deviceForce, Vector3d::Zero()) << loss;
     EXPECT_NEAR(ticks[0].deviceForce.z(), 0.5 * Spring, 1e-6) << loss;
     EXPECT_EQ(ticks[0].acted, 0) << loss;
@@ -216,31 +193,31 @@ TEST(HandsStep, LosingOneLeavesTheOtherAlone)
     hands.start(1);
     for (int again = 1; again < 5; ++again)
     {
-      samples = pressing(0.5, again == 2 && loss != NoSample ? -0.5 : 0.8);
-      hands.step(samples.data(), 1e-3 * (tick + again));
-      EXPECT_EQ(hands.ticks()[1].deviceForce.z() > 0.0, again > 2 && loss != NoSample) << loss;
+      samples = FlatEnds::pressing(0.5, again == 2 && loss != NoSample ? -0.5 : 0.8);
+      hands.press(samples, 1e-3 * (tick + again));
+      EXPECT_EQ(hands.ticks[1].deviceForce.z() > 0.0, again > 2 && loss != NoSample) << loss;
     }
   }
 }
 
 // Two flat ends at the limit of their devices: motion in opposite directions is stiffer than a
 // single contact by 1/(1 - 2a/(πr)), and the cap reduces each force by this factor.
-TEST(HandsStep, TheStiffnessCapCountsBoth)
+TEST(ServoHands, TheStiffnessCapCountsBoth)
 {
   SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
   safety.capStiffness = true;
   safety.maximumStiffness = 2000.0; // N/m: half of the spring's stiffness
   for (const bool isCoupled : { true, false })
   {
-    HandsStep hands = handsOn(flatPlate(isCoupled), safety);
-    const Samples samples = pressing(0.5, 0.5);
+    TwoHandStep hands = handsOn(flatPlate(isCoupled), safety);
+    const TwoSamples samples = FlatEnds::pressing(0.5, 0.5);
     for (int tick = 0; tick < 20; ++tick)
     {
-      hands.step(samples.data(), 1e-3 * tick);
+      hands.press(samples, 1e-3 * tick);
     }
     const double stiffer = isCoupled ? 1.0 / (1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart)) : 1.0;
-    const double ideal = isCoupled ? coupled(0.5, 0.5) : 0.5 * Spring;
-    const Tick& tick = hands.ticks()[0];
+    const double ideal = isCoupled ? FlatEnds::force(0.5, 0.5) : 0.5 * Spring;
+    const Tick& tick = hands.ticks[0];
     EXPECT_NEAR(tick.idealForce.z(), ideal, 1e-5);
     EXPECT_NEAR(tick.deviceForce.z(), 0.5 / stiffer * ideal, 2e-5); // floats
   }
@@ -258,8 +235,8 @@ bool calmsDown(bool isCoupled, double stiffness)
   const double scale = stiffness / (1000.0 * Spring);
   const WorkspaceMapping mapping(Eigen::Matrix3d::Identity(), Vector3d::Zero(), scale);
   const SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
-  HandsStep hands(sceneOf(flatPlate(isCoupled)), { { mapping, safety }, { mapping, safety } });
-  const double rest = isCoupled ? coupled(1.0, 1.0) : Spring;
+  TwoHandStep hands(sceneOf(flatPlate(isCoupled)), { { mapping, safety }, { mapping, safety } });
+  const double rest = isCoupled ? FlatEnds::force(1.0, 1.0) : Spring;
   const auto device = [&](double x, double depth)
   {
     return std::make_unique<SimulatedDevice>(plant, HandModel{ 0.0, 0.0 },
@@ -274,8 +251,8 @@ bool calmsDown(bool isCoupled, double stiffness)
   for (int tick = 0; tick < Ticks; ++tick)
   {
     const double time = 1e-3 * tick;
-    const Samples samples{ devices[0]->read(time), devices[1]->read(time) };
-    const auto& ticks = hands.step(samples.data(), time);
+    const TwoSamples samples{ devices[0]->read(time), devices[1]->read(time) };
+    const auto& ticks = hands.press(samples, time);
     for (std::size_t i = 0; i < 2; ++i)
     {
       devices[i]->write({ 0.0, 0.0, ticks[i].deviceForce.z() - rest });
@@ -290,7 +267,7 @@ bool calmsDown(bool isCoupled, double stiffness)
 
 // The largest stable spring of one such mass is 2003.339 N/m (stability_K_limits.csv). For two
 // coupled contacts, motion in opposite directions reaches this limit at 1 - 2a/(πr) of it.
-TEST(HandsStep, OppositeMotionIsUnstableWhereItsStiffnessIs)
+TEST(ServoHands, OppositeMotionIsUnstableWhereItsStiffnessIs)
 {
   const double limit = 2003.339;
   const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // 0.745
@@ -304,7 +281,7 @@ TEST(HandsStep, OppositeMotionIsUnstableWhereItsStiffnessIs)
 
 // Work on both devices, in their own units, over a closed path, a quarter of a turn apart. The
 // bound is 2e-6 F δ, the reference for two iterations per tick.
-TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
+TEST(ServoHands, AClosedPathOfTwoKeepsTheEnergy)
 {
   const std::shared_ptr<const ContactBody> body = CoupledPlate().body();
   ContactSettings settings;
@@ -313,7 +290,7 @@ TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
     Eigen::AngleAxisd(0.4, Vector3d(1, -2, 1).normalized()).toRotationMatrix(), { 5, -3, 2 }, 3.0);
   const std::array<WorkspaceMapping, 2> mappings{ WorkspaceMapping(), turned };
   const SafetySettings safety = SafetySettings::magnitudeOnly(Endless);
-  HandsStep hands(sceneOf(body, settings), { { mappings[0], safety }, { mappings[1], safety } });
+  TwoHandStep hands(sceneOf(body, settings), { { mappings[0], safety }, { mappings[1], safety } });
   std::array<Vector3d, 2> places;
   std::array<Vector3d, 2> forces;
   double work = 0.0; // mJ, in the units of the body
@@ -321,14 +298,14 @@ TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
   for (int tick = 0; tick <= 2000; ++tick)
   {
     const double angle = 2e-3 * Pi * (tick % 1000);
-    Samples samples;
+    TwoSamples samples;
     for (std::size_t i = 0; i < 2; ++i)
     {
       const auto hand = static_cast<double>(i);
       samples[i] = sampleOf(
         mappings[i], { 25.0 + 5.0 * hand, 29.3, -0.5 - 0.25 * std::sin(angle + 0.5 * Pi * hand) });
     }
-    const auto& ticks = hands.step(samples.data(), 1e-3 * tick);
+    const auto& ticks = hands.press(samples, 1e-3 * tick);
     for (std::size_t i = 0; i < 2; ++i)
     {
       if (tick > 1000)
@@ -346,56 +323,4 @@ TEST(HandsStep, AClosedPathOfTwoKeepsTheEnergy)
   EXPECT_LT(std::abs(work), 2e-6 * scale);
   EXPECT_GT(turnedOver, scale);
 }
-
-TEST(HandsStep, AnotherSceneIsTakenFromNoForce)
-{
-  const auto body = flatPlate();
-  const std::shared_ptr<const ContactBody> ball = CoupledPlate().body();
-  HandsStep hands = handsOn(body);
-  const Samples samples = pressing(0.5, 0.8);
-  int tick = 0;
-  const auto next = [&]() -> const std::vector<Tick>&
-  { return hands.step(samples.data(), 1e-3 * tick++); };
-  for (int i = 0; i < 20; ++i)
-  {
-    next();
-  }
-  EXPECT_FALSE(hands.change(std::make_unique<ServoScene>(ball))); // a body for one hand only
-  EXPECT_FALSE(hands.change(nullptr));
-  EXPECT_FALSE(hands.isSwitching());
-  EXPECT_TRUE(hands.change(sceneOf(body)));
-  EXPECT_TRUE(hands.change(sceneOf(ball))); // the newest scene counts
-  double before = hands.ticks()[1].deviceForce.z();
-  const double old = before;
-  double least = before;
-  int ramp = 0;
-  for (; hands.isSwitching(); ++ramp)
-  {
-    const Tick& second = next()[1];
-    // The change is at most T/50 ms of the force of either scene, which is at most 10 δ^1.5 of the
-    // ball. The error of two iterations in the first ticks of the new scene is smaller.
-    EXPECT_LE(std::abs(second.deviceForce.z() - before), 0.02 * 10.0 * std::pow(0.8, 1.5) + 1e-3);
-    before = second.deviceForce.z();
-    least = std::min(least, before);
-    ASSERT_LT(ramp, 200);
-  }
-  EXPECT_NEAR(ramp, 100, 2); // down and up, 50 ms each
-  EXPECT_EQ(least, 0.0);
-  EXPECT_EQ(hands.ticks()[1].scene, 1U);
-  for (int i = 0; i < 20; ++i)
-  {
-    next();
-  }
-  CoupledContacts expected(*ball, {}, 2);
-  const std::array<ToolPose, 2> poses{ ToolPose(hands.ticks()[0].tip),
-    ToolPose(hands.ticks()[1].tip) };
-  EXPECT_NEAR(hands.ticks()[1].deviceForce.z(), expected.settle(poses.data())[1].force.z(), 1e-6);
-  EXPECT_GT(std::abs(hands.ticks()[1].deviceForce.z() - old), 1.0);
-  int retired = 0;
-  for (auto scene = hands.takeRetired(); scene; scene = std::move(scene->next))
-  {
-    ++retired;
-  }
-  EXPECT_EQ(retired, 3); // the old scene, an outdated one, and one for a single hand
-}
-} // namespace hands_step
+} // namespace servo_hands
