@@ -186,5 +186,6 @@ INSTANTIATE_TEST_SUITE_P(All, TermCombinations,
     Terms{ false, true, false, false }, Terms{ true, true, false, false },
     Terms{ false, false, true, false }, Terms{ true, false, true, false },
     Terms{ false, true, true, false }, Terms{ true, true, true, false },
-    Terms{ false, false, false, true }, Terms{ false, true, false, true }),
+    Terms{ false, false, false, true }, Terms{ false, true, false, true },
+    Terms{ true, false, false, true }, Terms{ true, true, false, true }),
   nameOf);
