@@ -12,7 +12,8 @@ namespace
 using Vector4 = Eigen::Vector4d;
 /// Four doubles that are processed together; two at a time on a processor without AVX.
 using Four [[gnu::vector_size(32)]] = double;
-/// The same in memory that belongs to an Eigen::Vector4d.
+/// The same in the memory of an Eigen::Vector4d, which need not begin at a multiple of 32 bytes.
+/// (Not for a parameter of a template, which would lose the attributes.)
 using StoredFour [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 Vector4 padded(const Vector3& v)
@@ -21,8 +22,8 @@ Vector4 padded(const Vector3& v)
 }
 
 /// One step of de Casteljau's algorithm: from the control points of `order` to those of order-1.
-template <int order, class From>
-[[gnu::always_inline]] inline void cut(const From* from, const Vector3& u, Four* to) noexcept
+template <int order>
+[[gnu::always_inline]] inline void cut(const StoredFour* from, const Vector3& u, Four* to) noexcept
 {
   int next = 0;
   for (int r = 0; r < order; ++r)
