@@ -9,9 +9,8 @@
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
+#include "Response/Curves/BodyGeometry.h"
 #include "Response/Curves/BodyShape.h"
-#include "Response/Curves/CurvatureBound.h"
-#include "Response/Curves/PointNormals.h"
 #include "Response/Curves/PressedPoints.h"
 #include "Response/Curves/ResponseStorage.h"
 #include "Response/Curves/TiltRequest.h"
@@ -213,18 +212,19 @@ std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequ
   const vtkIdType count = body->GetNumberOfPoints();
   ResponseStorage storage(name, count, request.samples, request.terms.keepsError());
   const BodySeam seam(ranks, body);
-  fault = fillPointNormals(body, seam, storage.Normal, storage.Status);
-  if (!fault.empty())
+  const std::shared_ptr<const BodyGeometry> geometry = findGeometry(body, seam);
+  if (!geometry->fault.empty())
   {
-    return "Wrong input: " + fault;
+    return "Wrong input: " + geometry->fault;
   }
+  storage.setNormals(geometry->normals, geometry->status);
   const vtkIdType notPressed = leaveOutOthers(request.pressed, sound, storage.Status);
   const float* normals = storage.Normal->GetPointer(0);
-  const CurvatureBound bound(body, seam, normals);
+  const CurvatureBound& bound = *geometry->bound;
   LawTerms terms = request.terms;
   const std::shared_ptr<const BodyShape> found =
     findShape(body, seam, normals, tool.contactRadius(request.deflection), terms);
-  const BodyLengths lengths = lengthsOf(body, ranks);
+  const BodyLengths& lengths = geometry->lengths;
   const SurfaceShape shape{ lengths.middle,
     [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
     [&found](std::size_t i) { return found->curvatureAt(i); },

@@ -128,6 +128,11 @@ std::vector<ControlRow> ContactControls::rows()
   this->addContact(rows);
   this->addView(rows);
   this->addSession(rows);
+  rows.emplace_back(ControlStatus{});
+  // Below the progress in the status, where it moves no other row when it appears.
+  rows.emplace_back(
+    std::vector<ControlButton>{ { always("Cancel"), [setup = this->Setup] { setup->Cancel(); },
+      [] { return false; }, [this] { return this->isWaiting(); } } });
   return rows;
 }
 
@@ -207,8 +212,6 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
     }
   }
   rows.emplace_back(std::move(models));
-  rows.emplace_back(std::vector<ControlButton>{ { always("Cancel"), [setup] { setup->Cancel(); },
-    [] { return false; }, [this] { return this->isWaiting(); } } });
 }
 
 /// Adds the controls of the first relaxation.
