@@ -134,9 +134,9 @@ std::string ForceTrail::gapsInWords() const
     isBroken = isBroken ||
       (place.begins && (place.point - this->Contacts[i - 1].point).norm() > 2.0 * TrailRadius);
   }
-  return isBroken && this->IsDashed ? "gap: no contact,\nor beyond validity"
+  return isBroken && this->IsDashed ? "gap: no contact,\ndashed: beyond validity"
     : isBroken                      ? "gap: no contact"
-    : this->IsDashed                ? "gap: beyond validity"
+    : this->IsDashed                ? "dashed: beyond validity"
                                     : "";
 }
 

@@ -46,7 +46,8 @@ public:
   bool isEmpty() const { return this->Contacts.size() < 2; }
   /// Largest force along the line, N; 0 without contact.
   double largestForce() const;
-  /// Explains the gaps of the line, "gap: no contact" or "gap: beyond validity"; "" without gaps.
+  /// Explains the gaps of the line, "gap: no contact", and its dashes, "dashed: beyond validity";
+  /// "" without both.
   std::string gapsInWords() const;
   vtkActor* actor() { return this->Actor; }
 

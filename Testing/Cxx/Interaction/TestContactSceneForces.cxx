@@ -203,7 +203,7 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
   }
   PALPATE_CHECK(solid > 15 && dashed > 100);
   PALPATE_CHECK_NEAR(gaps, 0.5 * dashed, 0.1 * dashed); // dashes and gaps have the same length
-  PALPATE_CHECK_TEXT(scene->GetTrailLegend()->GetTitle(), "Force (N)\ngap: beyond validity");
+  PALPATE_CHECK_TEXT(scene->GetTrailLegend()->GetTitle(), "Force (N)\ndashed: beyond validity");
 }
 
 /// The arrow in the corner has the length, in pixels, of an arrow of its force at the contact, seen
