@@ -304,11 +304,13 @@ void ContactControls::fitScales()
   const double ratio = force / this->ShownForce;
   if (force > 0.0 && !this->Setup->IsBusy() && !(ratio < muchLarger && ratio > muchSmaller))
   {
+    const bool isKnown = this->ShownForce > 0.0;
     this->ShownForce = force;
-    this->scene()->SetLargestForce(force);
+    // A scale that fits the forces fits after the change, too.
+    this->scene()->SetLargestForce(isKnown ? ratio * this->scene()->GetLargestForce() : force);
     if (this->Charts)
     {
-      this->Charts->ResetRanges();
+      this->Charts->SetLargestForce(isKnown ? ratio * this->Charts->GetLargestForce() : 0.0);
     }
   }
 }
@@ -366,6 +368,10 @@ std::string ContactControls::status() const
   {
     const auto ticks = static_cast<double>(files->GetNumberOfRecordedTicks());
     return "recording: " + decimals(ticks / this->session()->GetRate(), 1) + " s";
+  }
+  if (this->Style->IsPointerOffBody())
+  {
+    return "pointer off the body: the tool keeps its place";
   }
   return files ? files->GetNotice() : std::string();
 }
