@@ -2,10 +2,10 @@
 #include "Response/BodyChoice.h"
 
 #include "Contact/Reduction/ChoiceReason.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
 #include "Response/FilterThreads.h"
-#include "Response/Curves/TiltConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
 #include "Response/ReplacedCurves.h"
 
@@ -54,7 +54,7 @@ std::string capitalised(std::string words)
 void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
   const RelaxationNeed& need)
 {
-  const std::string elementsName = name + "RelaxationElements";
+  const std::string elementsName = arrayName(name, ResponseArray::RelaxationElements);
   body->GetFieldData()->RemoveArray(elementsName.c_str());
   if (terms.series.count > 0 && !need.isFelt)
   {
@@ -144,17 +144,19 @@ std::string checkSettings(const ChoiceSettings& settings)
 std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached)
 {
-  std::string fault = checkSettings(settings);
   ResponseArrays arrays;
-  std::string missing;
-  if (fault.empty() && !viewResponse(body, responseName, arrays, missing))
-  {
-    fault = "No response '" + responseName + "' on the body: " + missing;
-  }
   ChoiceEvidence evidence;
-  fault = fault.empty() ? readEvidence(body, responseName, evidence) : fault;
   ChoiceSettings used = settings;
-  fault = fault.empty() ? chooseDepth(body, arrays, used.depth) : fault;
+  const std::string fault = firstFault([&] { return checkSettings(settings); },
+    [&]
+    {
+      std::string missing;
+      return viewResponse(body, responseName, arrays, missing)
+        ? std::string()
+        : "No response '" + responseName + "' on the body: " + missing;
+    },
+    [&] { return readEvidence(body, responseName, evidence); },
+    [&] { return chooseDepth(body, arrays, used.depth); });
   if (!fault.empty())
   {
     return fault;
@@ -179,7 +181,7 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   {
     replaceCurves(output, responseName, attached.choice);
   }
-  addText(output, responseName + "Choice", attached.reason);
+  addText(output, responseName, ResponseArray::Choice, attached.reason);
   keepRelaxation(output, responseName, relaxation, attached.relaxation);
   if (!attached.tilt.isFelt)
   {

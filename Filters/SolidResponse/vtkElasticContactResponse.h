@@ -77,6 +77,7 @@ namespace palpate
 class CoarserBody;
 class SolvedBody;
 class SoundBody;
+struct LawRequest;
 struct SolveRequest;
 struct ResponseStorage;
 } // namespace palpate
@@ -308,13 +309,14 @@ private:
   vtkElasticContactResponse(const vtkElasticContactResponse&) = delete;
   void operator=(const vtkElasticContactResponse&) = delete;
 
-  std::string CheckProperties();
+  std::string CheckProperties(palpate::LawRequest& request);
   std::string FindMaterials(vtkUnstructuredGrid* grid, palpate::SolveRequest& request);
   std::string Solve(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended);
   void WarnOfSurface(vtkFloatArray* error);
   std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
   std::string CheckSurface(const palpate::SoundBody& finer) const;
-  std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);
+  std::string Respond(const palpate::LawRequest& request, vtkUnstructuredGrid* grid,
+    vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
   std::unique_ptr<palpate::CoarserBody> Coarser; ///< null: no coarser body
