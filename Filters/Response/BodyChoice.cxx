@@ -2,6 +2,7 @@
 #include "Response/BodyChoice.h"
 
 #include "Contact/Reduction/ChoiceReason.h"
+#include "Laws/CouplingNeed.h"
 #include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
@@ -174,6 +175,9 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   attached.tilt = tiltNeed(arrays, used.tolerance);
   const std::string tilts = tiltReason(attached.tilt, arrays.tilt, used.tolerance);
   attached.reason += tilts.empty() ? tilts : ". " + capitalised(tilts);
+  const CouplingNeed coupling = couplingNeed(arrays, used.tolerance);
+  const std::string others = couplingReason(coupling, arrays.coupling, used.tolerance);
+  attached.reason += others.empty() ? others : ". " + capitalised(others);
   const std::string terms = termsReason(body, responseName);
   attached.reason += terms.empty() ? terms : ". Terms of its law: " + terms;
   copyWithOwnFields(body, output);
@@ -186,6 +190,10 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   if (!attached.tilt.isFelt)
   {
     removeArrays(output, responseName, ContractArray::Use::Tilt);
+  }
+  if (!coupling.isFelt)
+  {
+    removeArrays(output, responseName, ContractArray::Use::Coupling);
   }
   return {};
 }
