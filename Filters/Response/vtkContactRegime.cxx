@@ -74,8 +74,9 @@ int vtkContactRegime::RequestData(
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
+    return 0;
   }
-  return fault.empty() ? 1 : 0;
+  return 1;
 }
 
 void vtkContactRegime::AddLayer(
