@@ -71,26 +71,6 @@ vtkDirectContactResponse::vtkDirectContactResponse()
 }
 vtkDirectContactResponse::~vtkDirectContactResponse() = default;
 
-void vtkDirectContactResponse::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkDirectContactResponse::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkDirectContactResponse::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
-
 int vtkDirectContactResponse::FillInputPortInformation(int port, vtkInformation* info)
 {
   const bool isSolid = port == 1 || port == 2;
@@ -164,12 +144,7 @@ int vtkDirectContactResponse::RequestData(
   {
     output->Initialize();
   }
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
-  }
-  return 1;
+  return this->Report(fault);
 }
 
 std::string vtkDirectContactResponse::CheckProperties()
@@ -290,10 +265,8 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   {
     return fault;
   }
-  const palpate::StrainLaw law =
-    palpate::strainLawOf(this->StrainModel, this->OgdenExponent, this->DemirayExponent);
   const palpate::FilterStage stage{ this, BothRestsShare, BothRestsShare };
-  fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
+  fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), this->strainLaw(),
     palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio }, this->MaximumDeflection, stage,
     bodies.strain);
   ended = fault.empty() && !bodies.strain;
@@ -379,16 +352,7 @@ std::string vtkDirectContactResponse::Press(
 void vtkDirectContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
-  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
-  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "FixedFaces: " << this->FixedFaces << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
-  os << indent << "StrainModel: " << this->StrainModel << "\n";
-  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
-  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
   os << indent << "NumberOfPresses: " << this->NumberOfPresses << "\n";
   os << indent << "NumberOfReplaced: " << this->NumberOfReplaced << "\n";
 }

@@ -49,26 +49,6 @@ vtkElasticContactResponse::vtkElasticContactResponse()
 }
 vtkElasticContactResponse::~vtkElasticContactResponse() = default;
 
-void vtkElasticContactResponse::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkElasticContactResponse::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkElasticContactResponse::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
-
 int vtkElasticContactResponse::FillInputPortInformation(int port, vtkInformation* info)
 {
   const bool isSurface = port == 1;
@@ -125,32 +105,20 @@ int vtkElasticContactResponse::RequestData(
       vtkPolyData* surface = sound ? sound->body() : nullptr;
       return isEnded ? std::string() : this->Respond(request, grid, surface, output);
     });
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
-  }
-  if (sound)
+  if (fault.empty() && sound)
   {
     sound->giveBack(output);
   }
-  return 1;
+  return this->Report(fault);
 }
 
 /// Fills the request of the response, and checks it and the other properties.
 std::string vtkElasticContactResponse::CheckProperties(palpate::LawRequest& request)
 {
-  request.tool = this->Tool;
-  request.responseName = this->ResponseName;
-  request.deflection = this->MaximumDeflection;
-  request.samples = this->NumberOfSamples;
   request.terms = palpate::LawTerms::plain();
-  request.terms.strain =
-    palpate::strainLawOf(this->StrainModel, this->OgdenExponent, this->DemirayExponent);
-  request.terms.errorTolerance = this->ErrorTolerance;
-  request.terms.storeError = this->StoreError;
-  request.terms.edges = this->EdgeCorrection;
-  request.terms.tilt = this->MaximumTilt;
+  const std::string relaxing = this->FillRequest(request);
+  request.terms.automatic = false; // KeepSimplerLaw chooses point by point
+  request.terms.changeTolerance = palpate::LawTerms().changeTolerance;
   return palpate::firstFault([&] { return palpate::checkShapedRequest(request); },
     [this] { return palpate::checkLength("Layer Thickness", this->LayerThickness); },
     [this]
@@ -160,7 +128,7 @@ std::string vtkElasticContactResponse::CheckProperties(palpate::LawRequest& requ
         : palpate::joined("Largest Effect Left Out (TermTolerance) must be 0 or positive, but is ",
             this->TermTolerance);
     },
-    [&] { return this->Relaxations.fillSeries(request.relaxation.series); },
+    [&] { return relaxing; },
     [&] {
       return palpate::checkTerms({ request, *this->Tool->GetKernel(), nullptr }, nullptr);
     },
@@ -363,27 +331,9 @@ std::string vtkElasticContactResponse::KeepSimplerLaw(
 void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
-  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
-  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "StoreError: " << this->StoreError << "\n";
   os << indent << "StoreMotion: " << this->StoreMotion << "\n";
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
-  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
-  os << indent << "StrainModel: " << this->StrainModel << "\n";
-  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
-  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
-  os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
-  os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
-  os << indent << "TermTolerance: " << this->TermTolerance << "\n";
-  os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
-  os << indent << "TermReason: " << this->TermReason << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "Solver: " << this->Solver << "\n";
   os << indent << "MemoryEstimate: " << this->MemoryEstimate << " MiB\n";
