@@ -2,6 +2,7 @@
 #include "ResponseSet.h"
 
 #include "Contact/ResponseContract.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Files/CollectingWindow.h"
 #include "Response/FlatBodyConversion.h"
@@ -142,11 +143,13 @@ std::string attachResponses(
   std::string error;
   for (std::size_t i = 0; i < scene.tools.size() && error.empty(); ++i)
   {
-    error = addTool(scene.tools[i], responses);
-    const std::string fault = error.empty() && !scene.stored
-      ? responses.tools.back()->GetKernel()->checkDepth(maximumDeflection)
-      : std::string();
-    error = fault.empty() ? error : "Maximum Deflection: " + fault;
+    error = firstFault([&] { return addTool(scene.tools[i], responses); },
+      [&]
+      {
+        return scene.stored
+          ? std::string()
+          : checkToolDepth(*responses.tools.back()->GetKernel(), maximumDeflection);
+      });
   }
   for (std::size_t i = 0; i < count && error.empty(); ++i)
   {

@@ -5,7 +5,7 @@
 #include "Interaction/Session/BodyKernels.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/LawTerms.h"
-#include "Response/Curves/RelaxationRequest.h"
+#include "Response/Curves/MaterialArrays.h"
 
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"
