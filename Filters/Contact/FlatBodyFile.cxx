@@ -2,12 +2,10 @@
 #include "Contact/FlatBodyFile.h"
 
 #include "Contact/FlatBodyHeader.h"
+#include "Contact/TermTable.h"
 #include "Mechanics/Files/WholeFile.h"
-#include "Mechanics/JoinedText.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 
 namespace palpate
@@ -156,38 +154,6 @@ std::array<const void*, Header::SectionCount> sectionsOf(const FlatBody& body)
     response.coupling.modes, response.tilt.drops, response.tilt.nodes, response.tilt.weight };
 }
 
-/// Checks the coupling; the servo tick requires valid values.
-std::string checkCoupling(const FlatBody& body)
-{
-  const std::string fault = faultOfCoupling(body.response.coupling, body.points);
-  return fault.empty() ? fault : "couples wrongly: " + fault;
-}
-
-/// Checks that no strength or compliance is negative or not finite; the servo tick requires valid
-/// values.
-std::string checkRelaxation(const FlatBody& body)
-{
-  const RelaxationTerms& terms = body.response.relaxation;
-  const auto check = [&body](const float* values, std::size_t components, const char* what)
-  {
-    const std::size_t count = values ? body.points * components : 0;
-    const float* wrong = std::find_if_not(
-      values, values + count, [](float value) { return value >= 0.0F && std::isfinite(value); });
-    return wrong == values + count ? std::string()
-                                   : joined("has ", what, " of ", *wrong, " at point ",
-                                       static_cast<std::size_t>(wrong - values) / components);
-  };
-  const std::string fault = check(terms.strength, terms.series.count, "a relaxation");
-  return fault.empty() ? check(terms.elasticCompliance, 1, "an elastic compliance") : fault;
-}
-
-std::string checkTilts(const FlatBody& body)
-{
-  const TiltViews& tilt = body.response.tilt;
-  const std::string fault = tilt.areFelt() ? faultOfTiltViews(tilt, body.points) : "";
-  return fault.empty() ? fault : "has tilts that cannot be used: " + fault;
-}
-
 void writeAll(WholeFile& file, const Header& header, const FlatBody& body)
 {
   const auto data = sectionsOf(body);
@@ -241,10 +207,8 @@ std::string FlatBodyFile::open(const std::string& path)
     {
       this->Body = view(header, this->File.bytes());
       fault = checksumOf(sectionsOf(this->Body), header) == header.checksum
-        ? checkRelaxation(this->Body)
+        ? faultOfTerms(this->Body.response)
         : "is damaged: its checksum is wrong";
-      fault = fault.empty() ? checkCoupling(this->Body) : fault;
-      fault = fault.empty() ? checkTilts(this->Body) : fault;
     }
   }
   if (!fault.empty())

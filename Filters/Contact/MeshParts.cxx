@@ -65,7 +65,7 @@ public:
     this->dropEmptyParts(result);
     const std::vector<std::int32_t> walls = this->findWalls();
     std::vector<std::vector<std::size_t>> around(this->All.size());
-    result.fault = result.fault.empty() ? this->findContainers(around) : result.fault;
+    this->findContainers(around, result.fault);
     if (result.fault.empty() && !walls.empty())
     {
       for (const std::int32_t t : walls)
@@ -271,10 +271,10 @@ private:
     return walls;
   }
 
-  /// Finds the solids that contain each part. Returns a fault if two solids overlap.
-  std::string findContainers(std::vector<std::vector<std::size_t>>& around) const
+  /// Finds the solids that contain each part, unless there is a fault. It is one if two solids
+  /// overlap.
+  void findContainers(std::vector<std::vector<std::size_t>>& around, std::string& fault) const
   {
-    std::string fault;
     this->forMeetingBoxes(
       [&](std::size_t one, std::size_t other)
       {
@@ -299,7 +299,6 @@ private:
             " overlap or touch: unite them into one surface, or keep one of them";
         }
       });
-    return fault;
   }
 
   /// Calls visit(one, other) once for each pair of parts whose boxes meet. The sweep is along the

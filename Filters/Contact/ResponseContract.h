@@ -105,7 +105,19 @@ enum class ResponseArray : std::uint8_t
   Tilt,
   TiltDrop,
   TiltNode,
-  TiltWeight
+  TiltWeight,
+  LayerThickness,
+  LayerBase,
+  LayerStack,
+  SecondThickness,
+  Terms,
+  Choice,
+  RelaxationElements,
+  Reduction,
+  ReductionError,
+  ShapeChange,
+  SurfaceError,
+  Direct
 };
 
 /// One array of a response. Its name is the response's name followed by `suffix`.
@@ -153,7 +165,9 @@ struct ContractArray
     Edges,      ///< contacts over sharp edges; may be absent
     Relaxation, ///< relaxation of the body; may be absent
     Coupling,   ///< the coupling of contacts; may be absent
-    Tilt        ///< the effect of tilting the tool; may be absent
+    Tilt,       ///< the effect of tilting the tool; may be absent
+    Layers,     ///< the layers under each point, for the displacement field; may be absent
+    Remark      ///< how a filter chose, reduced or compared the response; may be absent
   };
 
   ResponseArray array;
@@ -165,12 +179,16 @@ struct ContractArray
   const char* unit; ///< "" for a dimensionless number
   const char* meaning;
 
-  bool isEvaluated() const noexcept { return this->use != Use::Trust && this->use != Use::Words; }
+  bool isEvaluated() const noexcept
+  {
+    return this->use != Use::Trust && this->use != Use::Words && this->use != Use::Layers &&
+      this->use != Use::Remark;
+  }
   std::string named(const std::string& response) const { return response + this->suffix; }
 };
 
 // clang-format off
-constexpr std::array<ContractArray, 29> ResponseContract = { {
+constexpr std::array<ContractArray, 41> ResponseContract = { {
 #define PALPATE_ARRAY(name, place, type, width, use, unit, meaning)                                \
   { ResponseArray::name, #name, ContractArray::Place::place, ContractArray::Type::type,            \
     ContractArray::Width::width, ContractArray::Use::use, unit, meaning }
@@ -203,6 +221,18 @@ constexpr std::array<ContractArray, 29> ResponseContract = { {
   PALPATE_ARRAY(TiltDrop,   Fields, Double, Two,      Tilt, "mm", "of each tilt: drop of the tool's deepest point, and its derivative by the tilt (rad)"),
   PALPATE_ARRAY(TiltNode,   Fields, Double, Four,     Tilt, "", "of each law, depth, angle: work over that of the upright tool, and its derivatives by x, y, both"),
   PALPATE_ARRAY(TiltWeight, Points, Float,  TiltLaws, Tilt, "", "of each law at the point, sum 1; absent: one law"),
+  PALPATE_ARRAY(LayerThickness,     Points, Float,        One,  Layers, "mm", "the top layer; 0: a half-space"),
+  PALPATE_ARRAY(LayerBase,          Fields, UnsignedChar, One,  Layers, "",   "0 bonded to a rigid base, 1 slipping on it"),
+  PALPATE_ARRAY(LayerStack,         Fields, Double,       Four, Layers, "",   "of each layer of a stack: thickness (mm; 0: half-space), E (MPa), \u03bd, 1 if it slips below the layer above"),
+  PALPATE_ARRAY(SecondThickness,    Points, Float,        One,  Layers, "mm", "the second layer of a stack"),
+  PALPATE_ARRAY(Terms,              Fields, Text,         One,  Remark, "",   "the terms of the law that were kept and left out, and why"),
+  PALPATE_ARRAY(Choice,             Fields, Text,         One,  Remark, "",   "the form that vtkResponseChoice chose, and why"),
+  PALPATE_ARRAY(RelaxationElements, Fields, Int,          One,  Remark, "",   "the number of elements that its tolerance needs"),
+  PALPATE_ARRAY(Reduction,          Fields, Text,         One,  Remark, "",   "the form that vtkReducedContactResponse found"),
+  PALPATE_ARRAY(ReductionError,     Fields, Double,       One,  Remark, "",   "its largest relative error of the force"),
+  PALPATE_ARRAY(ShapeChange,        Points, Float,        One,  Remark, "",   "largest relative change of the force by true shape"),
+  PALPATE_ARRAY(SurfaceError,       Points, Float,        One,  Remark, "",   "relative change of the force by unknown detail of the surface"),
+  PALPATE_ARRAY(Direct,             Points, UnsignedChar, One,  Remark, "",   "outcome of vtkDirectContactResponse"),
 #undef PALPATE_ARRAY
 } };
 // clang-format on

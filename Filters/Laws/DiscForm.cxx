@@ -16,7 +16,8 @@ namespace
 using Eigen::Vector3d;
 
 constexpr int TermCount = 11;
-using Terms = Eigen::Matrix<double, TermCount, 1>;
+constexpr int Padded = 12; // terms with an unused one, for vectors of four
+using DiscTerms = Eigen::Matrix<double, TermCount, 1>;
 constexpr int TiltTerms = 0;   // and the next one
 constexpr int SquareTerms = 2; // and the next two
 constexpr int CubeTerms = 5;   // and the next three
@@ -52,18 +53,45 @@ std::uint64_t drawn(const Vector3d& place)
 }
 
 /// The terms of the height at a place in the tangent plane.
-Terms termsAt(double x, double y)
+DiscTerms termsAt(double x, double y)
 {
   const double square = x * x + y * y;
-  Terms terms;
+  DiscTerms terms;
   terms << x, y, 0.5 * x * x, x * y, 0.5 * y * y, x * x * x, x * x * y, x * y * y, y * y * y,
     square * square, 1.0;
   return terms;
 }
 
-Terms ridges()
+/// Sets the columns from `First` to `First` + 3 of the lower triangle of the sum of
+/// weighted * termsᵀ over all points.
+template <int First>
+void sumColumns(const std::vector<double>& terms, const std::vector<double>& weighted,
+  Eigen::Matrix<double, Padded, Padded>& products)
 {
-  Terms ridge = Terms::Zero();
+  constexpr int rows = Padded - First;
+  // A compiler keeps these in vector registers. Eigen's rankUpdate of a matrix in memory takes four
+  // times as long.
+  double sums[4][rows] = {};
+  for (std::size_t i = First; i < terms.size(); i += Padded)
+  {
+    for (std::size_t column = 0; column < 4; ++column)
+    {
+      for (std::size_t row = 0; row < rows; ++row)
+      {
+        sums[column][row] += weighted[i + column] * terms[i + row];
+      }
+    }
+  }
+  for (int column = 0; column < 4; ++column)
+  {
+    products.col(First + column).template tail<rows>() =
+      Eigen::Map<const Eigen::Matrix<double, rows, 1>>(sums[column]);
+  }
+}
+
+DiscTerms ridges()
+{
+  DiscTerms ridge = DiscTerms::Zero();
   ridge.segment<2>(TiltTerms).setConstant(TiltRidge);
   ridge.segment<4>(CubeTerms).setConstant(CubeRidge);
   ridge[FourthTerm] = FourthRidge;
@@ -104,7 +132,7 @@ void DiscForms::gather(std::size_t point, double reach)
   this->Near = { point };
   for (std::size_t i = 0; i < this->Near.size() && this->Near.size() <= Most; ++i)
   {
-    this->Rings.forNeighbours(this->Near[i],
+    this->Rings.forEachNeighbour(this->Near[i],
       [&](std::size_t other)
       {
         const bool isSeen = this->Passed[other] == this->Search;
@@ -138,15 +166,15 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
   const Vector3d here = this->placeOf(point);
   const double coarse = this->Spacing / this->Radius;
   const double width = 2.0 * std::max(1.0, 1.2 * coarse * coarse);
-  Eigen::Matrix<double, TermCount, TermCount> products =
-    Eigen::Matrix<double, TermCount, TermCount>::Zero();
-  Terms heights = Terms::Zero();
+  DiscTerms heights = DiscTerms::Zero();
   double squares = 0.0;
   double weights = 0.0;
+  this->Terms.clear();
+  this->Weighted.clear();
   const std::uint64_t stride = 1 + this->Near.size() / Enough;
   for (const std::size_t other : this->Near)
   {
-    if (other != point && drawn(this->placeOf(other)) % stride != 0)
+    if (stride > 1 && other != point && drawn(this->placeOf(other)) % stride != 0)
     {
       continue;
     }
@@ -155,14 +183,23 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
     const double y = away.dot(frame.second);
     const double height = -away.dot(normal);
     const double weight = std::exp(-(x * x + y * y) / width);
-    const Terms terms = termsAt(x, y);
-    products.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight);
+    const DiscTerms terms = termsAt(x, y);
+    const std::size_t end = this->Terms.size();
+    this->Terms.resize(end + Padded); // the unused terms are 0
+    this->Weighted.resize(end + Padded);
+    Eigen::Map<DiscTerms>(this->Terms.data() + end) = terms;
+    Eigen::Map<DiscTerms>(this->Weighted.data() + end) = weight * terms;
     heights += weight * height * terms;
     squares += weight * height * height;
     weights += weight;
   }
+  Eigen::Matrix<double, Padded, Padded> sums = Eigen::Matrix<double, Padded, Padded>::Zero();
+  sumColumns<0>(this->Terms, this->Weighted, sums);
+  sumColumns<4>(this->Terms, this->Weighted, sums);
+  sumColumns<8>(this->Terms, this->Weighted, sums);
+  Eigen::Matrix<double, TermCount, TermCount> products = sums.topLeftCorner<TermCount, TermCount>();
   products.diagonal() += weights * ridges();
-  const Terms found = products.selfadjointView<Eigen::Lower>().ldlt().solve(heights);
+  const DiscTerms found = products.selfadjointView<Eigen::Lower>().ldlt().solve(heights);
   // The ridges count as residuals, too.
   const double left = std::max(0.0, squares - found.dot(heights)) / weights;
   const double added = 8.0 / 5.0 * found[FourthTerm] + 3.0 * found[OffsetTerm];

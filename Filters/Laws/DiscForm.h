@@ -54,6 +54,8 @@ private:
   double Radius;
   double Spacing;
   std::vector<std::size_t> Near;     ///< the points of the disc
+  std::vector<double> Terms;         ///< of the points that are fitted
+  std::vector<double> Weighted;      ///< the same times the weights of the points
   std::vector<std::uint32_t> Passed; ///< the search in which a point was last seen
   std::uint32_t Search = 0;
 };

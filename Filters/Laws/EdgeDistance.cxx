@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/EdgeDistance.h"
 
-#include "Laws/LinkedSurface.h"
+#include "Laws/EdgeSurface.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Numerics/SegmentDistance.h"
 #include "Mechanics/SharedWork.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -41,48 +40,15 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
   return std::sqrt(squareToSegment(Vector3d(from - point), Vector3d(to - point)));
 }
 
-/// A width of the body, mm: the middle one of the three lengths of a box whose surface has the same
-/// variances. It does not depend on the axes of the coordinates.
-double widthOf(const LinkedSurface& surface)
-{
-  double area = 0.0;
-  Vector3d sum = Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  for (std::size_t t = 0; t < surface.corners.size(); ++t)
-  {
-    const double weight = surface.areas[t].norm() / 3.0;
-    for (std::size_t k = 0; surface.corners[t][0] >= 0 && k < 3; ++k)
-    {
-      const Vector3d at = surface.place(surface.corners[t][k]) - surface.place(0);
-      area += weight;
-      sum += weight * at;
-      squares += weight * at * at.transpose();
-    }
-  }
-  if (!(area > 0.0))
-  {
-    return 0.0;
-  }
-  const Vector3d mean = sum / area;
-  const Eigen::Matrix3d spread = squares / area - mean * mean.transpose();
-  // Squared side of a cube divided by its variance along an axis.
-  constexpr double cube = 36.0 / 5.0;
-  return std::sqrt(cube *
-    std::max(0.0,
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly)
-        .eigenvalues()[1]));
-}
-
 /// The contact radii (mm) for which edges are found, from the finest cells to the coarsest.
-std::vector<double> cellRadii(const LinkedSurface& surface, double contactRadius, double reach)
+std::vector<double> cellRadii(const EdgeSurface& surface, double contactRadius, double reach)
 {
-  const double width = widthOf(surface);
   std::vector<double> radii{ contactRadius };
   for (;;)
   {
     const double cell = edgeCell(surface, radii.back());
     const double next = CellRatio * cell;
-    if (LargestCellDistance * cell >= reach || next > LargestCell * width)
+    if (LargestCellDistance * cell >= reach || next > LargestCell * surface.width)
     {
       return radii;
     }
@@ -95,21 +61,9 @@ std::vector<double> cellRadii(const LinkedSurface& surface, double contactRadius
 class SideSpread
 {
 public:
-  explicit SideSpread(const LinkedSurface& surface)
+  explicit SideSpread(const EdgeSurface& surface)
     : Surface(surface)
-    , Normals(surface.spans.pointCount, Vector3d::Zero())
   {
-    for (std::size_t t = 0; t < surface.corners.size(); ++t)
-    {
-      for (std::size_t i = 0; surface.corners[t][0] >= 0 && i < 3; ++i)
-      {
-        this->Normals[static_cast<std::size_t>(surface.corners[t][i])] += surface.areas[t];
-      }
-    }
-    for (Vector3d& normal : this->Normals)
-    {
-      normal.normalize();
-    }
   }
 
   /// Calls `take(point, side, distance)` for each point that has one of `sides` within `reach`
@@ -117,6 +71,10 @@ public:
   template <class Take>
   void from(const std::vector<SurfaceSide>& sides, double reach, const Take& take) const
   {
+    if (sides.empty())
+    {
+      return;
+    }
     using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
@@ -133,7 +91,7 @@ public:
       const Vector3d one = this->Surface.place(edge.from);
       const Vector3d other = this->Surface.place(edge.to);
       const auto away = static_cast<float>(distanceTo(here, one, other));
-      const double rise = (0.5 * (one + other) - here).dot(this->Normals[i]);
+      const double rise = (0.5 * (one + other) - here).dot(this->Surface.normals[i]);
       if (away < distances[i] && static_cast<double>(away) <= reach &&
         rise <= LargestRise * static_cast<double>(away) + 1e-9)
       {
@@ -168,19 +126,22 @@ public:
   }
 
 private:
-  const LinkedSurface& Surface;
-  std::vector<Vector3d> Normals;
+  const EdgeSurface& Surface;
 };
 } // namespace
 
 EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach)
-  : Found(surface.pointCount)
+  : EdgeDistance(EdgeSurface(surface), contactRadius, reach)
 {
-  const LinkedSurface linked(surface);
-  const SideSpread spread(linked);
-  const std::vector<double> radii = cellRadii(linked, contactRadius, reach);
+}
+
+EdgeDistance::EdgeDistance(const EdgeSurface& surface, double contactRadius, double reach)
+  : Found(surface.spans.pointCount)
+{
+  const SideSpread spread(surface);
+  const std::vector<double> radii = cellRadii(surface, contactRadius, reach);
   std::vector<SurfaceEdges> found(radii.size());
-  shareWork(radii.size(), [&](std::size_t i) { found[i] = findEdges(linked, radii[i]); });
+  shareWork(radii.size(), [&](std::size_t i) { found[i] = findEdges(surface, radii[i]); });
   double inner = 0.0; // mm; nearer edges were already searched with finer cells
   for (const SurfaceEdges& edges : found)
   {
@@ -214,7 +175,7 @@ EdgeDistance::EdgeDistance(const TriangleSpans& surface, double contactRadius, d
     this->EdgeCount = inner == 0.0 ? edges.sides.size() : this->EdgeCount;
     inner = outer;
   }
-  spread.from(findBorder(linked, contactRadius), reach,
+  spread.from(findBorder(surface, contactRadius), reach,
     [this](std::size_t point, const SurfaceSide&, float away)
     { this->Found[point].border = away; });
 }

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/FacePatches.h"
 
-#include "Contact/PackedMesh.h"
-
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace palpate
@@ -29,6 +25,22 @@ double cosineBetween(const Vector3d& one, const Vector3d& other)
   return one.dot(other) / (one.norm() * other.norm());
 }
 
+using CellPlace = std::array<std::int64_t, 3>;
+
+struct CellHash
+{
+  std::size_t operator()(const CellPlace& place) const
+  {
+    std::uint64_t mixed = 0;
+    for (const std::int64_t part : place)
+    {
+      mixed = (mixed ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15U;
+      mixed ^= mixed >> 32;
+    }
+    return static_cast<std::size_t>(mixed);
+  }
+};
+
 int rootOf(const std::vector<int>& into, int patch)
 {
   while (into[static_cast<std::size_t>(patch)] != patch)
@@ -39,31 +51,7 @@ int rootOf(const std::vector<int>& into, int patch)
 }
 } // namespace
 
-Vector3d facetCentre(const LinkedSurface& surface, std::size_t facet)
-{
-  const TriangleCorners& c = surface.corners[facet];
-  return (surface.place(c[0]) + surface.place(c[1]) + surface.place(c[2])) / 3.0;
-}
-
-double angleBetween(const Vector3d& one, const Vector3d& other)
-{
-  return std::atan2(one.cross(other).norm(), one.dot(other));
-}
-
-double facetTurn(const LinkedSurface& surface, std::size_t facet, std::size_t i)
-{
-  const std::int32_t other = surface.links.neighbours(facet)[i];
-  if (other < 0 || surface.corners[facet][0] < 0)
-  {
-    return 0.0;
-  }
-  const auto o = static_cast<std::size_t>(other);
-  const Vector3d across = facetCentre(surface, o) - surface.place(surface.corners[facet][i]);
-  const bool isConvex = across.dot(surface.areas[facet]) < 0.0;
-  return isConvex ? angleBetween(surface.areas[facet], surface.areas[o]) : 0.0;
-}
-
-FacePatches::FacePatches(const LinkedSurface& surface, double cell, double longArea)
+FacePatches::FacePatches(const EdgeSurface& surface, double cell, double longArea)
   : Surface(surface)
   , Cell(cell)
   , PatchOf(surface.corners.size(), -1)
@@ -80,20 +68,66 @@ FacePatches::FacePatches(const LinkedSurface& surface, double cell, double longA
   this->findNext();
 }
 
+/// Sorts facets by their cells, lexicographically; facets of a cell keep their order. `begin`
+/// receives the first position of each cell, and the number of facets.
+std::vector<std::int32_t> FacePatches::sortByCell(
+  const std::vector<std::int32_t>& facets, std::vector<std::size_t>& begin) const
+{
+  std::unordered_map<CellPlace, std::int32_t, CellHash> known;
+  std::vector<CellPlace> places;
+  std::vector<std::int32_t> cellOf;
+  cellOf.reserve(facets.size());
+  for (const std::int32_t facet : facets)
+  {
+    const Vector3d centre =
+      facetCentre(this->Surface, static_cast<std::size_t>(facet)) / this->Cell;
+    CellPlace place{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      place[k] = static_cast<std::int64_t>(std::floor(centre[static_cast<Eigen::Index>(k)]));
+    }
+    if (!cellOf.empty() && places[static_cast<std::size_t>(cellOf.back())] == place)
+    {
+      cellOf.push_back(cellOf.back());
+      continue;
+    }
+    const auto [cell, isNew] = known.try_emplace(place, static_cast<std::int32_t>(places.size()));
+    if (isNew)
+    {
+      places.push_back(place);
+    }
+    cellOf.push_back(cell->second);
+  }
+  std::vector<std::int32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&places](std::int32_t one, std::int32_t other)
+    { return places[static_cast<std::size_t>(one)] < places[static_cast<std::size_t>(other)]; });
+  std::vector<std::size_t> next(places.size(), 0);
+  for (const std::int32_t cell : cellOf)
+  {
+    ++next[static_cast<std::size_t>(cell)];
+  }
+  begin = { 0 };
+  for (const std::int32_t cell : order)
+  {
+    std::size_t& count = next[static_cast<std::size_t>(cell)];
+    begin.push_back(begin.back() + count);
+    count = begin[begin.size() - 2];
+  }
+  std::vector<std::int32_t> sorted(facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i)
+  {
+    sorted[next[static_cast<std::size_t>(cellOf[i])]++] = facets[i];
+  }
+  return sorted;
+}
+
 /// Combines facets whose centres are in one cell, and whose normals are similar, to one patch.
 void FacePatches::makePatches(double longArea)
 {
-  struct Key
-  {
-    std::array<std::int64_t, 3> cell;
-    std::int32_t facet;
-    bool operator<(const Key& other) const
-    {
-      return std::tie(this->cell, this->facet) < std::tie(other.cell, other.facet);
-    }
-  };
-  std::vector<Key> keys;
-  keys.reserve(this->PatchOf.size());
+  std::vector<std::int32_t> facets;
+  facets.reserve(this->PatchOf.size());
   for (std::size_t t = 0; t < this->PatchOf.size(); ++t)
   {
     if (this->Surface.corners[t][0] < 0)
@@ -106,27 +140,24 @@ void FacePatches::makePatches(double longArea)
       this->Patches.back().isLong = true;
       continue;
     }
-    const Vector3d place = facetCentre(this->Surface, t) / this->Cell;
-    Key key{ {}, static_cast<std::int32_t>(t) };
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      key.cell[k] = static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(k)]));
-    }
-    keys.push_back(key);
+    facets.push_back(static_cast<std::int32_t>(t));
   }
-  std::sort(keys.begin(), keys.end());
-  std::size_t first = this->Patches.size(); // first patch of the cell
-  for (std::size_t i = 0; i < keys.size(); ++i)
+  std::vector<std::size_t> begin;
+  const std::vector<std::int32_t> sorted = this->sortByCell(facets, begin);
+  for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell)
   {
-    const auto t = static_cast<std::size_t>(keys[i].facet);
-    first = i == 0 || keys[i].cell != keys[i - 1].cell ? this->Patches.size() : first;
-    std::size_t found = first;
-    while (found < this->Patches.size() &&
-      !(cosineBetween(this->Patches[found].normal, this->Surface.areas[t]) > LeastPatchCosine))
+    const std::size_t first = this->Patches.size(); // first patch of the cell
+    for (std::size_t i = begin[cell]; i < begin[cell + 1]; ++i)
     {
-      ++found;
+      const auto t = static_cast<std::size_t>(sorted[i]);
+      std::size_t found = first;
+      while (found < this->Patches.size() &&
+        !(cosineBetween(this->Patches[found].normal, this->Surface.areas[t]) > LeastPatchCosine))
+      {
+        ++found;
+      }
+      this->addFacet(t, found);
     }
-    this->addFacet(t, found);
   }
 }
 
@@ -218,8 +249,7 @@ void FacePatches::findNext()
         continue;
       }
       this->Patches[static_cast<std::size_t>(here)].next.push_back(
-        { this->PatchOf[static_cast<std::size_t>(other)],
-          facetTurn(this->Surface, t, i) >= PackedMesh::BluntTurn });
+        { this->PatchOf[static_cast<std::size_t>(other)], this->Surface.isSteep(t, i) });
     }
   }
   for (FacePatch& patch : this->Patches)

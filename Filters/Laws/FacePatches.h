@@ -2,11 +2,12 @@
 #ifndef palpate_FacePatches_h
 #define palpate_FacePatches_h
 
-#include "Laws/LinkedSurface.h"
+#include "Laws/EdgeSurface.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace palpate
@@ -39,7 +40,7 @@ class FacePatches
 public:
   /// A facet larger than `longArea` (mm²) is a separate patch. `cell`: size of a cell, mm.
   /// `surface` must outlive this.
-  FacePatches(const LinkedSurface& surface, double cell, double longArea);
+  FacePatches(const EdgeSurface& surface, double cell, double longArea);
 
   /// Number of patches. Patches that were joined to others have no facets.
   std::size_t size() const { return this->Patches.size(); }
@@ -49,22 +50,19 @@ public:
 
 private:
   void makePatches(double longArea);
+  std::vector<std::int32_t> sortByCell(
+    const std::vector<std::int32_t>& facets, std::vector<std::size_t>& begin) const;
   void addFacet(std::size_t t, std::size_t patch);
   void joinSmallPatches();
   int mostAlike(int patch, const std::vector<int>& into) const;
   void findNext();
   bool isKnown(const FacePatch& patch) const;
 
-  const LinkedSurface& Surface;
+  const EdgeSurface& Surface;
   double Cell;
   std::vector<FacePatch> Patches;
   std::vector<int> PatchOf;
 };
-
-Eigen::Vector3d facetCentre(const LinkedSurface& surface, std::size_t facet);
-/// The angle between two facets across side `i` of `facet`, rad; 0 at a border and in a hollow.
-double facetTurn(const LinkedSurface& surface, std::size_t facet, std::size_t i);
-double angleBetween(const Eigen::Vector3d& one, const Eigen::Vector3d& other);
 } // namespace palpate
 
 #endif

@@ -103,7 +103,7 @@ SurfaceCurvature SurfaceCurvature::ofFaces(
 {
   const FaceSurface faces(surface, normals);
   SurfaceCurvature found(faces.spans(), faces.normals().data(), contactRadius);
-  std::vector<std::array<float, 3>> sums(surface.pointCount, { 0.0F, 0.0F, 0.0F });
+  std::vector<PointCurvature> sums(surface.pointCount, PointCurvature{});
   std::vector<float> count(surface.pointCount, 0.0F);
   for (std::size_t i = 0; i < found.Found.size(); ++i)
   {

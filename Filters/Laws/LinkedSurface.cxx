@@ -1,51 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Laws/LinkedSurface.h"
 
-#include "Mechanics/Numerics/Constants.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace palpate
 {
-namespace
-{
 using Eigen::Vector3d;
-
-constexpr double SmallestBorder = 4.0; // radius of the largest hole, in contact radii
-
-/// Removes loops shorter than `least` (mm), which are holes in a scan.
-void dropHoles(const LinkedSurface& surface, double least, std::vector<SurfaceSide>& border)
-{
-  std::map<std::int32_t, std::int32_t> above;
-  const auto rootOf = [&above](std::int32_t i)
-  {
-    above.emplace(i, i);
-    while (above[i] != i)
-    {
-      i = above[i] = above[above[i]];
-    }
-    return i;
-  };
-  for (const SurfaceSide& side : border)
-  {
-    above[rootOf(side.from)] = rootOf(side.to);
-  }
-  std::map<std::int32_t, double> lengths;
-  for (const SurfaceSide& side : border)
-  {
-    lengths[rootOf(side.from)] += (surface.place(side.to) - surface.place(side.from)).norm();
-  }
-  border.erase(std::remove_if(border.begin(), border.end(),
-                 [&](const SurfaceSide& side) { return lengths[rootOf(side.from)] < least; }),
-    border.end());
-}
-} // namespace
 
 LinkedSurface::LinkedSurface(const TriangleSpans& surface)
   : spans(surface)
@@ -86,39 +49,6 @@ std::size_t LinkedSurface::usedPoints() const
   return count;
 }
 
-std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius)
-{
-  // Counts the sides of a single facet by position. Sides of duplicate points occur twice.
-  using Place = std::array<double, 3>;
-  std::map<std::pair<Place, Place>, int> at;
-  std::vector<SurfaceSide> border;
-  const auto keyOf = [&surface](const SurfaceSide& side)
-  {
-    Place one;
-    Place other;
-    std::copy_n(surface.place(side.from).data(), 3, one.begin());
-    std::copy_n(surface.place(side.to).data(), 3, other.begin());
-    return one < other ? std::make_pair(one, other) : std::make_pair(other, one);
-  };
-  for (std::size_t t = 0; t < surface.corners.size(); ++t)
-  {
-    const TriangleCorners& c = surface.corners[t];
-    for (std::size_t i = 0; c[0] >= 0 && i < 3; ++i)
-    {
-      const SurfaceSide side{ c[i], c[(i + 1) % 3], 0.0F };
-      if (surface.links.neighbours(t)[i] == TriangleLinks::Border)
-      {
-        border.push_back(side);
-        ++at[keyOf(side)];
-      }
-    }
-  }
-  border.erase(std::remove_if(border.begin(), border.end(),
-                 [&](const SurfaceSide& side) { return at[keyOf(side)] > 1; }),
-    border.end());
-  dropHoles(surface, Pi * SmallestBorder * contactRadius, border);
-  return border;
-}
 double pointSpacing(const TriangleSpans& surface)
 {
   const auto place = [&](std::int32_t point) {
@@ -140,5 +70,4 @@ double pointSpacing(const TriangleSpans& surface)
   return std::sqrt(
     0.5 * twice / static_cast<double>(std::count(isUsed.begin(), isUsed.end(), true)));
 }
-
 } // namespace palpate

@@ -25,16 +25,6 @@ struct TriangleSpans
 /// there are no used points.
 double pointSpacing(const TriangleSpans& surface);
 
-/// A side of a facet, from point to point.
-struct SurfaceSide
-{
-  std::int32_t from;
-  std::int32_t to;
-  float turn; ///< angle by which the surface turns away at the side, rad; 0: a border
-  /// The side has two facets, and its turn is BluntTurn or more (PackedMesh).
-  bool isSharp = false;
-};
-
 /// A surface with its neighbours. Facets without an area are ignored; their corners are -1 and
 /// their area is 0.
 struct LinkedSurface
@@ -60,39 +50,6 @@ private:
   /// Also sets `areas`.
   const std::vector<TriangleCorners>& findCorners();
 };
-
-/// The border of a surface: sides of a single facet, in loops that are longer than the
-/// circumference of a hole with a radius of four contact radii (mm). Two coincident sides are not a
-/// border.
-std::vector<SurfaceSide> findBorder(const LinkedSurface& surface, double contactRadius);
-
-/// The edges of a surface.
-struct SurfaceEdges
-{
-  static constexpr double LeastTurn = 0.35; ///< rad, 20°
-
-  std::vector<SurfaceSide> sides;
-  double cell; ///< size of the cells over which normals of facets were averaged, mm
-};
-
-/**
- * Finds the convex edges of a surface for a contact of radius a (mm).
- *
- * Facets are averaged in cells of size a, or of a few facets if the mesh is coarse (FacePatches).
- * Therefore noise of a scan and fine facets are not edges, but a narrow fillet is one. The turn of
- * the surface is measured between neighbouring patches, and over two patches. On a ball the turn
- * continues beyond the patch at the same rate; beyond an edge it does not. If the excess of the
- * turn over that rate is LeastTurn or more, it is the turn of an edge. The edge consists of the
- * facet sides in this region with the largest turns.
- *
- * Cost: O(n log n), 0.5 s for a million triangles on one thread; temporary memory 100 bytes per
- * triangle.
- */
-SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius);
-
-/// Size of the cells over which findEdges() averages facets, mm: the contact radius, or the size of
-/// a few facets of a coarse mesh.
-double edgeCell(const LinkedSurface& surface, double contactRadius);
 } // namespace palpate
 
 #endif

@@ -5,55 +5,101 @@
 #include "Laws/LinkedSurface.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace palpate
 {
-/// The triangles and neighbours of each point of a surface.
+/// The neighbours of each point of a surface. Memory: 24 bytes per triangle and 40 per point.
 class PointRings
 {
 public:
-  /// The arrays that `surface` points to must outlive this.
+  /// The arrays that `surface` points to are not used after construction.
   explicit PointRings(const TriangleSpans& surface)
-    : Surface(surface)
-    , Begin(surface.pointCount + 1, 0)
-    , Corner(3 * surface.triangleCount)
+    : VisitBegin(surface.pointCount + 1, 0)
+    , NeighbourBegin(surface.pointCount + 1, 0)
+    , Visits(6 * surface.triangleCount)
   {
-    for (std::size_t i = 0; i < this->Corner.size(); ++i)
+    const std::vector<std::size_t> corners = this->sortCorners(surface);
+    std::vector<std::uint32_t> placeOf(surface.pointCount, 0); // in the list of `seenAt`
+    std::vector<std::uint32_t> seenAt(surface.pointCount, 0);  // last point that saw it, plus one
+    this->Neighbours.reserve(6 * surface.pointCount);
+    std::size_t visit = 0;
+    for (std::size_t point = 0; point < surface.pointCount; ++point)
     {
-      ++this->Begin[static_cast<std::size_t>(surface.triangles[i]) + 1];
-    }
-    for (std::size_t i = 0; i < surface.pointCount; ++i)
-    {
-      this->Begin[i + 1] += this->Begin[i];
-    }
-    std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (std::size_t i = 0; i < this->Corner.size(); ++i)
-    {
-      this->Corner[next[static_cast<std::size_t>(surface.triangles[i])]++] = i;
+      const auto self = static_cast<std::uint32_t>(point) + 1;
+      for (std::size_t i = this->VisitBegin[point] / 2; i < this->VisitBegin[point + 1] / 2; ++i)
+      {
+        const std::size_t corner = corners[i];
+        for (std::size_t step = 1; step < 3; ++step)
+        {
+          const auto other = static_cast<std::uint32_t>(
+            surface.triangles[corner - corner % 3 + (corner % 3 + step) % 3]);
+          if (seenAt[other] != self)
+          {
+            seenAt[other] = self;
+            placeOf[other] =
+              static_cast<std::uint32_t>(this->Neighbours.size() - this->NeighbourBegin[point]);
+            this->Neighbours.push_back(other);
+          }
+          this->Visits[visit++] = placeOf[other];
+        }
+      }
+      this->NeighbourBegin[point + 1] = this->Neighbours.size();
     }
   }
 
   /// Visits the two other corners of each triangle at a point, triangles in ascending order: a
-  /// neighbour that two triangles share is visited twice.
+  /// neighbour that two triangles share is visited twice. Calls visit(neighbour, place), where
+  /// `place` is the position of the neighbour in the order of forEachNeighbour().
   template <class Visit>
-  void forNeighbours(std::size_t point, const Visit& visit) const
+  void forCorners(std::size_t point, const Visit& visit) const
   {
-    for (std::size_t i = this->Begin[point]; i < this->Begin[point + 1]; ++i)
+    const std::uint32_t* neighbours = this->Neighbours.data() + this->NeighbourBegin[point];
+    for (std::size_t i = this->VisitBegin[point]; i < this->VisitBegin[point + 1]; ++i)
     {
-      const std::size_t corner = this->Corner[i];
-      for (std::size_t step = 1; step < 3; ++step)
-      {
-        visit(static_cast<std::size_t>(
-          this->Surface.triangles[corner - corner % 3 + (corner % 3 + step) % 3]));
-      }
+      const std::uint32_t place = this->Visits[i];
+      visit(static_cast<std::size_t>(neighbours[place]), static_cast<std::size_t>(place));
+    }
+  }
+
+  /// Visits each neighbour of a point once, in the order in which forCorners() first visits it.
+  template <class Visit>
+  void forEachNeighbour(std::size_t point, const Visit& visit) const
+  {
+    for (std::size_t i = this->NeighbourBegin[point]; i < this->NeighbourBegin[point + 1]; ++i)
+    {
+      visit(static_cast<std::size_t>(this->Neighbours[i]));
     }
   }
 
 private:
-  TriangleSpans Surface;
-  std::vector<std::size_t> Begin;
-  std::vector<std::size_t> Corner; ///< index in the list of corners
+  /// The corners of all triangles (three times the triangle, plus 0 to 2) in the order of their
+  /// points. Also sets VisitBegin.
+  std::vector<std::size_t> sortCorners(const TriangleSpans& surface)
+  {
+    std::vector<std::size_t> begin(surface.pointCount + 1, 0);
+    std::vector<std::size_t> corners(3 * surface.triangleCount);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      ++begin[static_cast<std::size_t>(surface.triangles[i]) + 1];
+    }
+    for (std::size_t i = 0; i < surface.pointCount; ++i)
+    {
+      begin[i + 1] += begin[i];
+      this->VisitBegin[i + 1] = 2 * begin[i + 1];
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      corners[begin[static_cast<std::size_t>(surface.triangles[i])]++] = i;
+    }
+    return corners;
+  }
+
+  std::vector<std::size_t> VisitBegin;
+  std::vector<std::size_t> NeighbourBegin;
+  std::vector<std::uint32_t> Visits; ///< places of the neighbours
+  std::vector<std::uint32_t> Neighbours;
 };
 } // namespace palpate
 

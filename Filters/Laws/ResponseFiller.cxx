@@ -17,8 +17,9 @@ namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
 constexpr std::size_t MostBlocks = 20; // the caller may stop after each block
-// Points of a block per thread, so that the cost of starting threads is small.
-constexpr std::size_t PointsPerThread = 65536;
+// Points of a block per thread: some 50 ms, so that a caller who stops does not wait, and the cost
+// of starting threads is small.
+constexpr std::size_t PointsPerThread = 16384;
 constexpr double FirstContactDepth = 1e-3; // fraction of the first sample's depth
 
 /// Whether the contact at a spot is the same as on any flat half-space, up to the modulus.

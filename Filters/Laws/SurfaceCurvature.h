@@ -4,9 +4,9 @@
 
 #include "Laws/ContactSpot.h"
 #include "Laws/LinkedSurface.h"
+#include "Laws/SurfaceForms.h"
 #include "Mechanics/PalpateExport.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -46,16 +46,18 @@ namespace palpate
  * Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
  *
  * Points are gathered one by one, threaded; the bits do not depend on the number of threads.
- * Memory: 12 bytes per point; during construction another 28 per triangle and 160 per point. Cost:
- * 1 µs per point, 0.3 µs per point and step, and up to 10 µs per disc.
+ * Memory: 12 bytes per point; during construction another 24 per triangle and 180 per point, and
+ * 150 for averages. Cost: 1 µs per point once, 0.2 µs per point and step, 2 to 5 µs per disc.
  */
 class PALPATE_EXPORT SurfaceCurvature
 {
 public:
-  static constexpr int MostSteps = 16;
+  static constexpr int MostSteps = SurfaceForms::MostSteps;
 
   /// `normals`: 3 floats per point, unit length. `contactRadius` in mm.
   SurfaceCurvature(const TriangleSpans& surface, const float* normals, double contactRadius);
+  /// The same from forms that serve several radii.
+  SurfaceCurvature(const SurfaceForms& forms, double contactRadius);
 
   /// The curvature of the faces between sharp edges (CreaseCut), for contacts that leave the body
   /// over these edges (BodyEdges). The turn of an edge does not count as curvature. A point on an
@@ -65,13 +67,13 @@ public:
 
   SpotCurvature at(std::size_t point) const noexcept
   {
-    const std::array<float, 3>& found = this->Found[point];
+    const PointCurvature& found = this->Found[point];
     return { static_cast<double>(found[0]), static_cast<double>(found[1]),
       static_cast<double>(found[2]) };
   }
 
 private:
-  std::vector<std::array<float, 3>> Found;
+  std::vector<PointCurvature> Found;
 };
 } // namespace palpate
 

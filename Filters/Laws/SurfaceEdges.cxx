@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Laws/LinkedSurface.h"
+#include "Laws/EdgeSurface.h"
 
 #include "Laws/FacePatches.h"
 #include "Contact/PackedMesh.h"
@@ -32,7 +32,7 @@ constexpr double OtherEdgeRatio = 2.0;
 class EdgeFinder
 {
 public:
-  EdgeFinder(const LinkedSurface& surface, double radius)
+  EdgeFinder(const EdgeSurface& surface, double radius)
     : Surface(surface)
     , Radius(radius)
     , Cell(edgeCell(surface, radius))
@@ -195,7 +195,7 @@ private:
       });
   }
 
-  const LinkedSurface& Surface;
+  const EdgeSurface& Surface;
   double Radius;
   double Cell; ///< mm
   FacePatches Patches;
@@ -204,18 +204,12 @@ private:
 };
 } // namespace
 
-double edgeCell(const LinkedSurface& surface, double contactRadius)
+double edgeCell(const EdgeSurface& surface, double contactRadius)
 {
-  double area = 0.0;
-  for (const Vector3d& facet : surface.areas)
-  {
-    area += facet.norm();
-  }
-  const auto points = static_cast<double>(surface.usedPoints());
-  return std::max(contactRadius, SpacingsPerCell * std::sqrt(area / std::max(1.0, points)));
+  return std::max(contactRadius, SpacingsPerCell * surface.spacing);
 }
 
-SurfaceEdges findEdges(const LinkedSurface& surface, double contactRadius)
+SurfaceEdges findEdges(const EdgeSurface& surface, double contactRadius)
 {
   return EdgeFinder(surface, contactRadius).take();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredContactResponse.h"
 
+#include "Mechanics/Checked.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Identification/CurvesFile.h"
@@ -80,26 +81,6 @@ void vtkMeasuredContactResponse::AddCurvesConnection(vtkAlgorithmOutput* table)
   this->AddInputConnection(1, table);
 }
 
-void vtkMeasuredContactResponse::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkMeasuredContactResponse::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkMeasuredContactResponse::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
-
 int vtkMeasuredContactResponse::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkTable");
@@ -127,23 +108,18 @@ int vtkMeasuredContactResponse::RequestData(
     return 1;
   }
   const palpate::SoundBody sound(input);
-  std::string fault = sound.fault();
+  std::string fault = palpate::prefixed("Wrong input: ", sound.fault());
   if (!fault.empty())
   {
-    vtkErrorMacro(<< "Wrong input: " << fault << ".");
-    return 0;
+    return this->Report(fault);
   }
   vtkPolyData* body = sound.body();
   palpate::SiteMeasurement measurement;
-  fault = this->CheckProperties();
-  if (fault.empty())
-  {
-    fault = this->ReadSites(inputVector[1], measurement);
-  }
+  fault = palpate::firstFault([this] { return this->CheckProperties(); },
+    [&] { return this->ReadSites(inputVector[1], measurement); });
   if (!fault.empty())
   {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
+    return this->Report(fault);
   }
   measurement.Mesh = std::make_unique<palpate::BodyMesh>(palpate::makeBodyMesh(body));
   this->SiteResidual = measurement.place(this->MaximumSiteDistance);
@@ -151,20 +127,16 @@ int vtkMeasuredContactResponse::RequestData(
   {
     return 1; // aborted
   }
-  fault = this->JudgeSites(measurement);
+  fault = palpate::prefixed("No site can be used: ", this->JudgeSites(measurement));
   if (!fault.empty())
   {
-    vtkErrorMacro(<< "No site can be used: " << fault << ".");
-    return 0;
+    return this->Report(fault);
   }
 
   vtkNew<vtkPolyData> spread;
   palpate::spreadMaterial(body, this->PoissonRatio, this->Reach, measurement, spread);
-  if (!this->RespondTo(measurement, spread, output))
-  {
-    return 0;
-  }
-  if (output->GetNumberOfPoints() > 0) // not aborted
+  fault = this->RespondTo(measurement, spread, output);
+  if (fault.empty() && output->GetNumberOfPoints() > 0) // not aborted
   {
     palpate::limitToData(measurement, this->ResponseName, this->MaximumDeflection, output);
     palpate::attachMeasuredRelaxation(measurement, this->ResponseName, output);
@@ -173,7 +145,7 @@ int vtkMeasuredContactResponse::RequestData(
     palpate::tabulateCurves(
       measurement.Sites, measurement.Identification->kernel(), vtkTable::GetData(outputVector, 2));
   }
-  return 1;
+  return this->Report(fault);
 }
 
 std::string vtkMeasuredContactResponse::CheckProperties()
@@ -316,8 +288,7 @@ std::string vtkMeasuredContactResponse::JudgeSites(const palpate::SiteMeasuremen
   return {};
 }
 
-/// Returns false after an error, which has been reported.
-bool vtkMeasuredContactResponse::RespondTo(
+std::string vtkMeasuredContactResponse::RespondTo(
   const palpate::SiteMeasurement& measurement, vtkPolyData* body, vtkPolyData* output)
 {
   const auto anywhere = [body](const char* name)
@@ -350,19 +321,14 @@ bool vtkMeasuredContactResponse::RespondTo(
       anywhere(palpate::MeasuredMaterial::ComplianceArray), "" });
   const palpate::Ranks ranks(vtkMultiProcessController::GetGlobalController());
   std::string warning;
-  const std::string fault = palpate::attachResponse(ranks, palpate::ownPiece(body, ranks), request,
+  std::string fault = palpate::attachResponse(ranks, palpate::ownPiece(body, ranks), request,
     palpate::FilterStage{ this, IdentifiedShare, 1.0 }, output, warning);
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return false;
-  }
-  if (!warning.empty())
+  if (fault.empty() && !warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
   }
   output->GetPointData()->RemoveArray(palpate::MeasuredMaterial::YoungArray);
-  return true;
+  return fault;
 }
 
 void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
@@ -375,7 +341,6 @@ void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "MeasuringTool: " << this->MeasuringTool << "\n";
   os << indent << "RegistrationFile: " << this->RegistrationFile << "\n";
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "BodyModel: " << this->BodyModel << "\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "LayerBase: " << this->LayerBase << "\n";
@@ -391,7 +356,6 @@ void vtkMeasuredContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reach: " << this->Reach << " mm\n";
   os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
   os << indent << "StoreError: " << this->StoreError << "\n";

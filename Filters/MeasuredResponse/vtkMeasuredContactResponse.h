@@ -93,25 +93,22 @@
 
 #include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
 #include "palpateMeasuredResponseModule.h"  // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For vtkSmartPointer
+#include "vtkToolFilter.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
-
-class vtkContactTool;
 
 namespace palpate
 {
 struct SiteMeasurement;
 }
 
-class PALPATEMEASUREDRESPONSE_EXPORT vtkMeasuredContactResponse : public vtkPolyDataAlgorithm
+class PALPATEMEASUREDRESPONSE_EXPORT vtkMeasuredContactResponse : public vtkToolFilter
 {
 public:
   static vtkMeasuredContactResponse* New();
-  vtkTypeMacro(vtkMeasuredContactResponse, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMeasuredContactResponse, vtkToolFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -138,12 +135,6 @@ public:
    */
   vtkSetMacro(RegistrationFile, std::string);
   vtkGetMacro(RegistrationFile, std::string);
-  ///@}
-
-  ///@{
-  /** The tool of the response; required. Its changes count in this filter's modification time. */
-  virtual void SetTool(vtkContactTool* tool);
-  vtkContactTool* GetTool();
   ///@}
 
   /// Values of BodyModel.
@@ -273,8 +264,6 @@ public:
   vtkGetMacro(MaximumDeflection, double);
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
-  vtkSetMacro(ResponseName, std::string);
-  vtkGetMacro(ResponseName, std::string);
   ///@}
 
   ///@{
@@ -301,8 +290,6 @@ public:
   vtkGetMacro(SiteResidual, double);
   ///@}
 
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkMeasuredContactResponse();
   ~vtkMeasuredContactResponse() override;
@@ -319,14 +306,13 @@ private:
   std::string ReadSites(vtkInformationVector* tables, palpate::SiteMeasurement& measurement);
   bool IdentifySites(palpate::SiteMeasurement& measurement);
   std::string JudgeSites(const palpate::SiteMeasurement& measurement);
-  bool RespondTo(
+  std::string RespondTo(
     const palpate::SiteMeasurement& measurement, vtkPolyData* body, vtkPolyData* output);
 
   std::vector<std::string> FileNames;
   std::string MeasuringTool;
   std::string RegistrationFile;
   palpate::RelaxationList Relaxations;
-  vtkSmartPointer<vtkContactTool> Tool;
   int BodyModel = Automatic;
   double PoissonRatio = 0.45;
   int LayerBase = 0;
@@ -341,7 +327,6 @@ private:
   double Reach = 20.0;
   double MaximumDeflection = 2.0;
   int NumberOfSamples = 8;
-  std::string ResponseName = "Response";
   double ErrorTolerance = 0.05;
   bool StoreError = true;
   double MaximumTilt = 0.0;

@@ -2,10 +2,11 @@
 #include "Response/BodyChoice.h"
 
 #include "Contact/Reduction/ChoiceReason.h"
+#include "Laws/CouplingNeed.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/BodyConversion.h"
 #include "Response/FilterThreads.h"
-#include "Response/Curves/TiltConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
 #include "Response/ReplacedCurves.h"
 
@@ -54,7 +55,7 @@ std::string capitalised(std::string words)
 void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
   const RelaxationNeed& need)
 {
-  const std::string elementsName = name + "RelaxationElements";
+  const std::string elementsName = arrayName(name, ResponseArray::RelaxationElements);
   body->GetFieldData()->RemoveArray(elementsName.c_str());
   if (terms.series.count > 0 && !need.isFelt)
   {
@@ -144,17 +145,19 @@ std::string checkSettings(const ChoiceSettings& settings)
 std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached)
 {
-  std::string fault = checkSettings(settings);
   ResponseArrays arrays;
-  std::string missing;
-  if (fault.empty() && !viewResponse(body, responseName, arrays, missing))
-  {
-    fault = "No response '" + responseName + "' on the body: " + missing;
-  }
   ChoiceEvidence evidence;
-  fault = fault.empty() ? readEvidence(body, responseName, evidence) : fault;
   ChoiceSettings used = settings;
-  fault = fault.empty() ? chooseDepth(body, arrays, used.depth) : fault;
+  const std::string fault = firstFault([&] { return checkSettings(settings); },
+    [&]
+    {
+      std::string missing;
+      return viewResponse(body, responseName, arrays, missing)
+        ? std::string()
+        : "No response '" + responseName + "' on the body: " + missing;
+    },
+    [&] { return readEvidence(body, responseName, evidence); },
+    [&] { return chooseDepth(body, arrays, used.depth); });
   if (!fault.empty())
   {
     return fault;
@@ -172,6 +175,9 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   attached.tilt = tiltNeed(arrays, used.tolerance);
   const std::string tilts = tiltReason(attached.tilt, arrays.tilt, used.tolerance);
   attached.reason += tilts.empty() ? tilts : ". " + capitalised(tilts);
+  const CouplingNeed coupling = couplingNeed(arrays, used.tolerance);
+  const std::string others = couplingReason(coupling, arrays.coupling, used.tolerance);
+  attached.reason += others.empty() ? others : ". " + capitalised(others);
   const std::string terms = termsReason(body, responseName);
   attached.reason += terms.empty() ? terms : ". Terms of its law: " + terms;
   copyWithOwnFields(body, output);
@@ -179,11 +185,15 @@ std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   {
     replaceCurves(output, responseName, attached.choice);
   }
-  addText(output, responseName + "Choice", attached.reason);
+  addText(output, responseName, ResponseArray::Choice, attached.reason);
   keepRelaxation(output, responseName, relaxation, attached.relaxation);
   if (!attached.tilt.isFelt)
   {
     removeArrays(output, responseName, ContractArray::Use::Tilt);
+  }
+  if (!coupling.isFelt)
+  {
+    removeArrays(output, responseName, ContractArray::Use::Coupling);
   }
   return {};
 }

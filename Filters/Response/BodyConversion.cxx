@@ -3,8 +3,8 @@
 
 #include "Mechanics/JoinedText.h"
 #include "Response/ArrayFetch.h"
-#include "Response/Curves/TiltConversion.h"
 #include "Response/FilterThreads.h"
+#include "Response/Terms/LawTerm.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -19,7 +19,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -30,8 +30,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int EdgeComponents = componentsOf(contractOf(ResponseArray::Edges), 0, 0);
-
 bool fetchNumber(vtkPolyData* body, const std::string& response, ResponseArray which, double low,
   double high, double& value, std::string& error)
 {
@@ -75,34 +73,6 @@ bool fetchCurves(
   arrays.basis = floats(ResponseArray::Basis);
   arrays.coefficient = arrays.basis ? floats(ResponseArray::Coefficient) : nullptr;
   return arrays.coefficient != nullptr;
-}
-
-/// Reads the edge terms. Leaves `edges` unchanged if the body has no array for them.
-bool viewEdges(vtkPolyData* body, const std::string& name, EdgeTerms& edges, std::string& error)
-{
-  const std::string full = arrayName(name, ResponseArray::Edges);
-  vtkDataArray* array = body->GetFieldData()->GetArray(full.c_str());
-  if (!array)
-  {
-    return true;
-  }
-  if (array->GetNumberOfComponents() != EdgeComponents || array->GetNumberOfTuples() != 1)
-  {
-    error = joined("field array '", full, "' must have ", EdgeComponents,
-      " components and one tuple, but is ", shapeOf(array));
-    return false;
-  }
-  edges.exponent = array->GetComponent(0, 0);
-  edges.radius = array->GetComponent(0, 1);
-  edges.poissonRatio = array->GetComponent(0, 2);
-  edges.extent = array->GetComponent(0, 3);
-  edges.isInCurves = array->GetComponent(0, 4) != 0.0;
-  error = faultOfEdges(edges);
-  if (!error.empty())
-  {
-    error = "field array '" + full + "': " + error;
-  }
-  return error.empty();
 }
 
 /// Finds the first triangle with a corner that is not one of `points` points.
@@ -178,6 +148,14 @@ void removeArrays(vtkPolyData* body, const std::string& name, ContractArray::Use
     {
       placeOf(array, body)->RemoveArray(array.named(name).c_str());
     }
+  }
+}
+
+void removeResponse(vtkPolyData* body, const std::string& name)
+{
+  for (const ContractArray& array : ResponseContract)
+  {
+    placeOf(array, body)->RemoveArray(array.named(name).c_str());
   }
 }
 
@@ -259,9 +237,9 @@ bool viewResponse(
   arrays.status = arrays.range
     ? fetchArray<vtkUnsignedCharArray>(body, name, ResponseArray::Status, arrays, error)
     : nullptr;
-  return arrays.status && viewEdges(body, name, arrays.edges, error) &&
-    viewRelaxation(body, name, arrays, error) && viewCoupling(body, name, arrays, error) &&
-    viewTilts(body, name, arrays, error);
+  return arrays.status &&
+    std::all_of(lawTerms().begin(), lawTerms().end(),
+      [&](const LawTerm* term) { return term->view(body, name, arrays, error); });
 }
 
 bool viewValidity(vtkPolyData* body, const std::string& name, const float*& validity,
@@ -344,17 +322,6 @@ void describeModel(vtkPolyData* body, const std::string& name, const ResponseMod
   addFieldValue<vtkStringArray>(body, name, ResponseArray::Model, model.text);
   addFieldValue<vtkUnsignedCharArray>(
     body, name, ResponseArray::ModelParts, static_cast<unsigned char>(model.parts));
-}
-
-void describeEdges(vtkPolyData* body, const std::string& name, const EdgeTerms& edges)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(arrayName(name, ResponseArray::Edges).c_str());
-  array->SetNumberOfComponents(EdgeComponents);
-  const std::array<double, EdgeComponents> values = { edges.exponent, edges.radius,
-    edges.poissonRatio, edges.extent, edges.isInCurves ? 1.0 : 0.0 };
-  array->InsertNextTuple(values.data());
-  body->GetFieldData()->AddArray(array);
 }
 
 std::string responseText(vtkPolyData* body, const std::string& name, ResponseArray which)

@@ -11,10 +11,8 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Contact/BodyMesh.h"                     // For palpate::BodyMesh
-#include "Contact/ContactBody.h"                  // For palpate::ContactBody
-#include "Response/Curves/CouplingConversion.h"   // For palpate::describeCoupling
-#include "Response/Curves/RelaxationConversion.h" // For palpate::describeRelaxation
+#include "Contact/BodyMesh.h"    // For palpate::BodyMesh
+#include "Contact/ContactBody.h" // For palpate::ContactBody
 
 #include <cstdint> // For std::int32_t
 #include <memory>  // For std::shared_ptr
@@ -45,6 +43,9 @@ PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPoly
 /// Removes all arrays of a response with this use.
 PALPATERESPONSE_EXPORT void removeArrays(
   vtkPolyData* body, const std::string& name, ContractArray::Use use);
+
+/// Removes all arrays of a response, in any form and with any term.
+PALPATERESPONSE_EXPORT void removeResponse(vtkPolyData* body, const std::string& name);
 
 /// Sets `arrays` to views of the response arrays with prefix `name`, in either form. Returns false
 /// and an error if they break the contract.
@@ -101,9 +102,12 @@ struct ResponseModel
 PALPATERESPONSE_EXPORT void describeModel(
   vtkPolyData* body, const std::string& name, const ResponseModel& model);
 
-/// Attaches the field array Edges.
-PALPATERESPONSE_EXPORT void describeEdges(
-  vtkPolyData* body, const std::string& name, const EdgeTerms& edges);
+/// The point array of a body with its motion by finite elements (vtkElasticCompliance).
+constexpr const char* CouplingModesName = "CouplingModes";
+
+/// Attaches the field arrays RelaxationStrength and RelaxationTime. Replaces existing ones.
+PALPATERESPONSE_EXPORT void describeRelaxation(
+  vtkPolyData* body, const std::string& name, const PronySeries& series);
 
 /// The model of a response. Older files have only the text; the parts are then read from it.
 PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);

@@ -115,7 +115,8 @@ std::string checkBody(vtkPolyData* body, const std::string& name)
       std::to_string(array->GetNumberOfComponents()) + " and " +
       std::to_string(array->GetNumberOfTuples());
   };
-  vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
+  vtkDataArray* layers =
+    body->GetPointData()->GetArray(arrayName(name, ResponseArray::LayerThickness).c_str());
   if (layers && !hasShape(layers, 1, points))
   {
     return describe(layers, 1);
@@ -156,8 +157,10 @@ namespace
 void readStack(
   vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
 {
-  vtkDataArray* layers = body->GetFieldData()->GetArray((name + "LayerStack").c_str());
-  vtkDataArray* second = body->GetPointData()->GetArray((name + "SecondThickness").c_str());
+  vtkDataArray* layers =
+    body->GetFieldData()->GetArray(arrayName(name, ResponseArray::LayerStack).c_str());
+  vtkDataArray* second =
+    body->GetPointData()->GetArray(arrayName(name, ResponseArray::SecondThickness).c_str());
   if (!layers || layers->GetNumberOfComponents() != 4 || !(triangle.thickness[0] > 0.0))
   {
     return;
@@ -194,7 +197,8 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   FieldTriangle triangle;
   vtkNew<vtkIdList> corners;
   body->GetPolys()->GetCellAtId(cell - firstTriangle(body), corners);
-  vtkDataArray* layers = body->GetPointData()->GetArray((name + "LayerThickness").c_str());
+  vtkDataArray* layers =
+    body->GetPointData()->GetArray(arrayName(name, ResponseArray::LayerThickness).c_str());
   const bool hasLayers = layers && hasShape(layers, 1, body->GetNumberOfPoints());
   vtkDataArray* near = body->GetPointData()->GetArray(NearFieldArray);
   const bool hasNear = near && hasShape(near, NearField::Numbers, body->GetNumberOfPoints()) &&
@@ -222,7 +226,8 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
       modes[k]->GetTuple(corner, triangle.modes[k].vectors[i].data());
     }
   }
-  vtkDataArray* base = body->GetFieldData()->GetArray((name + "LayerBase").c_str());
+  vtkDataArray* base =
+    body->GetFieldData()->GetArray(arrayName(name, ResponseArray::LayerBase).c_str());
   const bool slips = base && base->GetNumberOfValues() == 1 && base->GetTuple1(0) == 1.0;
   triangle.base = slips ? LayerBase::Slip : LayerBase::Bonded;
   readStack(body, name, corners, triangle);

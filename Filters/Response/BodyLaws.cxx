@@ -1,39 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyLaws.h"
 
-#include "Contact/Edges/EdgeLaw.h"
 #include "Laws/ResponseFiller.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
+#include "Response/Curves/BodyGeometry.h"
 #include "Response/Curves/BodyShape.h"
-#include "Response/Curves/CurvatureBound.h"
-#include "Response/Curves/PointNormals.h"
 #include "Response/Curves/PressedPoints.h"
 #include "Response/Curves/ResponseStorage.h"
-#include "Response/Curves/TiltRequest.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/LoadedPieces.h"
 #include "Response/ReplacedCurves.h"
-#include "Response/ResponseTool.h"
+#include "Response/Terms/LawTerm.h"
 #include "Response/WholeBody.h"
 #include "vtkContactTool.h"
 
 #include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace palpate
 {
@@ -41,55 +35,294 @@ namespace
 {
 constexpr double WholeBodyShare = 0.9; // fraction of the work, if the body's compliance is included
 
-/// Makes the correction by finite strain; null for the linear model. Returns "" or an error
-/// message.
-std::string findStrain(const LawRequest& request, const StrainLaw& law,
-  const BodyMaterial& material, const std::function<bool(double)>& goOn,
-  std::unique_ptr<StrainCorrection>& strain)
+/// A response that is made step by step. After each step all ranks agree on a fault and on an
+/// abort, so that none of them waits for another in a later step.
+class ResponseInMaking
 {
-  if (law.model == StrainModel::Linear)
+public:
+  ResponseInMaking(const Ranks& ranks, vtkPolyData* input, const LawRequest& request,
+    const std::function<bool(double)>& observer, vtkPolyData* output)
+    : All(ranks)
+    , Input(input)
+    , Output(output)
+    , Request(request)
+    , Observer(observer)
+    , Material(request.material)
+    , HasPiece(input->GetNumberOfPoints() > 0)
+  {
+  }
+
+  /// Returns "" or an error message. The output is empty after a fault and after an abort.
+  std::string make();
+  const std::string& warning() const { return this->Warning; }
+
+private:
+  /// Returns what is wrong, or "". The fault of an alike step is the same on all ranks.
+  struct Step
+  {
+    std::string (ResponseInMaking::*take)();
+    bool isForAll; ///< taken by ranks without a piece of the body, too
+    bool isAlike;
+  };
+  static const std::array<Step, 14> Steps;
+
+  std::string loadPieces() { return missingPieces(this->All); }
+  std::string repairBody();
+  std::string checkSettings();
+  std::string readMaterial();
+  std::string checkPressed();
+  std::string includeBody();
+  std::string agreeOnMaterial();
+  std::string checkTerms() { return palpate::checkTerms(this->terms(), this->Body); }
+  std::string findNormals();
+  std::string findShape();
+  std::string chooseTerms();
+  std::string correctStrain();
+  std::string fillCurves();
+  std::string attach();
+
+  const AxisymmetricTool& tool() const { return *this->Request.tool->GetKernel(); }
+  TermBody terms() const
+  {
+    const double least = this->Geometry ? this->Geometry->lengths.least : 0.0;
+    return { this->Request, this->tool(), &this->Material, least };
+  }
+  bool goOn(double done) const
+  {
+    const double from = this->Request.wholeBody ? WholeBodyShare : 0.0;
+    return !this->Observer || this->Observer(from + (1.0 - from) * done);
+  }
+  SurfaceShape shape() const;
+  /// Collective: all ranks return the same fault, or no correction if one of them was aborted.
+  Checked<std::unique_ptr<StrainCorrection>> makeStrain(
+    const BodyMaterial& material, const StrainLaw& law) const;
+
+  const Ranks& All;
+  vtkPolyData* Input;
+  vtkPolyData* Output;
+  LawRequest Request; ///< with the chosen terms
+  const std::function<bool(double)>& Observer;
+  BodyMaterial Material;
+  bool HasPiece;
+  std::optional<SoundBody> Sound;
+  vtkSmartPointer<vtkPolyData> Body; ///< the repaired body, with the arrays of its compliance
+  std::string HeldAt;
+  std::optional<ResponseStorage> Storage;
+  std::optional<BodySeam> Seam;
+  std::shared_ptr<const BodyGeometry> Geometry;
+  std::shared_ptr<const BodyShape> Shape;
+  vtkIdType NotPressed = 0;
+  std::unique_ptr<StrainCorrection> Strain;
+  MadeResponse Made;
+  std::string Reason; ///< of the choice of terms
+  std::string Warning;
+  bool IsEnded = false;
+};
+
+const std::array<ResponseInMaking::Step, 14> ResponseInMaking::Steps = { {
+  { &ResponseInMaking::loadPieces, true, true },
+  { &ResponseInMaking::repairBody, true, false },
+  { &ResponseInMaking::checkSettings, true, true },
+  { &ResponseInMaking::readMaterial, false, false },
+  { &ResponseInMaking::checkPressed, false, false },
+  { &ResponseInMaking::includeBody, true, true },
+  { &ResponseInMaking::agreeOnMaterial, true, true },
+  { &ResponseInMaking::checkTerms, false, false },
+  { &ResponseInMaking::findNormals, true, true },
+  { &ResponseInMaking::findShape, true, true },
+  { &ResponseInMaking::chooseTerms, true, true },
+  { &ResponseInMaking::correctStrain, true, true },
+  { &ResponseInMaking::fillCurves, false, false },
+  { &ResponseInMaking::attach, false, false },
+} };
+
+std::string ResponseInMaking::make()
+{
+  const FilterThreads threads;
+  for (const Step& step : Steps)
+  {
+    std::string fault = step.isForAll || this->HasPiece ? (this->*step.take)() : std::string();
+    fault = step.isAlike ? fault : this->All.firstFault(fault);
+    if (!fault.empty() || this->All.any(this->IsEnded))
+    {
+      this->Output->Initialize();
+      return fault;
+    }
+  }
+  return {};
+}
+
+std::string ResponseInMaking::repairBody()
+{
+  this->Sound.emplace(this->Input, extentOn(this->All));
+  this->Body = this->Sound->body();
+  return prefixed("Wrong input: ", this->Sound->fault());
+}
+
+std::string ResponseInMaking::checkSettings()
+{
+  return firstFault([this] { return checkRequest(this->Request); },
+    [this] { return checkToolDepth(this->tool(), this->Request.deflection); });
+}
+
+std::string ResponseInMaking::readMaterial()
+{
+  return palpate::readMaterial(this->Body, this->Request.arrays, this->Material);
+}
+
+std::string ResponseInMaking::checkPressed()
+{
+  return checkPointArray(this->Request.pressed, PressedArrayIndex, this->Body->GetNumberOfPoints());
+}
+
+std::string ResponseInMaking::includeBody()
+{
+  const WholeBody whole = includeWholeBody(
+    this->All, this->Body,
+    [this](double done) { return !this->Observer || this->Observer(WholeBodyShare * done); },
+    this->Request);
+  this->IsEnded = !whole.isComplete;
+  this->Warning = whole.warning;
+  this->Body = whole.body;
+  this->HeldAt = whole.heldAt;
+  if (this->HeldAt.empty())
   {
     return {};
   }
-  return makeStrainCorrection(*request.tool->GetKernel(), law, material.range().strainBodies(),
-    request.deflection, goOn, strain);
+  this->Material = BodyMaterial(this->Request.material);
+  return this->readMaterial();
 }
 
-/// The terms in addition to small strain on a flat surface, as text and as a sum of ModelPart.
-ResponseModel termsOf(const LawTerms& terms)
+std::string ResponseInMaking::agreeOnMaterial()
 {
-  ResponseModel model{ "", 0 };
-  if (terms.curvature)
+  agreeOnRange(this->All, this->HasPiece, this->Material);
+  return {};
+}
+
+std::string ResponseInMaking::findNormals()
+{
+  this->Storage.emplace(this->Request.responseName, this->Body->GetNumberOfPoints(),
+    this->Request.samples, this->Request.terms.keepsError());
+  this->Seam.emplace(this->All, this->Body);
+  this->Geometry = findGeometry(this->Body, *this->Seam);
+  if (this->Geometry->fault.empty())
   {
-    model.text += ", curved as the body is";
-    model.parts |= CurvaturePart;
+    this->Storage->setNormals(this->Geometry->normals, this->Geometry->status);
   }
-  if (terms.strain.model != StrainModel::Linear)
+  return prefixed("Wrong input: ", this->Geometry->fault);
+}
+
+std::string ResponseInMaking::findShape()
+{
+  this->NotPressed = leaveOutOthers(this->Request.pressed, *this->Sound, this->Storage->Status);
+  this->Shape = palpate::findShape(this->Body, *this->Seam, this->Storage->Normal->GetPointer(0),
+    this->tool().contactRadius(this->Request.deflection), this->Request.terms);
+  return {};
+}
+
+SurfaceShape ResponseInMaking::shape() const
+{
+  return { this->Geometry->lengths.middle,
+    [this](std::size_t i)
+    { return static_cast<double>(this->Geometry->bound->at(static_cast<vtkIdType>(i))); },
+    [this](std::size_t i) { return this->Shape->curvatureAt(i); },
+    [this](std::size_t i) { return this->Shape->edgeAt(i); } };
+}
+
+Checked<std::unique_ptr<StrainCorrection>> ResponseInMaking::makeStrain(
+  const BodyMaterial& material, const StrainLaw& law) const
+{
+  std::unique_ptr<StrainCorrection> made;
+  const std::string fault = this->All.firstFault(makeStrainCorrection(
+    this->tool(), law, material.range().strainBodies(), this->Request.deflection,
+    [this](double done) { return this->goOn(done); }, made));
+  if (!fault.empty())
   {
-    model.text += ", " + describe(terms.strain);
-    model.parts |= FiniteStrainPart;
+    return Fault{ fault };
   }
-  return model;
+  const bool isMade = !this->All.any(made == nullptr);
+  return isMade ? std::move(made) : nullptr;
 }
 
-/// The terms of a contact at sharp edges, on a body of the given depth (mm) or on a layer.
-EdgeTerms edgesOf(
-  const AxisymmetricTool& tool, double deflection, const BodyMaterial& material, double depth)
+std::string ResponseInMaking::chooseTerms()
 {
-  const MaterialRange& range = material.range();
-  EdgeTerms edges = edgeTermsOf(tool, deflection, 0.5 * (range.leastRatio + range.mostRatio));
-  const bool isLayered = range.hasLayers() && !range.hasHalfSpace;
-  edges.extent = isLayered ? std::min(depth, range.layers.thickest) : depth;
-  edges.isInCurves = (material.modelParts() & GlobalCompliancePart) != 0;
-  return edges;
+  if (!this->Request.terms.automatic)
+  {
+    return {};
+  }
+  const SurfaceShape surface = this->shape();
+  AutomaticTerms choice(this->All, this->Body, this->Request, surface, std::move(this->Material),
+    [this](const BodyMaterial& of, const StrainLaw& law) { return this->makeStrain(of, law); });
+  const std::string fault = choice.choose();
+  this->Material = std::move(choice.material);
+  this->Strain = std::move(choice.strain);
+  this->Reason = choice.reason();
+  this->Request.terms = choice.terms;
+  return fault;
 }
 
-std::string checkToolDepth(const LawRequest& request)
+std::string ResponseInMaking::correctStrain()
 {
-  const std::string fault = request.tool->GetKernel()->checkDepth(request.deflection);
-  return fault.empty() ? fault : "Maximum Deflection: " + fault;
+  const StrainLaw& law = this->Request.terms.strain;
+  if (law.model == StrainModel::Linear || this->All.any(this->Strain != nullptr))
+  {
+    return {};
+  }
+  auto made = this->makeStrain(this->Material, law);
+  this->Strain = made ? std::move(*made) : nullptr;
+  this->IsEnded = made && !this->Strain;
+  return made.fault();
+}
+
+std::string ResponseInMaking::fillCurves()
+{
+  const LawTerms& terms = this->Request.terms;
+  this->Made = response(this->tool(), this->Material, this->Request.deflection,
+    static_cast<std::size_t>(this->Body->GetNumberOfPoints()), this->shape(),
+    { terms.curvature, this->Strain.get(), terms.errorTolerance, this->Request.measured,
+      terms.edges },
+    this->Storage->spans(), [this](double done) { return this->goOn(done); });
+  this->IsEnded = !this->Made.complete;
+  return {};
+}
+
+std::string ResponseInMaking::attach()
+{
+  const std::string& name = this->Request.responseName;
+  // A joined point has no triangle of its own. It gets the response of the first point at its
+  // place.
+  const vtkIdType without =
+    static_cast<vtkIdType>(this->Made.without) - this->Sound->joinedPoints() - this->NotPressed;
+  if (without > 0)
+  {
+    this->Warning += joined(this->Warning.empty() ? "" : ". ", without, " of ",
+      this->Body->GetNumberOfPoints(), " points have no response: see array '", name, "Status'");
+  }
+  copyWithOwnFields(this->Body, this->Output);
+  removeResponse(this->Output, name);
+  this->Storage->attach(this->Output);
+  const ResponseModel beyond = termsInWords(this->terms());
+  describeResponse(this->Output, name,
+    { this->Made.exponent, this->Request.samples, this->tool().specification(),
+      this->Material.describe() + prefixed(", held at ", this->HeldAt) + beyond.text,
+      this->Material.modelParts() | beyond.parts });
+  if (!this->Reason.empty())
+  {
+    addText(this->Output, name, ResponseArray::Terms, this->Reason);
+  }
+  const std::string fault = makeTerms(this->terms(), this->Output);
+  if (fault.empty())
+  {
+    this->Sound->giveBack(this->Output);
+  }
+  return fault;
 }
 } // namespace
+
+std::string checkToolDepth(const AxisymmetricTool& tool, double deflection)
+{
+  return prefixed("Maximum Deflection: ", tool.checkDepth(deflection));
+}
 
 std::string checkRequest(const LawRequest& request)
 {
@@ -131,179 +364,16 @@ std::string checkRequest(const LawRequest& request)
   return request.responseName.empty() ? "Response Name must not be empty" : "";
 }
 
-std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequest& asked,
+std::string attachResponse(const Ranks& ranks, vtkPolyData* input, const LawRequest& request,
   const std::function<bool(double)>& observer, vtkPolyData* output, std::string& warning)
 {
-  LawRequest request = asked;
-  const bool hasPiece = input->GetNumberOfPoints() > 0;
-  if (!ranks.any(hasPiece))
+  if (!ranks.any(input->GetNumberOfPoints() > 0))
   {
     return {};
   }
-  std::string fault = missingPieces(ranks);
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  const SoundBody sound(input, extentOn(ranks));
-  fault = ranks.firstFault(sound.fault());
-  if (!fault.empty())
-  {
-    return "Wrong input: " + fault;
-  }
-  vtkSmartPointer<vtkPolyData> body = sound.body();
-  fault = checkRequest(request);
-  fault = fault.empty() ? checkToolDepth(request) : fault;
-  BodyMaterial material(request.material);
-  if (fault.empty())
-  {
-    fault =
-      ranks.firstFault(hasPiece ? readMaterial(body, request.arrays, material) : std::string());
-  }
-  if (fault.empty())
-  {
-    fault = ranks.firstFault(hasPiece
-        ? checkPointArray(request.pressed, PressedArrayIndex, body->GetNumberOfPoints())
-        : std::string());
-  }
-  const double from = request.wholeBody ? WholeBodyShare : 0.0;
-  const auto goOn = [&](double done) { return !observer || observer(from + (1.0 - from) * done); };
-  WholeBody whole;
-  if (fault.empty())
-  {
-    whole = includeWholeBody(
-      ranks, body, [&](double done) { return !observer || observer(from * done); }, request);
-    if (!whole.isComplete)
-    {
-      return {};
-    }
-    warning = whole.warning;
-    body = whole.body;
-    if (!whole.heldAt.empty())
-    {
-      material = BodyMaterial(request.material);
-      fault = readMaterial(body, request.arrays, material);
-    }
-  }
-  const MaterialArray& compliance = request.arrays[ComplianceArrayIndex];
-  if (fault.empty())
-  {
-    fault = ranks.firstFault(
-      hasPiece ? checkRelaxation(body, request.relaxation, compliance) : std::string());
-  }
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  agreeOnRange(ranks, hasPiece, material);
-  fault =
-    ranks.firstFault(hasPiece && request.couples ? checkCouples(material, body) : std::string());
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  const AxisymmetricTool& tool = *request.tool->GetKernel();
-  const TiltRequest tilts{ tool, request.terms.tilt, request.deflection };
-  fault = checkTilts(tilts);
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  const std::string& name = request.responseName;
-  const vtkIdType count = body->GetNumberOfPoints();
-  ResponseStorage storage(name, count, request.samples, request.terms.keepsError());
-  const BodySeam seam(ranks, body);
-  fault = fillPointNormals(body, seam, storage.Normal, storage.Status);
-  if (!fault.empty())
-  {
-    return "Wrong input: " + fault;
-  }
-  const vtkIdType notPressed = leaveOutOthers(request.pressed, sound, storage.Status);
-  const float* normals = storage.Normal->GetPointer(0);
-  const CurvatureBound bound(body, seam, normals);
-  LawTerms terms = request.terms;
-  const std::shared_ptr<const BodyShape> found =
-    findShape(body, seam, normals, tool.contactRadius(request.deflection), terms);
-  const BodyLengths lengths = lengthsOf(body, ranks);
-  const SurfaceShape shape{ lengths.middle,
-    [&bound](std::size_t i) { return static_cast<double>(bound.at(static_cast<vtkIdType>(i))); },
-    [&found](std::size_t i) { return found->curvatureAt(i); },
-    [&found](std::size_t i) { return found->edgeAt(i); } };
-  std::unique_ptr<StrainCorrection> strain;
-  const auto makeStrain =
-    [&](const BodyMaterial& of, const StrainLaw& law, std::unique_ptr<StrainCorrection>& made)
-  { return findStrain(request, law, of, goOn, made); };
-  const FilterThreads threads;
-  std::string reason;
-  if (terms.automatic)
-  {
-    AutomaticTerms chosen{ terms, material };
-    fault = chooseTerms(ranks, body, request, shape, makeStrain, chosen);
-    if (!fault.empty())
-    {
-      return fault;
-    }
-    terms = chosen.terms;
-    material = std::move(chosen.material);
-    strain = std::move(chosen.strain);
-    reason = chosen.reason;
-  }
-  if (!hasPiece)
-  {
-    return {};
-  }
-  fault = strain ? std::string() : makeStrain(material, terms.strain, strain);
-  if (!fault.empty())
-  {
-    return fault;
-  }
-  const MadeResponse made =
-    response(tool, material, request.deflection, static_cast<std::size_t>(count), shape,
-      { terms.curvature, strain.get(), terms.errorTolerance, request.measured, terms.edges },
-      storage.spans(), goOn);
-  if (!made.complete)
-  {
-    output->Initialize();
-    return {};
-  }
-  // A joined point has no triangle of its own. It gets the response of the first point at its
-  // place.
-  const vtkIdType without =
-    static_cast<vtkIdType>(made.without) - sound.joinedPoints() - notPressed;
-  if (without > 0)
-  {
-    warning += joined(warning.empty() ? "" : ". ", without, " of ", count,
-      " points have no response: see array '", name, "Status'");
-  }
-  copyWithOwnFields(body, output);
-  storage.attach(output);
-  const ResponseModel beyond = termsOf(terms);
-  describeResponse(output, name,
-    { made.exponent, request.samples, tool.specification(),
-      material.describe() + (whole.heldAt.empty() ? "" : ", held at " + whole.heldAt) +
-        beyond.text + relaxationInWords(request.relaxation, compliance),
-      material.modelParts() | beyond.parts });
-  attachLayers(material, name, output);
-  attachRelaxation(request.relaxation, compliance, name, output);
-  removeArrays(output, name, ContractArray::Use::Coupling);
-  if (request.couples)
-  {
-    attachCoupling(material, name, output);
-  }
-  if (terms.edges)
-  {
-    describeEdges(output, name, edgesOf(tool, request.deflection, material, lengths.least));
-  }
-  if (!reason.empty())
-  {
-    addText(output, termsName(name), reason);
-  }
-  fault = attachTilts(tilts, &material, terms.errorTolerance, name, output);
-  if (!fault.empty())
-  {
-    output->Initialize();
-  }
-  sound.giveBack(output);
+  ResponseInMaking making(ranks, input, request, observer, output);
+  const std::string fault = making.make();
+  warning = making.warning();
   return fault;
 }
 } // namespace palpate

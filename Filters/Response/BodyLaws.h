@@ -9,11 +9,10 @@
 
 #include "palpateResponseModule.h" // For export macro
 
-#include "Laws/BodyMaterial.h"                 // For palpate::BodyMaterial
-#include "Laws/LawTerms.h"                     // For palpate::LawTerms
-#include "Response/Curves/RelaxationRequest.h" // For palpate::RelaxationRequest
-#include "Response/Curves/MaterialArrays.h"    // For palpate::MaterialArrays
-#include "Response/Pieces/Ranks.h"             // For palpate::Ranks
+#include "Laws/BodyMaterial.h"              // For palpate::BodyMaterial
+#include "Laws/LawTerms.h"                  // For palpate::LawTerms
+#include "Response/Curves/MaterialArrays.h" // For palpate::MaterialArrays
+#include "Response/Pieces/Ranks.h"          // For palpate::Ranks
 
 #include <functional> // For std::function
 #include <string>     // For std::string
@@ -23,6 +22,7 @@ class vtkPolyData;
 
 namespace palpate
 {
+class AxisymmetricTool;
 struct MeasuredBodyError;
 
 /// A tool pressed into a material.
@@ -49,6 +49,9 @@ struct LawRequest
 
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkRequest(const LawRequest& request);
+
+/// Checks that the tool can be pressed this deep (mm). Returns "" or an error message.
+PALPATERESPONSE_EXPORT std::string checkToolDepth(const AxisymmetricTool& tool, double deflection);
 
 /// Attaches the response to the body, see vtkToolContactResponse. `output` is empty if
 /// `goOn(fraction)` returns false. Returns "" or an error message; `warning` is a warning or "".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/BodyRegime.h"
 
+#include "Mechanics/Checked.h"
 #include "Response/Bodies/BodyYield.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Laws/RegimeLaw.h"
@@ -128,9 +129,10 @@ std::string attachRegime(
   if (hasPiece)
   {
     tool = findTool(request.tool, body, name, fault);
-    fault = fault.empty() && !tool->GetKernel() ? "The Tool is invalid" : fault;
-    fault = fault.empty() ? findDepths(body, request, depths) : fault;
-    fault = fault.empty() ? readMaterial(body, arraysOf(body, request), material) : fault;
+    fault = firstFault([&] { return fault; },
+      [&] { return std::string(tool->GetKernel() ? "" : "The Tool is invalid"); },
+      [&] { return findDepths(body, request, depths); },
+      [&] { return readMaterial(body, arraysOf(body, request), material); });
   }
   double deepest = depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
   deepest = ranks.largest(deepest);

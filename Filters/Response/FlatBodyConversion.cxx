@@ -2,8 +2,8 @@
 #include "Response/FlatBodyConversion.h"
 
 #include "Response/BodyConversion.h"
-#include "Response/Curves/TiltConversion.h"
 #include "Contact/FlatBodyFile.h"
+#include "Response/Terms/LawTerm.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -65,37 +65,6 @@ void addCurves(const FlatBody& flat, const std::string& name, vtkPolyData* body)
     arrayName(name, ResponseArray::Force), response.force, response.samples, count));
   body->GetPointData()->AddArray(copied<vtkFloatArray>(
     arrayName(name, ResponseArray::Stiffness), response.stiffness, response.samples, count));
-}
-
-void addRelaxation(const FlatBody& flat, const std::string& name, vtkPolyData* body)
-{
-  const RelaxationTerms& terms = flat.response.relaxation;
-  if (terms.series.count == 0)
-  {
-    return;
-  }
-  describeRelaxation(body, name, terms.series);
-  const auto add = [&](ResponseArray which, const float* values, std::size_t components)
-  {
-    if (values)
-    {
-      body->GetPointData()->AddArray(copied<vtkFloatArray>(arrayName(name, which), values,
-        static_cast<int>(components), static_cast<vtkIdType>(flat.points)));
-    }
-  };
-  add(ResponseArray::LocalRelaxation, terms.strength, terms.series.count);
-  add(ResponseArray::ElasticCompliance, terms.elasticCompliance, 1);
-}
-void addTilts(const FlatBody& flat, const std::string& name, vtkPolyData* body)
-{
-  const TiltViews& tilt = flat.response.tilt;
-  if (tilt.areFelt())
-  {
-    const std::size_t count =
-      tilt.weight ? flat.points * static_cast<std::size_t>(tilt.terms.laws) : 0;
-    describeTilts(body, name, TiltTable(tilt.terms, tilt.drops, tilt.nodes),
-      std::vector<float>(tilt.weight, tilt.weight + count));
-  }
 }
 } // namespace
 
@@ -174,16 +143,10 @@ vtkSmartPointer<vtkPolyData> readFlatBody(
     copied<vtkUnsignedCharArray>(arrayName(name, ResponseArray::Limit), flat.limit, 1, count));
   describeResponse(
     body, name, { response.exponent, response.samples, flat.tool, flat.model, flat.modelParts });
-  if (response.edges.areFelt())
+  for (const LawTerm* term : lawTerms())
   {
-    describeEdges(body, name, response.edges);
+    term->describe(body, name, response);
   }
-  addRelaxation(flat, name, body);
-  if (response.coupling.areFelt())
-  {
-    describeCoupling(body, name, response.coupling);
-  }
-  addTilts(flat, name, body);
   return body;
 }
 } // namespace palpate

@@ -39,10 +39,11 @@ void addFloats(vtkPolyData* body, const std::string& name, ResponseArray which, 
   placeOf(contractOf(which), body)->AddArray(array);
 }
 
-void addText(vtkPolyData* body, const std::string& name, const std::string& text)
+void addText(
+  vtkPolyData* body, const std::string& name, ResponseArray which, const std::string& text)
 {
   vtkNew<vtkStringArray> array;
-  array->SetName(name.c_str());
+  array->SetName(arrayName(name, which).c_str());
   array->InsertNextValue(text);
   body->GetFieldData()->AddArray(array);
 }

@@ -19,9 +19,9 @@ PALPATERESPONSE_EXPORT void removeCurves(vtkPolyData* body, const std::string& n
 /// Attaches values at the place that the contract defines. Replaces an array of the same name.
 PALPATERESPONSE_EXPORT void addFloats(vtkPolyData* body, const std::string& name,
   ResponseArray which, int components, const std::vector<float>& values);
-/// Attaches a text as a field array. Replaces an array of the same name.
+/// Attaches a text. Replaces an array of the same name.
 PALPATERESPONSE_EXPORT void addText(
-  vtkPolyData* body, const std::string& name, const std::string& text);
+  vtkPolyData* body, const std::string& name, ResponseArray which, const std::string& text);
 } // namespace palpate
 
 #endif

@@ -19,7 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <sstream>
 
 vtkStandardNewMacro(vtkContactDeflection);
@@ -32,20 +31,6 @@ vtkContactDeflection::vtkContactDeflection()
 }
 
 vtkContactDeflection::~vtkContactDeflection() = default;
-
-void vtkContactDeflection::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkContactDeflection::GetTool()
-{
-  return this->Tool;
-}
 
 void vtkContactDeflection::SetController(vtkMultiProcessController* controller)
 {
@@ -60,12 +45,6 @@ void vtkContactDeflection::SetController(vtkMultiProcessController* controller)
 vtkMultiProcessController* vtkContactDeflection::GetController()
 {
   return this->Controller;
-}
-
-vtkMTimeType vtkContactDeflection::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
 }
 
 int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
@@ -163,9 +142,7 @@ void vtkContactDeflection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller.Get() << "\n";
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "TipIndex: " << this->TipIndex << "\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << " mm\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

@@ -59,7 +59,7 @@
 #define vtkContactDeflection_h
 
 #include "palpateResponseModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkToolFilter.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
@@ -73,18 +73,12 @@ namespace palpate
 class BodyField;
 } // namespace palpate
 
-class PALPATERESPONSE_EXPORT vtkContactDeflection : public vtkPolyDataAlgorithm
+class PALPATERESPONSE_EXPORT vtkContactDeflection : public vtkToolFilter
 {
 public:
   static vtkContactDeflection* New();
-  vtkTypeMacro(vtkContactDeflection, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkContactDeflection, vtkToolFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** The tool; default: the tool that the response names. */
-  virtual void SetTool(vtkContactTool* tool);
-  vtkContactTool* GetTool();
-  ///@}
 
   ///@{
   /** Index of the tip in port 1; -1 (default): the last tip. */
@@ -109,12 +103,6 @@ public:
   ///@}
 
   ///@{
-  /** Prefix of the response arrays, for the tool's name. Default "Response". */
-  vtkSetMacro(ResponseName, std::string);
-  vtkGetMacro(ResponseName, std::string);
-  ///@}
-
-  ///@{
   /**
    * The processes that each have a piece of the body. Default: the global controller at the time
    * when the filter is made. With none, or with one process, the input is the whole body.
@@ -126,8 +114,6 @@ public:
   /** The probe's output, port 1. */
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
-
-  vtkMTimeType GetMTime() override;
 
 protected:
   vtkContactDeflection();
@@ -146,11 +132,9 @@ private:
   std::string FindTool(vtkPolyData* body, vtkSmartPointer<vtkContactTool>& tool);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  vtkSmartPointer<vtkContactTool> Tool;
   vtkIdType TipIndex = -1;
   double PoissonRatio = 0.45;
   double MaximumDistance = 0.0;
-  std::string ResponseName = "Response";
   std::unique_ptr<palpate::BodyField> Field;
 };
 

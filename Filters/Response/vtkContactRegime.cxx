@@ -11,8 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkContactRegime);
 
 vtkContactRegime::vtkContactRegime()
@@ -36,26 +34,6 @@ vtkMultiProcessController* vtkContactRegime::GetController()
   return this->Controller;
 }
 
-void vtkContactRegime::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkContactRegime::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkContactRegime::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
-
 int vtkContactRegime::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -71,11 +49,7 @@ int vtkContactRegime::RequestData(
       this, [this, &body](int index) { return this->GetInputArrayToProcess(index, body); }) };
   const std::string fault =
     palpate::attachRegime(ranks, body, request, vtkPolyData::GetData(outputVector));
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-  }
-  return fault.empty() ? 1 : 0;
+  return this->Report(fault);
 }
 
 void vtkContactRegime::AddLayer(
@@ -103,7 +77,6 @@ void vtkContactRegime::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller.Get() << "\n";
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
   os << indent << "Deflection: " << this->Deflection << " mm\n";
   os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
   os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
@@ -113,5 +86,4 @@ void vtkContactRegime::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AddedLayers: " << this->AddedLayers.size() << "\n";
   os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

@@ -56,7 +56,7 @@
 #define vtkContactRegime_h
 
 #include "palpateResponseModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkToolFilter.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <array>  // For std::array
@@ -66,18 +66,12 @@
 class vtkContactTool;
 class vtkMultiProcessController;
 
-class PALPATERESPONSE_EXPORT vtkContactRegime : public vtkPolyDataAlgorithm
+class PALPATERESPONSE_EXPORT vtkContactRegime : public vtkToolFilter
 {
 public:
   static vtkContactRegime* New();
-  vtkTypeMacro(vtkContactRegime, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkContactRegime, vtkToolFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** The tool; default: the tool that the response names. */
-  virtual void SetTool(vtkContactTool* tool);
-  vtkContactTool* GetTool();
-  ///@}
 
   ///@{
   /** Depth of the verdict, mm. 0 (default): half of the response's Range at each point. */
@@ -112,18 +106,10 @@ public:
   ///@}
 
   ///@{
-  /** Prefix of the response arrays. Default "Response". */
-  vtkSetMacro(ResponseName, std::string);
-  vtkGetMacro(ResponseName, std::string);
-  ///@}
-
-  ///@{
   /** As in vtkToolContactResponse. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
-
-  vtkMTimeType GetMTime() override;
 
 protected:
   vtkContactRegime();
@@ -136,7 +122,6 @@ private:
   void operator=(const vtkContactRegime&) = delete;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  vtkSmartPointer<vtkContactTool> Tool;
   double Deflection = 0.0;
   double YoungsModulus = 0.1;
   double PoissonRatio = 0.45;
@@ -146,7 +131,6 @@ private:
   std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
-  std::string ResponseName = "Response";
 };
 
 #endif

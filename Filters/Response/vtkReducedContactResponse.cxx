@@ -128,9 +128,9 @@ int vtkReducedContactResponse::RequestData(
 
   palpate::copyWithOwnFields(body, output);
   replaceCurves(output, this->ResponseName, reduced);
-  palpate::addText(output, this->ResponseName + "Reduction", this->Report);
+  palpate::addText(output, this->ResponseName, ResponseArray::Reduction, this->Report);
   vtkNew<vtkDoubleArray> largest;
-  largest->SetName((this->ResponseName + "ReductionError").c_str());
+  largest->SetName(palpate::arrayName(this->ResponseName, ResponseArray::ReductionError).c_str());
   largest->InsertNextValue(this->LargestError);
   output->GetFieldData()->AddArray(largest);
   return 1;

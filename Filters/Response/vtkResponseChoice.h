@@ -35,6 +35,10 @@
  * error stays within `Tolerance` of the largest force of a press. The number is for the worst of
  * the studied motions (palpate/RelaxationError.h), since the speed of the tool is unknown.
  *
+ * **Tilt and coupling** are left out, with their arrays, if they change no force by more than
+ * `Tolerance`. Otherwise the reason gives the change, and for coupling the distance beyond which
+ * another tool does not matter (palpate/CouplingNeed.h).
+ *
  * GetReason and the field array `<name>Choice` describe the choice with its numbers. They also
  * report where Deflection is beyond Validity: the law's numbers are kept there, but the law no
  * longer describes the body.

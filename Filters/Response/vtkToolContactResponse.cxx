@@ -14,8 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkToolContactResponse);
 
 vtkToolContactResponse::vtkToolContactResponse()
@@ -39,70 +37,40 @@ vtkMultiProcessController* vtkToolContactResponse::GetController()
   return this->Controller;
 }
 
-void vtkToolContactResponse::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkToolContactResponse::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkToolContactResponse::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
-
 int vtkToolContactResponse::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const palpate::Ranks ranks(this->Controller);
   const auto body = palpate::ownPiece(vtkPolyData::GetData(inputVector[0]), ranks);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  palpate::RelaxationRequest relaxation;
-  std::string fault = this->Relaxations.fillSeries(relaxation.series);
+  palpate::LawRequest request;
+  std::string fault = this->FillRequest(request);
   if (!fault.empty())
   {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
+    return this->Report(fault);
   }
   const auto find = [this, &body](int index) { return this->GetInputArrayToProcess(index, body); };
-  relaxation.strength = palpate::arrayToProcess(this, palpate::RelaxationArrayIndex, find);
-  relaxation.complianceRelaxes = this->ComplianceRelaxes;
-  const palpate::LawRequest request{ this->Tool, this->ResponseName, this->MaximumDeflection,
-    palpate::layeredMaterial(
-      { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
-        this->LayerBase == 1 ? palpate::LayerBase::Slip : palpate::LayerBase::Bonded,
-        this->ComplianceExcludesLayer },
-      this->AddedLayers, this->LayerBase == 2, this->BaseYoungsModulus, this->BasePoissonRatio),
-    palpate::arraysToProcess(this, find), this->NumberOfSamples,
-    { this->CurvatureCorrection,
-      { static_cast<palpate::StrainModel>(this->StrainModel),
-        this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent },
-      this->ErrorTolerance, this->StoreError, this->AutomaticTerms, this->TermTolerance,
-      this->EdgeCorrection, this->MaximumTilt },
-    nullptr, relaxation, this->Coupling,
-    palpate::arrayToProcess(this, palpate::PressedArrayIndex, find), this->WholeBody };
+  request.material = palpate::layeredMaterial(
+    { this->YoungsModulus, this->PoissonRatio, this->LayerThickness,
+      this->LayerBase == 1 ? palpate::LayerBase::Slip : palpate::LayerBase::Bonded,
+      this->ComplianceExcludesLayer },
+    this->AddedLayers, this->LayerBase == 2, this->BaseYoungsModulus, this->BasePoissonRatio);
+  request.arrays = palpate::arraysToProcess(this, find);
+  request.terms.curvature = this->CurvatureCorrection;
+  request.relaxation.strength = palpate::arrayToProcess(this, palpate::RelaxationArrayIndex, find);
+  request.relaxation.complianceRelaxes = this->ComplianceRelaxes;
+  request.couples = this->Coupling;
+  request.pressed = palpate::arrayToProcess(this, palpate::PressedArrayIndex, find);
+  request.wholeBody = this->WholeBody;
   std::string warning;
   fault = palpate::attachResponse(
     ranks, body, request, palpate::FilterStage{ this, 0.0, 1.0 }, output, warning);
   this->TermReason = palpate::termsReason(output, this->ResponseName);
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
-  }
-  if (!warning.empty())
+  if (fault.empty() && !warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
   }
-  return 1;
+  return this->Report(fault);
 }
 
 void vtkToolContactResponse::AddLayer(
@@ -121,20 +89,6 @@ void vtkToolContactResponse::ClearLayers()
   }
 }
 
-void vtkToolContactResponse::AddRelaxation(double strength, double seconds)
-{
-  this->Relaxations.add(strength, seconds);
-  this->Modified();
-}
-
-void vtkToolContactResponse::ClearRelaxations()
-{
-  if (this->Relaxations.clear())
-  {
-    this->Modified();
-  }
-}
-
 int vtkToolContactResponse::GetNumberOfAddedLayers()
 {
   return static_cast<int>(this->AddedLayers.size());
@@ -144,10 +98,6 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller.Get() << "\n";
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
-  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
-  os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
   os << indent << "LayerBase: " << this->LayerBase << "\n";
   os << indent << "ComplianceExcludesLayer: " << this->ComplianceExcludesLayer << "\n";
   os << indent << "WholeBody: " << this->WholeBody << "\n";
@@ -155,19 +105,6 @@ void vtkToolContactResponse::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BaseYoungsModulus: " << this->BaseYoungsModulus << " MPa\n";
   os << indent << "BasePoissonRatio: " << this->BasePoissonRatio << "\n";
   os << indent << "CurvatureCorrection: " << this->CurvatureCorrection << "\n";
-  os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
-  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
   os << indent << "Coupling: " << this->Coupling << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
   os << indent << "ComplianceRelaxes: " << this->ComplianceRelaxes << "\n";
-  os << indent << "StrainModel: " << this->StrainModel << "\n";
-  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
-  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "StoreError: " << this->StoreError << "\n";
-  os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
-  os << indent << "TermTolerance: " << this->TermTolerance << "\n";
-  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
 }

@@ -20,6 +20,19 @@
  *   `LayerBase` (uint8), which vtkContactDeflection uses.
  * palpate/contract.py describes how to evaluate them.
  *
+ * The settings of the material, of strain, error, edges, tilt and relaxation are those of
+ * vtkTissueFilter and vtkResponseFilter. If array to process 5 gives strengths of relaxations, the
+ * output has the point array `<name>LocalRelaxation` (float, a component each). In a stack all
+ * layers have the one StrainModel and are bonded to each other; layers that slip on each other are
+ * an error. With an ErrorTolerance of 0 validity ends where the first assumption fails, see below.
+ *
+ * **AutomaticTerms**: edges are left out if the body has none. Layers, CurvatureCorrection and
+ * finite strain are left out if together they change the force by no more than TermTolerance.
+ * Finite strain is kept if the error stated without it would exceed that; Neo-Hooke is then added
+ * if its tables have the tool. The change is judged up to MaximumDeflection, at 95 % of about 400
+ * points (palpate/TermEffect.h). TermReason lists the terms that are included and left out, with
+ * per cents.
+ *
  * **Error** (point data, float n) is the estimated relative error of the force at each sample, by
  * strain, curvature, thickness, edge, storage and the elements of a compliance
  * (palpate/ErrorRule.h). **Validity** is the largest depth, at most Range, at which the error is
@@ -73,51 +86,26 @@
  * response.Update()
  * @endcode
  *
- * @sa vtkContactTool vtkToolContactProbe
+ * @sa vtkResponseFilter vtkContactTool vtkToolContactProbe
  */
 #ifndef vtkToolContactResponse_h
 #define vtkToolContactResponse_h
 
-#include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
-#include "palpateResponseModule.h"          // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "palpateResponseModule.h" // For export macro
+#include "vtkResponseFilter.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <array>  // For std::array
-#include <string> // For std::string
 #include <vector> // For std::vector
 
-class vtkContactTool;
 class vtkMultiProcessController;
 
-class PALPATERESPONSE_EXPORT vtkToolContactResponse : public vtkPolyDataAlgorithm
+class PALPATERESPONSE_EXPORT vtkToolContactResponse : public vtkResponseFilter
 {
 public:
   static vtkToolContactResponse* New();
-  vtkTypeMacro(vtkToolContactResponse, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkToolContactResponse, vtkResponseFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** The tool; required. Its changes count in this filter's modification time. */
-  virtual void SetTool(vtkContactTool* tool);
-  vtkContactTool* GetTool();
-  ///@}
-
-  ///@{
-  /** Young's modulus E, MPa, > 0, and Poisson's ratio, 0 to 0.5, of points without an array.
-   * Default 0.1 and 0.45. */
-  vtkSetMacro(YoungsModulus, double);
-  vtkGetMacro(YoungsModulus, double);
-  vtkSetMacro(PoissonRatio, double);
-  vtkGetMacro(PoissonRatio, double);
-  ///@}
-
-  ///@{
-  /** Thickness h of an elastic layer on a rigid base, mm, of points without an array. 0, the
-   * default, means a half-space. */
-  vtkSetMacro(LayerThickness, double);
-  vtkGetMacro(LayerThickness, double);
-  ///@}
 
   /// Values of LayerBase.
   enum LayerBaseType
@@ -186,39 +174,6 @@ public:
 
   ///@{
   /**
-   * Whether sharp convex edges have an effect: a contact near an edge is softer and is pushed off
-   * the body, and its force falls to zero as it leaves over the edge (palpate/BodyEdges.h; Hetényi
-   * 1970). The curves remain those far from edges. A field array `<name>Edges` (double 5: exponent
-   * m, contact radius at 1 mm in mm, Poisson's ratio, extent in mm, 1 if the curves include the
-   * edges) lets probe, touch and servo loop apply them; the error includes the rest of their
-   * effect. Default off: the force drops where a contact passes an edge.
-   */
-  vtkSetMacro(EdgeCorrection, bool);
-  vtkGetMacro(EdgeCorrection, bool);
-  vtkBooleanMacro(EdgeCorrection, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Largest tilt of the tool against the body's normal, degrees, >= 0. Default 0: the tool counts
-   * as upright, whatever its axis.
-   *
-   * Above 0 the output has the field arrays `<name>Tilt`, `<name>TiltDrop`, `<name>TiltNode`
-   * (double) and, if points differ in more than their modulus, the point array `<name>TiltWeight`
-   * (float): how a tilt changes the work of the upright tool (palpate/TiltTable.h). A probe or
-   * session that knows the tool's axis then applies its tilt, and a torque. The law is exact for a
-   * sphere and, on a half-space, for a flat end. Its error is 0.5 % for cones, 1 % for other tools,
-   * and 3 % for flat-ended tools beyond a tenth of their size. On layers it uses the axisymmetric
-   * tool of equal contact radius, within Validity. An angle within 4 degrees of that at which a
-   * flank of the tool is parallel to the surface, or beyond, is an error. Cost: a few seconds for
-   * each tool without closed form.
-   */
-  vtkSetMacro(MaximumTilt, double);
-  vtkGetMacro(MaximumTilt, double);
-  ///@}
-
-  ///@{
-  /**
    * Whether several tools that press at once interact (vtkToolContactProbe::Coupled,
    * palpate/CoupledContacts.h). The law C(r), the deflection per force at the distance r from the
    * force, is stored in the field array `<name>Coupling` (double 3), for the half-space or the
@@ -235,26 +190,6 @@ public:
   ///@}
 
   ///@{
-  /**
-   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has a strength p >= 0, relative
-   * to the slow modulus E∞, and a time τ > 0 in seconds; up to four. Default none.
-   *
-   * Poisson's ratio does not change. Curves, YoungsModulus and Error are those of the slow
-   * response; the force in time is larger, up to 1 + Σ p times (palpate/ToolContact.h). A fraction
-   * g of the instantaneous modulus, as in the literature, is p = g/(1 - Σ g). A modulus measured in
-   * a press at constant speed is above the slow one (palpate/PronySeries.h, rampFactor). The output
-   * has the field arrays `<name>RelaxationStrength` and `<name>RelaxationTime` (double, a tuple
-   * each, s) and, if array to process 5 gives strengths, `<name>LocalRelaxation` (point data,
-   * float, a component each).
-   */
-  void AddRelaxation(double strength, double seconds);
-  void ClearRelaxations();
-  int GetNumberOfRelaxations() { return this->Relaxations.count(); }
-  double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
-  double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
-  ///@}
-
-  ///@{
   /** Whether the global compliance is of the same material and relaxes with it. Default on; off:
    * the compliance is elastic, a spring below a body that relaxes. It is then stored as point array
    * `<name>ElasticCompliance` (float, mm/N) and must be >= 0. No effect without relaxation. */
@@ -263,99 +198,12 @@ public:
   vtkBooleanMacro(ComplianceRelaxes, bool);
   ///@}
 
-  /// Values of StrainModel.
-  enum StrainModelType
-  {
-    SmallStrain = 0,
-    NeoHooke = 1,
-    Ogden = 2,
-    Demiray = 3
-  };
-
-  ///@{
-  /**
-   * Law of the body at large strain: SmallStrain (default), the exact laws of linear elasticity;
-   * NeoHooke; Ogden with one term of the exponent OgdenExponent; Demiray with the exponent
-   * DemirayExponent. Modulus and Poisson's ratio are those at small strain. In a stack all layers
-   * have this one model and are bonded to each other; layers that slip on each other are an error.
-   */
-  vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
-  vtkGetMacro(StrainModel, int);
-  void SetStrainModelToSmallStrain() { this->SetStrainModel(SmallStrain); }
-  void SetStrainModelToNeoHooke() { this->SetStrainModel(NeoHooke); }
-  void SetStrainModelToOgden() { this->SetStrainModel(Ogden); }
-  void SetStrainModelToDemiray() { this->SetStrainModel(Demiray); }
-  ///@}
-
-  ///@{
-  /** Ogden's exponent, not 0, and Demiray's exponent b, > 0. Default 2 (Neo-Hooke) and 1. */
-  vtkSetMacro(OgdenExponent, double);
-  vtkGetMacro(OgdenExponent, double);
-  vtkSetMacro(DemirayExponent, double);
-  vtkGetMacro(DemirayExponent, double);
-  ///@}
-
-  ///@{
-  /**
-   * Validity ends where the estimated relative error of the force (palpate/ErrorRule.h) exceeds
-   * this. Default 0.05, 5 %. 0: Validity is the depth at which the first assumption fails, as
-   * above. StoreError: whether the error at each sample is stored in the array `Error`, for
-   * displays. Default on; no effect if ErrorTolerance is 0.
-   */
-  vtkSetMacro(ErrorTolerance, double);
-  vtkGetMacro(ErrorTolerance, double);
-  vtkSetMacro(StoreError, bool);
-  vtkGetMacro(StoreError, bool);
-  vtkBooleanMacro(StoreError, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to choose the terms of the law by their effect. Edges are left out if the body has
-   * none. Layers, CurvatureCorrection and finite strain are left out if together they change the
-   * force by no more than TermTolerance. Finite strain is kept if the error stated without it would
-   * exceed that; Neo-Hooke is then added if its tables have the tool. The change is judged up to
-   * MaximumDeflection, at 95 % of about 400 points (palpate/TermEffect.h). GetTermReason and the
-   * field array `<name>Terms` list the terms that are included and left out, with per cents.
-   * Default off: all terms as set.
-   */
-  vtkSetMacro(AutomaticTerms, bool);
-  vtkGetMacro(AutomaticTerms, bool);
-  vtkBooleanMacro(AutomaticTerms, bool);
-  ///@}
-
-  ///@{
-  /** Relative change of the force that AutomaticTerms may leave out, >= 0. Default 0.01. */
-  vtkSetMacro(TermTolerance, double);
-  vtkGetMacro(TermTolerance, double);
-  ///@}
-
-  /// Result of the last execution: the terms that AutomaticTerms included and left out; "" without
-  /// it.
-  vtkGetMacro(TermReason, std::string);
-
-  ///@{
-  /** Depth of the last sample, mm, > 0, and samples per curve n, 2 to 256. Default 2 and 8. */
-  vtkSetMacro(MaximumDeflection, double);
-  vtkGetMacro(MaximumDeflection, double);
-  vtkSetMacro(NumberOfSamples, int);
-  vtkGetMacro(NumberOfSamples, int);
-  ///@}
-
-  ///@{
-  /** Prefix of the arrays. Use a different prefix for each tool on one body. Default "Response". */
-  vtkSetMacro(ResponseName, std::string);
-  vtkGetMacro(ResponseName, std::string);
-  ///@}
-
   ///@{
   /** The processes that each have a piece of the body. Default: the global controller at the time
    * when the filter is made. With none, or with one process, the input is the whole body. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
-
-  vtkMTimeType GetMTime() override;
 
 protected:
   vtkToolContactResponse();
@@ -368,10 +216,6 @@ private:
   void operator=(const vtkToolContactResponse&) = delete;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  vtkSmartPointer<vtkContactTool> Tool;
-  double YoungsModulus = 0.1;
-  double PoissonRatio = 0.45;
-  double LayerThickness = 0.0;
   int LayerBase = Bonded;
   bool ComplianceExcludesLayer = false;
   bool WholeBody = false;
@@ -379,22 +223,8 @@ private:
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;
-  bool EdgeCorrection = false;
-  double MaximumTilt = 0.0;
   bool Coupling = false;
-  palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;
-  int StrainModel = SmallStrain;
-  double OgdenExponent = 2.0;
-  double DemirayExponent = 1.0;
-  double ErrorTolerance = 0.05;
-  bool StoreError = true;
-  bool AutomaticTerms = false;
-  double TermTolerance = 0.01;
-  std::string TermReason;
-  double MaximumDeflection = 2.0;
-  int NumberOfSamples = 8;
-  std::string ResponseName = "Response";
 };
 
 #endif

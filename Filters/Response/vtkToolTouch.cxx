@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkToolTouch.h"
 
+#include "Mechanics/Checked.h"
 #include "Response/Touch/CoupledTips.h"
 #include "Response/BodyConversion.h"
 #include "Response/Bodies/SoundBody.h"
@@ -195,7 +196,10 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   this->AutomaticScale = std::isfinite(wanted) && wanted > 0.0 ? palpate::roundDown(wanted) : 1.0;
   this->Contact = palpate::makeContactBody(copy, this->ResponseName, fault,
     [this](double share) { this->UpdateProgress(ProbeShare * share); });
-  fault = fault.empty() ? palpate::checkBody(copy, this->ResponseName) : fault;
+  if (fault.empty())
+  {
+    fault = palpate::checkBody(copy, this->ResponseName);
+  }
   if (!fault.empty())
   {
     vtkErrorMacro(<< "Wrong body: " << fault << ".");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBodyCompliance.h"
 
+#include "Mechanics/Checked.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/FilterThreads.h"
 #include "SolidResponse/Bodies/YieldSolution.h"
@@ -40,8 +41,8 @@ std::string vtkBodyCompliance::Attach(vtkPolyData* body, vtkPolyData* output)
     return "Wrong input: " + sound.fault();
   }
   palpate::BodyYield found;
-  std::string fault = palpate::checkYieldRequest(request);
-  fault = fault.empty() ? palpate::solveYield(sound.body(), request, this, found) : fault;
+  const std::string fault = palpate::firstFault([&] { return palpate::checkYieldRequest(request); },
+    [&] { return palpate::solveYield(sound.body(), request, this, found); });
   for (const std::string& warning : found.warnings)
   {
     vtkWarningMacro(<< warning);

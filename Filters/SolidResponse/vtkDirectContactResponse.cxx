@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDirectContactResponse.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
@@ -70,26 +71,6 @@ vtkDirectContactResponse::vtkDirectContactResponse()
 }
 vtkDirectContactResponse::~vtkDirectContactResponse() = default;
 
-void vtkDirectContactResponse::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkDirectContactResponse::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkDirectContactResponse::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
-
 int vtkDirectContactResponse::FillInputPortInformation(int port, vtkInformation* info)
 {
   const bool isSolid = port == 1 || port == 2;
@@ -131,13 +112,15 @@ int vtkDirectContactResponse::RequestData(
   vtkUnstructuredGrid* body = vtkUnstructuredGrid::GetData(inputVector[1]);
   vtkUnstructuredGrid* coarser = vtkUnstructuredGrid::GetData(inputVector[2]);
   vtkPolyData* shape = vtkPolyData::GetData(inputVector[3]);
-  std::string fault = this->CheckProperties();
-  fault = fault.empty() && !surface ? "Wrong input: " + sound.fault() : fault;
-  fault = fault.empty() ? this->CheckResponse(surface, body, coarser) : fault;
-  if (fault.empty() && !palpate::hasSurfaceMesher())
-  {
-    fault = std::string("No part can be filled: ") + palpate::missingMesher();
-  }
+  std::string fault = palpate::firstFault([this] { return this->CheckProperties(); },
+    [&] { return palpate::prefixed("Wrong input: ", sound.fault()); },
+    [&] { return this->CheckResponse(surface, body, coarser); },
+    []
+    {
+      return palpate::hasSurfaceMesher()
+        ? std::string()
+        : std::string("No part can be filled: ") + palpate::missingMesher();
+    });
   if (fault.empty())
   {
     palpate::copyWithOwnFields(surface, output);
@@ -147,21 +130,21 @@ int vtkDirectContactResponse::RequestData(
       points.end());
     Bodies bodies;
     bool isEnded = false;
-    fault = points.empty() ? std::string()
-                           : this->Prepare(shape ? shape : surface, body, coarser, bodies, isEnded);
-    fault = fault.empty() && !isEnded ? this->Press(points, bodies, output) : fault;
+    fault = palpate::firstFault(
+      [&]
+      {
+        return points.empty()
+          ? std::string()
+          : this->Prepare(shape ? shape : surface, body, coarser, bodies, isEnded);
+      },
+      [&] { return isEnded ? std::string() : this->Press(points, bodies, output); });
     sound.giveBack(output);
   }
   if (!fault.empty() || palpate::isAborted(this))
   {
     output->Initialize();
   }
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
-  }
-  return 1;
+  return this->Report(fault);
 }
 
 std::string vtkDirectContactResponse::CheckProperties()
@@ -171,14 +154,16 @@ std::string vtkDirectContactResponse::CheckProperties()
   request.responseName = this->ResponseName;
   request.deflection = this->MaximumDeflection;
   request.terms.errorTolerance = this->ErrorTolerance;
-  std::string fault = palpate::checkShapedRequest(request);
-  if (fault.empty() && !(this->ErrorTolerance > 0.0))
-  {
-    fault = palpate::joined("Error Tolerance must be positive, but is ", this->ErrorTolerance);
-  }
   palpate::FactorRequest factor;
   factor.material = { this->YoungsModulus, this->PoissonRatio };
-  return fault.empty() ? palpate::checkFactorRequest(factor) : fault;
+  return palpate::firstFault([&] { return palpate::checkShapedRequest(request); },
+    [this]
+    {
+      return this->ErrorTolerance > 0.0
+        ? std::string()
+        : palpate::joined("Error Tolerance must be positive, but is ", this->ErrorTolerance);
+    },
+    [&] { return palpate::checkFactorRequest(factor); });
 }
 
 std::string vtkDirectContactResponse::CheckResponse(
@@ -258,9 +243,9 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
     body, request, palpate::FilterStage{ this, 0.0, RestShare }, memory, ended);
   if (fault.empty() && !ended)
   {
-    fault = bodies.coarser.factorise(
-      coarser, request, palpate::FilterStage{ this, RestShare, BothRestsShare }, memory, ended);
-    fault = fault.empty() ? fault : "Coarser: " + fault;
+    fault = palpate::prefixed("Coarser: ",
+      bodies.coarser.factorise(
+        coarser, request, palpate::FilterStage{ this, RestShare, BothRestsShare }, memory, ended));
   }
   if (!fault.empty() || ended)
   {
@@ -268,9 +253,10 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   }
   const double radius = this->Tool->GetKernel()->contactRadius(this->MaximumDeflection);
   palpate::HeldFaces faces{};
-  fault = palpate::readHeldFaces(this->FixedFaces, bodies.rest.spacing(), faces);
-  fault = fault.empty() ? palpate::takeSurface(shape, bodies.surface) : fault;
-  fault = fault.empty() ? palpate::mendAndCut(radius, faces, bodies.surface) : fault;
+  fault = palpate::firstFault([&]
+    { return palpate::readHeldFaces(this->FixedFaces, bodies.rest.spacing(), faces); },
+    [&] { return palpate::takeSurface(shape, bodies.surface); },
+    [&] { return palpate::mendAndCut(radius, faces, bodies.surface); });
   for (const std::string& warning : bodies.surface.warnings)
   {
     vtkWarningMacro(<< warning);
@@ -279,10 +265,8 @@ std::string vtkDirectContactResponse::Prepare(vtkPolyData* shape, vtkUnstructure
   {
     return fault;
   }
-  const palpate::StrainLaw law{ static_cast<palpate::StrainModel>(this->StrainModel),
-    this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent };
   const palpate::FilterStage stage{ this, BothRestsShare, BothRestsShare };
-  fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), law,
+  fault = palpate::makeStrainCorrection(*this->Tool->GetKernel(), this->strainLaw(),
     palpate::StrainBodies{ this->PoissonRatio, this->PoissonRatio }, this->MaximumDeflection, stage,
     bodies.strain);
   ended = fault.empty() && !bodies.strain;
@@ -307,7 +291,7 @@ std::string vtkDirectContactResponse::Press(
     ownCopy<vtkUnsignedCharArray>(output, name, ResponseArray::Limit)->GetPointer(0),
     ownCopy<vtkFloatArray>(output, name, ResponseArray::Error)->GetPointer(0) };
   vtkNew<vtkUnsignedCharArray> became;
-  became->SetName((name + "Direct").c_str());
+  became->SetName(palpate::arrayName(name, ResponseArray::Direct).c_str());
   became->SetNumberOfValues(output->GetNumberOfPoints());
   became->Fill(static_cast<double>(DirectOutcome::NotPressed));
   std::vector<std::string> faults(points.size());
@@ -359,8 +343,7 @@ std::string vtkDirectContactResponse::Press(
                     << ", since " << faults[first] << ".");
   }
   output->GetPointData()->AddArray(became);
-  const std::string model = palpate::arrayName(name, ResponseArray::Model);
-  palpate::addText(output, model,
+  palpate::addText(output, name, ResponseArray::Model,
     palpate::joined(palpate::responseText(output, name, ResponseArray::Model),
       "; by direct contact at ", this->NumberOfReplaced, " points"));
   return {};
@@ -369,16 +352,7 @@ std::string vtkDirectContactResponse::Press(
 void vtkDirectContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
-  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
-  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "FixedFaces: " << this->FixedFaces << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
-  os << indent << "StrainModel: " << this->StrainModel << "\n";
-  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
-  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
   os << indent << "NumberOfPresses: " << this->NumberOfPresses << "\n";
   os << indent << "NumberOfReplaced: " << this->NumberOfReplaced << "\n";
 }

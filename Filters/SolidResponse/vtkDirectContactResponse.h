@@ -62,7 +62,7 @@
 #define vtkDirectContactResponse_h
 
 #include "palpateSolidResponseModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkTissueFilter.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
@@ -70,7 +70,6 @@
 #include <vector> // For std::vector
 
 class vtkAlgorithmOutput;
-class vtkContactTool;
 class vtkUnstructuredGrid;
 
 namespace palpate
@@ -80,11 +79,11 @@ class StrainCorrection;
 struct PreparedSurface;
 } // namespace palpate
 
-class PALPATESOLIDRESPONSE_EXPORT vtkDirectContactResponse : public vtkPolyDataAlgorithm
+class PALPATESOLIDRESPONSE_EXPORT vtkDirectContactResponse : public vtkTissueFilter
 {
 public:
   static vtkDirectContactResponse* New();
-  vtkTypeMacro(vtkDirectContactResponse, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectContactResponse, vtkTissueFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -105,32 +104,6 @@ public:
   ///@}
 
   ///@{
-  /** The tool of the response; required. Its changes count in this filter's modification time. */
-  virtual void SetTool(vtkContactTool* tool);
-  vtkContactTool* GetTool();
-  ///@}
-
-  ///@{
-  /** E, MPa, > 0; ν, 0 to 0.499. Default 0.1 and 0.45. */
-  vtkSetMacro(YoungsModulus, double);
-  vtkGetMacro(YoungsModulus, double);
-  vtkSetMacro(PoissonRatio, double);
-  vtkGetMacro(PoissonRatio, double);
-  ///@}
-
-  ///@{
-  /** Depth to which the curves are needed, mm, > 0: usually that of the response. Default 2. */
-  vtkSetMacro(MaximumDeflection, double);
-  vtkGetMacro(MaximumDeflection, double);
-  ///@}
-
-  ///@{
-  /** Relative error of the force up to which a point is not pressed, > 0. Default 0.05. */
-  vtkSetMacro(ErrorTolerance, double);
-  vtkGetMacro(ErrorTolerance, double);
-  ///@}
-
-  ///@{
   /** Sides of the bounding box at which the Shape is held, as in vtkGradedBody. They must match
    * those of the two solids. With a depth, as in "z-:1", the held part of the Shape and of both
    * solids is the same; without a depth it depends on the length of the cells. Default "z-". */
@@ -139,37 +112,10 @@ public:
   ///@}
 
   ///@{
-  /** Prefix of the response arrays. Default "Response". */
-  vtkSetMacro(ResponseName, std::string);
-  vtkGetMacro(ResponseName, std::string);
-  ///@}
-
-  /// Values of StrainModel.
-  enum StrainModelType
-  {
-    SmallStrain = 0,
-    NeoHooke = 1,
-    Ogden = 2,
-    Demiray = 3
-  };
-
-  ///@{
-  /** As in vtkElasticContactResponse, and as used for the response. Default SmallStrain. */
-  vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
-  vtkGetMacro(StrainModel, int);
-  vtkSetMacro(OgdenExponent, double);
-  vtkGetMacro(OgdenExponent, double);
-  vtkSetMacro(DemirayExponent, double);
-  vtkGetMacro(DemirayExponent, double);
-  ///@}
-
-  ///@{
   /** Number of pressed points and of replaced curves in the last run. */
   vtkGetMacro(NumberOfPresses, vtkIdType);
   vtkGetMacro(NumberOfReplaced, vtkIdType);
   ///@}
-
-  vtkMTimeType GetMTime() override;
 
 protected:
   vtkDirectContactResponse();
@@ -193,16 +139,7 @@ private:
   std::string Press(
     const std::vector<vtkIdType>& points, const Bodies& bodies, vtkPolyData* output);
 
-  vtkSmartPointer<vtkContactTool> Tool;
-  double YoungsModulus = 0.1;
-  double PoissonRatio = 0.45;
-  double MaximumDeflection = 2.0;
-  double ErrorTolerance = 0.05;
   std::string FixedFaces = "z-";
-  std::string ResponseName = "Response";
-  int StrainModel = SmallStrain;
-  double OgdenExponent = 2.0;
-  double DemirayExponent = 1.0;
   vtkIdType NumberOfPresses = 0;
   vtkIdType NumberOfReplaced = 0;
 };

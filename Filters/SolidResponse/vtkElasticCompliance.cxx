@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticCompliance.h"
 
+#include "Mechanics/Checked.h"
+#include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
 #include "Solids/FiniteElements/CouplingModes.h"
 #include "Mechanics/JoinedText.h"
@@ -11,7 +13,6 @@
 #include "Solids/TrueShape/ComplianceError.h"
 #include "SolidResponse/Bodies/FactorisedBody.h"
 #include "SolidResponse/Bodies/VolumeConversion.h"
-#include "Response/Curves/CouplingConversion.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -149,10 +150,10 @@ int vtkElasticCompliance::RequestData(
   request.material = { this->YoungsModulus, this->PoissonRatio };
   request.solver = this->Solver;
   request.memoryLimit = this->MemoryLimit;
-  std::string fault = this->CheckProperties(request);
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.young) : fault;
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.poisson) : fault;
+  std::string fault = palpate::firstFault([&] { return this->CheckProperties(request); },
+    [&] { return palpate::findCellArray(this, grid, 0, find, request.young); },
+    [&] { return palpate::findCellArray(this, grid, 1, find, request.poisson); });
   const palpate::FilterThreads threads;
   palpate::ElasticBody body;
   bool isEnded = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElasticContactResponse.h"
 
-#include "Contact/Edges/EdgeLaw.h"
 #include "Solids/Curves/ShapedResponse.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
@@ -12,11 +12,10 @@
 #include "SolidResponse/Bodies/SourceSpacing.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyLaws.h"
-#include "Response/Curves/TiltRequest.h"
-#include "Response/Curves/AutomaticTerms.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/FilterThreads.h"
 #include "Response/ReplacedCurves.h"
+#include "Response/Terms/LawTerm.h"
 #include "vtkContactTool.h"
 
 #include "vtkDataArray.h"
@@ -49,26 +48,6 @@ vtkElasticContactResponse::vtkElasticContactResponse()
   this->SetNumberOfInputPorts(3);
 }
 vtkElasticContactResponse::~vtkElasticContactResponse() = default;
-
-void vtkElasticContactResponse::SetTool(vtkContactTool* tool)
-{
-  if (this->Tool != tool)
-  {
-    this->Tool = tool;
-    this->Modified();
-  }
-}
-
-vtkContactTool* vtkElasticContactResponse::GetTool()
-{
-  return this->Tool;
-}
-
-vtkMTimeType vtkElasticContactResponse::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Tool ? std::max(own, this->Tool->GetMTime()) : own;
-}
 
 int vtkElasticContactResponse::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -115,55 +94,48 @@ int vtkElasticContactResponse::RequestData(
   vtkPolyData* finer = vtkPolyData::GetData(inputVector[1]);
   vtkUnstructuredGrid* coarser = vtkUnstructuredGrid::GetData(inputVector[2]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  std::string fault = this->CheckProperties();
-  std::unique_ptr<palpate::SoundBody> sound;
-  if (fault.empty() && finer)
-  {
-    sound = std::make_unique<palpate::SoundBody>(finer);
-    fault = this->CheckSurface(*sound);
-  }
-  fault = fault.empty() && coarser ? palpate::checkCoarser(grid, coarser) : fault;
-  fault = fault.empty() ? this->Solve(grid, coarser, isEnded) : fault;
-  fault = fault.empty() && !isEnded ? this->Respond(grid, sound ? sound->body() : nullptr, output)
-                                    : fault;
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault << ".");
-    return 0;
-  }
-  if (sound)
+  const auto sound = finer ? std::make_unique<palpate::SoundBody>(finer) : nullptr;
+  palpate::LawRequest request;
+  const std::string fault = palpate::firstFault([&] { return this->CheckProperties(request); },
+    [&] { return sound ? this->CheckSurface(*sound) : std::string(); },
+    [&] { return coarser ? palpate::checkCoarser(grid, coarser) : std::string(); },
+    [&] { return this->Solve(grid, coarser, isEnded); },
+    [&]
+    {
+      vtkPolyData* surface = sound ? sound->body() : nullptr;
+      return isEnded ? std::string() : this->Respond(request, grid, surface, output);
+    });
+  if (fault.empty() && sound)
   {
     sound->giveBack(output);
   }
-  return 1;
+  return this->Report(fault);
 }
 
-std::string vtkElasticContactResponse::CheckProperties()
+/// Fills the request of the response, and checks it and the other properties.
+std::string vtkElasticContactResponse::CheckProperties(palpate::LawRequest& request)
 {
-  palpate::LawRequest request;
-  request.tool = this->Tool;
-  request.responseName = this->ResponseName;
-  request.deflection = this->MaximumDeflection;
-  request.samples = this->NumberOfSamples;
-  request.terms.errorTolerance = this->ErrorTolerance;
-  std::string fault = palpate::checkShapedRequest(request);
-  fault = fault.empty() ? palpate::checkLength("Layer Thickness", this->LayerThickness) : fault;
-  if (fault.empty() && !(this->TermTolerance >= 0.0 && std::isfinite(this->TermTolerance)))
-  {
-    fault =
-      palpate::joined("Largest Effect Left Out (TermTolerance) must be 0 or positive, but is ",
-        this->TermTolerance);
-  }
-  palpate::PronySeries series;
-  fault = fault.empty() ? this->Relaxations.fillSeries(series) : fault;
-  fault = fault.empty()
-    ? palpate::checkTilts({ *this->Tool->GetKernel(), this->MaximumTilt, this->MaximumDeflection })
-    : fault;
-  fault = fault.empty() ? palpate::checkLength("Largest Contact Radius", this->LargestContactRadius)
-                        : fault;
-  return fault.empty()
-    ? palpate::checkLength("Spacing Of Solved Points (SourceSpacing)", this->SourceSpacing)
-    : fault;
+  request.terms = palpate::LawTerms::plain();
+  const std::string relaxing = this->FillRequest(request);
+  request.terms.automatic = false; // KeepSimplerLaw chooses point by point
+  request.terms.changeTolerance = palpate::LawTerms().changeTolerance;
+  return palpate::firstFault([&] { return palpate::checkShapedRequest(request); },
+    [this] { return palpate::checkLength("Layer Thickness", this->LayerThickness); },
+    [this]
+    {
+      return this->TermTolerance >= 0.0 && std::isfinite(this->TermTolerance)
+        ? std::string()
+        : palpate::joined("Largest Effect Left Out (TermTolerance) must be 0 or positive, but is ",
+            this->TermTolerance);
+    },
+    [&] { return relaxing; },
+    [&] {
+      return palpate::checkTerms({ request, *this->Tool->GetKernel(), nullptr }, nullptr);
+    },
+    [this] { return palpate::checkLength("Largest Contact Radius", this->LargestContactRadius); },
+    [this] {
+      return palpate::checkLength("Spacing Of Solved Points (SourceSpacing)", this->SourceSpacing);
+    });
 }
 
 std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& finer) const
@@ -186,11 +158,10 @@ std::string vtkElasticContactResponse::FindMaterials(
   request.radius = std::max(
     palpate::neededRadius(this->Tool, this->MaximumDeflection), this->LargestContactRadius);
   request.spacing = palpate::sourceSpacing(grid, this->SourceSpacing);
-  std::string fault = palpate::checkFactorRequest(request.factor);
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, request.factor.young) : fault;
-  return fault.empty() ? palpate::findCellArray(this, grid, 1, find, request.factor.poisson)
-                       : fault;
+  return palpate::firstFault([&] { return palpate::checkFactorRequest(request.factor); },
+    [&] { return palpate::findCellArray(this, grid, 0, find, request.factor.young); },
+    [&] { return palpate::findCellArray(this, grid, 1, find, request.factor.poisson); });
 }
 
 /// Solves the parts of Kept and Coarser that the tool needs and that are missing.
@@ -209,8 +180,7 @@ std::string vtkElasticContactResponse::Solve(
   palpate::SolveRequest ofCoarser;
   if (fault.empty() && coarser)
   {
-    fault = this->FindMaterials(coarser, ofCoarser);
-    fault = fault.empty() ? fault : "Coarser: " + fault;
+    fault = palpate::prefixed("Coarser: ", this->FindMaterials(coarser, ofCoarser));
   }
   if (!fault.empty())
   {
@@ -236,22 +206,20 @@ std::string vtkElasticContactResponse::Solve(
   return fault;
 }
 
-std::string vtkElasticContactResponse::Respond(
+std::string vtkElasticContactResponse::Respond(const palpate::LawRequest& request,
   vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output)
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->ShallowCopy(finer ? finer : this->Kept->surface(grid).Get());
+  palpate::copyWithOwnFields(finer ? finer : this->Kept->surface(grid).Get(), surface);
+  palpate::removeResponse(surface, this->ResponseName);
   const vtkIdType count = surface->GetNumberOfPoints();
-  const bool keepsError = this->StoreError && this->ErrorTolerance > 0.0;
-  palpate::ResponseStorage storage(this->ResponseName, count, this->NumberOfSamples, keepsError);
+  palpate::ResponseStorage storage(
+    this->ResponseName, count, this->NumberOfSamples, request.terms.keepsError());
   palpate::MadeResponse made;
   const palpate::FilterStage stage{ this, SolvedShare, RespondedShare };
   std::unique_ptr<palpate::StrainCorrection> strain;
-  const palpate::StrainLaw law{ static_cast<palpate::StrainModel>(this->StrainModel),
-    this->StrainModel == Ogden ? this->OgdenExponent : this->DemirayExponent };
-  std::string fault = this->StrainModel == SmallStrain
-    ? std::string()
-    : this->Kept->findStrain(this->Tool, law, this->MaximumDeflection, stage, strain);
+  std::string fault = this->Kept->findStrain(
+    this->Tool, request.terms.strain, this->MaximumDeflection, stage, strain);
   if (!fault.empty() || palpate::isAborted(this))
   {
     return fault;
@@ -261,7 +229,8 @@ std::string vtkElasticContactResponse::Respond(
     this->Coarser ? this->Coarser->difference() : nullptr };
   if (finer)
   {
-    surfaceError->SetName((this->ResponseName + "SurfaceError").c_str());
+    surfaceError->SetName(
+      palpate::arrayName(this->ResponseName, palpate::ResponseArray::SurfaceError).c_str());
     surfaceError->SetNumberOfValues(count);
     terms.surfaceError = surfaceError->GetPointer(0);
   }
@@ -307,35 +276,24 @@ std::string vtkElasticContactResponse::Respond(
       return {};
     }
   }
-  palpate::RelaxationRequest relaxation;
-  this->Relaxations.fillSeries(relaxation.series); // CheckProperties found no fault
+  const palpate::TermBody response{ request, *this->Tool->GetKernel(), nullptr };
+  const palpate::ResponseModel beyond = palpate::termsInWords(response);
   palpate::copyWithOwnFields(surface, output);
   storage.attach(output);
-  palpate::attachRelaxation(relaxation, {}, this->ResponseName, output);
   palpate::describeResponse(output, this->ResponseName,
-    { made.exponent, this->NumberOfSamples, this->Tool->GetKernel()->specification(),
-      palpate::joined("finite elements of true shape, ", grid->GetNumberOfCells(), " cells",
-        strain ? ", " + palpate::describe(law) : std::string()) +
-        palpate::relaxationInWords(relaxation, {}),
-      palpate::TrueShapePart | (strain ? palpate::FiniteStrainPart : 0) });
-  if (this->EdgeCorrection)
-  {
-    palpate::EdgeTerms edges =
-      palpate::edgeTermsOf(*this->Tool->GetKernel(), this->MaximumDeflection, 0.5);
-    edges.isInCurves = true;
-    palpate::describeEdges(output, this->ResponseName, edges);
-  }
-  const std::string untilted =
-    palpate::attachTilts({ *this->Tool->GetKernel(), this->MaximumTilt, this->MaximumDeflection },
-      nullptr, 0.0, this->ResponseName, output);
-  if (!untilted.empty())
-  {
-    output->Initialize();
-    return untilted;
-  }
+    { made.exponent, this->NumberOfSamples, response.tool.specification(),
+      palpate::joined(
+        "finite elements of true shape, ", grid->GetNumberOfCells(), " cells", beyond.text),
+      palpate::TrueShapePart | beyond.parts });
   if (this->AutomaticTerms)
   {
-    palpate::addText(output, palpate::termsName(this->ResponseName), this->TermReason);
+    palpate::addText(output, this->ResponseName, palpate::ResponseArray::Terms, this->TermReason);
+  }
+  fault = palpate::makeTerms(response, output);
+  if (!fault.empty())
+  {
+    output->Initialize();
+    return fault;
   }
   this->UpdateProgress(1.0);
   return {};
@@ -362,7 +320,8 @@ std::string vtkElasticContactResponse::KeepSimplerLaw(
   const palpate::SimplerLaw law{ this->Tool, this->MaximumDeflection, this->LayerThickness,
     this->ThicknessName, this->TermTolerance };
   vtkNew<vtkFloatArray> change;
-  change->SetName((this->ResponseName + "ShapeChange").c_str());
+  change->SetName(
+    palpate::arrayName(this->ResponseName, palpate::ResponseArray::ShapeChange).c_str());
   const std::string fault = palpate::keepSimplerLaw(
     this->Kept->green().body(), surface, law, storage, change, this->TermReason);
   surface->GetPointData()->AddArray(change);
@@ -372,27 +331,9 @@ std::string vtkElasticContactResponse::KeepSimplerLaw(
 void vtkElasticContactResponse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tool: " << this->Tool.Get() << "\n";
-  os << indent << "YoungsModulus: " << this->YoungsModulus << " MPa\n";
-  os << indent << "PoissonRatio: " << this->PoissonRatio << "\n";
-  os << indent << "MaximumDeflection: " << this->MaximumDeflection << " mm\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "ResponseName: " << this->ResponseName << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "StoreError: " << this->StoreError << "\n";
   os << indent << "StoreMotion: " << this->StoreMotion << "\n";
   os << indent << "LargestContactRadius: " << this->LargestContactRadius << " mm\n";
   os << indent << "SourceSpacing: " << this->SourceSpacing << " mm\n";
-  os << indent << "MaximumTilt: " << this->MaximumTilt << " degrees\n";
-  os << indent << "StrainModel: " << this->StrainModel << "\n";
-  os << indent << "OgdenExponent: " << this->OgdenExponent << "\n";
-  os << indent << "DemirayExponent: " << this->DemirayExponent << "\n";
-  os << indent << "EdgeCorrection: " << this->EdgeCorrection << "\n";
-  os << indent << "Relaxations: " << this->Relaxations.count() << "\n";
-  os << indent << "AutomaticTerms: " << this->AutomaticTerms << "\n";
-  os << indent << "TermTolerance: " << this->TermTolerance << "\n";
-  os << indent << "LayerThickness: " << this->LayerThickness << " mm\n";
-  os << indent << "TermReason: " << this->TermReason << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
   os << indent << "Solver: " << this->Solver << "\n";
   os << indent << "MemoryEstimate: " << this->MemoryEstimate << " MiB\n";

@@ -22,6 +22,20 @@
  * near edge beyond its tilt; 7 the elements (the error expected from the length of the cells, and
  * from a second mesh) and the order of the kernel.
  *
+ * The settings of the material, of strain, error, edges, tilt and relaxation are those of
+ * vtkTissueFilter and vtkResponseFilter. With small strain the neglected effect of finite strain is
+ * part 1 of `Limit`. A law of finite strain multiplies the local part of a contact, as on a
+ * half-space under the same force; the remaining deflection of the body grows with the force. With
+ * an ErrorTolerance of 0 no error is stored, and Validity is equal to Range. Relaxation is that of
+ * the whole body.
+ *
+ * **AutomaticTerms**: the curve of a simpler law is kept, point by point, if true shape changes the
+ * force by no more than TermTolerance. The law is a half-space of the material at the point with
+ * the curvature of the surface, or a layer of LayerThickness (or of array to process 2, point data,
+ * one component) on a rigid base. The point array `<name>ShapeChange` (float) is then the largest
+ * relative change of the force by true shape (NaN: not known). TermReason gives the number of
+ * points with each curve.
+ *
  * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, and the
  * elements solve for the smooth rest (palpate::RegularGreen). H, averaged over angles on a disc
  * under the contact, is a kernel of rank up to four. With this kernel, dimensionality reduction
@@ -58,16 +72,13 @@
 #ifndef vtkElasticContactResponse_h
 #define vtkElasticContactResponse_h
 
-#include "Response/Curves/RelaxationList.h" // For palpate::RelaxationList
-#include "palpateSolidResponseModule.h"     // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For vtkSmartPointer
+#include "palpateSolidResponseModule.h" // For export macro
+#include "vtkResponseFilter.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
 class vtkAlgorithmOutput;
-class vtkContactTool;
 class vtkFloatArray;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -77,15 +88,16 @@ namespace palpate
 class CoarserBody;
 class SolvedBody;
 class SoundBody;
+struct LawRequest;
 struct SolveRequest;
 struct ResponseStorage;
 } // namespace palpate
 
-class PALPATESOLIDRESPONSE_EXPORT vtkElasticContactResponse : public vtkPolyDataAlgorithm
+class PALPATESOLIDRESPONSE_EXPORT vtkElasticContactResponse : public vtkResponseFilter
 {
 public:
   static vtkElasticContactResponse* New();
-  vtkTypeMacro(vtkElasticContactResponse, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkElasticContactResponse, vtkResponseFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -114,44 +126,6 @@ public:
    * if its cells are twice as long. Optional. */
   void SetCoarserConnection(vtkAlgorithmOutput* output);
   void SetCoarserData(vtkUnstructuredGrid* coarser);
-  ///@}
-
-  ///@{
-  /** The tool; required. Its changes count in this filter's modification time. */
-  virtual void SetTool(vtkContactTool* tool);
-  vtkContactTool* GetTool();
-  ///@}
-
-  ///@{
-  /** As in vtkElasticCompliance: E, MPa, of cells without an array. Default 0.1. */
-  vtkSetMacro(YoungsModulus, double);
-  vtkGetMacro(YoungsModulus, double);
-  ///@}
-
-  ///@{
-  /** As in vtkElasticCompliance: 0 to 0.499, of cells without an array. Default 0.45. */
-  vtkSetMacro(PoissonRatio, double);
-  vtkGetMacro(PoissonRatio, double);
-  ///@}
-
-  ///@{
-  /** As in vtkToolContactResponse. Defaults 2 mm, 8, "Response". */
-  vtkSetMacro(MaximumDeflection, double);
-  vtkGetMacro(MaximumDeflection, double);
-  vtkSetMacro(NumberOfSamples, int);
-  vtkGetMacro(NumberOfSamples, int);
-  vtkSetMacro(ResponseName, std::string);
-  vtkGetMacro(ResponseName, std::string);
-  ///@}
-
-  ///@{
-  /** As in vtkToolContactResponse. Defaults 0.05 and on. With a tolerance of 0 no error is stored,
-   * and Validity is equal to Range. */
-  vtkSetMacro(ErrorTolerance, double);
-  vtkGetMacro(ErrorTolerance, double);
-  vtkSetMacro(StoreError, bool);
-  vtkGetMacro(StoreError, bool);
-  vtkBooleanMacro(StoreError, bool);
   ///@}
 
   ///@{
@@ -185,98 +159,6 @@ public:
   vtkGetMacro(SourceSpacing, double);
   ///@}
 
-  /// Values of StrainModel.
-  enum StrainModelType
-  {
-    SmallStrain = 0,
-    NeoHooke = 1,
-    Ogden = 2,
-    Demiray = 3
-  };
-
-  ///@{
-  /** As in vtkToolContactResponse: SmallStrain (default), with the neglected effect of finite
-   * strain as part 1 of `Limit`, or one of the laws of finite strain. A law multiplies the
-   * local part of a contact, as on a half-space under the same force; the remaining deflection
-   * of the body grows with the force. */
-  vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
-  vtkGetMacro(StrainModel, int);
-  void SetStrainModelToSmallStrain() { this->SetStrainModel(SmallStrain); }
-  void SetStrainModelToNeoHooke() { this->SetStrainModel(NeoHooke); }
-  void SetStrainModelToOgden() { this->SetStrainModel(Ogden); }
-  void SetStrainModelToDemiray() { this->SetStrainModel(Demiray); }
-  vtkSetMacro(OgdenExponent, double);
-  vtkGetMacro(OgdenExponent, double);
-  vtkSetMacro(DemirayExponent, double);
-  vtkGetMacro(DemirayExponent, double);
-  ///@}
-
-  ///@{
-  /** Whether the force goes to zero when a contact leaves over sharp convex edges, as in
-   * vtkToolContactResponse. The softening near edges is already in the curves. Default off. */
-  vtkSetMacro(EdgeCorrection, bool);
-  vtkGetMacro(EdgeCorrection, bool);
-  vtkBooleanMacro(EdgeCorrection, bool);
-  ///@}
-
-  ///@{
-  /** Largest tilt of the tool, degrees, as in vtkToolContactResponse. The tilt data are those of
-   * a half-space, whatever the body's shape. Default 0: upright. */
-  vtkSetMacro(MaximumTilt, double);
-  vtkGetMacro(MaximumTilt, double);
-  ///@}
-
-  ///@{
-  /**
-   * Relaxation of the body: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each of up to four branches has a strength
-   * p >= 0, relative to the slow modulus E∞, and a time τ > 0 in seconds. As in
-   * vtkToolContactResponse, for the whole body: the curves are the slow response. Default none.
-   */
-  void AddRelaxation(double strength, double seconds)
-  {
-    this->Relaxations.add(strength, seconds);
-    this->Modified();
-  }
-  void ClearRelaxations()
-  {
-    if (this->Relaxations.clear())
-    {
-      this->Modified();
-    }
-  }
-  int GetNumberOfRelaxations() { return this->Relaxations.count(); }
-  double GetRelaxationStrength(int relaxation) { return this->Relaxations.strength(relaxation); }
-  double GetRelaxationTime(int relaxation) { return this->Relaxations.seconds(relaxation); }
-  ///@}
-
-  ///@{
-  /** Whether the curve of a simpler law is kept, point by point, if true shape changes the force
-   * by no more than TermTolerance. The law is a half-space of the material at the point with
-   * the curvature of the surface, or a layer of LayerThickness on a rigid base. The point array
-   * `<name>ShapeChange` (float) is then the largest relative change of the force by true shape
-   * (NaN: not known). GetTermReason and the field array `<name>Terms` give the number of points
-   * with each curve. Default off. */
-  vtkSetMacro(AutomaticTerms, bool);
-  vtkGetMacro(AutomaticTerms, bool);
-  vtkBooleanMacro(AutomaticTerms, bool);
-  ///@}
-
-  ///@{
-  /** Relative change of the force that AutomaticTerms may neglect, >= 0. Default 0.01. */
-  vtkSetMacro(TermTolerance, double);
-  vtkGetMacro(TermTolerance, double);
-  ///@}
-
-  ///@{
-  /** Thickness, mm, >= 0, of the layer with which AutomaticTerms compares, at points without an
-   * array (array to process 2, point data, one component); 0 (default): a half-space. */
-  vtkSetMacro(LayerThickness, double);
-  vtkGetMacro(LayerThickness, double);
-  ///@}
-
-  /// Choice of AutomaticTerms in the last run as text; "" if AutomaticTerms is off.
-  vtkGetMacro(TermReason, std::string);
-
   ///@{
   /** As in vtkElasticCompliance: MiB, 0 (default): nine tenths of the available memory. */
   vtkSetMacro(MemoryLimit, double);
@@ -295,8 +177,6 @@ public:
   /** Number of points of the surface solved for in the last run; 0: nothing had to be solved. */
   vtkGetMacro(NumberOfSolutions, vtkIdType);
 
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkElasticContactResponse();
   ~vtkElasticContactResponse() override;
@@ -308,38 +188,21 @@ private:
   vtkElasticContactResponse(const vtkElasticContactResponse&) = delete;
   void operator=(const vtkElasticContactResponse&) = delete;
 
-  std::string CheckProperties();
+  std::string CheckProperties(palpate::LawRequest& request);
   std::string FindMaterials(vtkUnstructuredGrid* grid, palpate::SolveRequest& request);
   std::string Solve(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended);
   void WarnOfSurface(vtkFloatArray* error);
   std::string KeepSimplerLaw(vtkPolyData* surface, palpate::ResponseStorage& storage);
   std::string CheckSurface(const palpate::SoundBody& finer) const;
-  std::string Respond(vtkUnstructuredGrid* grid, vtkPolyData* finer, vtkPolyData* output);
+  std::string Respond(const palpate::LawRequest& request, vtkUnstructuredGrid* grid,
+    vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
   std::unique_ptr<palpate::CoarserBody> Coarser; ///< null: no coarser body
-  vtkSmartPointer<vtkContactTool> Tool;
-  double YoungsModulus = 0.1;
-  double PoissonRatio = 0.45;
-  double MaximumDeflection = 2.0;
-  int NumberOfSamples = 8;
-  std::string ResponseName = "Response";
-  double ErrorTolerance = 0.05;
-  bool StoreError = true;
   bool StoreMotion = true;
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;
-  bool EdgeCorrection = false;
-  double MaximumTilt = 0.0;
-  int StrainModel = SmallStrain;
-  double OgdenExponent = 2.0;
-  double DemirayExponent = 1.0;
-  palpate::RelaxationList Relaxations;
-  bool AutomaticTerms = false;
-  double TermTolerance = 0.01;
-  double LayerThickness = 0.0;
   std::string ThicknessName; ///< name of the array to process 2 in the last run
-  std::string TermReason;
   double MemoryLimit = 0.0;
   int Solver = 0;
   double MemoryEstimate = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGradedBody.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/FilterStage.h"
 #include "SolidResponse/Mesher/GradedFilling.h"
@@ -57,8 +58,8 @@ int vtkGradedBody::RequestData(
   {
     return 1;
   }
-  std::string fault = this->CheckProperties();
-  fault = fault.empty() ? this->Fill(body, vtkUnstructuredGrid::GetData(outputVector)) : fault;
+  const std::string fault = palpate::firstFault([this] { return this->CheckProperties(); },
+    [&] { return this->Fill(body, vtkUnstructuredGrid::GetData(outputVector)); });
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");

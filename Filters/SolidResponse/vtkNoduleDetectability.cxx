@@ -2,6 +2,7 @@
 #include "vtkNoduleDetectability.h"
 
 #include "Laws/ResponseChange.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Mechanics/Tools/ToolSpecification.h"
@@ -164,11 +165,10 @@ int vtkNoduleDetectability::RequestData(
   }
   const palpate::FilterThreads threads;
   bool isEnded = false;
-  std::string fault = this->FindTools();
-  fault = fault.empty() ? this->CheckTools() : fault;
-  fault = fault.empty() ? this->Solve(grid, isEnded) : fault;
-  fault =
-    fault.empty() && !isEnded ? this->Compare(grid, vtkPolyData::GetData(outputVector)) : fault;
+  const std::string fault = palpate::firstFault([this] { return this->FindTools(); },
+    [this] { return this->CheckTools(); }, [&] { return this->Solve(grid, isEnded); },
+    [&]
+    { return isEnded ? std::string() : this->Compare(grid, vtkPolyData::GetData(outputVector)); });
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
@@ -215,16 +215,17 @@ std::string vtkNoduleDetectability::CheckTools()
     return palpate::joined(
       "Smallest Felt Change (Threshold) must be positive and finite, but is ", this->Threshold);
   }
-  std::string fault = palpate::checkLength("Press Depth", this->PressDepth);
-  fault = fault.empty() ? palpate::checkLength("Largest Contact Radius", this->LargestContactRadius)
-                        : fault;
-  fault = fault.empty()
-    ? palpate::checkLength("Spacing Of Solved Points (SourceSpacing)", this->SourceSpacing)
-    : fault;
-  return fault.empty()
-    ? palpate::checkLength("Spacing Of Solved Points Without Nodules (SourceSpacingWithout)",
-        this->SourceSpacingWithout)
-    : fault;
+  return palpate::firstFault([this]
+    { return palpate::checkLength("Press Depth", this->PressDepth); },
+    [this] { return palpate::checkLength("Largest Contact Radius", this->LargestContactRadius); },
+    [this] {
+      return palpate::checkLength("Spacing Of Solved Points (SourceSpacing)", this->SourceSpacing);
+    },
+    [this]
+    {
+      return palpate::checkLength("Spacing Of Solved Points Without Nodules (SourceSpacingWithout)",
+        this->SourceSpacingWithout);
+    });
 }
 
 std::string vtkNoduleDetectability::Solve(vtkUnstructuredGrid* grid, bool& ended)
@@ -237,8 +238,8 @@ std::string vtkNoduleDetectability::Solve(vtkUnstructuredGrid* grid, bool& ended
   {
     request.radius = std::max(request.radius, palpate::neededRadius(tool, this->MaximumDeflection));
   }
-  const std::string fault = this->SolveOne(grid, true, request, ended);
-  return fault.empty() && !ended ? this->SolveOne(grid, false, request, ended) : fault;
+  return palpate::firstFault([&] { return this->SolveOne(grid, true, request, ended); },
+    [&] { return ended ? std::string() : this->SolveOne(grid, false, request, ended); });
 }
 
 std::string vtkNoduleDetectability::SolveOne(
@@ -247,19 +248,18 @@ std::string vtkNoduleDetectability::SolveOne(
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
   const int first = with ? 0 : 2;
   palpate::FactorRequest& factor = request.factor;
-  std::string fault = palpate::checkFactorRequest(factor);
-  fault = fault.empty() ? palpate::findCellArray(this, grid, first, find, factor.young) : fault;
-  fault =
-    fault.empty() ? palpate::findCellArray(this, grid, first + 1, find, factor.poisson) : fault;
-  if (fault.empty() && (!factor.young || !factor.poisson))
-  {
-    fault = palpate::joined("Array to process ", factor.young ? first + 1 : first,
-      factor.young ? " (Poisson's Ratio" : " (Young's Modulus", " of the body ",
-      with ? "with" : "without", " nodules) is required, but is not set");
-  }
+  std::string fault = palpate::firstFault([&] { return palpate::checkFactorRequest(factor); },
+    [&] { return palpate::findCellArray(this, grid, first, find, factor.young); },
+    [&] { return palpate::findCellArray(this, grid, first + 1, find, factor.poisson); });
   if (!fault.empty())
   {
     return fault;
+  }
+  if (!factor.young || !factor.poisson)
+  {
+    return palpate::joined("Array to process ", factor.young ? first + 1 : first,
+      factor.young ? " (Poisson's Ratio" : " (Young's Modulus", " of the body ",
+      with ? "with" : "without", " nodules) is required, but is not set");
   }
   request.spacing =
     !with && this->SourceSpacingWithout > 0.0 ? this->SourceSpacingWithout : this->SourceSpacing;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNoduleMaterial.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Solids/TrueShape/InclusionMixing.h"
@@ -98,8 +99,8 @@ int vtkNoduleMaterial::RequestData(
   {
     return 1;
   }
-  std::string fault = this->Check();
-  fault = fault.empty() ? this->Mix(grid, vtkUnstructuredGrid::GetData(outputVector)) : fault;
+  const std::string fault = palpate::firstFault([this] { return this->Check(); },
+    [&] { return this->Mix(grid, vtkUnstructuredGrid::GetData(outputVector)); });
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");
@@ -171,12 +172,12 @@ std::string vtkNoduleMaterial::Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGri
 {
   palpate::FactorRequest around;
   around.material = { this->YoungsModulus, this->PoissonRatio };
-  std::string fault = palpate::checkFactorRequest(around);
   const auto find = [this, grid](int index) { return this->GetInputArrayToProcess(index, grid); };
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 0, find, around.young) : fault;
-  fault = fault.empty() ? palpate::findCellArray(this, grid, 1, find, around.poisson) : fault;
   palpate::VolumeMesh ignored;
-  fault = fault.empty() ? palpate::convertVolume(grid, ignored) : fault;
+  std::string fault = palpate::firstFault([&] { return palpate::checkFactorRequest(around); },
+    [&] { return palpate::findCellArray(this, grid, 0, find, around.young); },
+    [&] { return palpate::findCellArray(this, grid, 1, find, around.poisson); },
+    [&] { return palpate::convertVolume(grid, ignored); });
   if (!fault.empty())
   {
     return fault;

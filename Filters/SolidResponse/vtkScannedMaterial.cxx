@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkScannedMaterial.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/FilterStage.h"
@@ -69,10 +70,12 @@ int vtkScannedMaterial::RequestData(
   {
     return 1;
   }
-  std::string fault = this->CheckMap();
-  fault = fault.empty() ? this->Map(grid, vtkImageData::GetData(inputVector[1]),
-                            vtkUnstructuredGrid::GetData(outputVector))
-                        : fault;
+  const std::string fault = palpate::firstFault([this] { return this->CheckMap(); },
+    [&]
+    {
+      return this->Map(
+        grid, vtkImageData::GetData(inputVector[1]), vtkUnstructuredGrid::GetData(outputVector));
+    });
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");

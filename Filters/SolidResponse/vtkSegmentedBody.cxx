@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSegmentedBody.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/ReducedModulus.h"
 #include "Response/Bodies/SkinContour.h"
@@ -110,9 +111,8 @@ int vtkSegmentedBody::RequestData(
   {
     return 1; // the first piece has the whole body
   }
-  std::string fault = this->CheckTissues();
-  fault =
-    fault.empty() ? this->Make(image, this->GetInputArrayToProcess(0, inputVector), output) : fault;
+  const std::string fault = palpate::firstFault([this] { return this->CheckTissues(); },
+    [&] { return this->Make(image, this->GetInputArrayToProcess(0, inputVector), output); });
   if (!fault.empty() || palpate::isAborted(this))
   {
     output->Initialize();

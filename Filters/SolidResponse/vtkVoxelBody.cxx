@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelBody.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "SolidResponse/Bodies/ChosenSpacing.h"
 #include "SolidResponse/Bodies/ClosedSurface.h"
@@ -100,9 +101,13 @@ int vtkVoxelBody::RequestData(
   }
   palpate::HeldFaces faces{};
   palpate::ClosedSurface closed;
-  std::string fault = palpate::takeClosedSurface(body, closed);
-  const double spacing = this->Spacing > 0.0 ? this->Spacing : palpate::chosenVoxel(closed.volume);
-  fault = fault.empty() ? palpate::readHeldFaces(this->FixedFaces, 0.5 * spacing, faces) : fault;
+  double spacing = this->Spacing;
+  std::string fault = palpate::firstFault([&] { return palpate::takeClosedSurface(body, closed); },
+    [&]
+    {
+      spacing = spacing > 0.0 ? spacing : palpate::chosenVoxel(closed.volume);
+      return palpate::readHeldFaces(this->FixedFaces, 0.5 * spacing, faces);
+    });
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault << ".");

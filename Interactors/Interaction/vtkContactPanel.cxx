@@ -189,18 +189,20 @@ void vtkContactPanel::MakeControls()
       slider->setMeaning(quantity->name, quantity->scale, quantity->write);
       kept.sliders.emplace_back(std::move(*quantity), slider);
     }
-    else
+    else if (auto* buttons = std::get_if<std::vector<palpate::ControlButton>>(&row))
     {
-      auto& buttons = std::get<std::vector<palpate::ControlButton>>(row);
-      for (palpate::ControlButton& button : buttons)
+      for (palpate::ControlButton& button : *buttons)
       {
         PanelButton* made =
-          kept.sheet.addButton(button.label(), button.press, static_cast<int>(buttons.size()));
+          kept.sheet.addButton(button.label(), button.press, static_cast<int>(buttons->size()));
         kept.buttons.emplace_back(std::move(button), made);
       }
     }
+    else
+    {
+      kept.sheet.addStatus();
+    }
   }
-  kept.sheet.addStatus();
 }
 
 void vtkContactPanel::Update()

@@ -6,6 +6,7 @@
 #include "Interaction/Display/ShownContact.h"
 #include "Interaction/Display/ForceTrail.h"
 #include "Response/RoundNumber.h"
+#include "Interaction/Display/ScaleRule.h"
 #include "Interaction/Display/SceneView.h"
 #include "Interaction/Display/SceneCaption.h"
 #include "Interaction/Display/SceneLegends.h"
@@ -26,14 +27,13 @@
 #include "vtkTextActor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
 namespace
 {
 constexpr double ArrowLength = 40.0; // mm, for the largest force
-// priority among the observers of a frame: the scene is last
-constexpr float LastPriority = -1.0F;
 } // namespace
 
 vtkStandardNewMacro(vtkContactScene);
@@ -46,6 +46,7 @@ vtkContactScene::vtkContactScene()
   , Scale(std::make_unique<palpate::ForceScale>())
   , Caption(std::make_unique<palpate::SceneCaption>())
   , Marker(palpate::makePlaceMarker())
+  , ForceRule(std::make_unique<palpate::ScaleRule>())
   , Shown(std::make_unique<palpate::ShownContact>())
 {
   this->SetLargestDeflection(1.0);
@@ -113,6 +114,14 @@ void vtkContactScene::SetLargestDeflection(double largest)
 
 void vtkContactScene::SetLargestForce(double largest)
 {
+  if (!(largest > 0.0) || !std::isfinite(largest))
+  {
+    vtkErrorMacro(<< "The largest force must be finite and positive (N), but is " << largest
+                  << ".");
+    return;
+  }
+  this->IsScaleNew = this->IsScaleNew || largest != this->LargestForce;
+  this->LargestForce = largest;
   const double scale = palpate::roundDown(ArrowLength / largest);
   this->Hands->tool()->SetForceScale(scale);
   this->Scale->choose(largest, scale);
@@ -207,50 +216,10 @@ bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
     return false;
   }
   palpate::findValidity(this->BodyData, this->ResponseName, contact);
+  this->Scale->setChanged(false);
+  this->Hands->setSteadyLabels(false);
   this->Show({ contact });
   return true;
-}
-
-void vtkContactScene::Follow(vtkFrameClock* clock, vtkHapticSession* session)
-{
-  if (this->Clock)
-  {
-    this->Clock->RemoveObserver(this->FrameObserver);
-  }
-  this->Clock = session ? clock : nullptr;
-  this->Followed = session;
-  if (this->Clock)
-  {
-    this->FrameObserver = this->Clock->AddObserver(
-      vtkFrameClock::FrameEvent, this, &vtkContactScene::ShowFrame, LastPriority);
-  }
-}
-
-void vtkContactScene::ShowFrame()
-{
-  this->ShowSession(this->Followed);
-}
-
-void vtkContactScene::SetFreeDirection(int hand, const double direction[3])
-{
-  if (hand >= 0)
-  {
-    this->Hands->setFreeDirection(static_cast<std::size_t>(hand), Eigen::Vector3d(direction));
-  }
-}
-
-void vtkContactScene::ShowSession(vtkHapticSession* session)
-{
-  std::vector<palpate::ShownContact> contacts;
-  this->Hands->resize(static_cast<std::size_t>(session->GetNumberOfDevices()));
-  for (std::size_t i = 0; i < this->Hands->count(); ++i)
-  {
-    contacts.push_back(
-      palpate::readSession(session, static_cast<int>(i), this->Hands->freeDirection(i)));
-  }
-  this->Trail->follow(contacts.front(), static_cast<std::size_t>(this->TrailLength));
-  this->SwitchTrail();
-  this->Show(contacts);
 }
 
 void vtkContactScene::ShowContact(const double tip[3], const double contactPoint[3],
@@ -396,5 +365,6 @@ void vtkContactScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ResponseName: " << this->ResponseName << "\n";
   os << indent << "Blind: " << this->Blind << "\n";
   os << indent << "Exaggeration: " << this->GetExaggeration() << "\n";
+  os << indent << "LargestForce: " << this->LargestForce << " N\n";
   os << indent << "TrailLength: " << this->TrailLength << "\n";
 }

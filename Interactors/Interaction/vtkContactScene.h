@@ -15,8 +15,10 @@
  * - The contact circle has the radius a of the tool at the deflection, on a half-space or a layer.
  *   With a global compliance, a is the radius for the local part of the deflection.
  * - The trail is the path of the contact, coloured by the force there, with a legend in N.
- * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows. It
- *   is chosen once, by SetLargestForce.
+ * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows.
+ * - ShowSession fits this scale and the colours of the trail to the force: they grow at once if the
+ *   force exceeds them, and shrink if for 3 s of contact all forces along the trail have been below
+ *   a third of them. For 3 s after a change the picture says "scale changed".
  * - A caption gives the tool, the deflection, the contact radius, the forces, the reasons for a
  *   different applied force, and the limit of validity.
  *
@@ -62,6 +64,7 @@ namespace palpate
 class BodyDisplay;
 class ForceScale;
 class ForceTrail;
+class ScaleRule;
 class SceneCaption;
 class SceneLegends;
 struct ShownContact;
@@ -95,9 +98,11 @@ public:
   void SetLargestDeflection(double largest);
   /**
    * Makes the arrow of a force of `largest` N about 40 mm long, and extends the colours of the
-   * trail to this force. Default 1.
+   * trail to this force. Must be finite and positive. Default 1. GetLargestForce returns the
+   * present value, which ShowSession may have changed.
    */
   void SetLargestForce(double largest);
+  vtkGetMacro(LargestForce, double);
   ///@{
   /** Factor by which the drawn dent is deeper; the caption shows it. Default 1. */
   void SetExaggeration(double factor);
@@ -138,6 +143,8 @@ public:
   /**
    * The live trail: the number of the last contacts of ShowSession, at least 0.05 mm apart; 0 for
    * none. Default 600: 20 s of motion at 30 pictures per second. It replaces a trail of ShowTrail.
+   * If the session's recorder has a history (HistorySeconds), the trail also passes through the
+   * contacts between two pictures, 1 mm apart.
    */
   vtkSetClampMacro(TrailLength, int, 0, VTK_INT_MAX);
   vtkGetMacro(TrailLength, int);
@@ -153,7 +160,7 @@ public:
    * force with the reasons for it, and the validity of the session's response at the contact. */
   void ShowSession(vtkHapticSession* session);
   /** Calls ShowSession at each frame of the clock, after observers without priority. A null clock
-   * ends this. */
+   * ends this. Call it before the session's Start, since it requests a history of at least 2 s. */
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
   ///@{
   /**
@@ -216,6 +223,8 @@ private:
   void Show(const std::vector<palpate::ShownContact>& contacts);
   void ShowBlind(const palpate::ShownContact& contact);
   void SwitchTrail();
+  void PassTicks(vtkHapticSession* session, double until);
+  void FitForceScale(const palpate::ShownContact& contact);
   void Arrange();
   void ShowFrame();
 
@@ -237,6 +246,13 @@ private:
   bool ContactCircleVisibility = true;
   bool TrailVisibility = true;
   int TrailLength = 600;
+  double LargestForce = 1.0;
+  std::unique_ptr<palpate::ScaleRule> ForceRule;
+  bool HasShownSession = false;
+  bool IsScaleNew = false;          ///< whether the next picture of a session shows a changed scale
+  double ScaleTime = -1e30;         ///< time of the session when the scale changed, s
+  vtkIdType TrailRun = -1;          ///< the run of the session whose ticks the trail has passed
+  unsigned long long TrailSeen = 0; ///< number of these ticks
   std::unique_ptr<palpate::ShownContact> Shown; ///< the contact shown last
   bool HasTouched = false;
   double ContactRadius = 0.0;

@@ -164,7 +164,8 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
     vtkErrorMacro(<< "A session and responses are required: call Update.");
     return false;
   }
-  if (session->GetBody() != this->Kept->output)
+  // A session that is stopped would make the kernels again when it starts.
+  if (session->GetBody() != this->Kept->output || session->GetState() == vtkHapticSession::Stopped)
   {
     session->SetBody(this->Kept->output, this->Kept->made.kernels);
   }

@@ -13,6 +13,10 @@
  * Only the newest of several requests is carried out. Collect, called once a frame, takes over the
  * finished responses. Until then, and after an error, output, session and scene do not change.
  *
+ * Another Young's modulus scales the responses instead, within 50 ms, unless other moduli of the
+ * body stay. Another Poisson's ratio of a HalfSpace scales the forces as fast; then errors and
+ * validities are computed in the background, IsBusy is true, and a second Collect takes them over.
+ *
  * Lengths in mm, moduli in MPa. The body is not modified. Its points and cells must not be changed
  * in place after SetBody (after changes, call SetBody again). Only one thread, the graphics thread,
  * may use it; only Update blocks that thread.
@@ -252,10 +256,12 @@ public:
   vtkGetMacro(ChoiceDeflection, double);
   ///@}
 
-  /** Makes the responses now. Returns false after an error; the output is then unchanged. */
+  /** Makes the responses now, on the calling thread and with its priority; ProgressEvent reports
+   * the fraction that is done (double). Returns false after an error; the output is then unchanged.
+   */
   bool Update();
-  /** Makes the responses in the background, unless they exist, or are being made, for the present
-   * settings. */
+  /** Makes the responses in the background, with a lower priority, unless they exist, or are being
+   * made, for the present settings. */
   void Request();
   /** Whether the requested responses are not ready yet. */
   bool IsBusy();
@@ -264,8 +270,9 @@ public:
   /** Withdraws the request. Young's modulus, Poisson's ratio, model, relaxations and the sizes of
    * the tools return to those of the output. No effect if nothing is requested. */
   void Cancel();
-  /** Takes over the requested responses if they are ready. Returns true once. Returns false, after
-   * an error, if they could not be made. Never waits. */
+  /** Takes over the requested responses if they are ready. Returns true once, and a second time
+   * after another Poisson's ratio of a HalfSpace. Returns false, after an error, if they could not
+   * be made. Never waits. */
   bool Collect();
   /** The error of the newest request; "" after a success. */
   vtkGetMacro(Error, std::string);

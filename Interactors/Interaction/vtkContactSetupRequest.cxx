@@ -6,6 +6,7 @@
 #include "Interaction/Session/SetupState.h"
 #include "vtkToolContactResponse.h"
 
+#include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -161,14 +162,17 @@ bool vtkContactSetup::TakeOver(palpate::MadeResponses&& made)
   {
     vtkWarningMacro(<< made.warning << ".");
   }
-  if (!kept.computed || !palpate::isModulusChange(kept.computed->of, made.of))
+  const bool isScaled =
+    kept.computed && (made.isPreliminary || palpate::isModulusChange(kept.computed->of, made.of));
+  if (!isScaled)
   {
     kept.computed = std::make_shared<const palpate::MadeResponses>(made);
   }
   kept.made = std::move(made);
   kept.output = withAddedArrays(kept.body, kept.made);
   kept.made.body = nullptr;
-  kept.shown = kept.asked;
+  // Cancel() returns to the settings of the last result that is complete.
+  kept.shown = kept.made.isPreliminary ? kept.shown : kept.asked;
   return true;
 }
 
@@ -176,8 +180,17 @@ bool vtkContactSetup::Update()
 {
   this->Kept->background.cancel();
   palpate::ResponseRequest request;
-  return this->MakeRequest(request) &&
-    this->TakeOver(palpate::makeResponses(request, [](double) { return true; }));
+  const auto report = [this](double done)
+  {
+    this->InvokeEvent(vtkCommand::ProgressEvent, &done);
+    return true;
+  };
+  if (!this->MakeRequest(request))
+  {
+    return false;
+  }
+  request.isFinal = true;
+  return this->TakeOver(palpate::makeResponses(request, report));
 }
 
 void vtkContactSetup::Request()
@@ -233,5 +246,15 @@ void vtkContactSetup::Cancel()
 bool vtkContactSetup::Collect()
 {
   auto made = this->Kept->background.collect();
-  return made && made->from == this->Kept->copy && this->TakeOver(std::move(*made));
+  if (!made || made->from != this->Kept->copy || !this->TakeOver(std::move(*made)))
+  {
+    return false;
+  }
+  palpate::ResponseRequest request;
+  if (this->Kept->made.isPreliminary && this->MakeRequest(request))
+  {
+    request.isFinal = true;
+    this->Kept->background.submit(std::move(request));
+  }
+  return true;
 }

@@ -310,6 +310,7 @@ private:
   const palpate::Tick& Newest(int device) const;
   std::vector<vtkHapticDevice*> Devices() const;
   std::shared_ptr<const palpate::ContactBody> ReadBody(const std::string& responseName);
+  void WarnOfDefects(const palpate::ContactBody& kernel);
   bool CheckSettings();
   bool PrepareDevices();
   void ReleaseDevices();

@@ -66,10 +66,12 @@ bool vtkHapticSession::Start()
     *this->Known = {}; // the body may have been changed in place
   }
   this->Known->given = false;
-  if (!this->CheckSettings() || !this->ReadBody(this->ResponseName))
+  const auto body = this->CheckSettings() ? this->ReadBody(this->ResponseName) : nullptr;
+  if (!body)
   {
     return false;
   }
+  this->WarnOfDefects(*body);
   std::vector<Hand> hands;
   if (this->PrepareDevices() && this->ReadSafety(hands) && this->StartRun(hands))
   {
@@ -157,7 +159,14 @@ std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
     vtkErrorMacro(<< "Wrong body: " << error << ".");
     return nullptr;
   }
-  const std::string defects = palpate::describeDefects(kernel->surface.defects());
+  this->WarnOfDefects(*kernel);
+  return kernel;
+}
+
+/// Warns once for each body.
+void vtkHapticSession::WarnOfDefects(const palpate::ContactBody& kernel)
+{
+  const std::string defects = palpate::describeDefects(kernel.surface.defects());
   const bool isKnown = this->Unsound == this->Body && this->UnsoundTime == this->Body->GetMTime();
   if (!defects.empty() && !isKnown)
   {
@@ -165,7 +174,6 @@ std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
     this->Unsound = this->Body;
     this->UnsoundTime = this->Body->GetMTime();
   }
-  return kernel;
 }
 
 bool vtkHapticSession::CheckSettings()

@@ -2,6 +2,7 @@
 #include "vtkHapticToolRepresentation.h"
 
 #include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/EndOnSign.h"
 #include "Interaction/Display/ForceArrow.h"
 #include "Interaction/Display/LabelLayout.h"
 #include "Interaction/Display/RigidFrame.h"
@@ -10,11 +11,13 @@
 #include "vtkContactToolSource.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -23,10 +26,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace
 {
+constexpr double RimWidth = 0.1;      // fraction of the tool's radius
 constexpr double AppliedOffset = 6.0; // mm, distance of the applied force from the ideal one
 
 constexpr palpate::ArrowLook TotalLook = { palpate::ForceColor, 0.9, 2.4, 6.0, 22, true, 0.0 };
@@ -59,6 +65,8 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   , Friction(std::make_unique<palpate::ForceArrow>(FrictionLook))
   , Applied(std::make_unique<palpate::ForceArrow>(AppliedLook))
   , Torque(std::make_unique<palpate::TorqueArc>())
+  , TotalSign(std::make_unique<palpate::EndOnSign>(palpate::ForceColor))
+  , AppliedSign(std::make_unique<palpate::EndOnSign>(palpate::AppliedForceColor))
 {
   this->Source->SetLength(22.0);
   vtkNew<vtkPolyDataMapper> toolMapper;
@@ -80,6 +88,8 @@ vtkHapticToolRepresentation::vtkHapticToolRepresentation()
   }
   this->AddPart(this->Torque->actor());
   this->AddPart(this->Torque->label());
+  this->AddPart(this->TotalSign->actor());
+  this->AddPart(this->AppliedSign->actor());
 }
 
 vtkHapticToolRepresentation::~vtkHapticToolRepresentation() = default;
@@ -209,7 +219,7 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
   {
     if (arrow.isShown())
     {
-      labels.push_back({ arrow.label(), tail, arrow.head() });
+      labels.push_back({ arrow.label(), tail, arrow.head(), arrow.labelPlace() });
     }
   };
   add(*this->Total, this->Total->tail());
@@ -221,15 +231,98 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
   add(*this->Friction, this->Friction->tail());
   if (this->Torque->isShown())
   {
-    labels.push_back({ this->Torque->label(), this->Torque->center(), this->Torque->head() });
+    labels.push_back({ this->Torque->label(), this->Torque->center(), this->Torque->head(),
+      this->Torque->labelPlace() });
+  }
+}
+
+/// Collects the tool: its axis with the radius of the tool, and the rim at its upper end, which the
+/// round end of the axis does not reach.
+void vtkHapticToolRepresentation::CollectTool(std::vector<palpate::LabelObstacle>& obstacles)
+{
+  vtkMatrix4x4* frame = this->ToolActor->GetUserMatrix();
+  if (!this->GetTool() || !frame)
+  {
+    return;
+  }
+  this->Source->Update();
+  double bounds[6];
+  this->Source->GetOutput()->GetBounds(bounds); // the tip is the origin, the axis is z
+  const double radius = std::max(bounds[1], bounds[3]);
+  const auto inWorld = [frame](double x, double y, double z) -> Eigen::Vector3d
+  {
+    const double local[4] = { x, y, z, 1.0 };
+    double world[4];
+    frame->MultiplyPoint(local, world);
+    return Eigen::Vector3d(world);
+  };
+  const double end = std::min(radius, 0.5 * (bounds[5] - bounds[4]));
+  obstacles.push_back(
+    { inWorld(0.0, 0.0, bounds[4] + end), inWorld(0.0, 0.0, bounds[5] - end), radius });
+  constexpr int corners = 12;
+  const auto rim = [&](int i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / corners;
+    return inWorld(radius * std::cos(angle), radius * std::sin(angle), bounds[5]);
+  };
+  for (int i = 0; i < corners; ++i)
+  {
+    obstacles.push_back({ rim(i), rim(i + 1), RimWidth * radius });
+  }
+}
+
+/// Collects all that labels leave free: the tool, arrows with their signs, and the contact circle.
+void vtkHapticToolRepresentation::CollectObstacles(std::vector<palpate::LabelObstacle>& obstacles)
+{
+  if (this->LabelsAfter)
+  {
+    this->LabelsAfter->CollectObstacles(obstacles);
+  }
+  this->CollectTool(obstacles);
+  for (const palpate::ForceArrow* arrow :
+    { this->Total.get(), this->NormalPart.get(), this->Friction.get(), this->Applied.get() })
+  {
+    arrow->addTo(obstacles);
+  }
+  this->Torque->addTo(obstacles);
+  if (this->TotalSign->isShown())
+  {
+    obstacles.push_back({ this->Total->head(), this->Total->head(), this->TotalSign->radius() });
+  }
+  if (this->AppliedSign->isShown())
+  {
+    obstacles.push_back(
+      { this->Applied->head(), this->Applied->head(), this->AppliedSign->radius() });
+  }
+  if (this->ContactRadius > 0.0)
+  {
+    const Eigen::Vector3d contact(this->ContactPoint);
+    obstacles.push_back({ contact, contact, this->ContactRadius });
   }
 }
 
 int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)
 {
-  std::vector<palpate::AnchoredLabel> labels;
-  this->CollectLabels(labels);
-  palpate::arrangeLabels(viewport, labels);
+  if (auto* renderer = vtkRenderer::SafeDownCast(viewport))
+  {
+    for (const auto& [arrow, sign] : { std::pair{ this->Total.get(), this->TotalSign.get() },
+           std::pair{ this->Applied.get(), this->AppliedSign.get() } })
+    {
+      if (arrow->isShown())
+      {
+        sign->show(renderer, arrow->tail(), arrow->head());
+      }
+      else
+      {
+        sign->hide();
+      }
+    }
+    std::vector<palpate::AnchoredLabel> labels;
+    std::vector<palpate::LabelObstacle> obstacles;
+    this->CollectLabels(labels);
+    this->CollectObstacles(obstacles);
+    palpate::arrangeLabels(renderer, labels, obstacles, this->SteadyLabels);
+  }
   return this->Superclass::RenderOverlay(viewport);
 }
 
@@ -241,4 +334,6 @@ void vtkHapticToolRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComponentsVisibility: " << this->ComponentsVisibility << "\n";
   os << indent << "AppliedForceVisibility: " << this->AppliedForceVisibility << "\n";
   os << indent << "BeyondValidity: " << this->BeyondValidity << "\n";
+  os << indent << "ContactRadius: " << this->ContactRadius << " mm\n";
+  os << indent << "SteadyLabels: " << this->SteadyLabels << "\n";
 }

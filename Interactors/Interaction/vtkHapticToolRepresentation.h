@@ -11,7 +11,14 @@
  * With friction of at least 2 % of the force, two thinner arrows from the same point show the parts
  * of the force, normal and friction. If the applied force (after the safety chain) differs from the
  * ideal force by more than 2 %, the applied force is drawn to the right of the ideal force as seen
- * by the camera, at the same scale. Labels do not cover one another.
+ * by the camera, at the same scale.
+ *
+ * An arrow within 20 degrees of the line of sight gets a ring at its head, with a dot if the arrow
+ * points towards the viewer and a cross if it points away. The diameter of the ring is the length
+ * of the arrow.
+ *
+ * Labels stay inside the viewport. They do not cover one another, arrows, tool or contact circle,
+ * as long as the viewport has a free place.
  *
  * A torque about the tip is drawn as an arc in the direction of rotation, with its value in N mm,
  * if it is at least 2 % of the torque that the force would have at the arc's radius. A force at
@@ -46,9 +53,11 @@ class vtkContactToolSource;
 
 namespace palpate
 {
+class EndOnSign;
 class ForceArrow;
 class TorqueArc;
 struct AnchoredLabel;
+struct LabelObstacle;
 } // namespace palpate
 
 class PALPATEINTERACTION_EXPORT vtkHapticToolRepresentation : public vtkPropAssembly
@@ -123,6 +132,23 @@ public:
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 
   ///@{
+  /** Radius of the circle around the contact point that labels leave free, mm; 0 (default): none.
+   */
+  vtkSetMacro(ContactRadius, double);
+  vtkGetMacro(ContactRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a label remains at its place relative to its arrow while another place is only a little
+   * better, so that it does not jump in a live picture. Off (default): a picture does not depend on
+   * the pictures before.
+   */
+  vtkSetMacro(SteadyLabels, bool);
+  vtkGetMacro(SteadyLabels, bool);
+  ///@}
+
+  ///@{
   /** Overridden to place the applied force and the labels, which depend on the camera. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
@@ -137,6 +163,8 @@ private:
   void operator=(const vtkHapticToolRepresentation&) = delete;
 
   void CollectLabels(std::vector<palpate::AnchoredLabel>& labels);
+  void CollectTool(std::vector<palpate::LabelObstacle>& obstacles);
+  void CollectObstacles(std::vector<palpate::LabelObstacle>& obstacles);
 
   vtkSmartPointer<vtkContactToolSource> Source;
   vtkSmartPointer<vtkActor> ToolActor;
@@ -145,11 +173,15 @@ private:
   std::unique_ptr<palpate::ForceArrow> Friction;
   std::unique_ptr<palpate::ForceArrow> Applied;
   std::unique_ptr<palpate::TorqueArc> Torque;
+  std::unique_ptr<palpate::EndOnSign> TotalSign;
+  std::unique_ptr<palpate::EndOnSign> AppliedSign;
   vtkWeakPointer<vtkHapticToolRepresentation> LabelsAfter;
   double ForceScale = 10.0;
   bool ComponentsVisibility = true;
   bool AppliedForceVisibility = true;
   bool BeyondValidity = false;
+  bool SteadyLabels = false;
+  double ContactRadius = 0.0;
   double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction along which the tool stands
   double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< axis of the tool, if it is known
   double TorqueAboutTip[3] = { 0.0, 0.0, 0.0 };

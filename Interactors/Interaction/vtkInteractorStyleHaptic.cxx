@@ -136,7 +136,10 @@ bool vtkInteractorStyleHaptic::SteerOverSurface()
 {
   double point[3];
   double normal[3];
-  if (!this->PickSurface(point, normal))
+  const palpate::SteeredHand& hand = this->Steered();
+  const bool isOver = this->PickSurface(point, normal);
+  this->OffBody = !isOver && hand.touches && hand.height < 0.0;
+  if (!isOver)
   {
     return false;
   }
@@ -144,6 +147,11 @@ bool vtkInteractorStyleHaptic::SteerOverSurface()
   const double depth = byButton ? this->PressDepth : this->GetWheelDepth();
   this->TouchAt(point, normal, depth > 0.0 ? -depth : this->HoverHeight);
   return true;
+}
+
+bool vtkInteractorStyleHaptic::IsPointerOffBody()
+{
+  return this->OffBody && this->Interactor && this->FindSceneRenderer();
 }
 
 /// Steers the tip to a height above a point of the surface; a negative height presses.
@@ -198,6 +206,7 @@ bool vtkInteractorStyleHaptic::SteerInView(double away)
 
 bool vtkInteractorStyleHaptic::Steer()
 {
+  this->OffBody = false;
   return this->Steering == ViewPlane ? this->SteerInView(0.0) : this->SteerOverSurface();
 }
 

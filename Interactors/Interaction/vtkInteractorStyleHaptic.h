@@ -19,6 +19,8 @@
  *   parallel to the picture, both in free space and in the body. The wheel moves the tip away from
  *   the viewer or towards the viewer, by 0.1 mm per notch.
  *
+ * A tool that presses keeps its place while the pointer is off the body (IsPointerOffBody).
+ *
  * Elsewhere in the scene the mouse acts as in vtkInteractorStyleTrackballCamera: the left button
  * orbits, the middle button pans, the right button and the wheel zoom. With Control the wheel zooms
  * everywhere. In other viewports that are not interactive, such as a panel or charts, the mouse has
@@ -168,6 +170,11 @@ public:
    * window may explain the wheel.
    */
   bool HasWheelPressed() const { return this->WheelPressed; }
+  /**
+   * Whether the pointer is next to the body, in the viewport of the scene, while the tool presses.
+   * The tool then keeps its place and its depth; a window should say so.
+   */
+  bool IsPointerOffBody();
 
   ///@{
   /** Whether the list of keys and mouse functions is shown on the screen. Key ?. Default off. */
@@ -232,6 +239,7 @@ private:
   bool Pressing = false;
   bool KeepsWheelDepth = false; ///< whether the button was pressed while the wheel pressed
   bool WheelPressed = false;
+  bool OffBody = false; ///< whether the last move found no surface while the tool pressed
 };
 
 #endif

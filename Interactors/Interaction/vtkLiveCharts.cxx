@@ -107,7 +107,7 @@ void vtkLiveCharts::Update()
   const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
   std::string error; // the running session has already reported it
   kept.time.show(kept.session->GetRecorder()->GetNumberOfLostTicks());
-  kept.way.show();
+  kept.way.show(kept.time.now());
   kept.showCurves(now, error);
   if (this->GetHistogramVisibility())
   {
@@ -156,7 +156,7 @@ bool vtkLiveCharts::ShowTip(vtkPolyData* probed, vtkIdType index)
   }
   std::string error;
   kept.time.show(0);
-  kept.way.show();
+  kept.way.show(kept.time.now());
   kept.showCurves(now, error);
   kept.layOut();
   if (!error.empty())

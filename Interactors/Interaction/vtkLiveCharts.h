@@ -21,7 +21,8 @@
  *
  * The first ranges of the axes are chosen once from the responses: their range of deflection, and
  * the force at half of it; or they are set by SetLargestDeflection and SetLargestForce. An axis
- * grows in round steps if a value is larger. It shrinks only by ResetRanges.
+ * grows in round steps as soon as a drawn value is larger. It shrinks if for 3 s all drawn values
+ * have been below a third of it. ResetRanges chooses again.
  *
  * Without a session, ShowTip shows the tips of a probe's output or a recording in the same way.
  *

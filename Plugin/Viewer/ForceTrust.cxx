@@ -23,9 +23,10 @@ constexpr double Unbounded = 1.0; // a relative error of 100 % says nothing
 
 struct Trust
 {
-  std::vector<double> errors; ///< of the ticks in contact, relative, ascending; empty: not stored
-  double valid = 0.0;         ///< share of the ticks within the validity at all three corners
-  std::string cause;          ///< of the largest error, or of the first tick beyond the validity
+  std::vector<double> errors;  ///< of the ticks in contact, relative, ascending; empty: not stored
+  double valid = 0.0;          ///< share of the ticks within the validity at all three corners
+  const Tick* worst = nullptr; ///< the tick with the largest error
+  std::string limit;           ///< of the validity, in the first tick beyond it
   bool touches = false;
 };
 
@@ -64,7 +65,8 @@ Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
     if (error > largest)
     {
       largest = error;
-      trust.cause = limitInWords(static_cast<int>(limit->GetTuple1(weakest)));
+      trust.worst = &tick;
+      trust.limit = limitInWords(static_cast<int>(limit->GetTuple1(weakest)));
     }
   }
   std::sort(trust.errors.begin(), trust.errors.end());
@@ -94,15 +96,18 @@ std::string signedPercent(double error)
 }
 } // namespace
 
-std::string describeTrust(vtkPolyData* body, const std::vector<Tick>& ticks, double tolerance)
+std::string describeTrust(vtkPolyData* body, const std::vector<Tick>& ticks, double tolerance,
+  const std::function<std::string(const Tick&)>& causeOf)
 {
   const Trust trust = judge(body, ticks);
   if (!trust.touches)
   {
     return {};
   }
-  const std::string cause = trust.cause.empty() ? "" : ", mainly due to " + trust.cause;
-  if (trust.errors.empty())
+  const bool hasErrors = !trust.errors.empty();
+  const std::string reason = hasErrors ? causeOf(*trust.worst) : trust.limit;
+  const std::string cause = reason.empty() ? "" : ", mainly due to " + reason;
+  if (!hasErrors)
   {
     return joined("not stored; the law is valid in ", percent(trust.valid), " of the contact",
       trust.valid < 1.0 ? cause : std::string());

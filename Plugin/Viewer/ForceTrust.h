@@ -2,6 +2,7 @@
 #ifndef palpate_ForceTrust_h
 #define palpate_ForceTrust_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,12 @@ struct Tick;
  * The error of the forces of a session in one sentence, e.g. "± 2 % typically, ± 7 % at most,
  * mainly due to strain; above ± 5 % in 12 % of the contact", or "± 2 %, mainly due to strain".
  * Body: with the response "Response". `tolerance`: a relative error above which the forces are
- * counted; 0: none. Without a stored error the sentence gives the share of the contact that is
- * within the validity of the law. "" without contact.
+ * counted; 0: none. `causeOf` returns the cause of the error of one tick; it is called for the tick
+ * with the largest error. Without a stored error the sentence gives the share of the contact that
+ * is within the validity of the law. "" without contact.
  */
-std::string describeTrust(vtkPolyData* body, const std::vector<Tick>& ticks, double tolerance);
+std::string describeTrust(vtkPolyData* body, const std::vector<Tick>& ticks, double tolerance,
+  const std::function<std::string(const Tick&)>& causeOf);
 } // namespace palpate
 
 #endif

@@ -93,7 +93,7 @@ HapticWindow::HapticWindow(
   // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
   this->Window->SetMultiSamples(0);
   this->Renderer->UseFXAAOn();
-  this->Window->SetSize(PictureWidth, PictureHeight);
+  fitToScreen(this->Window);
   this->Window->SetWindowName(("Palpate: " + scene.title).c_str());
   this->Window->AddRenderer(this->Renderer);
   this->Interactor->SetRenderWindow(this->Window);

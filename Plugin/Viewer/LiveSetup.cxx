@@ -4,11 +4,11 @@
 #include "ProgressLine.h"
 #include "Response/Files/CollectingWindow.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkContactSetup.h"
+#include "vtkNew.h"
 #include "vtkToolContactResponse.h"
-
-#include <chrono>
-#include <thread>
 
 namespace palpate
 {
@@ -44,15 +44,15 @@ void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
 /// Makes the responses, with their progress. Returns false after an error.
 bool computeResponses(vtkContactSetup* setup)
 {
-  constexpr std::chrono::milliseconds pause{ 10 };
   ProgressLine line("the responses are computed");
-  setup->Request();
-  while (setup->IsBusy())
-  {
-    line.show(setup->GetProgress());
-    std::this_thread::sleep_for(pause);
-  }
-  return setup->Collect();
+  vtkNew<vtkCallbackCommand> show;
+  show->SetClientData(&line);
+  show->SetCallback([](vtkObject*, unsigned long, void* client, void* done)
+    { static_cast<ProgressLine*>(client)->show(*static_cast<const double*>(done)); });
+  const unsigned long tag = setup->AddObserver(vtkCommand::ProgressEvent, show);
+  const bool isMade = setup->Update(); // in the background it would yield to other programs
+  setup->RemoveObserver(tag);
+  return isMade;
 }
 } // namespace
 

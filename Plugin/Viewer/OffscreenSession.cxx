@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffscreenSession.h"
 
+#include "ErrorCause.h"
 #include "ForceTrust.h"
 #include "LayerModel.h"
 #include "ModelChoice.h"
@@ -9,6 +10,8 @@
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "Haptics/Servo/ServoStep.h"
+#include "Mechanics/Files/NumberText.h"
+#include "Mechanics/JoinedText.h"
 #include "SessionSettings.h"
 #include "ThicknessPicture.h"
 #include "Haptics/Devices/TrajectoryFile.h"
@@ -62,9 +65,48 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
+/// The tick with the largest force; null without contact.
+const Tick* peakOf(const std::vector<Tick>& ticks)
+{
+  const auto peak = std::max_element(ticks.begin(), ticks.end(),
+    [](const Tick& a, const Tick& b) { return a.contact.force.norm() < b.contact.force.norm(); });
+  return peak != ticks.end() && peak->contact.triangle >= 0 ? &*peak : nullptr;
+}
+
+/// Time and contact point of a tick, "2.471 s, -12.3, 40, 7.15 mm".
+std::string momentInWords(const Tick& tick)
+{
+  const Eigen::Vector3d& place = tick.contact.contactPoint;
+  std::array<char, 120> text{};
+  const auto tenths = [](double length)
+  { return std::round(10.0 * length) / 10.0 + 0.0; }; // no "-0"
+  std::snprintf(text.data(), text.size(), "%.3f s, %.1f, %.1f, %.1f mm", tick.time,
+    tenths(place.x()), tenths(place.y()), tenths(place.z()));
+  return text.data();
+}
+
+/// Names the tick in the pictures, and the tick of the largest force; "" without contact.
+std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
+{
+  const Tick* peak = peakOf(ticks);
+  if (!peak)
+  {
+    return {};
+  }
+  const Tick& shown = ticks[static_cast<std::size_t>(tick)];
+  if (&shown == peak)
+  {
+    return "At the peak, " + momentInWords(shown);
+  }
+  std::array<char, 60> force{};
+  std::snprintf(
+    force.data(), force.size(), "peak %.4g N at %.3f s", peak->contact.force.norm(), peak->time);
+  return "At " + momentInWords(shown) + "; " + force.data();
+}
+
 void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, const ModelChoice& choice, vtkHapticSession* session,
-  const std::string& stiffening)
+  const std::string& stiffening, const std::string& pictured)
 {
   vtkNew<vtkTable> statistics;
   session->GetRecorder()->GetStatistics(statistics);
@@ -96,10 +138,13 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
     value("Ticks"), session->GetRate(), value("TicksInContact"));
   const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
-  const auto peak = std::max_element(ticks.begin(), ticks.end(),
-    [](const Tick& a, const Tick& b) { return a.contact.force.norm() < b.contact.force.norm(); });
-  std::printf("  peak        force %.4g N, deflection %.4g mm\n", value("PeakForce (N)"),
-    peak == ticks.end() ? 0.0 : peak->contact.deflection);
+  const Tick* peak = peakOf(ticks);
+  std::printf("  peak        force %.4g N, deflection %.4g mm%s\n", value("PeakForce (N)"),
+    peak ? peak->contact.deflection : 0.0, peak ? (", at " + momentInWords(*peak)).c_str() : "");
+  if (!pictured.empty())
+  {
+    std::printf("  pictures    %s\n", pictured.c_str());
+  }
   const std::string memory = memoryInWords(value("PeakForce (N)"), value("MemoryAtPeak (N)"));
   if (!memory.empty())
   {
@@ -110,7 +155,8 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   {
     std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
   }
-  const std::string trust = describeTrust(responses.body, ticks, scene.terms.errorTolerance);
+  const std::string trust = describeTrust(responses.body, ticks, scene.terms.errorTolerance,
+    [&](const Tick& tick) { return causeOfError(scene, responses, tick); });
   if (!trust.empty())
   {
     std::printf("  error       %s\n", trust.c_str());
@@ -216,6 +262,7 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }
+  moment.remark = momentRemark(ticks, moment.tick);
   if (options.pictures)
   {
     progress("drawing");
@@ -226,7 +273,11 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   {
     const std::string stiffening = describeStiffening(scene, responses,
       nearestCorner(responses.body, moment), scene.depth, options.maximumDeflection);
-    printSummary(options, scene, responses, choice, session, stiffening);
+    printSummary(options, scene, responses, choice, session, stiffening,
+      options.pictures && peakOf(ticks)
+        ? joined("force ", shortly(ticks[static_cast<std::size_t>(moment.tick)].idealForce.norm()),
+            " N, at ", momentInWords(ticks[static_cast<std::size_t>(moment.tick)]))
+        : std::string());
   }
   return error;
 }

@@ -2,11 +2,17 @@
 #ifndef palpate_PictureSize_h
 #define palpate_PictureSize_h
 
+class vtkRenderWindow;
+
 namespace palpate
 {
-/// Size of windows and pictures, in pixels.
+/// Size of pictures, in pixels.
 constexpr int PictureWidth = 1280;
 constexpr int PictureHeight = 960;
+
+/// Gives a window the size of a picture, or of the part of the screen that is free for windows if
+/// that is smaller.
+void fitToScreen(vtkRenderWindow* window);
 } // namespace palpate
 
 #endif

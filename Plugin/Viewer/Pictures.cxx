@@ -60,6 +60,7 @@ struct Stage
     shown->SetLargestForce(largestForce);
     shown->SetLargestDeflection(scene.depth);
     shown->SetTitle(scene.title + describeSpot(scene, nearestCorner(body, moment)));
+    shown->SetRemark(moment.remark);
     return shown;
   }
 };
@@ -122,6 +123,15 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
     [&](vtkIdType a, vtkIdType b) { return distance(a) < distance(b); });
 }
 
+void fitToScreen(vtkRenderWindow* window)
+{
+  constexpr int taken = 60; // pixels, height of a window's title and the desktop's bar
+  const int* screen = window->GetScreenSize();
+  const auto fitted = [](int wished, int available)
+  { return available > 0 ? std::min(wished, available) : wished; };
+  window->SetSize(fitted(PictureWidth, screen[0]), fitted(PictureHeight, screen[1] - taken));
+}
+
 std::string writePicture(vtkRenderWindow* window, const std::string& file)
 {
   window->Render();
@@ -182,6 +192,7 @@ std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
     auto shown = stage.addScene(scene, responses.body, responses.tools[i], moment, largestForce,
       static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
     shown->SetResponseName(responses.names[i]);
+    shown->SetRemark(i == 0 ? moment.remark : std::string()); // its peak is that of the first tool
     shown->ShowTip(probed[i], 0);
     shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
     scenes.push_back(shown);

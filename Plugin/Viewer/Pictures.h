@@ -15,13 +15,14 @@ class vtkRenderWindow;
 
 namespace palpate
 {
-/// The data of a picture: one tick of a recording, with its contact, and the largest force of the
-/// recording.
+/// The data of a picture: one tick of a recording, with its contact, the largest force of the
+/// recording, and a remark that names the tick and the tick of the largest force.
 struct PicturedMoment
 {
   vtkPolyData* recording = nullptr;
   vtkIdType tick = 0;
   double largestForce = 1.0;
+  std::string remark;
 };
 
 /// The points whose responses the pictures show: the corners of the contact triangle; point 0

@@ -2,6 +2,7 @@
 #include "ResponseSet.h"
 
 #include "Contact/ResponseContract.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Response/Files/CollectingWindow.h"
 #include "Response/FlatBodyConversion.h"
@@ -142,11 +143,13 @@ std::string attachResponses(
   std::string error;
   for (std::size_t i = 0; i < scene.tools.size() && error.empty(); ++i)
   {
-    error = addTool(scene.tools[i], responses);
-    const std::string fault = error.empty() && !scene.stored
-      ? responses.tools.back()->GetKernel()->checkDepth(maximumDeflection)
-      : std::string();
-    error = fault.empty() ? error : "Maximum Deflection: " + fault;
+    error = firstFault([&] { return addTool(scene.tools[i], responses); },
+      [&]
+      {
+        return scene.stored
+          ? std::string()
+          : checkToolDepth(*responses.tools.back()->GetKernel(), maximumDeflection);
+      });
   }
   for (std::size_t i = 0; i < count && error.empty(); ++i)
   {
@@ -210,6 +213,40 @@ std::string prepareFirstResponse(
   return attachAndWrite(options, scene, options.save.empty() ? 1 : scene.tools.size(), responses);
 }
 
+namespace
+{
+/// 1 at the given points, 0 at all others.
+vtkSmartPointer<vtkUnsignedCharArray> maskOf(
+  vtkPolyData* body, const std::vector<vtkIdType>& points)
+{
+  auto mask = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  mask->SetNumberOfValues(body->GetNumberOfPoints());
+  mask->FillValue(0);
+  for (const vtkIdType point : points)
+  {
+    mask->SetValue(point, 1);
+  }
+  return mask;
+}
+} // namespace
+
+std::string attachAtPoints(const ViewerScene& scene, const ResponseSet& responses,
+  const std::vector<vtkIdType>& points, const std::string& name, double range, double tolerance,
+  vtkSmartPointer<vtkPolyData>& body)
+{
+  ViewerScene judged = scene;
+  judged.terms.errorTolerance = tolerance;
+  ResponseSet one;
+  one.body = responses.body;
+  one.tools = { responses.tools.front() };
+  one.names = { name };
+  const auto pressed = maskOf(one.body, points);
+  std::string error =
+    attachToolResponse(0, judged, lawOf(judged), range, { "Pressed", pressed }, one);
+  body = one.body;
+  return error;
+}
+
 std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& scene,
   const std::vector<vtkIdType>& points, ResponseSet& responses)
 {
@@ -217,13 +254,7 @@ std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& s
   {
     return {}; // all responses are attached
   }
-  vtkNew<vtkUnsignedCharArray> pressed;
-  pressed->SetNumberOfValues(responses.body->GetNumberOfPoints());
-  pressed->FillValue(0);
-  for (const vtkIdType point : points)
-  {
-    pressed->SetValue(point, 1);
-  }
+  const auto pressed = maskOf(responses.body, points);
   std::string error;
   for (std::size_t i = 1; i < responses.tools.size() && error.empty(); ++i)
   {

@@ -68,6 +68,13 @@ std::string prepareFirstResponse(
 std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& scene,
   const std::vector<vtkIdType>& points, ResponseSet& responses);
 
+/// Attaches the response of the first tool at these points only, up to `range` mm, to a copy of the
+/// body, under the prefix `name`. `tolerance` replaces the error tolerance of the scene. Returns ""
+/// or an error.
+std::string attachAtPoints(const ViewerScene& scene, const ResponseSet& responses,
+  const std::vector<vtkIdType>& points, const std::string& name, double range, double tolerance,
+  vtkSmartPointer<vtkPolyData>& body);
+
 /// Writes a body with all its arrays as a .vtp file, completely or not at all. Returns "" or an
 /// error.
 std::string saveBody(vtkPolyData* body, const std::string& path);

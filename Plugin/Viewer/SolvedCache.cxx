@@ -2,6 +2,7 @@
 #include "SolvedCache.h"
 
 #include "BodyCache.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/Files/NumberText.h"
 #include "ResponseSet.h"
 
@@ -46,8 +47,7 @@ std::string keepSolved(vtkPolyData* body, const std::string& file)
   {
     return {};
   }
-  const std::string fault = makeCacheFolder(file);
-  return fault.empty() ? saveBody(body, file) : fault;
+  return firstFault([&] { return makeCacheFolder(file); }, [&] { return saveBody(body, file); });
 }
 
 std::string solvedKey(const ViewerOptions& options, const ViewerScene& scene)

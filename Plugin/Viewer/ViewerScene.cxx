@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerScene.h"
 
+#include "ClearView.h"
+
 #include "Response/BodyConversion.h"
 #include "BodyFile.h"
 #include "LayerModel.h"
@@ -124,6 +126,10 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
       scene.directions.push_back(*options.slideTo);
     }
     scene.viewFrom = from;
+  }
+  if (options.tissues.empty() && (options.site || options.slideTo || !options.body.empty()))
+  {
+    scene.viewFrom = clearView(scene);
   }
   error = chooseLayer(options, scene);
   if (!error.empty())

@@ -115,6 +115,26 @@ def check_response():
     assert response.GetOutput().GetNumberOfPoints() == (0 if LAST else 121)
 
 
+def check_late_faults():
+    """A fault that is found after the last exchange between processes, and an abort of one process, are those of all."""
+    for automatic in (False, True):
+        for body in (piece(), vtkPolyData() if LAST and COUNT > 1 else piece()):
+            response = response_of(body)
+            response.SetStrainModelToOgden()
+            response.SetOgdenExponent(0.0)
+            response.SetAutomaticTerms(automatic)
+            error = run(response)
+            assert "Ogden's exponent" in error, (automatic, RANK, error)
+            assert response.GetOutput().GetNumberOfPoints() == 0
+
+            response = response_of(body)
+            response.SetAutomaticTerms(automatic)
+            if RANK == 0:
+                response.AddObserver("ProgressEvent", lambda caller, event: caller.SetAbortExecute(1))
+            assert run(response) == ""
+            assert response.GetOutput().GetNumberOfPoints() == 0, (automatic, RANK)
+
+
 def check_regime():
     body = good_response()
     if LAST:
@@ -227,7 +247,7 @@ def check_closed():
         assert outward or "8000 mm" in error, error # 20 mm cubed
 
 
-for check in (check_response, check_regime, check_probe, check_dent, check_ghosts, check_closed):
+for check in (check_response, check_late_faults, check_regime, check_probe, check_dent, check_ghosts, check_closed):
     check()
     controller.Barrier()
 if RANK == 0:

@@ -181,6 +181,24 @@ class ClosedForms(unittest.TestCase):
             # per cent of that.
             np.testing.assert_allclose(felt.force, 4 / 3 * REDUCED * math.sqrt(radius), rtol=0.005)
 
+    def test_several_tools_and_a_body_that_changes_in_place(self):
+        """What several tools share is found by content: a body whose memory changes is another body. Hertz, with the
+        curvatures of tool and ball; 0.01 is the error of the curvature that a mesh states (SurfaceCurvature.h)."""
+        source = vtkSphereSource()
+        source.SetRadius(20)
+        source.SetThetaResolution(80)
+        source.SetPhiResolution(80)
+        source.Update()
+        ball = source.GetOutput()
+        points = vtk_to_numpy(ball.GetPoints().GetData())
+        for radius in (20.0, 5.0, 20.0):
+            points *= radius / np.linalg.norm(points[0])      # without Modified()
+            for size in (3.0, 6.0, 4.0):
+                body = palpate.response(ball, tool="paraboloid:%g" % size, maximum_deflection=0.2, compliance=None)
+                force = vtk_to_numpy(body.GetPointData().GetArray("ResponseForce"))[500, -1]
+                hertz = 4 / 3 * REDUCED * np.sqrt(1 / (1 / size + 1 / radius)) * 0.2**1.5
+                self.assertLess(abs(force / hertz - 1), 0.01, (radius, size))
+
     def test_a_contact_leaves_over_a_sharp_edge(self):
         corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * 200.0
         faces = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],

@@ -15,8 +15,8 @@ import unittest
 import numpy as np
 
 import palpate
-from palpate import (contract, tilts, vtkContactTool, vtkReducedContactResponse, vtkResponseCurves, vtkToolContactProbe,
-                     vtkToolContactResponse)
+from palpate import (contract, tilts, vtkContactTool, vtkReducedContactResponse, vtkResponseChoice, vtkResponseCurves,
+                     vtkToolContactProbe, vtkToolContactResponse)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -102,7 +102,7 @@ class AgainstTheTable(unittest.TestCase):
         header = os.path.join(os.path.dirname(__file__), "../../Filters/Contact/ResponseContract.h")
         with open(header, encoding="utf-8") as file:
             self.rows = self.ROW.findall(file.read())
-        self.assertEqual(len(self.rows), 29)
+        self.assertEqual(len(self.rows), 41)
 
     def test_filters_attach_what_the_table_says(self):
         ball = vtkSphereSource()
@@ -149,6 +149,9 @@ class AgainstTheTable(unittest.TestCase):
                     if use == absent:
                         self.assertIsNone(array)
                         continue
+                    if use == "Remark" or name in ("LayerStack", "SecondThickness"):  # of other filters, and of stacks
+                        self.assertEqual(array is not None, name.startswith("Reduction") and filter is compact)
+                        continue
                     self.assertIsNotNone(array)
                     self.assertEqual(array.GetDataTypeAsString(), self.TYPES[kind])
                     if (place, components) == ("Fields", "Branches"):
@@ -157,6 +160,34 @@ class AgainstTheTable(unittest.TestCase):
                     self.assertEqual(array.GetNumberOfComponents(), width[components])
                     if place == "Points":
                         self.assertEqual(array.GetNumberOfTuples(), body.GetNumberOfPoints())
+
+    def test_stacks_and_remarks(self):
+        plane = vtkPlaneSource()
+        plane.SetResolution(4, 4)
+        plane.SetPoint1(20, 0, 0)
+        plane.SetPoint2(0, 20, 0)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(plane.GetOutputPort())
+        response = vtkToolContactResponse()
+        response.SetInputConnection(triangles.GetOutputPort())
+        response.SetTool(vtkContactTool())
+        response.SetLayerThickness(4.0)
+        response.AddLayer(6.0, 0.2, 0.45)
+        response.AutomaticTermsOn()
+        response.SetTermTolerance(1e-6)
+        response.AddRelaxation(0.5, 0.1)
+        choice = vtkResponseChoice()
+        choice.SetInputConnection(response.GetOutputPort())
+        choice.Update()
+        body = choice.GetOutput()
+        for name, place, kind, components, use in self.rows:
+            if name in ("LayerThickness", "LayerBase", "LayerStack", "SecondThickness", "Terms", "Choice", "RelaxationElements"):
+                with self.subTest(array=name):
+                    data = body.GetPointData() if place == "Points" else body.GetFieldData()
+                    array = data.GetAbstractArray("Response" + name)
+                    self.assertIsNotNone(array)
+                    self.assertEqual(array.GetDataTypeAsString(), self.TYPES[kind])
+                    self.assertEqual(array.GetNumberOfComponents(), {"One": 1, "Four": 4}[components])
 
     def test_the_numpy_contract_reads_what_evaluation_needs(self):
         read = set()

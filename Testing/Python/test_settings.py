@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkContactSettings in Python, and the properties in ParaView against its table."""
+import glob
+import inspect
 import math
 import os
 import re
 import unittest
 import xml.etree.ElementTree
 
+import palpate
 from palpate import vtkContactSettings, vtkHapticSession, vtkToolContactProbe, vtkToolTouch
 from vtkmodules.vtkCommonDataModel import vtkTable
 
@@ -115,6 +118,74 @@ class ParaView(unittest.TestCase):
                 said = " ".join(self.properties[row["Name"]].find("Documentation").text.split())
                 begins = row["Help"][0].upper() + row["Help"][1:] + "."
                 self.assertEqual(said[:len(begins)], begins)
+
+
+class Responses(unittest.TestCase):
+    """Settings of the response filters: the same in all filters that have them, in Python and in ParaView."""
+
+    # The property and the keyword of palpate.response, if it is one number or a switch there.
+    SHARED = {"YoungsModulus": "young", "PoissonRatio": "poisson", "LayerThickness": None, "LayerBase": None,
+              "ComplianceExcludesLayer": "compliance_excludes_layer", "BaseYoungsModulus": None,
+              "BasePoissonRatio": None, "CurvatureCorrection": "curvature", "EdgeCorrection": "edges",
+              "MaximumTilt": "tilt", "Coupling": "coupling", "ComplianceRelaxes": "compliance_relaxes",
+              "StrainModel": None, "OgdenExponent": None, "DemirayExponent": None, "ErrorTolerance": "error_tolerance",
+              "StoreError": None, "AutomaticTerms": None, "TermTolerance": None, "MaximumDeflection": "maximum_deflection",
+              "NumberOfSamples": "samples", "ResponseName": "name"}
+    # A build may lack the modules of solids and of measured curves.
+    KINDS = [getattr(palpate, "vtk" + name) for name in
+             ("ToolContactResponse", "ElasticContactResponse", "DirectContactResponse", "MeasuredContactResponse",
+              "ContactRegime", "ContactSetup") if hasattr(palpate, "vtk" + name)]
+
+    @staticmethod
+    def has(kind, name):
+        return hasattr(kind, "Get" + name) and (kind, name) != (palpate.vtkContactSetup, "ResponseName")  # of each tool
+
+    def test_defaults_of_filters_and_setup(self):
+        for name in self.SHARED:
+            values = {kind.__name__: getattr(kind(), "Get" + name)() for kind in self.KINDS if self.has(kind, name)}
+            self.assertIn("vtkToolContactResponse", values, name)
+            self.assertEqual(len(set(values.values())), 1, (name, values))
+
+    def test_each_is_set_and_changes_the_modification_time(self):
+        for kind in self.KINDS:
+            for name in self.SHARED:
+                if self.has(kind, name):
+                    changed = kind()
+                    value, before = getattr(changed, "Get" + name)(), changed.GetMTime()
+                    value = "Other" if isinstance(value, str) else type(value)(value + 1) if not isinstance(value, bool) else not value
+                    getattr(changed, "Set" + name)(value)
+                    self.assertEqual(getattr(changed, "Get" + name)(), value, (kind, name))
+                    self.assertGreater(changed.GetMTime(), before, (kind, name))
+                    self.assertIn("%s: %s" % (name, "%g" % value if not isinstance(value, str) else value), str(changed))
+
+    def test_keywords_of_python(self):
+        usual = palpate.vtkToolContactResponse()
+        keywords = inspect.signature(palpate.response).parameters
+        for name, keyword in self.SHARED.items():
+            if keyword:
+                self.assertEqual(keywords[keyword].default, getattr(usual, "Get" + name)(), name)
+        for function in (palpate.regime, palpate.measured):
+            for keyword, given in inspect.signature(function).parameters.items():
+                if keyword in self.SHARED.values():
+                    self.assertEqual(given.default, keywords[keyword].default, (function, keyword))
+
+    def test_properties_of_paraview(self):
+        found = set()
+        for path in glob.glob(os.path.join(SERVER_MANAGER, "*.xml")):
+            for proxy in xml.etree.ElementTree.parse(path).iter("SourceProxy"):
+                kind = getattr(palpate, (proxy.get("class") or "").replace("vtkPV", "vtk"), None)
+                if kind not in self.KINDS:
+                    continue
+                for shown in proxy:
+                    name = (shown.get("command") or "").removeprefix("Set")
+                    if name in self.SHARED and shown.get("default_values") is not None:
+                        found.add((kind, name))
+                        usual = getattr(kind(), "Get" + name)()
+                        text = shown.get("default_values")
+                        self.assertEqual(text if isinstance(usual, str) else float(text), usual, (proxy.get("name"), name))
+        for kind in set(self.KINDS) - {palpate.vtkContactSetup}:
+            for name in self.SHARED:
+                self.assertTrue(not self.has(kind, name) or (kind, name) in found, (kind, name))
 
 
 if __name__ == "__main__":

@@ -6,12 +6,12 @@ import subprocess
 
 
 class OwnDisplay:
-    """`name` is its DISPLAY. None where Xvfb is not installed: see is_there()."""
+    """`name` is its DISPLAY; `size` in pixels. None where Xvfb is not installed: see is_there()."""
 
-    def __init__(self):
+    def __init__(self, size="1280x1024"):
         reading, writing = os.pipe()
         self._server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-noreset",
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{size}x24", "-noreset",
              "-nolisten", "tcp"], pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as said:

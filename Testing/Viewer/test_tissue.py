@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """--tissue: a segmentation is filled, solved and shown as a map of the force."""
+import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -65,8 +67,36 @@ class Tissue(SessionCase):
         result = run(self.labels, *TISSUES, *TERMS, "--map", "--output", self.output, "--save", self.folder / "felt.vtp")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(set(self.files()), {"map.png"})
-        self.assertRegex(result.stdout, r"largest force 0\.\d+ N ± \d+ %")
-        self.assertTrue((self.folder / "felt.vtp").exists())
+        self.check_largest(result.stdout, self.saved(self.folder / "felt.vtp"))
+
+    def check_largest(self, printed, body):
+        """The largest force of the map is that of the points that are farther from all held points than two contact
+        radii of the sphere, and whose error is below 100 %."""
+        found = re.search(r"largest force ([\d.]+) N ± \d+ %\s+at (-?[\d.]+), (-?[\d.]+), (-?[\d.]+) mm\s+"
+                          r"\(without the places within ([\d.]+) mm\s+of the held part\)", printed)
+        self.assertTrue(found, printed)
+        force, *place, distance = map(float, found.groups())
+        radius = distance / 2
+        depth = radius / 2 * math.log((3 + radius) / (3 - radius))   # of a rigid sphere (Sneddon 1965)
+        self.assertAlmostEqual(depth, 0.5, delta=0.01)               # three digits of the distance
+        points = vtk_to_numpy(body.GetPoints().GetData())
+        held = points[vtk_to_numpy(body.GetPointData().GetArray("Fixed")) != 0]
+        away = numpy.linalg.norm(points[:, None] - held[None], axis=2).min(axis=1) > distance
+        curves = palpate.curves(body, deflection=0.5)
+        known = numpy.isfinite(curves.force[:, 0]) & (self.errors(body) < 1.0)
+        self.assertGreater((known & ~away).sum(), 0)
+        self.assertAlmostEqual(force, curves.force[known & away, 0].max(), delta=1e-3 * force)
+        nearest = numpy.linalg.norm(points - place, axis=1).argmin()
+        self.assertTrue(away[nearest])
+        self.assertAlmostEqual(curves.force[nearest, 0], force, delta=1e-3 * force)
+
+    def errors(self, body):
+        """Relative error at 0.5 mm of each point; NaN without a force there."""
+        mapped = palpate.vtkForceMap()
+        mapped.SetInputData(body)
+        mapped.SetDepth(0.5)
+        mapped.Update()
+        return vtk_to_numpy(mapped.GetOutput().GetPointData().GetArray("ErrorAtDepth"))
 
     def test_without_an_output_it_opens_a_window(self):
         result = run(self.labels, *TISSUES, *TERMS, environment={"DISPLAY": None})

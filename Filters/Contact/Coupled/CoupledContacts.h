@@ -30,15 +30,14 @@ namespace palpate
  *
  * After two rounds the residual is less than 1e-3 of the force for 10 contacts at 200 mm/s and
  * 1 kHz, and 5e-3 for 20. On a body that relaxes, only the slow forces lower the surface under the
- * other tools. Near sharp edges and beyond borders, the force that acts on the other tools is only
- * approximately the reduced force at that depth.
+ * other tools.
  *
  * With ForceForm::EnergyConsistent each tool is also drawn towards the others along the surface by
  *   F_i F_j ∂C_ij/∂x_i.
  * With this force, the forces have the energy Σ δ_i F_i - Σ U*_i(F_i) - Σ_{i<j} C_ij F_i F_j of the
  * body on any path of the contacts, with two exceptions: the residual of two rounds (2e-6 F δ per
  * period of two tools that press a quarter period apart), and contacts whose distance is limited to
- * the sum of their radii. This does not apply to a body that relaxes, nor near edges.
+ * the sum of their radii. This does not apply to a body that relaxes.
  *
  * For a body without coupling, and for one contact, the results are bit for bit those of
  * ToolContact. update() does not allocate, lock or throw. Its cost is bounded: N² multiply-adds and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/FiniteStrain/NeoHookeTables.h"
 #include "Mechanics/FiniteStrain/StrainModule.h"
 #include "Mechanics/JoinedText.h"
@@ -86,8 +87,8 @@ std::string makeStrainCorrection(const AxisymmetricTool& tool, const StrainLaw& 
   {
     return {};
   }
-  std::string fault = checkStrainEnergy(law.model, law.parameter);
-  fault = fault.empty() ? checkBonds(bodies.stack) : fault;
+  std::string fault = firstFault([&] { return checkStrainEnergy(law.model, law.parameter); },
+    [&] { return checkBonds(bodies.stack); });
   if (!fault.empty())
   {
     return fault;

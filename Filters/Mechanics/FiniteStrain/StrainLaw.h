@@ -29,6 +29,13 @@ struct StrainLaw
   double parameter = 0.0;
 };
 
+/// The law of a model that is given by its number, with the parameter that belongs to it.
+inline StrainLaw strainLawOf(int model, double ogden, double demiray)
+{
+  const auto law = static_cast<StrainModel>(model);
+  return { law, law == StrainModel::Ogden ? ogden : demiray };
+}
+
 /// "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small strain" for Linear.
 PALPATE_EXPORT std::string describe(const StrainLaw& law);
 } // namespace palpate

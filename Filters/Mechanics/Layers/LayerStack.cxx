@@ -149,13 +149,15 @@ std::string checkStack(const LayerStack& stack)
       ? std::string()
       : joined(name, ": Poisson's ratio must lie between 0 and 0.5, but is ", layer.poissonsRatio);
   };
-  std::string fault;
-  for (std::size_t i = 0; fault.empty() && i < stack.layers.size(); ++i)
+  for (std::size_t i = 0; i < stack.layers.size(); ++i)
   {
-    fault = check(stack.layers[i], joined("Layer ", i), false);
+    const std::string fault = check(stack.layers[i], joined("Layer ", i), false);
+    if (!fault.empty())
+    {
+      return fault;
+    }
   }
-  return fault.empty() && stack.hasHalfSpace ? check(stack.halfSpace, "The half-space", true)
-                                             : fault;
+  return stack.hasHalfSpace ? check(stack.halfSpace, "The half-space", true) : std::string();
 }
 
 StackTransform stackTransform(const LayerStack& stack, double omega)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mechanics/Tilt/TiltNodes.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/Tilt/TiltError.h"
@@ -248,8 +249,8 @@ std::string checkTiltDemand(const AxisymmetricTool& tool, double range, double l
   {
     return joined("the range of tilts must be positive and finite (mm), but is ", range);
   }
-  const std::string fault = checkTilt(tool, largest);
-  return fault.empty() ? tool.checkDepth(range) : fault;
+  return firstFault(
+    [&] { return checkTilt(tool, largest); }, [&] { return tool.checkDepth(range); });
 }
 
 double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered)

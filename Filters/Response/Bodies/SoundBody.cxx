@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/SoundBody.h"
 
+#include "Mechanics/RecentValues.h"
 #include "Response/BodyConversion.h"
+#include "Response/Curves/ContentHash.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/Ranks.h"
 
@@ -11,18 +13,42 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <tuple>
 
 namespace palpate
 {
 namespace
 {
-SoundMesh soundMesh(vtkPolyData* surface, SoundBody::Extent extent)
+/// The triangles of a surface as plain numbers.
+struct PlainSurface
 {
-  const std::vector<std::int32_t> triangles = copyTriangles(surface);
-  const std::vector<double> points = copyPoints(surface);
-  const FilterThreads threads;
-  return SoundMesh(points.data(), points.size() / 3, triangles.data(), triangles.size() / 3,
-    extent == SoundBody::Extent::Piece);
+  std::vector<std::int32_t> triangles;
+  std::vector<double> points;
+
+  explicit PlainSurface(vtkPolyData* surface)
+    : triangles(copyTriangles(surface))
+    , points(copyPoints(surface))
+  {
+  }
+
+  SoundMesh soundMesh(SoundBody::Extent extent) const
+  {
+    const FilterThreads threads;
+    return SoundMesh(this->points.data(), this->points.size() / 3, this->triangles.data(),
+      this->triangles.size() / 3, extent == SoundBody::Extent::Piece);
+  }
+};
+
+/// The defects of the last surfaces that needed no repair, by their content.
+using SoundKey = std::tuple<std::size_t, std::size_t, SoundBody::Extent>;
+
+RecentValues<SoundKey, MeshDefects>& soundSurfaces()
+{
+  constexpr std::size_t most = 16;
+  static RecentValues<SoundKey, MeshDefects> recent(most, most * sizeof(MeshDefects));
+  return recent;
 }
 
 /// Returns a surface of the given triangles with their cell arrays. Each corner is replaced by its
@@ -77,7 +103,15 @@ SoundBody::SoundBody(vtkPolyData* input, Extent extent)
   {
     return;
   }
-  const SoundMesh mesh = soundMesh(input, extent);
+  const PlainSurface surface(input);
+  const SoundKey key{ hashOf(surface.points), hashOf(surface.triangles), extent };
+  if (const std::shared_ptr<const MeshDefects> known = soundSurfaces().find(key))
+  {
+    this->Found = *known;
+    this->Body = input;
+    return;
+  }
+  const SoundMesh mesh = surface.soundMesh(extent);
   this->Fault = mesh.fault();
   this->Found = mesh.defects();
   if (!this->Fault.empty())
@@ -87,6 +121,8 @@ SoundBody::SoundBody(vtkPolyData* input, Extent extent)
   if (!mesh.hasJoinedPoints() && !changesTriangles(this->Found))
   {
     this->Body = input;
+    soundSurfaces().keep(
+      key, std::make_shared<const MeshDefects>(this->Found), sizeof(MeshDefects));
     return;
   }
   if (mesh.hasJoinedPoints())
@@ -140,7 +176,7 @@ SoundBody::Extent extentOn(const Ranks& ranks)
 std::string orientSurface(
   vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found)
 {
-  const SoundMesh mesh = soundMesh(surface, extent);
+  const SoundMesh mesh = PlainSurface(surface).soundMesh(extent);
   found = mesh.defects();
   if (mesh.fault().empty() && changesTriangles(found))
   {

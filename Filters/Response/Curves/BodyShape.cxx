@@ -3,6 +3,7 @@
 
 #include "Mechanics/RecentValues.h"
 #include "Response/BodyConversion.h"
+#include "Response/Curves/ContentHash.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/Pieces/Ranks.h"
 
@@ -15,12 +16,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <future>
 #include <limits>
 #include <map>
 #include <memory>
-#include <string_view>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -101,16 +101,54 @@ struct ShapeKey
   }
 };
 
-template <class Value>
-std::size_t hashOf(const std::vector<Value>& values)
+/// A surface, and its parts that do not depend on the contact radius. They are made when they are
+/// needed.
+class SharedSurface
 {
-  const std::string_view bytes(
-    reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
-  return std::hash<std::string_view>()(bytes);
-}
+public:
+  explicit SharedSurface(WholeSurface&& whole)
+    : Whole(std::move(whole))
+  {
+  }
+
+  const WholeSurface& whole() const { return this->Whole; }
+  const SurfaceForms& forms() const
+  {
+    std::call_once(this->FormsMade,
+      [this] {
+        this->Forms =
+          std::make_unique<SurfaceForms>(this->Whole.spans(), this->Whole.normals.data());
+      });
+    return *this->Forms;
+  }
+  const EdgeSurface& edges() const
+  {
+    std::call_once(this->EdgesMade,
+      [this] { this->Edges = std::make_unique<EdgeSurface>(this->Whole.spans()); });
+    return *this->Edges;
+  }
+
+  /// An upper limit, with all parts.
+  std::size_t bytes() const
+  {
+    constexpr std::size_t perPoint = 260;
+    constexpr std::size_t perTriangle = 130;
+    return perPoint * this->Whole.points.size() / 3 +
+      perTriangle * this->Whole.triangles.size() / 3;
+  }
+
+private:
+  WholeSurface Whole;
+  mutable std::once_flag FormsMade;
+  mutable std::once_flag EdgesMade;
+  mutable std::unique_ptr<SurfaceForms> Forms;
+  mutable std::unique_ptr<EdgeSurface> Edges;
+};
 
 constexpr std::size_t MostShapes = 16;
 constexpr std::size_t MostBytesOfShapes = std::size_t{ 128 } << 20;
+constexpr std::size_t MostSurfaces = 2;
+constexpr std::size_t MostBytesOfSurfaces = std::size_t{ 512 } << 20;
 } // namespace
 
 std::shared_ptr<const BodyShape> findShape(
@@ -132,26 +170,35 @@ std::shared_ptr<const BodyShape> findShape(
   {
     return known;
   }
+  const auto share = [&]
+  {
+    auto surface = std::make_shared<const SharedSurface>(
+      ranks.areAlone() ? std::move(piece) : gatherSurface(seam, piece));
+    const std::size_t bytes = surface->bytes();
+    return std::make_pair(std::shared_ptr<const SharedSurface>(std::move(surface)), bytes);
+  };
+  static RecentValues<std::array<std::size_t, 3>, SharedSurface> surfaces(
+    MostSurfaces, MostBytesOfSurfaces);
+  const std::shared_ptr<const SharedSurface> shared =
+    ranks.areAlone() ? surfaces.get(key.surface, share) : share().first;
   auto made = std::make_shared<BodyShape>();
-  const WholeSurface whole = ranks.areAlone() ? std::move(piece) : gatherSurface(seam, piece);
-  made->inWhole = whole.own;
-  const TriangleSpans surface = whole.spans();
-  const float* all = whole.normals.data();
+  made->inWhole = shared->whole().own;
   auto curvature = std::async(std::launch::async,
     [&]
     {
+      const WholeSurface& whole = shared->whole();
       return std::make_unique<SurfaceCurvature>(terms.edges
-          ? SurfaceCurvature::ofFaces(surface, all, a)
-          : SurfaceCurvature(surface, all, a));
+          ? SurfaceCurvature::ofFaces(whole.spans(), whole.normals.data(), a)
+          : SurfaceCurvature(shared->forms(), a));
     });
   if (wantsEdges)
   {
     // Contact radii: at this distance an edge reduces the force by 2 %.
     constexpr double reach = 40.0;
-    made->edges = std::make_unique<EdgeDistance>(surface, a, reach * a);
+    made->edges = std::make_unique<EdgeDistance>(shared->edges(), a, reach * a);
   }
   made->curvature = curvature.get();
-  recent.keep(key, made, 28 * surface.pointCount);
+  recent.keep(key, made, 28 * shared->whole().points.size() / 3);
   return made;
 }
 

@@ -40,7 +40,9 @@ struct BodyShape
 /// null. Collective; each rank temporarily stores the whole body.
 ///
 /// A shape does not depend on the material, which changes more often. So the process caches the
-/// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Thread-safe.
+/// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Of the last two whole
+/// bodies it also caches what the shapes for all radii share: some 500 bytes per point, up to 512
+/// MB. Thread-safe.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 

@@ -6,15 +6,10 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <utility>
@@ -176,71 +171,5 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)
   whole.leastRatio = ranks.smallest(own.leastRatio);
   whole.mostRatio = ranks.largest(own.mostRatio);
   material.setRange(whole);
-}
-
-namespace
-{
-void attachStack(const BodyMaterial& material, const std::string& name, vtkPolyData* output)
-{
-  const LayerStack& stack = material.range().stack;
-  vtkNew<vtkDoubleArray> layers;
-  layers->SetName((name + "LayerStack").c_str());
-  layers->SetNumberOfComponents(4);
-  const auto add = [&layers](const StackLayer& layer, double thickness)
-  {
-    layers->InsertNextTuple4(
-      thickness, layer.youngsModulus, layer.poissonsRatio, layer.slips ? 1.0 : 0.0);
-  };
-  const std::array<double, 2> thinnest = { material.range().layers.thinnest,
-    material.range().second.thinnest };
-  for (std::size_t i = 0; i < stack.layers.size(); ++i)
-  {
-    add(stack.layers[i], i < thinnest.size() ? thinnest[i] : stack.layers[i].thickness);
-  }
-  if (stack.hasHalfSpace)
-  {
-    add(stack.halfSpace, 0.0);
-  }
-  output->GetFieldData()->AddArray(layers);
-  if (stack.layers.size() < 2)
-  {
-    return;
-  }
-  const ContactSpots spots = material.spots();
-  vtkNew<vtkFloatArray> second;
-  second->SetName((name + "SecondThickness").c_str());
-  second->SetNumberOfTuples(output->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    second->SetValue(i, static_cast<float>(spots.at(static_cast<std::size_t>(i)).second));
-  }
-  output->GetPointData()->AddArray(second);
-}
-} // namespace
-
-void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output)
-{
-  if (!material.range().hasLayers())
-  {
-    return;
-  }
-  const ContactSpots spots = material.spots();
-  vtkNew<vtkFloatArray> thickness;
-  thickness->SetName((name + "LayerThickness").c_str());
-  thickness->SetNumberOfTuples(output->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const ContactSpot spot = spots.at(static_cast<std::size_t>(i));
-    thickness->SetValue(i, static_cast<float>(spot.thickness));
-  }
-  output->GetPointData()->AddArray(thickness);
-  vtkNew<vtkUnsignedCharArray> base;
-  base->SetName((name + "LayerBase").c_str());
-  base->InsertNextValue(static_cast<unsigned char>(material.range().layers.base));
-  output->GetFieldData()->AddArray(base);
-  if (material.range().hasStack())
-  {
-    attachStack(material, name, output);
-  }
 }
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "palpateResponseModule.h"
 
 #include "Laws/BodyMaterial.h"
+#include "Mechanics/Relaxation/PronySeries.h"
 
 #include "vtkType.h"
 
@@ -32,7 +33,19 @@ struct MaterialArray
   vtkDataArray* array = nullptr;
 };
 using MaterialArrays = std::array<MaterialArray, 5>;
+constexpr std::size_t ThicknessArrayIndex = 1;
 constexpr std::size_t ComplianceArrayIndex = 2;
+constexpr std::size_t SecondArrayIndex = 4;
+/// Index of the array to process that has the strengths of the relaxation at each point.
+constexpr int RelaxationArrayIndex = 5;
+
+/// The relaxation of a body. Without branches the body does not relax.
+struct RelaxationRequest
+{
+  PronySeries series;
+  MaterialArray strength = {};   ///< one component per branch; replaces the strengths of the series
+  bool complianceRelaxes = true; ///< whether the global compliance relaxes with the material
+};
 
 /// The material `first` with the layers that were added to a filter (each with thickness (mm),
 /// Young's modulus (MPa), Poisson's ratio and whether the layer slips), and with an elastic base
@@ -67,12 +80,6 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
 /// Sets the range of `material` to that of the whole body, after readMaterial on the ranks that
 /// have a piece. Collective: the ranks without a piece call it, too.
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material);
-
-/// Attaches <name>LayerThickness and <name>LayerBase if the material has layers. For a stack it
-/// also attaches <name>LayerStack as field data (double 4: thickness in mm, 0 for the half-space; E
-/// in MPa; ν; 1 if it slips below the layer above, else 0; one tuple per layer from the top, with
-/// the smallest thickness of varying layers), and <name>SecondThickness per point.
-void attachLayers(const BodyMaterial& material, const std::string& name, vtkPolyData* output);
 } // namespace palpate
 
 #endif

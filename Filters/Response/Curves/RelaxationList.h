@@ -4,6 +4,8 @@
 
 #include "Mechanics/Relaxation/PronySeries.h"
 
+#include "Mechanics/Checked.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -73,8 +75,7 @@ public:
     {
       series.add(strength, seconds);
     }
-    const std::string fault = faultOfRelaxation(series);
-    return fault.empty() ? fault : "Relaxations: " + fault;
+    return prefixed("Relaxations: ", faultOfRelaxation(series));
   }
 
 private:

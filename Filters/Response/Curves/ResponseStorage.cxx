@@ -6,6 +6,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace palpate
@@ -35,6 +36,13 @@ ResponseStorage::ResponseStorage(
     this->Error = vtkSmartPointer<vtkFloatArray>::New();
     allocate(this->Error, arrayName(name, ResponseArray::Error), samples, points);
   }
+}
+
+void ResponseStorage::setNormals(
+  const std::vector<float>& normals, const std::vector<unsigned char>& status)
+{
+  std::copy(normals.begin(), normals.end(), this->Normal->GetPointer(0));
+  std::copy(status.begin(), status.end(), this->Status->GetPointer(0));
 }
 
 ResponseSpans ResponseStorage::spans()

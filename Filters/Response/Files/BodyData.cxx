@@ -123,7 +123,10 @@ void take(FileMesh mesh, BodyData& result)
 {
   result.fault = mesh.fault;
   result.notes = mesh.notes;
-  result.data = mesh.fault.empty() ? asPolyData(mesh) : nullptr;
+  if (mesh.fault.empty())
+  {
+    result.data = asPolyData(mesh);
+  }
 }
 
 void readObjFile(const std::string& path, BodyData& result)
@@ -204,7 +207,10 @@ void update(vtkAlgorithm* reader, const std::string& path, BodyData& result,
     return;
   }
   result.fault = dataFault(data, memory);
-  result.data = result.fault.empty() ? data : nullptr;
+  if (result.fault.empty())
+  {
+    result.data = data;
+  }
   if (!quiet.window->firstWarning().empty())
   {
     result.notes.push_back(printable("the reader warns: " + quiet.window->firstWarning()));
@@ -237,7 +243,10 @@ void readNiftiFile(const std::string& path, BodyData& result)
   if (auto* image = vtkImageData::SafeDownCast(result.data))
   {
     result.fault = applyNiftiHeader(reader, image, result.notes);
-    result.data = result.fault.empty() ? image : nullptr;
+    if (!result.fault.empty())
+    {
+      result.data = nullptr;
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Files/DataFault.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/Files/TrialRun.h"
 
@@ -126,8 +127,8 @@ std::string structureFault(vtkDataSet* data, double memory)
   }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    std::string fault = cellsFault(grid->GetCells(), points);
-    return fault.empty() ? typesFault(grid, memory) : fault;
+    return firstFault([&] { return cellsFault(grid->GetCells(), points); },
+      [&] { return typesFault(grid, memory); });
   }
   if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
   {
@@ -156,10 +157,8 @@ std::string structureFault(vtkDataSet* data, double memory)
 
 std::string dataFault(vtkDataSet* data, double memory)
 {
-  std::string fault = structureFault(data, memory);
-  fault = fault.empty() ? attributeFault(data->GetPointData(), data->GetNumberOfPoints(), "points")
-                        : fault;
-  return fault.empty() ? attributeFault(data->GetCellData(), data->GetNumberOfCells(), "cells")
-                       : fault;
+  return firstFault([&] { return structureFault(data, memory); },
+    [&] { return attributeFault(data->GetPointData(), data->GetNumberOfPoints(), "points"); },
+    [&] { return attributeFault(data->GetCellData(), data->GetNumberOfCells(), "cells"); });
 }
 } // namespace palpate

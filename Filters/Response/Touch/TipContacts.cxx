@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Touch/TipContacts.h"
 
+#include "Mechanics/Checked.h"
 #include "Response/Touch/TipOrder.h"
 #include "Response/Touch/TipPoses.h"
 
@@ -85,9 +86,8 @@ std::string checkTimes(vtkPolyData* tips)
 
 std::string checkTips(vtkPolyData* tips)
 {
-  std::string fault = checkLines(tips);
-  fault = fault.empty() ? checkTimes(tips) : fault;
-  return fault.empty() ? checkAxes(tips) : fault;
+  return firstFault([&] { return checkLines(tips); }, [&] { return checkTimes(tips); },
+    [&] { return checkAxes(tips); });
 }
 
 void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSettings& settings,

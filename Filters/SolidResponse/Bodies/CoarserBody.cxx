@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidResponse/Bodies/CoarserBody.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 
 #include "vtkGenericCell.h"
@@ -87,7 +88,7 @@ std::string CoarserBody::compare(vtkUnstructuredGrid* coarser, const SolveReques
   }
   if (!fault.empty() || own.ended || this->Difference)
   {
-    return fault.empty() ? fault : "Coarser: " + fault;
+    return prefixed("Coarser: ", fault);
   }
   const LandmarkKernels* fine =
     body.landmarks(FilterStage{ stage.filter, at(SolvedPart), at(FittedPart) });

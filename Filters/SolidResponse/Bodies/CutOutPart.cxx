@@ -164,9 +164,13 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
   wanted.isManifold = false; // has no effect on the tool, which is far away
   CurvedTetrahedra curved;
   const std::string fault = fillPrepared(own, cells.spacing, ExpectedCells, {}, curved);
-  if (!fault.empty() || curved.cells.empty())
+  if (!fault.empty())
   {
-    return fault.empty() ? "it has no cells" : fault;
+    return fault;
+  }
+  if (curved.cells.empty())
+  {
+    return "it has no cells";
   }
   takeCells(curved, part, NearSide * cells.spacing, filled);
   return removeLoose(filled);

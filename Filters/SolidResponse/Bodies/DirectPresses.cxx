@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidResponse/Bodies/DirectPresses.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
 #include "Solids/TrueShape/SurfaceGap.h"
@@ -89,9 +90,9 @@ std::string DirectPresses::make(const DirectPlace& place, const CutOutSurface& c
   part.onCut = std::move(filled.onCut);
   part.held = std::move(filled.held);
   ElasticBody& body = part.body;
-  fault = body.assemble(std::move(input));
-  fault = fault.empty() ? body.analyse(StiffnessFactor::Kind::Automatic) : fault;
-  fault = fault.empty() ? body.factorise() : fault;
+  fault = firstFault([&] { return body.assemble(std::move(input)); },
+    [&] { return body.analyse(StiffnessFactor::Kind::Automatic); },
+    [&] { return body.factorise(); });
   if (!fault.empty())
   {
     return fault;
@@ -133,11 +134,15 @@ std::string DirectPresses::pressIn(
     CutOutSurface cut;
     Part finer;
     Part coarser;
-    fault = cutOutAround(this->Surface, place.place, half, cut);
-    fault = fault.empty() ? this->make(place, cut, { 1.0, wider }, this->Body, finer) : fault;
-    fault = fault.empty() ? this->make(place, cut, { SecondMeshFactor, SecondMeshFactor * wider },
-                              this->Coarser, coarser)
-                          : fault;
+    fault = firstFault([&] { return cutOutAround(this->Surface, place.place, half, cut); },
+      [&] {
+        return this->make(place, cut, { 1.0, wider }, this->Body, finer);
+      },
+      [&]
+      {
+        return this->make(
+          place, cut, { SecondMeshFactor, SecondMeshFactor * wider }, this->Coarser, coarser);
+      });
     if (!fault.empty())
     {
       continue;
@@ -162,8 +167,9 @@ std::string DirectPresses::at(const DirectPlace& place, Contacts& contacts) cons
 {
   bool isBeyond = false;
   const std::string fault = this->pressIn(1.0, place, contacts, isBeyond);
+  const bool isMade = fault.empty();
   const bool isOpen =
-    fault.empty() ? !meshesAgree(contacts.finer, contacts.coarser, this->Terms) : isBeyond;
+    isMade ? !meshesAgree(contacts.finer, contacts.coarser, this->Terms) : isBeyond;
   Contacts again;
   if (isOpen && this->pressIn(WiderBoxFactor, place, again, isBeyond).empty())
   {

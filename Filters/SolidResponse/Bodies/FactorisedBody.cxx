@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidResponse/Bodies/FactorisedBody.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "Mechanics/ReducedModulus.h"
@@ -122,8 +123,7 @@ std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int 
 std::string factoriseBody(vtkUnstructuredGrid* grid, const FactorRequest& request,
   const std::function<bool(double)>& goOn, ElasticBody& body, double& memory, bool& ended)
 {
-  const auto wrong = [](const std::string& fault)
-  { return fault.empty() ? fault : "Wrong input: " + fault; };
+  const auto wrong = [](const std::string& fault) { return prefixed("Wrong input: ", fault); };
   ended = false;
   const auto ends = [&](double done)
   {
@@ -131,8 +131,8 @@ std::string factoriseBody(vtkUnstructuredGrid* grid, const FactorRequest& reques
     return ended;
   };
   ElasticBodyInput input;
-  std::string fault = convertVolume(grid, input.mesh);
-  fault = fault.empty() ? convertFixed(grid, input.fixed) : fault;
+  std::string fault = firstFault([&] { return convertVolume(grid, input.mesh); },
+    [&] { return convertFixed(grid, input.fixed); });
   if (!fault.empty())
   {
     return wrong(fault);

@@ -2,6 +2,7 @@
 #include "SolidResponse/Bodies/SolvedBody.h"
 
 #include "Contact/ResponseContract.h"
+#include "Mechanics/Checked.h"
 #include "Solids/Curves/ShapedResponse.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
@@ -94,10 +95,8 @@ double neededRadius(vtkContactTool* tool, double deflection)
 
 std::string checkShapedRequest(const LawRequest& request)
 {
-  const std::string fault = checkRequest(request);
-  const std::string tooDeep =
-    fault.empty() ? request.tool->GetKernel()->checkDepth(request.deflection) : std::string();
-  return tooDeep.empty() ? fault : "Maximum Deflection: " + tooDeep;
+  return firstFault([&] { return checkRequest(request); },
+    [&] { return checkToolDepth(*request.tool->GetKernel(), request.deflection); });
 }
 
 std::string checkLength(const char* property, double length)
@@ -168,7 +167,7 @@ std::string SolvedBody::solve(
     kept.IsEven = request.isEven;
     cost.solutions = static_cast<vtkIdType>(kept.Green.sources());
   }
-  return fault.empty() ? fault : "Wrong input: " + fault;
+  return prefixed("Wrong input: ", fault);
 }
 
 const RegularGreen& SolvedBody::green() const

@@ -237,8 +237,11 @@ std::string solve(vtkPolyData* body, const YieldRequest& request, double largest
   normals->SetNumberOfTuples(body->GetNumberOfPoints());
   status->SetNumberOfValues(body->GetNumberOfPoints());
   fault = fillPointNormals(body, normals, status);
-  const LandmarkKernels* landmarks =
-    fault.empty() ? solved.landmarks(FilterStage{ filter, Compared, Fitted }) : nullptr;
+  const LandmarkKernels* landmarks = nullptr;
+  if (fault.empty())
+  {
+    landmarks = solved.landmarks(FilterStage{ filter, Compared, Fitted });
+  }
   if (landmarks)
   {
     const YieldField field(solved.surface(filled.grid), *landmarks, coarser.difference());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidResponse/Mesher/PreparedSurface.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "SolidResponse/Mesher/MeshConversion.h"
 #include "SolidResponse/Mesher/OutsideReach.h"
@@ -105,8 +106,8 @@ std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepar
   ClosedSurface closedLeft;
   if (!planes.empty())
   {
-    fault = cutOff(left, planes, std::pow(LeastLeft * spacing, 3));
-    fault = fault.empty() ? takeClosedSurface(convertMeshToSurface(left), closedLeft) : fault;
+    fault = firstFault([&] { return cutOff(left, planes, std::pow(LeastLeft * spacing, 3)); },
+      [&] { return takeClosedSurface(convertMeshToSurface(left), closedLeft); });
     if (!fault.empty())
     {
       prepared.warnings.push_back("The held part ends at whole cells, since " + fault + ".");
@@ -145,7 +146,7 @@ std::string fillPrepared(PreparedSurface& prepared, double spacing, double cells
   }
   if (!fault.empty() || mesh.cells.empty())
   {
-    return fault.empty() ? fault : "Wrong input: " + fault;
+    return prefixed("Wrong input: ", fault);
   }
   const double volume = volumeOf(mesh);
   const double expected = prepared.closed.volume;

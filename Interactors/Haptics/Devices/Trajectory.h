@@ -19,7 +19,9 @@ struct TrajectoryRow
 
   /// In a file only its point, deflection, normal force, memory force, friction, torque and state.
   Contact contact;
-  double idealForce = 0.0; ///< magnitude of the total force before any limit of the device, N
+  /// Magnitude of the total force of `contact`, N: before any limit of the device, and while the
+  /// scene changes that of the new scene alone. `sentForce` passes from one scene to the other.
+  double idealForce = 0.0;
 
   /// The reading of the device, in its frame, and the sent force; m, m/s, N.
   DeviceSample sample;

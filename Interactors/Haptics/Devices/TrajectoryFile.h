@@ -14,8 +14,9 @@ namespace palpate
 {
 /**
  * Writes one line per tick as CSV: time, tip, contact point, deflection, normal force, friction,
- * ideal force (magnitude of the total, before any limit of the device) and contact state. If at
- * least one tick has such values, these columns follow: memory_force_N, the memory part of the
+ * ideal force (magnitude of the total, before any limit of the device) and contact state. The
+ * contact is that of one scene, also while the sent force passes to another scene. If at least one
+ * tick has such values, these columns follow: memory_force_N, the memory part of the
  * normal force (Contact::memory); axis_x..., the tool's axis from tip to hand (zero: unknown);
  * torque_x_Nmm..., the torque on the tool about its tip. Body frame; s, mm, N. Numbers are the
  * shortest decimals that are read back to the same bits; a missing value (no contact) is 0. A tick

@@ -87,7 +87,7 @@ void ContactCurvesChart::choose(const std::vector<Style>& styles)
   }
 }
 
-void ContactCurvesChart::show(const std::vector<Curve>& curves)
+void ContactCurvesChart::show(const std::vector<Curve>& curves, double time)
 {
   double deepest = 0.0;
   double largest = 0.0;
@@ -98,8 +98,8 @@ void ContactCurvesChart::show(const std::vector<Curve>& curves)
     deepest = std::isfinite(curves[i].end) ? std::max(deepest, curves[i].end) : deepest;
     largest = std::isfinite(force) ? std::max(largest, force) : largest;
   }
-  this->growAcross(deepest);
-  this->growUp(largest);
+  this->fitAcross(deepest, time);
+  this->fitUp(largest, time);
 }
 
 void ContactCurvesChart::showPoint(double deflection, double force)

@@ -48,7 +48,7 @@ public:
   /// Sets the styles, one per curve. Has no effect if the styles are unchanged.
   void choose(const std::vector<Style>& styles);
   /// Shows one curve per style.
-  void show(const std::vector<Curve>& curves);
+  void show(const std::vector<Curve>& curves, double time);
   /// Places or hides the running point.
   void showPoint(double deflection, double force);
   void hidePoint();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate
 {
@@ -69,8 +70,6 @@ void ForceDeflectionChart::add(
   {
     this->Path.pop_front();
   }
-  this->LargestDeflection = std::max(this->LargestDeflection, deflection);
-  this->LargestForce = std::max({ this->LargestForce, ideal, applied, slow });
 }
 
 void ForceDeflectionChart::clear()
@@ -79,14 +78,13 @@ void ForceDeflectionChart::clear()
   this->Touches = false;
   this->AppliedPlot->SetVisible(false);
   this->SlowPlot->SetVisible(false);
-  this->LargestDeflection = this->LargestForce = 0.0;
-  this->show();
+  this->show(std::numeric_limits<double>::quiet_NaN());
 }
 
-void ForceDeflectionChart::show()
+void ForceDeflectionChart::show(double time)
 {
-  this->growAcross(this->LargestDeflection);
-  this->growUp(this->LargestForce);
+  double deepest = 0.0;
+  double largest = 0.0;
   this->Slow.begin();
   this->Ideal.begin();
   this->Applied.begin();
@@ -95,7 +93,11 @@ void ForceDeflectionChart::show()
     this->Slow.add(point.deflection, point.slow);
     this->Ideal.add(point.deflection, point.ideal);
     this->Applied.add(point.deflection, point.applied);
+    deepest = std::max(deepest, point.deflection);
+    largest = std::max({ largest, point.ideal, point.applied, point.slow });
   }
+  this->fitAcross(deepest, time);
+  this->fitUp(largest, time);
   this->Slow.end();
   this->Ideal.end();
   this->Applied.end();

@@ -28,7 +28,8 @@ public:
   /// `slow` is the ideal force without memory.
   void add(bool touches, double deflection, double ideal, double applied, double slow);
   void clear();
-  void show();
+  /// Plots the values that were added, at a time (s).
+  void show(double time);
 
 private:
   struct Point
@@ -49,8 +50,6 @@ private:
   std::deque<Point> Path; ///< the last point is the newest tick; its distance from the previous
                           ///< point may be smaller than Resolution
   bool Touches = false;
-  double LargestDeflection = 0.0;
-  double LargestForce = 0.0;
 };
 } // namespace palpate
 

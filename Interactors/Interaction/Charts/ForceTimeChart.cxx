@@ -26,13 +26,20 @@ ForceTimeChart::Line::Line(double seconds, const char* name)
 {
 }
 
-void ForceTimeChart::Line::show(double now)
+double ForceTimeChart::Line::show(double now)
 {
+  double largest = 0.0;
   this->table.begin();
   this->signal.visit(
-    now, [&](double time, double value) { this->table.add(time - now, value); },
+    now,
+    [&](double time, double value)
+    {
+      this->table.add(time - now, value);
+      largest = std::max(largest, value);
+    },
     [this]() { this->table.addGap(); });
   this->table.end();
+  return largest;
 }
 
 ForceTimeChart::ForceTimeChart(double seconds)
@@ -68,7 +75,6 @@ void ForceTimeChart::add(double time, double ideal, double applied, double frict
   this->Applied.signal.add(time, applied);
   this->Friction.signal.add(time, friction);
   this->Memory.signal.add(time, memory);
-  this->Largest = std::max({ this->Largest, ideal, applied });
   if (std::isfinite(applied))
   {
     this->AppliedPlot->SetVisible(true);
@@ -93,17 +99,17 @@ void ForceTimeChart::clear()
   this->AppliedPlot->SetVisible(false);
   this->FrictionPlot->SetVisible(false);
   this->MemoryPlot->SetVisible(false);
-  this->Largest = 0.0;
 }
 
 void ForceTimeChart::show(long long lostTicks)
 {
   const double now = this->Ideal.signal.newest();
+  double largest = 0.0;
   for (Line* line : { &this->Ideal, &this->Applied, &this->Friction, &this->Memory })
   {
-    line->show(now);
+    largest = std::max(largest, line->show(now));
   }
-  this->growUp(this->Largest);
+  this->fitUp(largest, now);
   if (lostTicks != this->LostTicks)
   {
     this->LostTicks = lostTicks;

@@ -17,6 +17,8 @@ public:
 
   void setSeconds(double seconds);
   double seconds() const { return this->Ideal.signal.seconds(); }
+  /// Time of the newest value, s; -inf if there is none.
+  double now() const { return this->Ideal.signal.newest(); }
   void add(double time, double ideal, double applied, double friction, double memory);
   void clear();
   /// Plots the values that were added; the title shows `lostTicks`.
@@ -26,7 +28,8 @@ private:
   struct Line
   {
     explicit Line(double seconds, const char* name);
-    void show(double now);
+    /// Plots the line; returns its largest value.
+    double show(double now);
 
     SignalEnvelope signal;
     PlotTable table;
@@ -39,7 +42,6 @@ private:
   vtkPlot* AppliedPlot;
   vtkPlot* FrictionPlot;
   vtkPlot* MemoryPlot;
-  double Largest = 0.0;
   long long LostTicks = 0;
 };
 } // namespace palpate

@@ -9,10 +9,12 @@
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
 #include "vtkPen.h"
+#include "vtkPlot.h"
 #include "vtkRect.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <string>
 
 namespace palpate
 {
@@ -25,6 +27,30 @@ constexpr int Steps = 5; // largest number of steps of an axis; a chart may be s
 
 constexpr double Shape = 1.35; // ratio of width to height
 constexpr float Margin = 6.0F; // pixels around a chart
+
+constexpr int SymbolWidth = 24;      // pixels
+constexpr double LetterWidth = 0.56; // fraction of the font's size, on average
+constexpr double NarrowLegend = 0.3; // fraction of the chart's width
+
+/// Puts the legend of a chart of this width (pixels) to the right of the data or above the data.
+void placeLegend(vtkChartXY* chart, double width)
+{
+  std::size_t letters = 0;
+  for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+  {
+    vtkPlot* plot = chart->GetPlot(i);
+    if (plot->GetVisible() && plot->GetLegendVisibility())
+    {
+      letters = std::max(letters, std::string(plot->GetLabel()).size());
+    }
+  }
+  const double needed = SymbolWidth + LetterWidth * LabelSize * static_cast<double>(letters);
+  const int side = needed < NarrowLegend * width ? vtkChartLegend::RIGHT : vtkChartLegend::CENTER;
+  if (chart->GetLegend()->GetHorizontalAlignment() != side)
+  {
+    chart->GetLegend()->SetHorizontalAlignment(side);
+  }
+}
 
 int rowsOf(int count, int columns)
 {
@@ -60,13 +86,13 @@ LiveChart::LiveChart(const char* title, const char* across, const char* up)
   styleAxis(this->Chart->GetAxis(vtkAxis::LEFT), up, AxisTitleSize, LabelSize);
   this->Chart->SetShowLegend(true);
   vtkChartLegend* legend = this->Chart->GetLegend();
-  legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
+  legend->SetInline(false); // outside the data
   legend->SetVerticalAlignment(vtkChartLegend::TOP);
   legend->SetLabelSize(LabelSize);
-  legend->SetSymbolWidth(24);
+  legend->SetSymbolWidth(SymbolWidth);
   legend->SetPadding(4);
   legend->SetDragEnabled(false);
-  legend->GetBrush()->SetColorF(1.0, 1.0, 1.0, 0.75); // translucent
+  legend->GetBrush()->SetOpacity(0);
   legend->GetPen()->SetLineType(vtkPen::NO_PEN);
   this->growAcross(1.0);
   this->growUp(1.0);
@@ -89,6 +115,15 @@ void LiveChart::grow(int axis, double& end, double largest)
   }
 }
 
+void LiveChart::fit(int axis, double& end, ScaleRule& rule, double largest, double time)
+{
+  if (rule.mustChange(largest, end, time))
+  {
+    end = 0.0;
+    this->grow(axis, end, largest);
+  }
+}
+
 void layOut(const std::vector<vtkChartXY*>& charts, int width, int height)
 {
   const int count = static_cast<int>(charts.size());
@@ -107,6 +142,7 @@ void layOut(const std::vector<vtkChartXY*>& charts, int width, int height)
     charts[static_cast<std::size_t>(i)]->SetSize(
       vtkRectf(column * across + Margin, row * up + Margin, std::max(across - 2.0F * Margin, 1.0F),
         std::max(up - 2.0F * Margin, 1.0F)));
+    placeLegend(charts[static_cast<std::size_t>(i)], across - 2.0F * Margin);
   }
 }
 } // namespace palpate

@@ -2,6 +2,8 @@
 #ifndef LiveChart_h
 #define LiveChart_h
 
+#include "Interaction/Display/ScaleRule.h"
+
 #include "vtkNew.h"
 
 #include <string>
@@ -11,8 +13,8 @@ class vtkChartXY;
 
 namespace palpate
 {
-/// Base class of the charts of a live window: title, two axes, a legend. The end of an axis grows
-/// with the values; it shrinks only after reset().
+/// Base class of the charts of a live window: title, two axes, and a legend outside the data. The
+/// end of an axis follows the drawn values (ScaleRule).
 class LiveChart
 {
 public:
@@ -27,6 +29,15 @@ public:
   /// Extends an axis, from 0, if it ends before `largest`.
   void growAcross(double largest) { this->grow(AxisAcross, this->EndAcross, largest); }
   void growUp(double largest) { this->grow(AxisUp, this->EndUp, largest); }
+  /// Fits an axis to the largest value that is drawn at a time (s).
+  void fitAcross(double largest, double time)
+  {
+    this->fit(AxisAcross, this->EndAcross, this->RuleAcross, largest, time);
+  }
+  void fitUp(double largest, double time)
+  {
+    this->fit(AxisUp, this->EndUp, this->RuleUp, largest, time);
+  }
   /// Ends of the axes; 0 before the first call of growAcross() or growUp().
   double endAcross() const { return this->EndAcross; }
   double endUp() const { return this->EndUp; }
@@ -37,14 +48,18 @@ private:
   static constexpr int AxisUp = 0;     // vtkAxis::LEFT
   static constexpr int AxisAcross = 1; // vtkAxis::BOTTOM
   void grow(int axis, double& end, double largest);
+  void fit(int axis, double& end, ScaleRule& rule, double largest, double time);
 
   vtkNew<vtkChartXY> Chart;
   double EndAcross = 0.0;
   double EndUp = 0.0;
+  ScaleRule RuleAcross;
+  ScaleRule RuleUp;
 };
 
 /// Divides a viewport among charts, row by row from the top left, in the number of columns that
-/// makes them largest at a good aspect ratio.
+/// makes them largest at a good aspect ratio. The legend is to the right of the data if it is
+/// narrow, otherwise above the data.
 void layOut(const std::vector<vtkChartXY*>& charts, int width, int height);
 } // namespace palpate
 

@@ -125,7 +125,7 @@ void vtkLiveCharts::Parts::showCorners(const palpate::ContactTriangle& place, st
   this->curves.choose({ { "Corner 1", colors[5], CornerWidth },
     { "Corner 2", colors[4], CornerWidth }, { "Corner 3", colors[3], CornerWidth },
     { "Blend", palpate::TextColor, BlendWidth, response->hasError() } });
-  this->curves.show(shown);
+  this->curves.show(shown, this->time.now());
 }
 
 void vtkLiveCharts::Parts::showCompared(const palpate::ContactTriangle& place, std::string& error)
@@ -154,7 +154,7 @@ void vtkLiveCharts::Parts::showCompared(const palpate::ContactTriangle& place, s
     }
   }
   this->curves.choose(styles);
-  this->curves.show(shown);
+  this->curves.show(shown, this->time.now());
 }
 
 void vtkLiveCharts::Parts::layOut()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/BodyDisplay.h"
 
+#include "Mechanics/Checked.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
 #include "Response/Pieces/Ranks.h"
@@ -227,7 +228,7 @@ void BodyDisplay::takeBody()
   }
   this->DrawnTimes.clear();
   const std::string fault = this->HasField ? checkTriangles(this->Body) : std::string();
-  this->complain(fault.empty() ? fault : "Wrong body: " + fault);
+  this->complain(prefixed("Wrong body: ", fault));
   if (!this->HasField || !fault.empty())
   {
     this->HasField = false;
@@ -346,7 +347,7 @@ void BodyDisplay::showByPoints()
   if (!this->HasField || !wrong.empty())
   {
     this->HasField = false;
-    this->complain(wrong.empty() ? wrong : "Wrong body: " + wrong);
+    this->complain(prefixed("Wrong body: ", wrong));
     return;
   }
   this->IsDented = false;
@@ -380,7 +381,10 @@ vtkSmartPointer<vtkFloatArray> BodyDisplay::displaceByPoints(Dent& dent, std::st
       { dent.tool ? dent.tool->GetKernel() : nullptr, this->ResponseName,
         { this->PoissonRatio, DeflectionShader::reachOf(field) } },
       displacement);
-  fault = fault.empty() ? wrong : fault;
+  if (fault.empty())
+  {
+    fault = wrong;
+  }
   for (const std::string& warning : dent.byPoints->warnings())
   {
     vtkWarningWithObjectMacro(this->Actor, << warning << ".");

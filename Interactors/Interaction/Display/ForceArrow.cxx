@@ -104,12 +104,13 @@ void ForceArrow::show(const Eigen::Vector3d& origin, const Eigen::Vector3d& forc
   this->Label->VisibilityOn();
   std::array<char, 64> text{};
   std::snprintf(
-    text.data(), text.size(), "%s %#.3g N", name.empty() ? " " : name.c_str(), magnitude);
+    text.data(), text.size(), "%s%s%#.3g N", name.c_str(), name.empty() ? "" : " ", magnitude);
   this->Label->SetInput(text.data());
 }
 
 void ForceArrow::hide()
 {
+  this->Place = {};
   this->Actor->VisibilityOff();
   this->Label->VisibilityOff();
 }
@@ -124,6 +125,18 @@ void ForceArrow::moveTo(const Eigen::Vector3d& origin)
   this->Head = origin + this->ArrowVector;
   this->Actor->SetUserMatrix(frameAlong(origin.data(), this->ArrowVector.data(), 0));
   this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
+}
+
+void ForceArrow::addTo(std::vector<LabelObstacle>& obstacles) const
+{
+  if (!this->isShown())
+  {
+    return;
+  }
+  obstacles.push_back({ this->tail(), this->Head, this->Shaft->GetRadius() });
+  // The cone is wide at its base only.
+  const Eigen::Vector3d cone = this->Cone->GetHeight() * this->ArrowVector.normalized();
+  obstacles.push_back({ this->Head - cone, this->Head - 0.6 * cone, this->Cone->GetRadius() });
 }
 
 TorqueArc::TorqueArc()
@@ -194,14 +207,33 @@ void TorqueArc::show(const Eigen::Vector3d& center, const Eigen::Vector3d& torqu
   this->Label->VisibilityOn();
   this->Label->GetPositionCoordinate()->SetValue(this->Head.data());
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "  %#.3g N mm", magnitude);
+  std::snprintf(text.data(), text.size(), "%#.3g N mm", magnitude);
   this->Label->SetInput(text.data());
 }
 
 void TorqueArc::hide()
 {
+  this->Place = {};
   this->Actor->VisibilityOff();
   this->Label->VisibilityOff();
+}
+
+void TorqueArc::addTo(std::vector<LabelObstacle>& obstacles) const
+{
+  if (!this->isShown())
+  {
+    return;
+  }
+  this->Arc->Update();
+  vtkPolyData* arc = this->Arc->GetOutput();
+  constexpr vtkIdType step = ArcPieces / 8;
+  for (vtkIdType i = step; i < arc->GetNumberOfPoints(); i += step)
+  {
+    obstacles.push_back({ Eigen::Vector3d(arc->GetPoint(i - step)),
+      Eigen::Vector3d(arc->GetPoint(i)), ArcTubeRadius });
+  }
+  const Eigen::Vector3d middle(this->Cone->GetCenter());
+  obstacles.push_back({ middle, middle, ArcHeadRadius });
 }
 
 bool TorqueArc::isShown() const

@@ -3,12 +3,14 @@
 #define ForceArrow_h
 
 #include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/LabelLayout.h"
 
 #include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 class vtkActor;
 class vtkAppendPolyData;
@@ -41,9 +43,8 @@ public:
   ForceArrow(const ForceArrow&) = delete;
   ForceArrow& operator=(const ForceArrow&) = delete;
 
-  /// Draws the arrow from `origin` (mm) at `scale` mm per N. The label is `name` and the magnitude;
-  /// without a name a gap as wide as the head precedes the magnitude. A force that is zero or not
-  /// finite is not drawn.
+  /// Draws the arrow from `origin` (mm) at `scale` mm per N. The label is `name` and the magnitude.
+  /// A force that is zero or not finite is not drawn.
   void show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale, bool dashed,
     const std::string& name = "");
   void hide();
@@ -55,9 +56,13 @@ public:
   const Eigen::Vector3d& head() const { return this->Head; }
   vtkActor* actor() { return this->Actor; }
   vtkTextActor* label() { return this->Label; }
+  LabelPlace* labelPlace() { return &this->Place; }
+  /// Adds shaft and head to the parts that labels leave free.
+  void addTo(std::vector<LabelObstacle>& obstacles) const;
 
 private:
   ArrowLook Look;
+  LabelPlace Place;
   Eigen::Vector3d ArrowVector = Eigen::Vector3d::Zero(); ///< vector from origin to head, mm
   Eigen::Vector3d Head = Eigen::Vector3d::Zero();
   vtkSmartPointer<vtkTubeFilter> Shaft;
@@ -90,8 +95,12 @@ public:
   const Eigen::Vector3d& center() const { return this->Center; }
   vtkActor* actor() { return this->Actor; }
   vtkTextActor* label() { return this->Label; }
+  LabelPlace* labelPlace() { return &this->Place; }
+  /// Adds the arc to the parts that labels leave free.
+  void addTo(std::vector<LabelObstacle>& obstacles) const;
 
 private:
+  LabelPlace Place;
   Eigen::Vector3d Head = Eigen::Vector3d::Zero();
   Eigen::Vector3d Center = Eigen::Vector3d::Zero();
   vtkSmartPointer<vtkArcSource> Arc;

@@ -11,6 +11,8 @@
 #include "vtkProperty.h"
 #include "vtkTubeFilter.h"
 
+#include <algorithm>
+
 namespace palpate
 {
 namespace
@@ -19,6 +21,9 @@ constexpr double TrailRadius = 0.5;       // mm
 constexpr double TrailDash = 1.5;         // mm
 constexpr double TrailGap = 1.5;          // mm
 constexpr double SmallestDistance = 0.05; // mm, smallest distance between two contacts
+// mm, distance of contacts between two pictures: on a body with a radius of 5 mm the line is then
+// 0.03 mm below the surface
+constexpr double PassedDistance = 1.0;
 } // namespace
 
 ForceTrail::ForceTrail(vtkLookupTable* colors)
@@ -43,6 +48,7 @@ ForceTrail::~ForceTrail() = default;
 void ForceTrail::clear()
 {
   this->Contacts.clear();
+  this->Pictures = 0;
   this->IsNear = false;
   this->InAir = true;
   this->draw();
@@ -54,7 +60,7 @@ void ForceTrail::show(const std::vector<ShownContact>& way)
   this->IsLive = false;
   for (const ShownContact& contact : way)
   {
-    this->add(contact);
+    this->add(contact, true);
   }
   this->draw();
 }
@@ -66,32 +72,57 @@ void ForceTrail::follow(const ShownContact& contact, std::size_t most)
     this->clear();
     this->IsLive = true;
   }
-  this->add(contact);
-  while (this->Contacts.size() > most)
+  this->add(contact, true);
+  while (this->Pictures > most || (!this->Contacts.empty() && !this->Contacts.front().isPicture))
   {
+    this->Pictures -= this->Contacts.front().isPicture ? 1 : 0;
     this->Contacts.pop_front();
   }
   this->draw();
 }
 
-void ForceTrail::add(const ShownContact& contact)
+bool ForceTrail::isFar(const Eigen::Vector3d& point) const
+{
+  return this->IsLive &&
+    (this->InAir || this->Contacts.empty() ||
+      (point - this->Contacts.back().point).norm() > PassedDistance);
+}
+
+void ForceTrail::lift()
+{
+  this->InAir = true;
+  this->IsNear = false;
+}
+
+void ForceTrail::add(const ShownContact& contact, bool isPicture)
 {
   if (!contact.touches())
   {
-    this->InAir = true;
-    this->IsNear = false;
+    this->lift();
     return;
   }
   const Place place{ contact.tick.contact.contactPoint, contact.tick.idealForce.norm(),
-    contact.isValid(), this->InAir };
+    contact.isValid(), this->InAir, isPicture };
   this->InAir = false;
   if (this->IsNear)
   {
+    this->Pictures -= this->Contacts.back().isPicture ? 1 : 0;
     this->Contacts.pop_back(); // distances are measured from the contact before the removed one
   }
   this->IsNear = !place.begins && !this->Contacts.empty() &&
     (place.point - this->Contacts.back().point).norm() < SmallestDistance;
   this->Contacts.push_back(place);
+  this->Pictures += isPicture ? 1 : 0;
+}
+
+double ForceTrail::largestForce() const
+{
+  double largest = 0.0;
+  for (const Place& place : this->Contacts)
+  {
+    largest = std::max(largest, place.force);
+  }
+  return largest;
 }
 
 std::string ForceTrail::gapsInWords() const
@@ -99,11 +130,13 @@ std::string ForceTrail::gapsInWords() const
   bool isBroken = false;
   for (std::size_t i = 1; i < this->Contacts.size(); ++i)
   {
-    isBroken = isBroken || this->Contacts[i].begins;
+    const Place& place = this->Contacts[i];
+    isBroken = isBroken ||
+      (place.begins && (place.point - this->Contacts[i - 1].point).norm() > 2.0 * TrailRadius);
   }
-  return isBroken && this->IsDashed ? "gap: no contact,\nor beyond validity"
+  return isBroken && this->IsDashed ? "gap: no contact,\ndashed: beyond validity"
     : isBroken                      ? "gap: no contact"
-    : this->IsDashed                ? "gap: beyond validity"
+    : this->IsDashed                ? "dashed: beyond validity"
                                     : "";
 }
 

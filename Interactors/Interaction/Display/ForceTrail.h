@@ -31,19 +31,30 @@ public:
   void clear();
   /// Shows a whole path.
   void show(const std::vector<ShownContact>& way);
-  /// Adds a contact and keeps the newest `most` contacts. Replaces a path set by show().
+  /// Adds the contact of a picture, and keeps the contacts of the newest `most` pictures. Replaces
+  /// a path set by show().
   void follow(const ShownContact& contact, std::size_t most);
+  /// Between two calls of follow(): adds a contact between two pictures, so that the line stays on
+  /// the surface when the hand is fast.
+  void pass(const ShownContact& contact) { this->add(contact, false); }
+  /// Whether pass() with a contact at this point would change the line visibly.
+  bool isFar(const Eigen::Vector3d& point) const;
+  /// Between two calls of follow(): the tool lost the contact.
+  void lift();
 
   /// True if no line is visible.
   bool isEmpty() const { return this->Contacts.size() < 2; }
-  /// Explains the gaps of the line, "gap: no contact" or "gap: beyond validity"; "" without gaps.
+  /// Largest force along the line, N; 0 without contact.
+  double largestForce() const;
+  /// Explains the gaps of the line, "gap: no contact", and its dashes, "dashed: beyond validity";
+  /// "" without both.
   std::string gapsInWords() const;
   vtkActor* actor() { return this->Actor; }
 
 private:
   /// Adds a contact. It replaces the last contact if that contact is closer than SmallestDistance
   /// to the one before it. A tick without contact ends the line.
-  void add(const ShownContact& contact);
+  void add(const ShownContact& contact, bool isPicture);
   void draw();
 
   struct Place
@@ -51,11 +62,13 @@ private:
     Eigen::Vector3d point;
     double force;
     bool valid;
-    bool begins; ///< true for the first contact of a line
+    bool begins;    ///< true for the first contact of a line
+    bool isPicture; ///< false for a contact between two pictures
   };
 
   std::deque<Place> Contacts;
-  bool IsNear = false; ///< whether the next contact may replace the last one
+  std::size_t Pictures = 0; ///< number of contacts of pictures
+  bool IsNear = false;      ///< whether the next contact may replace the last one
   bool InAir = true;
   bool IsLive = false;
   bool IsDashed = false; ///< whether a part beyond validity leaves a gap in the drawn line

@@ -1,99 +1,256 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/LabelLayout.h"
 
+#include "Interaction/Display/SceneView.h"
+
+#include "vtkActor2D.h"
+#include "vtkBoundingBox.h"
+#include "vtkBox.h"
 #include "vtkCoordinate.h"
+#include "vtkMath.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
 #include "vtkTextActor.h"
-#include "vtkViewport.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Spacing = 2.0;       // pixels, between texts
-constexpr double HeadDistance = 10.0; // pixels, from the head
+constexpr double Spacing = 2.0;         // pixels, between texts, and between a text and an obstacle
+constexpr double HeadDistance = 10.0;   // pixels, from the head
+constexpr double DistanceStep = 6.0;    // pixels, between the rings of places around the head
+constexpr int Directions = 16;          // places in a ring
+constexpr double SteadyDistance = 40.0; // pixels
+constexpr double WrongSide = 20.0;      // pixels by which the side away from the arrow is preferred
+constexpr double SideLess = 4.0;        // pixels; a shorter arrow points to no side
+constexpr double CoveredObstacle = 1e5; // pixels; more than any distance
+constexpr double NoPlace = std::numeric_limits<double>::infinity();
 
 /// The box of a text, in pixels of the window.
 struct Box
 {
-  double left;
-  double bottom;
-  double width;
-  double height;
+  Eigen::Vector2d low;
+  Eigen::Vector2d size;
 
+  Eigen::Vector2d high() const { return this->low + this->size; }
   bool covers(const Box& other) const
   {
-    return this->left < other.left + other.width && other.left < this->left + this->width &&
-      this->bottom < other.bottom + other.height && other.bottom < this->bottom + this->height;
+    return (this->low.array() < other.high().array()).all() &&
+      (other.low.array() < this->high().array()).all();
+  }
+  bool isInside(const Box& other) const
+  {
+    return (this->low.array() >= other.low.array()).all() &&
+      (this->high().array() <= other.high().array()).all();
+  }
+  double distanceTo(const Eigen::Vector2d& point) const
+  {
+    return (point - point.cwiseMax(this->low).cwiseMin(this->high())).norm();
   }
 };
 
-/// Returns the bottom, nearest to the present one, at which `box` covers none of the others.
-double freeHeight(const Box& box, const std::vector<Box>& others)
+/// A line of this half width, in pixels of the window.
+struct Bar
 {
-  const auto isFree = [&](double bottom)
-  {
-    Box moved = box;
-    moved.bottom = bottom;
-    return std::none_of(
-      others.begin(), others.end(), [&](const Box& other) { return moved.covers(other); });
-  };
-  std::vector<double> heights{ box.bottom };
-  for (const Box& other : others)
-  {
-    heights.push_back(other.bottom - box.height - Spacing);
-    heights.push_back(other.bottom + other.height + Spacing);
-  }
-  std::stable_sort(heights.begin(), heights.end(),
-    [&](double a, double b) { return std::abs(a - box.bottom) < std::abs(b - box.bottom); });
-  const auto found = std::find_if(heights.begin(), heights.end(), isFree);
-  return found == heights.end() ? box.bottom : *found;
-}
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+  double radius;
 
-Eigen::Vector3d toDisplay(vtkViewport* viewport, const Eigen::Vector3d& world)
+  /// Whether the line crosses the box enlarged by the half width.
+  bool covers(const Box& box) const
+  {
+    const Eigen::Vector2d low = box.low.array() - this->radius - Spacing;
+    const Eigen::Vector2d high = box.high().array() + this->radius + Spacing;
+    const vtkBoundingBox grown(low.x(), high.x(), low.y(), high.y(), -1.0, 1.0);
+    if (grown.ContainsPoint(this->from.x(), this->from.y(), 0.0))
+    {
+      return true;
+    }
+    std::array<double, 6> bounds{};
+    grown.GetBounds(bounds.data());
+    const std::array<double, 3> begin{ this->from.x(), this->from.y(), 0.0 };
+    const std::array<double, 3> way{ this->to.x() - begin[0], this->to.y() - begin[1], 0.0 };
+    std::array<double, 3> hit{};
+    double share = 0.0;
+    return vtkBox::IntersectBox(bounds.data(), begin.data(), way.data(), hit.data(), share) != 0;
+  }
+};
+
+Eigen::Vector3d toDisplay(vtkRenderer* renderer, const Eigen::Vector3d& world)
 {
-  viewport->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
-  viewport->WorldToDisplay();
+  renderer->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
+  renderer->WorldToDisplay();
   Eigen::Vector3d display;
-  viewport->GetDisplayPoint(display.data());
+  renderer->GetDisplayPoint(display.data());
   return display;
 }
 
-Eigen::Vector3d toWorld(vtkViewport* viewport, const Eigen::Vector3d& display)
+Eigen::Vector3d toWorld(vtkRenderer* renderer, const Eigen::Vector3d& display)
 {
-  viewport->SetDisplayPoint(display.data());
-  viewport->DisplayToWorld();
+  renderer->SetDisplayPoint(display.data());
+  renderer->DisplayToWorld();
   Eigen::Vector4d world;
-  viewport->GetWorldPoint(world.data());
+  renderer->GetWorldPoint(world.data());
   return world.head<3>() / world.w();
 }
+
+/// The boxes of the visible texts and legends among the props of a renderer. (The texts of arrows
+/// are parts of an assembly.)
+std::vector<Box> captionsOf(vtkRenderer* renderer)
+{
+  std::vector<Box> boxes;
+  const Eigen::Vector2d origin(renderer->GetOrigin()[0], renderer->GetOrigin()[1]);
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator place;
+  props->InitTraversal(place);
+  while (vtkProp* prop = props->GetNextProp(place))
+  {
+    auto* actor = vtkActor2D::SafeDownCast(prop);
+    if (!actor || !actor->GetVisibility())
+    {
+      continue;
+    }
+    const int* at = actor->GetPositionCoordinate()->GetComputedViewportValue(renderer);
+    const Eigen::Vector2d begin = origin + Eigen::Vector2d(at[0], at[1]);
+    if (auto* text = vtkTextActor::SafeDownCast(actor))
+    {
+      std::array<double, 4> reach{};
+      text->GetBoundingBox(renderer, reach.data());
+      boxes.push_back({ begin + Eigen::Vector2d(reach[0], reach[2]),
+        { reach[1] - reach[0], reach[3] - reach[2] } });
+    }
+    else if (vtkScalarBarActor::SafeDownCast(actor))
+    {
+      const int* end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
+      boxes.push_back({ begin, origin + Eigen::Vector2d(end[0], end[1]) - begin });
+    }
+  }
+  return boxes;
+}
+
+/// The search for the place of one text.
+class PlaceSearch
+{
+public:
+  PlaceSearch(const Box& window, const std::vector<Box>& texts, const std::vector<Bar>& bars,
+    const std::vector<Box>& captions, const Eigen::Vector2d& head, const Eigen::Vector2d& size,
+    bool leftwards)
+    : Window(window)
+    , Texts(texts)
+    , Bars(bars)
+    , Captions(captions)
+    , Head(head)
+    , Size(size)
+    , Side(leftwards ? -1.0 : 1.0)
+    // The first place: on the side to which the arrow points, level with the head.
+    , Best{ head + Eigen::Vector2d(leftwards ? -HeadDistance - size.x() : HeadDistance, 0.0), size }
+  {
+  }
+
+  /// Returns the best box. `last` is the place in the last picture, if it is preferred.
+  Box find(const std::optional<Eigen::Vector2d>& last)
+  {
+    this->consider(Box(this->Best), 0.0);
+    const double farthest = this->Window.size.norm();
+    for (double away = HeadDistance; away < std::min(farthest, this->LeastCost);
+         away += DistanceStep)
+    {
+      for (int i = 0; i < Directions; ++i)
+      {
+        this->considerAround(2.0 * vtkMath::Pi() * i / Directions, away);
+      }
+    }
+    if (last)
+    {
+      const Box box{ this->Head + *last, this->Size };
+      this->consider(box, box.distanceTo(this->Head) - SteadyDistance);
+    }
+    return this->Best;
+  }
+
+private:
+  /// The box whose centre is in a direction from the head, `away` pixels beyond contact.
+  void considerAround(double angle, double away)
+  {
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    const double half = 0.5 * direction.cwiseAbs().dot(this->Size);
+    const Eigen::Vector2d centre = this->Head + (away + half) * direction;
+    const double turned = direction.dot(Eigen::Vector2d(0.8 * this->Side, 0.6));
+    this->consider(
+      { centre - 0.5 * this->Size, this->Size }, away + 0.5 * WrongSide * (1.0 - turned));
+  }
+
+  void consider(const Box& box, double cost)
+  {
+    const auto isCovered = [&box](const auto& other) { return other.covers(box); };
+    if (!(cost < this->LeastCost) || !box.isInside(this->Window) ||
+      std::any_of(this->Texts.begin(), this->Texts.end(), isCovered))
+    {
+      return;
+    }
+    cost += CoveredObstacle *
+      static_cast<double>(std::count_if(this->Bars.begin(), this->Bars.end(), isCovered) +
+        std::count_if(this->Captions.begin(), this->Captions.end(), isCovered));
+    if (cost < this->LeastCost)
+    {
+      this->LeastCost = cost;
+      this->Best = box;
+    }
+  }
+
+  const Box& Window;
+  const std::vector<Box>& Texts;
+  const std::vector<Bar>& Bars;
+  const std::vector<Box>& Captions;
+  Eigen::Vector2d Head;
+  Eigen::Vector2d Size;
+  double Side;
+  Box Best; ///< the first place if the texts before leave no room in the window
+  double LeastCost = NoPlace;
+};
 } // namespace
 
-void arrangeLabels(vtkViewport* viewport, const std::vector<AnchoredLabel>& labels)
+void arrangeLabels(vtkRenderer* renderer, const std::vector<AnchoredLabel>& labels,
+  const std::vector<LabelObstacle>& obstacles, bool steady)
 {
-  const int* origin = viewport->GetOrigin();
-  const int* extent = viewport->GetSize();
+  const int* origin = renderer->GetOrigin();
+  const int* extent = renderer->GetSize();
+  const Box window{ { origin[0] + Spacing, origin[1] + Spacing },
+    { extent[0] - 2.0 * Spacing, extent[1] - 2.0 * Spacing } };
+  std::vector<Bar> bars;
+  for (const LabelObstacle& obstacle : obstacles)
+  {
+    const Bar bar{ toDisplay(renderer, obstacle.from).head<2>(),
+      toDisplay(renderer, obstacle.to).head<2>(),
+      obstacle.radius * pixelsPerMillimetre(renderer, 0.5 * (obstacle.from + obstacle.to)) };
+    if (bar.from.allFinite() && bar.to.allFinite() && std::isfinite(bar.radius))
+    {
+      bars.push_back(bar);
+    }
+  }
+  const std::vector<Box> captions = captionsOf(renderer);
   std::vector<Box> placed;
   for (const AnchoredLabel& label : labels)
   {
     std::array<double, 2> size{};
-    label.text->GetSize(viewport, size.data());
-    const Eigen::Vector3d head = toDisplay(viewport, label.head);
-    Box box{ head.x(), head.y(), size[0], size[1] };
-    Eigen::Vector3d place = label.head;
-    if (!placed.empty())
-    {
-      const bool leftwards = head.x() < toDisplay(viewport, label.tail).x();
-      const double left = head.x() + (leftwards ? -box.width - HeadDistance : HeadDistance);
-      const double rightmost = origin[0] + extent[0] - box.width - Spacing;
-      box.left = std::max(origin[0] + Spacing, std::min(left, rightmost));
-      box.bottom = freeHeight(box, placed);
-      place = toWorld(viewport, { box.left, box.bottom, head.z() });
-    }
+    label.text->GetSize(renderer, size.data());
+    const Eigen::Vector3d head = toDisplay(renderer, label.head);
+    const double back = toDisplay(renderer, label.tail).x() - head.x();
+    PlaceSearch search(window, placed, bars, captions, head.head<2>(), Eigen::Vector2d(size.data()),
+      back > SideLess);
+    const bool remains = steady && label.place->isKnown;
+    const Box box =
+      search.find(remains ? std::optional<Eigen::Vector2d>(label.place->offset) : std::nullopt);
+    *label.place = { true, box.low - head.head<2>() };
     placed.push_back(box);
+    const Eigen::Vector3d place = toWorld(renderer, { box.low.x(), box.low.y(), head.z() });
     label.text->GetPositionCoordinate()->SetValue(place.data());
   }
 }

@@ -56,6 +56,16 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
+/// The error of the force. Beyond validity it has three digits, so that an error just above the
+/// tolerance does not look like the tolerance.
+std::string errorOf(const ShownContact& contact)
+{
+  constexpr double rounded = 0.0995; // 10 % and more have two digits anyway
+  return contact.isValid() || !(contact.error < rounded)
+    ? errorInWords(contact.error)
+    : " \u00b1 " + shortly(100.0 * contact.error) + " %";
+}
+
 /// Text with the deflection of the tool's own dent, and with the depth of the tip if other tools
 /// make the two differ.
 std::string deflectionOf(const ShownContact& contact)
@@ -122,7 +132,7 @@ void SceneCaption::describe(
     text += "\nDeflection " + deflectionOf(contact);
     text += contactRadius > 0.0 ? ", contact radius " + millimetres(contactRadius) : "";
     text += "\nForce " + newtons(contact.tick.idealForce);
-    text += errorInWords(contact.error);
+    text += errorOf(contact);
     text += contact.hasFriction()
       ? ": normal " + newtons(contact.tick.idealForce - contact.tick.contact.friction) +
         ", friction " + newtons(contact.tick.contact.friction)
@@ -150,8 +160,9 @@ void SceneCaption::describe(
   if (!contact.isValid())
   {
     const std::string limit = limitInWords(contact.limit);
-    text += contact.validity > 0.0 ? "\nDashed: beyond validity, " + millimetres(contact.validity)
-                                   : "\nDashed: not valid at any depth";
+    text += contact.validity > 0.0
+      ? "\nDashed: beyond validity, which ends " + millimetres(contact.validity) + " deep"
+      : "\nDashed: not valid at any depth";
     text += limit.empty() ? "" : " (" + limit + ")";
   }
   if (contact.touches() && exaggeration != 1.0)

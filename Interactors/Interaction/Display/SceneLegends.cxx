@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interaction/Display/SceneLegends.h"
 
+#include "Interaction/Display/SceneView.h"
+
 #include "Interaction/Display/DisplayColors.h"
 #include "Response/RoundNumber.h"
 
 #include "vtkActor2D.h"
-#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"
 #include "vtkLookupTable.h"
@@ -86,27 +87,14 @@ void styleLegend(
   }
 }
 
-constexpr double Margin = 24.0;     // pixels, distance to the right edge
-constexpr double Height = 26.0;     // pixels, height of the arrow's axis above the lower edge
-constexpr double HalfShaft = 2.0;   // pixels
-constexpr double HalfHead = 6.5;    // pixels
-constexpr double HeadLength = 14.0; // pixels; at most half of the arrow
-constexpr double LabelWidth = 60.0; // pixels, wider than any label
+constexpr double Margin = 24.0;       // pixels, distance to the right edge
+constexpr double Height = 26.0;       // pixels, height of the arrow's axis above the lower edge
+constexpr double HalfShaft = 2.0;     // pixels
+constexpr double HalfHead = 6.5;      // pixels
+constexpr double HeadLength = 14.0;   // pixels; at most half of the arrow
+constexpr double LabelWidth = 60.0;   // pixels, wider than any label
+constexpr double RemarkWidth = 110.0; // pixels
 constexpr double LargestShare = 1.0 / 3.0;
-
-/// Pixels per mm, perpendicular to the line of sight, at a point.
-double pixelsPerMillimetre(vtkRenderer* renderer, const Eigen::Vector3d& point)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
-  const Eigen::Vector3d right = ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
-  const auto inPicture = [&](Eigen::Vector3d world) -> Eigen::Vector2d
-  {
-    renderer->WorldToView(world.x(), world.y(), world.z());
-    return { 0.5 * renderer->GetSize()[0] * world.x(), 0.5 * renderer->GetSize()[1] * world.y() };
-  };
-  return (inPicture(point + right) - inPicture(point)).norm();
-}
 } // namespace
 
 SceneLegends::SceneLegends()
@@ -198,7 +186,7 @@ void ForceScale::place(vtkRenderer* renderer, const Eigen::Vector3d& contact)
   const double most = LargestShare * width / perNewton;
   const double force = this->Force <= most ? this->Force : roundDown(most);
   const double length = force * perNewton;
-  this->Width = std::max(length, LabelWidth) + Margin;
+  this->Width = std::max(length, this->IsChanged ? RemarkWidth : LabelWidth) + Margin;
   const double head = width - Margin;
   const double tail = head - length;
   const double neck = head - std::min(HeadLength, 0.5 * length);
@@ -215,7 +203,8 @@ void ForceScale::place(vtkRenderer* renderer, const Eigen::Vector3d& contact)
   this->Shape->SetPoints(corners);
   this->Shape->SetPolys(parts);
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g N", force);
+  std::snprintf(
+    text.data(), text.size(), "%s%.3g N", this->IsChanged ? "scale changed\n" : "", force);
   this->Label->SetInput(text.data());
   this->Label->SetPosition(head, Height + HalfHead + 4.0);
 }

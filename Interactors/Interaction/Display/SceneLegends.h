@@ -49,8 +49,8 @@ private:
 };
 
 /// The scale of force arrows: an arrow of a round number of newtons in the lower right corner of
-/// the picture. It has the length that this force would have at the contact, perpendicular to the
-/// line of sight.
+/// the picture, on request with the remark that the scale has changed. It has the length that this
+/// force would have at the contact, perpendicular to the line of sight.
 class ForceScale
 {
 public:
@@ -59,13 +59,14 @@ public:
   ForceScale(const ForceScale&) = delete;
   ForceScale& operator=(const ForceScale&) = delete;
 
-  /// Chooses the number of newtons when first called: about half of the largest force (N). `scale`
-  /// is the length of arrows, mm per N.
+  /// Chooses the number of newtons: about half of the largest force (N). `scale` is the length of
+  /// arrows, mm per N.
   void choose(double largestForce, double scale);
   /// Fits the arrow to the camera. If the arrow would be longer than a third of the picture's
   /// width, it shows the next smaller round number.
   void place(vtkRenderer* renderer, const Eigen::Vector3d& contact);
   void setVisibility(bool visible);
+  void setChanged(bool changed) { this->IsChanged = changed; }
 
   double force() const { return this->Force; } ///< the chosen force, N
   /// Width of the arrow in the picture, pixels.
@@ -77,6 +78,7 @@ private:
   double Force = 1.0;
   double Scale = 1.0;
   double Width = 0.0;
+  bool IsChanged = false;
   vtkSmartPointer<vtkPolyData> Shape;
   vtkSmartPointer<vtkActor2D> Arrow;
   vtkSmartPointer<vtkTextActor> Label;

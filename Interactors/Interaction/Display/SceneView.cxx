@@ -4,6 +4,8 @@
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
+#include <Eigen/Geometry>
+
 namespace palpate
 {
 namespace
@@ -40,5 +42,18 @@ void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double dis
   placeCamera(camera, focus, focus + distance * view.from.normalized(), view.up);
   camera->SetWindowCenter(column, 0.0);
   renderer->ResetCameraClippingRange();
+}
+
+double pixelsPerMillimetre(vtkRenderer* renderer, const Eigen::Vector3d& point)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
+  const Eigen::Vector3d right = ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
+  const auto inPicture = [&](Eigen::Vector3d world) -> Eigen::Vector2d
+  {
+    renderer->WorldToView(world.x(), world.y(), world.z());
+    return { 0.5 * renderer->GetSize()[0] * world.x(), 0.5 * renderer->GetSize()[1] * world.y() };
+  };
+  return (inPicture(point + right) - inPicture(point)).norm();
 }
 } // namespace palpate

@@ -30,6 +30,9 @@ void lookAtBounds(
 void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
   const ViewDirection& view, double column);
 
+/// Pixels per mm at a point, perpendicular to the line of sight.
+double pixelsPerMillimetre(vtkRenderer* renderer, const Eigen::Vector3d& point);
+
 /// Sets background and light, which are the same for all bodies.
 inline void lightScene(vtkRenderer* renderer)
 {

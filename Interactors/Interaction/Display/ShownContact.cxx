@@ -30,17 +30,34 @@ bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact)
   return true;
 }
 
+namespace
+{
+/// Finds the cell of a tick; -1 if the tick belongs to a former body.
+vtkIdType cellOf(vtkPolyData* body, const Tick& tick)
+{
+  const vtkIdType triangle = tick.contact.triangle;
+  return body && triangle >= 0 && triangle < body->GetNumberOfPolys()
+    ? body->GetNumberOfVerts() + body->GetNumberOfLines() + triangle
+    : -1;
+}
+} // namespace
+
+ShownContact contactOfTick(vtkHapticSession* session, const Tick& tick)
+{
+  ShownContact contact;
+  contact.tick = tick;
+  contact.cell = cellOf(session->GetBody(), tick);
+  findValidity(session->GetBody(), session->GetResponseName(), contact);
+  return contact;
+}
+
 ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection)
 {
   ShownContact contact;
   contact.tick = session->GetNewestTick(hand); // a copy, since the servo thread continues
   const Tick& tick = contact.tick;
   vtkPolyData* body = session->GetBody();
-  // The tick may still belong to the former body.
-  if (body && tick.contact.triangle >= 0 && tick.contact.triangle < body->GetNumberOfPolys())
-  {
-    contact.cell = body->GetNumberOfVerts() + body->GetNumberOfLines() + tick.contact.triangle;
-  }
+  contact.cell = cellOf(body, tick);
   contact.hasOthers = session->GetNumberOfDevices() > 1;
   vtkHapticDevice* device = session->GetDevice(hand);
   const bool inputOnly = device->IsPhysical() && !device->GetOutputsForce();

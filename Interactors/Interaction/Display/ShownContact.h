@@ -83,6 +83,9 @@ bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);
 /// no force.
 ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection);
 
+/// Makes a contact from a tick of a session's first device, with its validity.
+ShownContact contactOfTick(vtkHapticSession* session, const Tick& tick);
+
 /// Makes a contact from the arguments of vtkContactScene::ShowContact.
 ShownContact contactOfNumbers(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell);

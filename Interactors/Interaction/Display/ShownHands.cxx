@@ -80,6 +80,14 @@ void ShownHands::setVisibility(bool visible)
   }
 }
 
+void ShownHands::setSteadyLabels(bool steady)
+{
+  for (const Hand& hand : this->Hands)
+  {
+    hand.tool->SetSteadyLabels(steady);
+  }
+}
+
 void ShownHands::resize(std::size_t count)
 {
   while (this->Hands.size() > std::max<std::size_t>(count, 1))
@@ -96,6 +104,7 @@ void ShownHands::resize(std::size_t count)
     Hand added = this->makeHand();
     added.tool->SetTool(this->tool()->GetTool());
     added.tool->SetVisibility(this->tool()->GetVisibility());
+    added.tool->SetSteadyLabels(this->tool()->GetSteadyLabels());
     added.tool->SetLabelsAfter(this->Hands.back().tool);
     this->addToRenderer(added);
     this->Hands.push_back(std::move(added));
@@ -130,6 +139,7 @@ void ShownHands::show(std::size_t hand, const ShownContact& contact, double radi
   const Contact& felt = tick.contact;
   const bool hasApplied = contact.hasApplied && tool->GetAppliedForceVisibility();
   tool->SetBeyondValidity(!contact.isValid());
+  tool->SetContactRadius(contact.touches() && std::isfinite(radius) ? radius : 0.0);
   tool->SetTilt(tick.axis.data(), tick.idealTorque.data());
   tool->SetContact(tick.tip.data(), felt.normal.data(), felt.contactPoint.data(),
     tick.idealForce.data(), felt.friction.data(),

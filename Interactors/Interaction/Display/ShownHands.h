@@ -64,6 +64,7 @@ public:
   void setRenderer(vtkRenderer* renderer);
   void setTool(vtkContactTool* tool);
   void setVisibility(bool visible);
+  void setSteadyLabels(bool steady);
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }
 

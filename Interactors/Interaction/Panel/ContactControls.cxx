@@ -128,6 +128,11 @@ std::vector<ControlRow> ContactControls::rows()
   this->addContact(rows);
   this->addView(rows);
   this->addSession(rows);
+  rows.emplace_back(ControlStatus{});
+  // Below the progress in the status, where it moves no other row when it appears.
+  rows.emplace_back(
+    std::vector<ControlButton>{ { always("Cancel"), [setup = this->Setup] { setup->Cancel(); },
+      [] { return false; }, [this] { return this->isWaiting(); } } });
   return rows;
 }
 
@@ -207,8 +212,6 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
     }
   }
   rows.emplace_back(std::move(models));
-  rows.emplace_back(std::vector<ControlButton>{ { always("Cancel"), [setup] { setup->Cancel(); },
-    [] { return false; }, [this] { return this->isWaiting(); } } });
 }
 
 /// Adds the controls of the first relaxation.
@@ -301,11 +304,13 @@ void ContactControls::fitScales()
   const double ratio = force / this->ShownForce;
   if (force > 0.0 && !this->Setup->IsBusy() && !(ratio < muchLarger && ratio > muchSmaller))
   {
+    const bool isKnown = this->ShownForce > 0.0;
     this->ShownForce = force;
-    this->scene()->SetLargestForce(force);
+    // A scale that fits the forces fits after the change, too.
+    this->scene()->SetLargestForce(isKnown ? ratio * this->scene()->GetLargestForce() : force);
     if (this->Charts)
     {
-      this->Charts->ResetRanges();
+      this->Charts->SetLargestForce(isKnown ? ratio * this->Charts->GetLargestForce() : 0.0);
     }
   }
 }
@@ -363,6 +368,10 @@ std::string ContactControls::status() const
   {
     const auto ticks = static_cast<double>(files->GetNumberOfRecordedTicks());
     return "recording: " + decimals(ticks / this->session()->GetRate(), 1) + " s";
+  }
+  if (this->Style->IsPointerOffBody())
+  {
+    return "pointer off the body: the tool keeps its place";
   }
   return files ? files->GetNotice() : std::string();
 }

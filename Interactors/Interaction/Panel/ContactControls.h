@@ -42,8 +42,14 @@ struct ControlButton
   std::function<bool()> isOffered = [] { return true; };
 };
 
-/// A row of the panel: a heading, a quantity, or buttons side by side.
-using ControlRow = std::variant<std::string, ControlQuantity, std::vector<ControlButton>>;
+/// The row of the status.
+struct ControlStatus
+{
+};
+
+/// A row of the panel: a heading, a quantity, buttons side by side, or the status.
+using ControlRow =
+  std::variant<std::string, ControlQuantity, std::vector<ControlButton>, ControlStatus>;
 
 /// The content of a contact's panel: its rows, their present values, and the effect of changes. The
 /// panel defines the appearance.

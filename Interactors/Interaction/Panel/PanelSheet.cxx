@@ -138,6 +138,7 @@ PanelButton* PanelSheet::addButton(const std::string& label, Action pressed, int
     Row row;
     row.columns = inRow;
     row.height = ButtonHeight;
+    row.isOnStatus = !this->Rows.empty() && this->Rows.back().text == this->Status.Get();
     this->Rows.push_back(row);
   }
   if (inRow == 1)
@@ -246,7 +247,7 @@ void PanelSheet::place()
   double needed = Margin;
   for (const Row& row : this->Rows)
   {
-    needed += row.isShown() ? row.height : 0.0;
+    needed += row.hasPlace() ? row.height : 0.0;
   }
   const double share = std::min({ 1.0, size[0] / Width, size[1] / needed });
   const double left = std::round(share * Margin);
@@ -261,8 +262,9 @@ void PanelSheet::place()
     {
       continue;
     }
+    const double gap = std::round(share * ButtonGap);
     const double height = std::round(share * row.height);
-    const double bottom = top - height;
+    const double bottom = row.isOnStatus ? top - gap + 1.0 : top - height;
     if (row.text)
     {
       const bool isStatus = row.text == this->Status.Get();
@@ -275,7 +277,6 @@ void PanelSheet::place()
     {
       row.slider->place(left, bottom, width, height, fontSize);
     }
-    const double gap = std::round(share * ButtonGap);
     const double each = (width + gap) / std::max<double>(row.columns, 1.0);
     for (std::size_t i = 0; i < row.buttons.size(); ++i)
     {
@@ -283,7 +284,7 @@ void PanelSheet::place()
       const double to = std::round(left + static_cast<double>(i + 1) * each - gap);
       row.buttons[i]->place(from, bottom + gap, to - from, height - gap, fontSize);
     }
-    top = bottom;
+    top = row.isOnStatus ? top : bottom;
   }
 }
 

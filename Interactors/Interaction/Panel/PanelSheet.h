@@ -36,7 +36,8 @@ public:
   /// `changed` is called when the handle moves, `released` when the mouse button is released.
   PanelSlider* addSlider(Action changed, Action released);
   /// Adds a button to a row of `inRow` buttons; call it `inRow` times for the row. A single button
-  /// has its label at the left.
+  /// has its label at the left. Buttons after the status stand in the lower part of its row, below
+  /// one line of text: they move no other row when they appear.
   PanelButton* addButton(const std::string& label, Action pressed, int inRow = 1);
   void addStatus();
   void clear();
@@ -64,7 +65,10 @@ private:
     int columns = 1;
     double height = 0.0;
 
+    bool isOnStatus = false; ///< stands in the lower part of the status
+
     bool isShown() const;
+    bool hasPlace() const { return this->isShown() && !this->isOnStatus; }
   };
 
   /// The status in lines, as made for a width and a font, pixels.

@@ -2,6 +2,7 @@
 #include "Interaction/Session/ModulusChange.h"
 
 #include "Contact/ResponseContract.h"
+#include "Mechanics/ReducedModulus.h"
 #include "Mechanics/SharedWork.h"
 #include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
@@ -30,13 +31,34 @@ auto lawOf(const LawTerms& terms)
     terms.storeError, terms.automatic, terms.changeTolerance, terms.edges, terms.tilt);
 }
 
-/// The parts of a request that must be equal. The terms of a law and the relaxation are compared
-/// apart.
+/// The parts of a request that must be equal. Poisson's ratio, the terms of a law and the
+/// relaxation are compared apart.
 auto partsOf(const ResponseRequest& request)
 {
   return std::tie(request.body, request.names, request.toolKeys, request.stored,
-    request.poissonRatio, request.maximumDeflection, request.layerThickness, request.thicknessArray,
-    request.base, request.complianceArray, request.tolerance, request.choiceDeflection);
+    request.maximumDeflection, request.layerThickness, request.thicknessArray, request.base,
+    request.complianceArray, request.tolerance, request.choiceDeflection);
+}
+
+/// The factor of all forces from one request to another.
+double factorBetween(const ResponseRequest& known, const ResponseRequest& wanted)
+{
+  return reducedModulus(wanted.youngsModulus, wanted.poissonRatio) /
+    reducedModulus(known.youngsModulus, known.poissonRatio);
+}
+
+/// Whether the requests differ at most in the elastic constants, and these are the only ones.
+bool differInMaterialOnly(const ResponseRequest& known, const ResponseRequest& wanted);
+
+/// Whether the body is an elastic half-space with one material, at small strain.
+bool isHalfSpace(const MadeResponses& known)
+{
+  const ResponseRequest& of = known.of;
+  const auto hasFiniteStrain = [&](const std::string& name)
+  { return (responseModel(known.body, name).parts & FiniteStrainPart) != 0; };
+  return of.layerThickness == 0.0 && of.thicknessArray.empty() && of.complianceArray.empty() &&
+    of.terms.strain.model == StrainModel::Linear && !of.terms.edges && of.terms.tilt == 0.0 &&
+    std::none_of(of.names.begin(), of.names.end(), hasFiniteStrain);
 }
 
 bool haveSameRelaxation(const RelaxationRequest& a, const RelaxationRequest& b)
@@ -135,14 +157,17 @@ vtkSmartPointer<vtkPolyData> scaled(
 
 bool areEqual(const ResponseRequest& one, const ResponseRequest& other)
 {
-  return partsOf(one) == partsOf(other) && lawOf(one.terms) == lawOf(other.terms) &&
+  return partsOf(one) == partsOf(other) && one.poissonRatio == other.poissonRatio &&
+    lawOf(one.terms) == lawOf(other.terms) &&
     haveSameRelaxation(one.relaxation, other.relaxation) && one.deeper == other.deeper &&
     one.secondArray == other.secondArray && one.halfSpace == other.halfSpace &&
     one.coupling == other.coupling && one.youngsModulus == other.youngsModulus &&
     one.complianceFactor == other.complianceFactor;
 }
 
-bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted)
+namespace
+{
+bool differInMaterialOnly(const ResponseRequest& known, const ResponseRequest& wanted)
 {
   const auto modulusTimesCompliance = [](const ResponseRequest& request)
   { return request.youngsModulus * request.complianceFactor; };
@@ -156,14 +181,28 @@ bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted
     partsOf(known) == partsOf(wanted) && lawOf(known.terms) == lawOf(wanted.terms) &&
     haveSameRelaxation(known.relaxation, wanted.relaxation);
 }
+} // namespace
 
-MadeResponses scaleModulus(const MadeResponses& known, const ResponseRequest& wanted,
+bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted)
+{
+  return known.poissonRatio == wanted.poissonRatio && differInMaterialOnly(known, wanted);
+}
+
+bool isPoissonChange(const MadeResponses& known, const ResponseRequest& wanted)
+{
+  return isPoissonsRatio(wanted.poissonRatio) && differInMaterialOnly(known.of, wanted) &&
+    isHalfSpace(known);
+}
+
+MadeResponses scaleForces(const MadeResponses& known, const ResponseRequest& wanted,
   const std::function<bool(double)>& goOn)
 {
   const FilterThreads threads;
-  const double factor = wanted.youngsModulus / known.of.youngsModulus;
+  const double factor = factorBetween(known.of, wanted);
   MadeResponses made = known;
   made.of = wanted;
+  made.poissonRatio = wanted.poissonRatio;
+  made.isPreliminary = known.of.poissonRatio != wanted.poissonRatio;
   made.of.surface = nullptr;
   made.of.known = nullptr;
   made.tools = wanted.tools;

@@ -128,9 +128,11 @@ void makeKernels(
 
 MadeResponses makeResponses(const ResponseRequest& request, const std::function<bool(double)>& goOn)
 {
-  if (request.known && isModulusChange(request.known->of, request))
+  if (request.known &&
+    (isModulusChange(request.known->of, request) ||
+      (!request.isFinal && isPoissonChange(*request.known, request))))
   {
-    return scaleModulus(*request.known, request, goOn);
+    return scaleForces(*request.known, request, goOn);
   }
   MadeResponses made;
   made.of = request;

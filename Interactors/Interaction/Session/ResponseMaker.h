@@ -5,7 +5,7 @@
 #include "Interaction/Session/BodyKernels.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/LawTerms.h"
-#include "Response/Curves/RelaxationRequest.h"
+#include "Response/Curves/MaterialArrays.h"
 
 #include "vtkContactTool.h"
 #include "vtkPolyData.h"
@@ -51,9 +51,10 @@ struct ResponseRequest
                                  ///< largest deflection
   /// Kernel of the same surface, if one exists; otherwise null.
   std::shared_ptr<const ContactBody> surface;
-  /// Responses that were computed before. They are scaled if only Young's modulus differs. May be
-  /// null.
+  /// Responses that were computed before. They are scaled if only Young's modulus differs, or
+  /// Poisson's ratio of a half-space (ModulusChange.h). May be null.
   std::shared_ptr<const MadeResponses> known;
+  bool isFinal = false; ///< whether the result must not be preliminary
 };
 
 /// The finished responses, or the error.
@@ -70,6 +71,8 @@ struct MadeResponses
   std::vector<std::string> choices; ///< reason for each form; empty if none was chosen
   std::string error;
   std::string warning;
+  /// The forces are exact, but errors and validities are those of another Poisson's ratio.
+  bool isPreliminary = false;
 };
 
 /// Makes the responses. Cost: 1 to 40 µs per point and tool; less if `known` is scaled

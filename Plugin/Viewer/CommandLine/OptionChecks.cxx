@@ -2,6 +2,7 @@
 #include "OptionChecks.h"
 
 #include "ContactNames.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/ToolSpecification.h"
 
@@ -77,9 +78,10 @@ std::string readStackLayer(const std::string& text, StackLayer& layer, bool& sca
     return "'" + text.substr(0, 40) + "' is not MM:MPA:NU or MM:MPA:NU:slip, e.g. 1.5:0.2:0.48";
   }
   scanned = parts[0] == "scan";
-  std::string fault = scanned ? "" : StackRange.read(parts[0], layer.thickness);
-  fault = fault.empty() ? YoungsModulusRange.read(parts[1], layer.youngsModulus) : fault;
-  return fault.empty() ? PoissonsRatioRange.read(parts[2], layer.poissonsRatio) : fault;
+  return firstFault([&]
+    { return scanned ? std::string() : StackRange.read(parts[0], layer.thickness); },
+    [&] { return YoungsModulusRange.read(parts[1], layer.youngsModulus); },
+    [&] { return PoissonsRatioRange.read(parts[2], layer.poissonsRatio); });
 }
 
 /// Checks the combination of the layers.
@@ -153,8 +155,11 @@ std::string readLayers(const std::string& text, LayerChoice& layer)
   {
     return "slip at the end belongs to a rigid base; for a half-space write 0:MPA:NU:slip";
   }
-  const std::string fault = checkLayers(read, scanned);
-  layer = fault.empty() ? read : layer;
+  std::string fault = checkLayers(read, scanned);
+  if (fault.empty())
+  {
+    layer = read;
+  }
   return fault;
 }
 
@@ -184,10 +189,14 @@ std::string readStrain(const std::string& text, LawTerms& terms)
     return needsExponent ? "'" + name + "' needs its exponent, e.g. " + name + ":2"
                          : "'" + name + "' has no exponent";
   }
-  const std::string fault = needsExponent
-    ? NumberRange::any("an exponent, e.g. 2").read(text.substr(colon + 1), law.parameter)
-    : std::string();
-  return fault.empty() ? checkStrainEnergy(law.model, law.parameter) : fault;
+  return firstFault(
+    [&]
+    {
+      return needsExponent
+        ? NumberRange::any("an exponent, e.g. 2").read(text.substr(colon + 1), law.parameter)
+        : std::string();
+    },
+    [&] { return checkStrainEnergy(law.model, law.parameter); });
 }
 
 std::string readLengthUnit(std::string& text)

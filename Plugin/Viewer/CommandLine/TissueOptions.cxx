@@ -2,6 +2,7 @@
 #include "TissueOptions.h"
 
 #include "ContactNames.h"
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "NumberRange.h"
 #include "TissueChoice.h"
@@ -26,13 +27,19 @@ std::string readTissue(const std::string& text, TissueChoice& tissue)
     return "'" + text.substr(0, 40) + "' is not LABEL:MPA:NU, e.g. 1:0.006:0.49";
   }
   TissueChoice read;
-  std::string fault = NumberRange::any("a label of the image, e.g. 1").read(parts[0], read.label);
-  fault = fault.empty() ? YoungsModulusRange.read(parts[1], read.youngsModulus) : fault;
-  fault = fault.empty() ? NumberRange::between(0.0, LargestTissueRatio,
-                            "Poisson's ratio of a tissue, 0 to 0.499, e.g. 0.49")
-                            .read(parts[2], read.poissonsRatio)
-                        : fault;
-  tissue = fault.empty() ? read : tissue;
+  std::string fault = firstFault([&]
+    { return NumberRange::any("a label of the image, e.g. 1").read(parts[0], read.label); },
+    [&] { return YoungsModulusRange.read(parts[1], read.youngsModulus); },
+    [&]
+    {
+      return NumberRange::between(
+        0.0, LargestTissueRatio, "Poisson's ratio of a tissue, 0 to 0.499, e.g. 0.49")
+        .read(parts[2], read.poissonsRatio);
+    });
+  if (fault.empty())
+  {
+    tissue = read;
+  }
   return fault;
 }
 

@@ -82,7 +82,7 @@ ComparisonWindow::ComparisonWindow(
 {
   // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
   this->Window->SetMultiSamples(0);
-  this->Window->SetSize(PictureWidth, PictureHeight);
+  fitToScreen(this->Window);
   this->Window->SetWindowName("Palpate: global and local deformation");
   this->Interactor->SetRenderWindow(this->Window);
   this->Comparison->SetRenderWindow(this->Window);

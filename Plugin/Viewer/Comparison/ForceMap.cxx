@@ -3,16 +3,20 @@
 
 #include "MapColors.h"
 #include "MapStage.h"
+#include "Mechanics/Files/NumberText.h"
 #include "Mechanics/JoinedText.h"
 #include "Response/Curves/StoredError.h"
 #include "ResponseSet.h"
 
 #include "vtkCamera.h"
+#include "vtkContactTool.h"
 #include "vtkDataArray.h"
 #include "vtkForceMap.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkRenderer.h"
+#include "vtkStaticPointLocator.h"
 
 #include <algorithm>
 #include <array>
@@ -30,9 +34,10 @@ constexpr double ZoomWithLegend = 0.65;
 /// The forces at all points, and a summary of them.
 struct ForceSummary
 {
-  vtkIdType strongest = -1;
-  double largest = 0.0; ///< N
-  double median = 0.0;  ///< N
+  vtkIdType strongest = -1; ///< among the points away from the held part
+  double largest = 0.0;     ///< force there, N
+  double upper = 0.0;       ///< largest force at any point, the upper end of the colours, N
+  double median = 0.0;      ///< N
   double least = 0.0;   ///< the lower end of the colours: the force that 2 % of the points do not
                         ///< reach, N
   double missing = 0.0; ///< fraction of the points without a force
@@ -53,8 +58,52 @@ void removeUnbounded(vtkPolyData* mapped)
   }
 }
 
-/// Returns no strongest point if no point has a force.
-ForceSummary summarise(vtkPolyData* mapped)
+/// The distance from the held part within which a force is mainly that of the support: two contact
+/// radii, mm. Such a place next to the base would often have the largest force of all.
+double supportedDistance(const ViewerScene& scene)
+{
+  vtkNew<vtkContactTool> tool;
+  tool->SetSpecification(scene.tools.front());
+  return 2.0 * tool->GetContactRadius(scene.depth);
+}
+
+/// Whether each point is farther than `distance` from all held points. All are if the body has no
+/// array of held points, or if none is farther.
+std::vector<bool> awayFromHeld(vtkPolyData* mapped, double distance)
+{
+  const auto count = static_cast<std::size_t>(mapped->GetNumberOfPoints());
+  vtkDataArray* fixed = mapped->GetPointData()->GetArray("Fixed");
+  vtkNew<vtkPoints> held;
+  for (vtkIdType i = 0; fixed && i < mapped->GetNumberOfPoints(); ++i)
+  {
+    if (fixed->GetTuple1(i) != 0.0)
+    {
+      held->InsertNextPoint(mapped->GetPoint(i));
+    }
+  }
+  std::vector<bool> away(count, true);
+  if (held->GetNumberOfPoints() == 0)
+  {
+    return away;
+  }
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(held);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(places);
+  locator->BuildLocator();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    double found = 0.0;
+    away[i] = locator->FindClosestPointWithinRadius(
+                distance, mapped->GetPoint(static_cast<vtkIdType>(i)), found) < 0;
+  }
+  const bool isAny = std::find(away.begin(), away.end(), true) != away.end();
+  return isAny ? away : std::vector<bool>(count, true);
+}
+
+/// Returns no strongest point if no point has a force. `away`: the points that may be the
+/// strongest.
+ForceSummary summarise(vtkPolyData* mapped, const std::vector<bool>& away)
 {
   constexpr double LeastShare = 0.02;
   vtkDataArray* force = mapped->GetPointData()->GetArray("ForceAtDepth");
@@ -66,7 +115,8 @@ ForceSummary summarise(vtkPolyData* mapped)
     if (std::isfinite(value))
     {
       known.push_back(value);
-      if (summary.strongest < 0 || value > summary.largest)
+      summary.upper = std::max(summary.upper, value);
+      if (away[static_cast<std::size_t>(i)] && (summary.strongest < 0 || value > summary.largest))
       {
         summary.strongest = i;
         summary.largest = value;
@@ -85,21 +135,26 @@ ForceSummary summarise(vtkPolyData* mapped)
   return summary;
 }
 
-std::string describe(const ViewerScene& scene, vtkPolyData* mapped, const ForceSummary& summary)
+std::string describe(
+  const ViewerScene& scene, vtkPolyData* mapped, const ForceSummary& summary, double distance)
 {
   std::array<double, 3> at{};
   mapped->GetPoint(summary.strongest, at.data());
   vtkDataArray* error = mapped->GetPointData()->GetArray("ErrorAtDepth");
   const std::string off = error ? errorInWords(error->GetTuple1(summary.strongest)) : "";
-  std::array<char, 400> text{};
+  const std::string apart = mapped->GetPointData()->HasArray("Fixed")
+    ? "  (without the places within " + shortly(distance) + " mm\n  of the held part)\n"
+    : std::string();
+  std::array<char, 600> text{};
   std::snprintf(text.data(), text.size(),
     "%s\n%s, %.2f mm deep\n \n"
     "largest force %.4g N%s\n  at %.1f, %.1f, %.1f mm\n"
+    "%s"
     "median force %.4g N\n"
     "no force on %.1f %% of the points\n  (grey: held, beyond the curve,\n  or with an error "
     "without bound)",
     scene.title.c_str(), scene.tools.front().c_str(), scene.depth, summary.largest, off.c_str(),
-    at[0], at[1], at[2], summary.median, 100.0 * summary.missing);
+    at[0], at[1], at[2], apart.c_str(), summary.median, 100.0 * summary.missing);
   return text.data();
 }
 } // namespace
@@ -122,7 +177,8 @@ std::string runForceMap(const ViewerOptions& options, const ViewerScene& scene)
   }
   vtkPolyData* mapped = map->GetOutput();
   removeUnbounded(mapped);
-  const ForceSummary summary = summarise(mapped);
+  const double distance = supportedDistance(scene);
+  const ForceSummary summary = summarise(mapped, awayFromHeld(mapped, distance));
   if (summary.strongest < 0)
   {
     return joined("no point of the body has a force at a depth of ", scene.depth,
@@ -130,10 +186,10 @@ std::string runForceMap(const ViewerOptions& options, const ViewerScene& scene)
   }
   MapStage stage("Palpate: " + scene.title, options.window);
   vtkRenderer* renderer = stage.addRenderer({ 0.0, 0.0, 0.66, 1.0 });
-  const std::array<double, 2> range = { std::min(summary.least, 0.999 * summary.largest),
-    summary.largest };
+  const std::array<double, 2> range = { std::min(summary.least, 0.999 * summary.upper),
+    summary.upper };
   addColoredBody(mapped, makeMapColors(range, 1.0), "Force (N)\n ", "%.3g", renderer);
-  const std::string words = describe(scene, mapped, summary);
+  const std::string words = describe(scene, mapped, summary, distance);
   stage.addWords(words, { 0.66, 0.0, 1.0, 1.0 });
   stage.lookFrom(mapped, scene.viewFrom, scene.up);
   // The view is narrower than high, and the legend takes a part of it.

@@ -72,7 +72,14 @@ MapStage::MapStage(const std::string& name, bool onScreen)
 {
   this->Window->SetOffScreenRendering(!onScreen);
   this->Window->SetMultiSamples(0); // gives the same pixels on every machine
-  this->Window->SetSize(PictureWidth, PictureHeight);
+  if (onScreen)
+  {
+    fitToScreen(this->Window);
+  }
+  else
+  {
+    this->Window->SetSize(PictureWidth, PictureHeight);
+  }
   this->Window->SetWindowName(name.c_str());
 }
 

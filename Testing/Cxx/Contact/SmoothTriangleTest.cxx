@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <new>
 #include <random>
 #include <vector>
 
@@ -240,6 +242,23 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
   }
   EXPECT_LT(edges[1], edges[0] / 32.0);
   EXPECT_LT(edges[2], edges[1] / 32.0); // the finest is at rounding level
+}
+
+// Vectors of four numbers, of 32 bytes, are read from members that are aligned for two.
+TEST(SmoothTriangle, AtEveryAddress)
+{
+  Chance chance(5);
+  const Pair pair = anyPair(chance);
+  const Vector3 weights = chance.weights();
+  SmoothTriangle here;
+  ASSERT_TRUE(here.build(pair.first, pair.firstNormals));
+  const Vector3 point = here.evaluate(weights).point;
+  for (std::size_t offset = 0; offset < 64; offset += alignof(SmoothTriangle))
+  {
+    alignas(64) std::array<std::byte, sizeof(SmoothTriangle) + 64> memory;
+    auto* const there = new (memory.data() + offset) SmoothTriangle(here);
+    EXPECT_EQ(there->evaluate(weights).point, point) << offset;
+  }
 }
 
 TEST(SmoothTriangle, RefusesWhatHasNoSmoothSurface)

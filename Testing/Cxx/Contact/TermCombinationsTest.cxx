@@ -27,7 +27,7 @@ struct Terms
   bool edges, tilt, relaxation, coupling;
 };
 
-std::string nameOf(const ::testing::TestParamInfo<Terms>& info)
+std::string nameOfTerms(const ::testing::TestParamInfo<Terms>& info)
 {
   const Terms& terms = info.param;
   std::string name = std::string(terms.edges ? "Edges" : "") + (terms.tilt ? "Tilt" : "") +
@@ -93,7 +93,7 @@ struct VariedBlock
 
 /// A closed path over the upper face, 1.1 to 2.5 mm from an edge of the block and 0.3 to 0.7 mm
 /// deep. `side` -1 and 1: two tools, 5 mm apart.
-ToolPose poseAt(double turn, double side)
+ToolPose poseOnTurn(double turn, double side)
 {
   const double phase = turn + 0.9 * side;
   const Vector3 tip(1.8 + 0.7 * std::sin(phase), 2.5 * side + 11.5 + 0.5 * std::cos(phase),
@@ -101,12 +101,12 @@ ToolPose poseAt(double turn, double side)
   return { tip, Vector3(0.3 * std::cos(2.0 * phase), 0.3 * std::sin(phase), 1.0) };
 }
 
-std::vector<ToolPose> posesAt(std::size_t count, double turn, double above = 0.0)
+std::vector<ToolPose> posesOnTurn(std::size_t count, double turn, double above = 0.0)
 {
-  std::vector<ToolPose> poses{ poseAt(turn, -1.0) };
+  std::vector<ToolPose> poses{ poseOnTurn(turn, -1.0) };
   if (count > 1)
   {
-    poses.push_back(poseAt(turn, 1.0));
+    poses.push_back(poseOnTurn(turn, 1.0));
   }
   for (ToolPose& pose : poses)
   {
@@ -115,7 +115,7 @@ std::vector<ToolPose> posesAt(std::size_t count, double turn, double above = 0.0
   return poses;
 }
 
-struct Work
+struct TurnWork
 {
   double net = 0.0;      ///< N mm
   double put = 0.0;      ///< sum of its positive steps
@@ -123,12 +123,12 @@ struct Work
 };
 
 /// The work of all tools in the second of two turns, by the trapezoidal rule.
-Work workOfATurn(CoupledContacts& contacts, bool isInTime, int steps)
+TurnWork workOfATurn(CoupledContacts& contacts, bool isInTime, int steps)
 {
   const std::size_t count = contacts.count();
   std::vector<ToolPose> before;
   std::vector<Contact> last;
-  Work work;
+  TurnWork work;
   const auto evaluate = [&](const std::vector<ToolPose>& poses)
   {
     constexpr double instant = 1e-15; // s: nothing relaxes during the path
@@ -136,11 +136,11 @@ Work workOfATurn(CoupledContacts& contacts, bool isInTime, int steps)
   };
   for (int i = 100; i >= 0; --i) // comes down on the upper face
   {
-    evaluate(posesAt(count, 0.0, 0.01 * i));
+    evaluate(posesOnTurn(count, 0.0, 0.01 * i));
   }
   for (int i = 0; i <= 2 * steps; ++i)
   {
-    const std::vector<ToolPose> poses = posesAt(count, 2.0 * M_PI * i / steps);
+    const std::vector<ToolPose> poses = posesOnTurn(count, 2.0 * M_PI * i / steps);
     const std::vector<Contact> now = evaluate(poses);
     for (std::size_t k = 0; k < count && i > steps; ++k)
     {
@@ -174,7 +174,7 @@ TEST_P(TermCombinations, NothingIsGainedOnAClosedPath)
   {
     settings.surface = surface;
     CoupledContacts contacts(*block.body, settings, terms.coupling ? 2 : 1);
-    const Work work = workOfATurn(contacts, terms.relaxation, 4000);
+    const TurnWork work = workOfATurn(contacts, terms.relaxation, 4000);
     // Curves are floats, and memory follows chords of the curve: 6e-6 at most.
     EXPECT_LT(std::abs(work.net), 1e-5 * work.put);
     EXPECT_GT(work.sideways, 2e-2 * work.put); // the part that the derivatives by the place have
@@ -186,5 +186,6 @@ INSTANTIATE_TEST_SUITE_P(All, TermCombinations,
     Terms{ false, true, false, false }, Terms{ true, true, false, false },
     Terms{ false, false, true, false }, Terms{ true, false, true, false },
     Terms{ false, true, true, false }, Terms{ true, true, true, false },
-    Terms{ false, false, false, true }, Terms{ false, true, false, true }),
-  nameOf);
+    Terms{ false, false, false, true }, Terms{ false, true, false, true },
+    Terms{ true, false, false, true }, Terms{ true, true, false, true }),
+  nameOfTerms);

@@ -205,6 +205,27 @@ TEST(TrajectoryFile, TicksOfAServoStep)
   EXPECT_FALSE(read.hasMemory);
 }
 
+// While the scene changes, the force of the tick is a blend. The row is that of the new scene, so
+// that its columns belong to one law: F² = N² + f².
+TEST(TrajectoryFile, ARowDuringAChangeIsThatOfTheNewScene)
+{
+  std::vector<Tick> ticks(1);
+  ticks[0].contact.state = ContactState::Slide;
+  ticks[0].contact.force = Vector3d(0.0, 3.0, 4.0);
+  ticks[0].contact.friction = Vector3d(0.0, 3.0, 0.0);
+  ticks[0].contact.normalForce = 4.0;
+  ticks[0].idealForce = Vector3d(0.0, 1.0, 1.0);
+  ticks[0].sceneShare = 0.25;
+  const ScratchFile file(".csv");
+  ASSERT_EQ(palpate::writeTrajectory(file.path(), ticks), "");
+  Trajectory read;
+  ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
+  ASSERT_EQ(read.rows.size(), 1U);
+  EXPECT_EQ(read.rows[0].idealForce, 5.0);
+  EXPECT_EQ(read.rows[0].contact.normalForce, 4.0);
+  EXPECT_EQ(read.rows[0].contact.friction, Vector3d(0.0, 3.0, 0.0));
+}
+
 TEST(TrajectoryFile, TellsMemoryWhereTheBodyRelaxes)
 {
   std::vector<Tick> ticks(2);

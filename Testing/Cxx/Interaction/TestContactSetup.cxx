@@ -250,6 +250,30 @@ double feltForce(vtkContactSetup* setup)
   return idealOf(session);
 }
 
+/// A session that has the body already starts with the kernels of the setup: those of the chosen
+/// form, whose force differs from that of the full curves within the tolerance.
+void checkKernelsAtStart()
+{
+  constexpr double tolerance = 0.05;
+  const Body body = planeBody(10.0, 10);
+  pointArray(body, "LayerThickness", [](vtkIdType i) { return 3.0 + 0.03 * i; });
+  const auto setup = makeSetup(body);
+  setup->SetModel(vtkContactSetup::Layer);
+  setup->SetTolerance(tolerance);
+  PALPATE_CHECK(setup->Update());
+  const double chosen = feltForce(setup);
+  vtkNew<vtkHapticSession> full;
+  full->SetBody(setup->GetOutput());
+  pressed(full, deviceOf(1e3, 1e6));
+  const double exact = idealOf(full);
+  PALPATE_CHECK(chosen != exact && std::abs(chosen / exact - 1.0) < tolerance);
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(setup->GetOutput());
+  PALPATE_CHECK(setup->ApplyTo(session));
+  pressed(session, deviceOf(1e3, 1e6));
+  PALPATE_CHECK(idealOf(session) == chosen);
+}
+
 /// Whether two outputs have the same arrays, to the rounding of floats.
 bool areEqual(vtkPolyData* one, vtkPolyData* other)
 {
@@ -379,6 +403,81 @@ void checkModulusChange()
 }
 
 /// The force of a running session changes to the collected responses, and not before.
+/// Another Poisson's ratio of a half-space scales the forces at once, and then errors and
+/// validities are computed. The results are those of a setup that knows nothing else. The forces of
+/// a layer are not proportional: they are computed.
+void checkPoissonChange()
+{
+  constexpr double ratio = 0.2;
+  struct Case
+  {
+    const char* name;
+    std::function<void(vtkContactSetup*)> set;
+    bool isScaled;
+  };
+  const std::vector<Case> cases = { { "half-space", [](vtkContactSetup*) {}, true },
+    { "half-space that relaxes, chosen form",
+      [](vtkContactSetup* setup)
+      {
+        setup->SetTolerance(0.01);
+        setup->AddRelaxation(0.5, 0.1);
+      },
+      true },
+    { "chosen terms, of which finite strain is one",
+      [](vtkContactSetup* setup) { setup->AutomaticTermsOn(); }, false },
+    { "finite strain", [](vtkContactSetup* setup) { setup->SetStrainModel(1); }, false },
+    { "layer",
+      [](vtkContactSetup* setup)
+      {
+        setup->SetModel(vtkContactSetup::Layer);
+        setup->SetLayerThickness(4.0);
+      },
+      false } };
+  const Body body = planeBody(10.0, 10);
+  for (const Case& each : cases)
+  {
+    const auto make = [&]
+    {
+      auto setup = makeSetup(body);
+      each.set(setup);
+      return setup;
+    };
+    const auto setup = make();
+    PALPATE_CHECK(setup->Update());
+    setup->SetPoissonRatio(ratio);
+    setup->SetYoungsModulus(2.0 * Modulus);
+    setup->Request();
+    PALPATE_CHECK(collected(setup));
+    const double first = deepest(setup, 1);
+    const double felt = feltForce(setup);
+    const bool isTwice = collected(setup); // errors and validities
+    const auto fresh = make();
+    fresh->SetPoissonRatio(ratio);
+    fresh->SetYoungsModulus(2.0 * Modulus);
+    PALPATE_CHECK(fresh->Update());
+    const bool isRight = isTwice == each.isScaled &&
+      std::abs(first / deepest(fresh, 1) - 1.0) < Stored &&
+      std::abs(felt / feltForce(fresh) - 1.0) < Stored &&
+      areEqual(setup->GetOutput(), fresh->GetOutput()) && !setup->IsBusy();
+    if (!isRight)
+    {
+      std::cerr << each.name << " is not what it should be\n";
+    }
+    PALPATE_CHECK(isRight);
+  }
+  // A cancelled completion returns to the ratio whose errors are known.
+  const auto setup = makeSetup(planeBody(20.0, 150));
+  PALPATE_CHECK(setup->Update());
+  setup->SetPoissonRatio(ratio);
+  setup->Request();
+  PALPATE_CHECK(collected(setup) && setup->IsBusy());
+  setup->Cancel();
+  PALPATE_CHECK(setup->GetPoissonRatio() == Poisson);
+  setup->Request();
+  PALPATE_CHECK(collected(setup) && !setup->IsBusy());
+  PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * Reduced * 2.0), 1.0, Stored);
+}
+
 void checkSession()
 {
   const auto setup = makeSetup(planeBody(10.0, 10));
@@ -526,6 +625,8 @@ int TestContactSetup(int, char*[])
   checkErrors();
   checkModels();
   checkModulusChange();
+  checkPoissonChange();
+  checkKernelsAtStart();
   checkSession();
   checkSettings();
   checkChoice();

@@ -11,6 +11,7 @@
 #include "vtkVariant.h"
 
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <thread>
 
@@ -147,6 +148,41 @@ void checkFrictionIsTold(vtkPolyData* body)
   PALPATE_CHECK(statistics->GetValueByName(0, "PeakFriction (N)").ToDouble() == peak);
 }
 
+/// Another coefficient applies to the sliding contact from the tick of the change on. During the
+/// change of 50 ms the force is between Coulomb's limits of both.
+void checkFrictionChange(vtkPolyData* body)
+{
+  constexpr double normal = 2.0 * 3.45 * 0.5;
+  constexpr double rounding = 1e-6; // of curves that are stored as floats
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->GetDevice()->SetPath(draggedPath());
+  session->GetSettings()->SetFrictionCoefficient(Friction);
+  session->GetSettings()->SetTangentialStiffness(4.0);
+  PALPATE_CHECK(session->Start());
+  session->Step(0.8);
+  double friction[3];
+  session->GetFrictionForce(friction);
+  PALPATE_CHECK_NEAR(vtkMath::Norm(friction), Friction * normal, rounding);
+  const double less = 0.1 * Friction;
+  session->GetSettings()->SetFrictionCoefficient(less);
+  PALPATE_CHECK(session->ApplyChanges());
+  for (int tick = 0; tick < 60; ++tick)
+  {
+    session->Step(0.001);
+    session->GetFrictionForce(friction);
+    PALPATE_CHECK(vtkMath::Norm(friction) < less * normal + rounding);
+    double force[3];
+    session->GetIdealForce(force);
+    const double along = std::hypot(force[0], force[1]);
+    PALPATE_CHECK(along < Friction * normal + rounding);
+    PALPATE_CHECK(tick < 51 || along < less * normal + rounding);
+  }
+  session->Step(0.02); // still moving
+  session->GetFrictionForce(friction);
+  PALPATE_CHECK_NEAR(vtkMath::Norm(friction), less * normal, rounding);
+}
+
 /// On the servo thread the contact slides with the same friction.
 void checkRealTime(vtkPolyData* body)
 {
@@ -205,6 +241,7 @@ int TestHapticSessionSettings(int, char*[])
   checkDefaults();
   checkRefused(body);
   checkFrictionIsTold(body);
+  checkFrictionChange(body);
   checkRealTime(body);
   checkUnsoundBody(body);
   return palpate::testing::result();

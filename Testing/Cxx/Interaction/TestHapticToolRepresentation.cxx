@@ -52,7 +52,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
   representation->SetContact(Tip, Normal, Contact, slanted);
   checkTool(parts, Tip, Normal, 22.0);
   checkArrow(parts, slanted, 10.0);
-  PALPATE_CHECK(std::string(parts.label->GetInput()) == "  1.30 N");
+  PALPATE_CHECK(std::string(parts.label->GetInput()) == "1.30 N");
 
   // Ten times the scale and a tenth of the force give the same length; the label gives the force.
   const double tenth[3] = { 0.03, 0.12, 0.04 };
@@ -61,7 +61,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
   representation->SetContact(Tip, Normal, Contact, tenth);
   checkArrow(parts, tenth, 100.0);
   checkTool(parts, Tip, Normal, 30.0);
-  PALPATE_CHECK(std::string(parts.label->GetInput()) == "  0.130 N");
+  PALPATE_CHECK(std::string(parts.label->GetInput()) == "0.130 N");
   representation->SetForceScale(10.0);
   representation->SetToolLength(22.0);
 

@@ -213,6 +213,32 @@ void checkButtonAfterWheel(Window& w)
   PALPATE_CHECK(w.reaches(3.0));
 }
 
+/// A tool that presses keeps its place and depth while the pointer is off the body. The style says
+/// so, but not for a hovering tool nor for a pointer in another viewport.
+void checkOffBody(Window& w)
+{
+  w.pointAt(3.0, 2.0);
+  PALPATE_CHECK(w.reaches(3.0) && !w.style->IsPointerOffBody());
+  w.pointAtPixel(3, 396);
+  PALPATE_CHECK(!w.style->IsPointerOffBody()); // it hovers
+  w.pointAt(3.0, 2.0);
+  w.send(vtkCommand::MouseWheelForwardEvent, 5);
+  PALPATE_CHECK(w.reaches(-0.5) && !w.style->IsPointerOffBody());
+  double before[3];
+  w.session->GetTip(before);
+  w.pointAtPixel(3, 396);
+  PALPATE_CHECK(w.style->IsPointerOffBody());
+  double after[3];
+  w.session->GetTip(after);
+  PALPATE_CHECK(std::equal(before, before + 3, after));
+  w.pointAtPixel(600, 200);
+  PALPATE_CHECK(!w.style->IsPointerOffBody());
+  w.pointAt(3.0, 2.0);
+  PALPATE_CHECK(!w.style->IsPointerOffBody());
+  w.send(vtkCommand::MouseWheelBackwardEvent, 5);
+  PALPATE_CHECK(w.reaches(3.0));
+}
+
 void checkCamera(Window& w)
 {
   vtkCamera* camera = w.left->GetActiveCamera();
@@ -353,6 +379,7 @@ int TestInteractorStyleHaptic(int, char*[])
   checkIdleWheel(window);
   checkSurface(window);
   checkButtonAfterWheel(window);
+  checkOffBody(window);
   checkCamera(window);
   checkViewPlane(window);
   checkKeys(window);

@@ -5,6 +5,7 @@
 #include "PlacedDevice.h"
 
 #include "vtkAxis.h"
+#include "vtkChartLegend.h"
 
 #include <algorithm>
 #include <chrono>
@@ -199,6 +200,49 @@ void checkGaps(vtkPolyData* body)
   PALPATE_CHECK(slow.size() == 11 && pointsOf(plotOf(charts->GetTimeChart(), "Ideal")) == slow);
 }
 
+/// After a peak has left the chart over time, its axis shrinks within three seconds, not before.
+/// Legends are outside the data.
+void checkShrinking(vtkPolyData* body)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const Body tips = Body::New();
+  tips->SetPoints(points);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("Time");
+  for (int i = 0; i <= 180; ++i)
+  {
+    points->InsertNextPoint(0.3, 0.2, i < 20 ? -1.0 : -0.05);
+    time->InsertNextValue(0.1 * i);
+  }
+  tips->GetPointData()->AddArray(time);
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetBody(body);
+  charts->SetResponseName("Flat");
+  charts->SetLargestForce(0.1); // the axis follows the forces from the first tip on
+  const Body touched = probed(body, tips, "Flat");
+  const auto end = [&charts]
+  { return charts->GetTimeChart()->GetAxis(vtkAxis::LEFT)->GetMaximum(); };
+  for (vtkIdType i = 0; i <= 180; ++i)
+  {
+    PALPATE_CHECK(charts->ShowTip(touched, i));
+    if (i < 148) // the last tip of the peak leaves at 11.9 s
+    {
+      PALPATE_CHECK(end() >= 1.0 * Slope);
+    }
+    else if (i > 151)
+    {
+      // Steps are 1, 2 or 5 times a power of ten, at most five of them.
+      PALPATE_CHECK(end() >= 0.05 * Slope && end() < 2.0 * 0.05 * Slope);
+    }
+  }
+  for (vtkChartXY* chart : { charts->GetTimeChart(), charts->GetDeflectionChart(),
+         charts->GetCurvesChart(), charts->GetHistogramChart() })
+  {
+    PALPATE_CHECK(!chart->GetLegend()->GetInline());
+  }
+}
+
 /// Every tick of the contact is near the line, and every point of the line is a tick.
 void checkOverDeflection(vtkPolyData* body)
 {
@@ -382,6 +426,7 @@ int TestLiveCharts(int, char*[])
   const Body body = threeTools();
   checkOverTime(body);
   checkGaps(body);
+  checkShrinking(body);
   checkOverDeflection(body);
   checkRanges(body);
   checkHistogram(body);

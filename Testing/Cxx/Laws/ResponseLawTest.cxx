@@ -15,14 +15,14 @@ using palpate::testing::Paraboloid;
 namespace
 {
 constexpr double Range = 2.0; // mm
-constexpr int Samples = 8;
+constexpr int SampleCount = 8;
 constexpr double FloatStep = 1.2e-7; // relative rounding of a float
 
 struct Sampled
 {
   ResponseStatus status;
-  std::array<float, Samples> force;
-  std::array<float, Samples> stiffness;
+  std::array<float, SampleCount> force;
+  std::array<float, SampleCount> stiffness;
 };
 
 Sampled sample(const ResponseLaw& law, const ContactSpot& spot)
@@ -34,7 +34,7 @@ Sampled sample(const ResponseLaw& law, const ContactSpot& spot)
 
 double depthOf(int sample)
 {
-  return Range * std::pow((sample + 1.0) / Samples, 2); // as in the data contract
+  return Range * std::pow((sample + 1.0) / SampleCount, 2); // as in the data contract
 }
 } // namespace
 
@@ -42,9 +42,9 @@ TEST(ResponseLaw, SamplesHertzOnAHalfSpace)
 {
   const Paraboloid paraboloid;
   const auto tool = paraboloid.make();
-  const Sampled curve = sample(ResponseLaw(*tool, Range, Samples), { 0.06, 0.45, 0.0, 0.0 });
+  const Sampled curve = sample(ResponseLaw(*tool, Range, SampleCount), { 0.06, 0.45, 0.0, 0.0 });
   ASSERT_EQ(curve.status, ResponseStatus::Valid);
-  for (int i = 0; i < Samples; ++i)
+  for (int i = 0; i < SampleCount; ++i)
   {
     const auto k = static_cast<std::size_t>(i);
     const double force = paraboloid.force(depthOf(i), 0.06);
@@ -59,9 +59,10 @@ TEST(ResponseLaw, InSeriesTheDepthsAdd)
   const Paraboloid paraboloid;
   const auto tool = paraboloid.make();
   const double compliance = 3.0; // mm/N
-  const Sampled curve = sample(ResponseLaw(*tool, Range, Samples), { 0.06, 0.45, compliance, 0.0 });
+  const Sampled curve =
+    sample(ResponseLaw(*tool, Range, SampleCount), { 0.06, 0.45, compliance, 0.0 });
   ASSERT_EQ(curve.status, ResponseStatus::Valid);
-  for (int i = 0; i < Samples; ++i)
+  for (int i = 0; i < SampleCount; ++i)
   {
     const auto force = static_cast<double>(curve.force[static_cast<std::size_t>(i)]);
     const double local = depthOf(i) - compliance * force;
@@ -73,7 +74,7 @@ TEST(ResponseLaw, InSeriesTheDepthsAdd)
 TEST(ResponseLaw, AFoldIsAStatusAndZeros)
 {
   const auto tool = Paraboloid{}.make();
-  const Sampled curve = sample(ResponseLaw(*tool, Range, Samples), { 0.06, 0.45, -20.0, 0.0 });
+  const Sampled curve = sample(ResponseLaw(*tool, Range, SampleCount), { 0.06, 0.45, -20.0, 0.0 });
   EXPECT_EQ(curve.status, ResponseStatus::Folded);
   EXPECT_EQ(curve.force.back(), 0.0F);
   EXPECT_EQ(curve.stiffness.front(), 0.0F);
@@ -82,7 +83,7 @@ TEST(ResponseLaw, AFoldIsAStatusAndZeros)
 TEST(ResponseLaw, WhatAFloatDoesNotHoldIsNotFinite)
 {
   const auto tool = Paraboloid{}.make();
-  const ResponseLaw law(*tool, Range, Samples);
+  const ResponseLaw law(*tool, Range, SampleCount);
   EXPECT_EQ(sample(law, { 1e-39, 0.45, 0.0, 0.0 }).status, ResponseStatus::NotFinite);
   EXPECT_EQ(sample(law, { 1e39, 0.45, 0.0, 0.0 }).status, ResponseStatus::NotFinite);
 }
@@ -91,7 +92,7 @@ TEST(ResponseLaw, AThickLayerIsAHalfSpaceAndAThinOneIsOutOfReach)
 {
   const Paraboloid paraboloid;
   const auto tool = paraboloid.make();
-  ResponseLaw law(*tool, Range, Samples);
+  ResponseLaw law(*tool, Range, SampleCount);
   law.prepareLayers({ LayerBase::Bonded, 0.01, 1e5, { 0.45 } }, false);
   const Sampled thick = sample(law, { 0.06, 0.45, 0.0, 1e5 });
   ASSERT_EQ(thick.status, ResponseStatus::Valid);
@@ -105,7 +106,7 @@ TEST(ResponseLaw, ContactRadiusAndTotalDeflection)
 {
   const Paraboloid paraboloid;
   const auto tool = paraboloid.make();
-  const ResponseLaw law(*tool, Range, Samples);
+  const ResponseLaw law(*tool, Range, SampleCount);
   const ContactSpot soft{ 0.06, 0.45, 3.0, 0.0 };
   const double local = paraboloid.depthAt(1.5);
   const double total = local + 3.0 * paraboloid.force(local, 0.06);
@@ -117,7 +118,7 @@ TEST(ResponseLaw, ContactRadiusAndTotalDeflection)
 TEST(ResponseLaw, APowerOfTheDepthIsStoredToRounding)
 {
   const auto tool = Paraboloid{}.make();
-  const ResponseLaw law(*tool, Range, Samples);
+  const ResponseLaw law(*tool, Range, SampleCount);
   const ContactSpot spot{ 0.06, 0.45, 0.0, 0.0 };
   EXPECT_LT(law.storageError(1.5, spot), FloatStep); // r(s) is constant
   EXPECT_LT(law.storageError(1.0, spot), FloatStep); // and proportional to s

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SolidResponse/Mesher/Cgal/CgalMesher.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "SolidResponse/Mesher/Cgal/CgalSurface.h"
 
@@ -164,7 +165,10 @@ std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& plane
   {
     fault = cutAt(planes[i], made);
   }
-  fault = fault.empty() ? removeSmallParts(least, made) : fault;
+  if (fault.empty())
+  {
+    fault = removeSmallParts(least, made);
+  }
   if (!fault.empty())
   {
     return fault;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Response/Curves/CouplingConversion.h"
+#include "Response/Terms/LawTerm.h"
 
 #include "Laws/BodyMaterial.h"
 #include "Mechanics/Coupling/CouplingLaw.h"
@@ -113,10 +113,29 @@ std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
   }
   return {};
 }
+
+/// The interaction of contacts on one body: the arrays Coupling, CouplingModulus, CouplingThickness
+/// and CouplingModes. Without them contacts do not interact.
+class CouplingTerm : public LawTerm
+{
+public:
+  bool isAsked(const LawRequest& request) const override { return request.couples; }
+  std::string check(const TermBody& response, vtkPolyData* piece) const override;
+  std::string make(const TermBody& response, vtkPolyData* output) const override;
+  bool view(vtkPolyData* body, const std::string& name, ResponseArrays& arrays,
+    std::string& error) const override;
+  void describe(
+    vtkPolyData* body, const std::string& name, const ResponseArrays& arrays) const override;
+};
 } // namespace
 
-std::string checkCouples(const BodyMaterial& material, vtkPolyData* body)
+std::string CouplingTerm::check(const TermBody& response, vtkPolyData* piece) const
 {
+  if (!this->isAsked(response.request))
+  {
+    return {};
+  }
+  const BodyMaterial& material = *response.material;
   const MaterialRange& range = material.range();
   if (range.hasLayers() && range.hasHalfSpace)
   {
@@ -127,7 +146,7 @@ std::string checkCouples(const BodyMaterial& material, vtkPolyData* body)
     return "Coupling needs a second layer of one thickness, but it varies from point to point";
   }
   vtkDataArray* modes = nullptr;
-  std::string fault = findModes(body, modes);
+  std::string fault = findModes(piece, modes);
   if (fault.empty() && modes && (material.modelParts() & GlobalCompliancePart) == 0)
   {
     fault = joined("point array '", CouplingModesName,
@@ -137,8 +156,10 @@ std::string checkCouples(const BodyMaterial& material, vtkPolyData* body)
   return fault;
 }
 
-void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPolyData* output)
+std::string CouplingTerm::make(const TermBody& response, vtkPolyData* output) const
 {
+  const BodyMaterial& material = *response.material;
+  const std::string& name = response.request.responseName;
   const ContactSpots spots = material.spots();
   const MaterialRange& range = material.range();
   const CouplingLaw law = lawOf(range);
@@ -148,7 +169,6 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
     : spots.thickness                ? range.layers.thinnest
                                      : spots.constant.thickness;
   terms.knots = law.isLayered() ? law.knots().data() : nullptr;
-  removeArrays(output, name, ContractArray::Use::Coupling);
   addLaw(output, name, terms);
   const auto spotAt = [&spots](vtkIdType i) { return spots.at(static_cast<std::size_t>(i)); };
   if (spots.reducedModulus)
@@ -167,11 +187,17 @@ void attachCoupling(const BodyMaterial& material, const std::string& name, vtkPo
   {
     addModes(spots, name, modes, output);
   }
+  return {};
 }
 
-void describeCoupling(vtkPolyData* body, const std::string& name, const CouplingTerms& terms)
+void CouplingTerm::describe(
+  vtkPolyData* body, const std::string& name, const ResponseArrays& arrays) const
 {
-  removeArrays(body, name, ContractArray::Use::Coupling);
+  const CouplingTerms& terms = arrays.coupling;
+  if (!terms.areFelt())
+  {
+    return;
+  }
   addLaw(body, name, terms);
   const auto add = [&](ResponseArray which, const float* values, int components)
   {
@@ -185,8 +211,8 @@ void describeCoupling(vtkPolyData* body, const std::string& name, const Coupling
   add(ResponseArray::CouplingModes, terms.modes, terms.modeCount);
 }
 
-bool viewCoupling(
-  vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
+bool CouplingTerm::view(
+  vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error) const
 {
   const std::string full = arrayName(name, ResponseArray::Coupling);
   vtkAbstractArray* found = body->GetFieldData()->GetAbstractArray(full.c_str());
@@ -243,5 +269,11 @@ bool viewCoupling(
     error = "coupling of response '" + name + "': " + error;
   }
   return error.empty();
+}
+
+const LawTerm& couplingTerm()
+{
+  static const CouplingTerm term;
+  return term;
 }
 } // namespace palpate

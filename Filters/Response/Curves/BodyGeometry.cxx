@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Response/Curves/BodyGeometry.h"
+
+#include "Mechanics/RecentValues.h"
+#include "Response/BodyConversion.h"
+#include "Response/Curves/ContentHash.h"
+#include "Response/Curves/PointNormals.h"
+#include "Response/Pieces/BodySeam.h"
+#include "Response/Pieces/Ranks.h"
+
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t MostGeometries = 4;
+constexpr std::size_t MostBytesOfGeometries = std::size_t{ 128 } << 20;
+constexpr std::size_t BytesPerPoint = 20;
+
+/// The normals that the body has, 3 numbers per point; empty without normals.
+std::vector<double> storedNormals(vtkPolyData* body)
+{
+  vtkDataArray* stored = body->GetPointData()->GetNormals();
+  std::vector<double> normals(
+    stored ? 3 * static_cast<std::size_t>(stored->GetNumberOfTuples()) : 0);
+  for (std::size_t i = 0; i < normals.size(); i += 3)
+  {
+    stored->GetTuple(static_cast<vtkIdType>(i / 3), normals.data() + i);
+  }
+  return normals;
+}
+
+std::shared_ptr<const BodyGeometry> makeGeometry(vtkPolyData* body, const BodySeam& seam)
+{
+  auto made = std::make_shared<BodyGeometry>();
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkUnsignedCharArray> status;
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(body->GetNumberOfPoints());
+  status->SetNumberOfTuples(body->GetNumberOfPoints());
+  made->fault = fillPointNormals(body, seam, normals, status);
+  if (made->fault.empty())
+  {
+    const float* normal = normals->GetPointer(0);
+    const unsigned char* state = status->GetPointer(0);
+    made->normals.assign(normal, normal + normals->GetNumberOfValues());
+    made->status.assign(state, state + status->GetNumberOfValues());
+    made->bound = std::make_unique<CurvatureBound>(body, seam, normal);
+    made->lengths = lengthsOf(body, seam.ranks());
+  }
+  return made;
+}
+} // namespace
+
+std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam)
+{
+  const bool hasOtherCells = body->GetNumberOfVerts() + body->GetNumberOfLines() > 0;
+  if (!seam.ranks().areAlone() || hasOtherCells) // the key has the triangles only
+  {
+    return makeGeometry(body, seam);
+  }
+  using Key = std::array<std::size_t, 3>;
+  static RecentValues<Key, BodyGeometry> recent(MostGeometries, MostBytesOfGeometries);
+  const Key key{ hashOf(copyPoints(body)), hashOf(copyTriangles(body)),
+    hashOf(storedNormals(body)) };
+  return recent.get(key,
+    [&]
+    {
+      return std::make_pair(makeGeometry(body, seam),
+        BytesPerPoint * static_cast<std::size_t>(body->GetNumberOfPoints()));
+    });
+}
+} // namespace palpate

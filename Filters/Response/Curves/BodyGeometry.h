@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BodyGeometry_h
+#define BodyGeometry_h
+
+#include "Response/Curves/BodyShape.h"
+#include "Response/Curves/CurvatureBound.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+class BodySeam;
+
+/// The parts of a response that depend neither on the tool nor on the material, for this rank's
+/// piece of a body.
+struct BodyGeometry
+{
+  std::vector<float> normals; ///< fillPointNormals()
+  std::vector<unsigned char> status;
+  std::unique_ptr<CurvatureBound> bound;
+  BodyLengths lengths{ 0.0, 0.0 };
+  std::string fault; ///< of the normals, or ""; then there is no bound
+};
+
+/// Finds the geometry of a body. Never returns null. Collective.
+///
+/// The process caches the last geometries of whole bodies by content: points, triangles and normals
+/// of the input; 20 bytes per point, up to 128 MB and 4 bodies. Thread-safe.
+std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam);
+} // namespace palpate
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkToolFilter
+ * @brief base of the filters that press a tool: the tool, and the name of its response
+ *
+ * Abstract.
+ *
+ * @code{.py}
+ * response = palpate.vtkToolContactResponse()          # is a vtkToolFilter
+ * response.SetTool(tool)
+ * response.SetResponseName("Sphere")                   # the arrays SphereForce, SphereStiffness...
+ * @endcode
+ *
+ * @sa vtkTissueFilter
+ */
+#ifndef vtkToolFilter_h
+#define vtkToolFilter_h
+
+#include "palpateResponseModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <string> // For std::string
+
+class vtkContactTool;
+
+class PALPATERESPONSE_EXPORT vtkToolFilter : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkToolFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The tool. Its changes count in this filter's modification time. Required by filters that make
+   * a response; for the others the default is the tool that the response names. */
+  virtual void SetTool(vtkContactTool* tool);
+  vtkContactTool* GetTool();
+  ///@}
+
+  ///@{
+  /** Prefix of the response arrays. Use a different prefix for each tool on one body. Default
+   * "Response". */
+  vtkSetMacro(ResponseName, std::string);
+  vtkGetMacro(ResponseName, std::string);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkToolFilter();
+  ~vtkToolFilter() override;
+
+  /// Reports a fault as an error. Returns the result of RequestData: 0 after a fault, else 1.
+  int Report(const std::string& fault);
+
+  vtkSmartPointer<vtkContactTool> Tool;
+  std::string ResponseName = "Response";
+
+private:
+  vtkToolFilter(const vtkToolFilter&) = delete;
+  void operator=(const vtkToolFilter&) = delete;
+};
+
+#endif
