@@ -2,9 +2,11 @@
 // The data contract: its codes as in saved files, its words and its names.
 #include "Contact/Contact.h"
 #include "Contact/ResponseContract.h"
+#include "Contact/TermTable.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <climits>
 #include <set>
 #include <string>
@@ -85,6 +87,33 @@ TEST(ResponseContract, EachArrayStandsOnceUnderItsName)
     EXPECT_STRNE(array.meaning, "") << array.suffix;
   }
   EXPECT_EQ(arrayName("Punch", ResponseArray::Stiffness), "PunchStiffness");
+}
+
+// A tick must not read numbers that were not checked.
+TEST(TermTable, EachTermThatATickReadsIsChecked)
+{
+  using Use = ContractArray::Use;
+  for (const ContractArray& array : ResponseContract)
+  {
+    const bool isTerm = array.isEvaluated() && array.use != Use::Evaluation &&
+      array.use != Use::PerPoint && array.use != Use::Compact;
+    const auto rows = std::count_if(TermTable.begin(), TermTable.end(),
+      [&array](const TermRow& row) { return row.use == array.use; });
+    EXPECT_EQ(rows, isTerm ? 1 : 0) << array.suffix;
+  }
+}
+
+TEST(TermTable, NamesTheFirstWrongTerm)
+{
+  ResponseArrays response;
+  response.points = 1;
+  EXPECT_EQ(faultOfTerms(response), "");
+  const float wrong = -1.0F;
+  response.relaxation.series.add(0.5, 1.0);
+  response.relaxation.elasticCompliance = &wrong;
+  EXPECT_EQ(faultOfTerms(response), "has an elastic compliance of -1 at point 0");
+  response.edges = { 1.5, 2.0, 0.7, 0.0, false };
+  EXPECT_EQ(faultOfTerms(response).rfind("has edges that cannot be used: ", 0), 0U);
 }
 
 TEST(ResponseContract, WidthsFollowSamplesAndLaws)
