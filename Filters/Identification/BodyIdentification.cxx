@@ -94,7 +94,7 @@ const char* nameOf(BodyModel model)
 
 BodyIdentification::BodyIdentification(const IdentificationOptions& options)
   : Options(options)
-  , Kernel(LayerKernel::shared(options.poissonsRatio, options.base))
+  , Kernel(LayerKernel::shared(options.poissonRatio, options.base))
 {
 }
 

@@ -21,8 +21,8 @@ struct IdentificationOptions
 {
   /// The model to fit, if it is known; otherwise the simplest sufficient model is chosen.
   std::optional<BodyModel> model;
-  double noise = 0.0;         ///< standard deviation of a force reading, N; 0: estimated
-  double poissonsRatio = 0.5; ///< Poisson's ratio of a layer
+  double noise = 0.0;        ///< standard deviation of a force reading, N; 0: estimated
+  double poissonRatio = 0.5; ///< Poisson's ratio of a layer
   LayerBase base = LayerBase::Bonded;
   bool findContact = true; ///< false: deflections are measured from first contact
   /// Contact radius divided by tip radius; deeper readings are not used.

@@ -41,7 +41,7 @@ LayerStack BodyMaterial::Constants::stack() const
   LayerStack whole;
   if (this->isStack())
   {
-    whole.layers.push_back({ this->thickness, this->youngsModulus, this->poissonsRatio });
+    whole.layers.push_back({ this->thickness, this->youngsModulus, this->poissonRatio });
     whole.layers.insert(whole.layers.end(), this->deeper.begin(), this->deeper.end());
     whole.base = this->base;
     whole.hasHalfSpace = this->halfSpace.has_value();
@@ -63,9 +63,9 @@ std::string BodyMaterial::checkConstants() const
     return joined(
       "Young's Modulus must be positive and finite (MPa), but is ", this->Given.youngsModulus);
   }
-  if (!isPoissonsRatio(this->Given.poissonsRatio))
+  if (!isPoissonsRatio(this->Given.poissonRatio))
   {
-    return joined("Poisson's Ratio must lie between 0 and 0.5, but is ", this->Given.poissonsRatio);
+    return joined("Poisson's Ratio must lie between 0 and 0.5, but is ", this->Given.poissonRatio);
   }
   if (!isThickness(this->Given.thickness))
   {
@@ -103,7 +103,7 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   {
     return wrong;
   }
-  this->PoissonsRatio = std::move(values.poissonsRatio.values);
+  this->PoissonsRatio = std::move(values.poissonRatio.values);
   this->Thickness = std::move(values.thickness.values);
   this->Compliance = std::move(values.compliance.values);
   this->Second = std::move(values.second.values);
@@ -140,7 +140,7 @@ std::string BodyMaterial::checkStackOf(const Values& values) const
                                             "' is the thickness of a second layer, but the body "
                                             "has none: add it to Layers Below (AddLayer)");
   }
-  for (const PointValues* each : { &values.youngsModulus, &values.poissonsRatio })
+  for (const PointValues* each : { &values.youngsModulus, &values.poissonRatio })
   {
     if (!each->values.empty())
     {
@@ -176,7 +176,7 @@ std::string BodyMaterial::checkStackOf(const Values& values) const
 std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
 {
   const std::vector<double>& young = values.youngsModulus.values;
-  const std::vector<double>& poisson = values.poissonsRatio.values;
+  const std::vector<double>& poisson = values.poissonRatio.values;
   if (young.empty() && poisson.empty())
   {
     return {};
@@ -184,7 +184,7 @@ std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
   const auto youngAt = [&](std::size_t i)
   { return young.empty() ? this->Given.youngsModulus : young[i]; };
   const auto poissonAt = [&](std::size_t i)
-  { return poisson.empty() ? this->Given.poissonsRatio : poisson[i]; };
+  { return poisson.empty() ? this->Given.poissonRatio : poisson[i]; };
   this->ReducedModulus.resize(points);
   for (std::size_t i = 0; i < points; ++i)
   {
@@ -201,7 +201,7 @@ std::string BodyMaterial::takeModulus(const Values& values, std::size_t points)
   }
   if (wrong < points)
   {
-    return joined("Array '", values.poissonsRatio.name, "': Poisson's ratio of point ", wrong,
+    return joined("Array '", values.poissonRatio.name, "': Poisson's ratio of point ", wrong,
       " must lie between 0 and 0.5, but is ", poissonAt(wrong));
   }
   return {};
@@ -211,8 +211,8 @@ ContactSpots BodyMaterial::spots() const
 {
   const auto data = [](const std::vector<double>& values)
   { return values.empty() ? nullptr : values.data(); };
-  ContactSpots spots{ { reducedModulus(this->Given.youngsModulus, this->Given.poissonsRatio),
-                        this->Given.poissonsRatio, 0.0, this->Given.thickness },
+  ContactSpots spots{ { reducedModulus(this->Given.youngsModulus, this->Given.poissonRatio),
+                        this->Given.poissonRatio, 0.0, this->Given.thickness },
     data(this->ReducedModulus), data(this->PoissonsRatio), data(this->Compliance),
     data(this->Thickness), data(this->Second), 0.0, data(this->ComplianceError) };
   if (this->Given.isStack())
@@ -269,7 +269,7 @@ std::string BodyMaterial::describe() const
 std::string BodyMaterial::describeStack() const
 {
   const auto material = [](const StackLayer& layer)
-  { return joined(layer.youngsModulus, " MPa, nu ", layer.poissonsRatio); };
+  { return joined(layer.youngsModulus, " MPa, nu ", layer.poissonRatio); };
   const LayerStack stack = this->Given.stack();
   std::string model = joined("stack of ", stack.layers.size(),
     stack.layers.size() == 1 ? " layer" : " layers", ", from the top");

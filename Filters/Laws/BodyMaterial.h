@@ -36,7 +36,7 @@ public:
     Constants(double modulus, double ratio, double layer, LayerBase layerBase, bool excludes,
       std::vector<StackLayer> below = {}, std::optional<StackLayer> endless = {})
       : youngsModulus(modulus)
-      , poissonsRatio(ratio)
+      , poissonRatio(ratio)
       , thickness(layer)
       , base(layerBase)
       , complianceExcludesLayer(excludes)
@@ -46,7 +46,7 @@ public:
     }
 
     double youngsModulus; ///< MPa
-    double poissonsRatio;
+    double poissonRatio;
     double thickness; ///< mm, 0 for a half-space
     LayerBase base;
     bool complianceExcludesLayer;
@@ -66,7 +66,7 @@ public:
     PointValues youngsModulus; ///< MPa
     PointValues thickness;     ///< mm, 0 for a half-space
     PointValues compliance;    ///< global compliance, in series, mm/N
-    PointValues poissonsRatio;
+    PointValues poissonRatio;
     PointValues second;               ///< thickness of the second layer of a stack, mm
     PointValues complianceError = {}; ///< error of the compliance, mm/N
   };

@@ -206,7 +206,7 @@ void ContactField::press(const AxisymmetricTool& tool, const FieldTriangle& tria
       kernel = std::make_shared<const LayerKernel>(stack);
     }
   }
-  else if (!kernel || kernel->stack() || kernel->poissonsRatio() != poissonRatio ||
+  else if (!kernel || kernel->stack() || kernel->poissonRatio() != poissonRatio ||
     kernel->base() != triangle.base)
   {
     kernel = LayerKernel::shared(poissonRatio, triangle.base);

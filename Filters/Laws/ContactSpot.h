@@ -25,7 +25,7 @@ struct SpotCurvature
 struct ContactSpot
 {
   double reducedModulus = 0.0;  ///< E*, MPa
-  double poissonsRatio = 0.0;   ///< of the layer; a half-space only needs E*
+  double poissonRatio = 0.0;    ///< of the layer; a half-space only needs E*
   double compliance = 0.0;      ///< global compliance, in series, mm/N
   double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
   SpotCurvature curvature = {}; ///< included in the law
@@ -35,7 +35,7 @@ struct ContactSpot
 
   LayerPlace place() const noexcept
   {
-    return { this->thickness, this->second, this->poissonsRatio };
+    return { this->thickness, this->second, this->poissonRatio };
   }
 };
 
@@ -45,7 +45,7 @@ struct ContactSpots
 {
   ContactSpot constant;
   const double* reducedModulus = nullptr;
-  const double* poissonsRatio = nullptr;
+  const double* poissonRatio = nullptr;
   const double* compliance = nullptr;
   const double* thickness = nullptr;
   const double* second = nullptr;
@@ -58,7 +58,7 @@ struct ContactSpots
     const auto pick = [i](const double* array, double otherwise)
     { return array ? array[i] : otherwise; };
     ContactSpot spot{ pick(this->reducedModulus, this->constant.reducedModulus),
-      pick(this->poissonsRatio, this->constant.poissonsRatio),
+      pick(this->poissonRatio, this->constant.poissonRatio),
       pick(this->compliance, this->constant.compliance),
       pick(this->thickness, this->constant.thickness) };
     spot.complianceError = pick(this->complianceError, this->constant.complianceError);

@@ -180,9 +180,9 @@ EdgeDistance::EdgeDistance(const EdgeSurface& surface, double contactRadius, dou
     { this->Found[point].border = away; });
 }
 
-double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness)
+double edgeFactor(double poissonRatio, double distanceOverRadius, double sharpness)
 {
-  const double psi = pointLoadSoftness(poissonsRatio);
+  const double psi = pointLoadSoftness(poissonRatio);
   // Determines the fraction of the force that remains at the edge itself.
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);

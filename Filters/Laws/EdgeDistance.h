@@ -60,7 +60,7 @@ private:
 /// wedge: its force divided by the force far from the edge at the same depth. u >= 0. For flats,
 /// paraboloids and cones Φ is within 0.03 of Hetényi's two half-spaces (Data/Reference/edges).
 /// `sharpness` represents the angle of the edge.
-PALPATE_EXPORT double edgeFactor(double poissonsRatio, double distanceOverRadius, double sharpness);
+PALPATE_EXPORT double edgeFactor(double poissonRatio, double distanceOverRadius, double sharpness);
 } // namespace palpate
 
 #endif

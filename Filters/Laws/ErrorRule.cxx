@@ -29,14 +29,14 @@ constexpr double BorderReach = 2.0; // distance in contact radii beyond which a 
 
 /// 2 |C_g E* R_b|, from finite elements on balls and in cavities: the reduction of the global
 /// compliance of a body with mean curvature κ compared with a half-space, per a |κ|.
-double wholeCompliance(double radius, double meanCurvature, double poissonsRatio)
+double wholeCompliance(double radius, double meanCurvature, double poissonRatio)
 {
   constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less for a compressible body
   if (!(meanCurvature < 0.0))
   {
     return ball;
   }
-  const double n = 1.0 - 2.0 * poissonsRatio;
+  const double n = 1.0 - 2.0 * poissonRatio;
   const double logarithm = std::max(0.0, -std::log(radius * std::abs(meanCurvature)));
   return ball + 0.975 * n + 0.32 * n * n * logarithm;
 }
@@ -58,7 +58,7 @@ CurvatureEffect effectOf(
   const double first = perCurvature * mean;
   // In a hollow the second order increases the effect: for a sphere 1/√(1-2x) - 1 = x + 3/2 x².
   return { perCurvature, curvature.mean() < 0.0 ? first * (1.0 + 2.0 * first) : first,
-    spot.compliance == 0.0 ? wholeCompliance(a, curvature.mean(), spot.poissonsRatio) * a * mean
+    spot.compliance == 0.0 ? wholeCompliance(a, curvature.mean(), spot.poissonRatio) * a * mean
                            : 0.0 };
 }
 } // namespace
@@ -88,7 +88,7 @@ ErrorRule::ErrorRule(const AxisymmetricTool& tool, const LawScope& scope)
 StrainCorrection::Course ErrorRule::strain(const ContactSpot& spot) const
 {
   return this->Scope.strain
-    ? this->Scope.strain->course(spot.poissonsRatio, spot.thickness, spot.second)
+    ? this->Scope.strain->course(spot.poissonRatio, spot.thickness, spot.second)
     : StrainCorrection::Course();
 }
 
@@ -136,14 +136,14 @@ void ErrorRule::addStrain(const ContactSpot& spot, const StrainCorrection::Cours
     return;
   }
   const bool layer = spot.thickness > 0.0;
-  const double flat = smallStrainError(pressure, spot.poissonsRatio, 0.0, 0.0);
+  const double flat = smallStrainError(pressure, spot.poissonRatio, 0.0, 0.0);
   if (!layer)
   {
     parts[ResponseLimit::Strain] = flat;
     return;
   }
   const double whole = smallStrainError(
-    pressure, spot.poissonsRatio, state.depth / spot.thickness, state.radius / spot.thickness);
+    pressure, spot.poissonRatio, state.depth / spot.thickness, state.radius / spot.thickness);
   parts[whole > 2.0 * flat ? ResponseLimit::Thickness : ResponseLimit::Strain] = whole;
 }
 
@@ -160,7 +160,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   std::array<Part, LayerStack::MostLayers + 1> parts;
   std::size_t count = 0;
   const auto modulusOf = [](const StackLayer& layer)
-  { return reducedModulus(layer.youngsModulus, layer.poissonsRatio); };
+  { return reducedModulus(layer.youngsModulus, layer.poissonRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
   double above = 0.0; // depth of the layer's top below the surface
   // Below the centre of a uniform pressure on a circle the stress is the pressure times 1 -
@@ -178,7 +178,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
     const double share =
       softness * ((isEndless ? 2.0 * a : taken(above + thickness)) - taken(above));
     const double reaches = 1.0 - std::pow(above / std::hypot(a, above), 3.0);
-    parts[count++] = { share, reaches * state.force / (Pi * a * a) * softness, layer.poissonsRatio,
+    parts[count++] = { share, reaches * state.force / (Pi * a * a) * softness, layer.poissonRatio,
       isEndless ? 0.0 : thickness };
     whole += share;
     above += thickness;
@@ -250,7 +250,7 @@ double ErrorRule::edgePart(
   {
     const auto distance = static_cast<double>(away);
     const double base = spot.thickness > 0.0 ? std::exp(-distance / spot.thickness) : 1.0;
-    return base * (1.0 - edgeFactor(spot.poissonsRatio, distance / a, sharpness));
+    return base * (1.0 - edgeFactor(spot.poissonRatio, distance / a, sharpness));
   };
   double sum = 0.0;
   if (edge.distance < NearEdge::Far)
@@ -259,7 +259,7 @@ double ErrorRule::edgePart(
     const double missing = this->Scope.edges && edge.isSharp
       ? (std::abs(turn - RightAngle) < AngleTolerance ? EdgeRemainder : WedgeRemainder)
       : 1.0;
-    sum += missing * part(edge.distance, edgeSharpness(spot.poissonsRatio, turn));
+    sum += missing * part(edge.distance, edgeSharpness(spot.poissonRatio, turn));
   }
   const double inside = static_cast<double>(edge.border) / (BorderReach * a);
   if (inside < 1.0)

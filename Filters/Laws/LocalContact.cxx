@@ -124,7 +124,7 @@ bool LocalContact::states(
     this->Direct.solve({}, softness, deflections, states);
   }
   const StrainCorrection::Course course =
-    this->Strain ? this->Strain->course(spot.poissonsRatio, 0.0) : StrainCorrection::Course();
+    this->Strain ? this->Strain->course(spot.poissonRatio, 0.0) : StrainCorrection::Course();
   for (std::size_t i = 0; this->Strain && i < deflections.size(); ++i)
   {
     LocalState& state = states[i];
@@ -142,7 +142,7 @@ void LocalContact::strain(const ContactSpot& spot, ContactNodes& nodes) const
 {
   const std::vector<double>& toolDepth = nodes.toolDepths;
   const StrainCorrection::Course course =
-    this->Strain->course(spot.poissonsRatio, spot.thickness, spot.second);
+    this->Strain->course(spot.poissonRatio, spot.thickness, spot.second);
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const std::size_t next = std::min(i + 1, nodes.size() - 1);

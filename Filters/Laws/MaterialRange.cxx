@@ -32,7 +32,7 @@ void MaterialRange::add(const ContactSpot& spot)
   {
     this->layers.thinnest = std::min(this->layers.thinnest, spot.thickness);
     this->layers.thickest = std::max(this->layers.thickest, spot.thickness);
-    this->addRatio(spot.poissonsRatio);
+    this->addRatio(spot.poissonRatio);
   }
   if (spot.second > 0.0)
   {
@@ -40,8 +40,8 @@ void MaterialRange::add(const ContactSpot& spot)
     this->second.thickest = std::max(this->second.thickest, spot.second);
   }
   this->hasHalfSpace = this->hasHalfSpace || !(spot.thickness > 0.0);
-  this->leastRatio = std::min(this->leastRatio, spot.poissonsRatio);
-  this->mostRatio = std::max(this->mostRatio, spot.poissonsRatio);
+  this->leastRatio = std::min(this->leastRatio, spot.poissonRatio);
+  this->mostRatio = std::max(this->mostRatio, spot.poissonRatio);
   this->stiffens = this->stiffens || spot.compliance < 0.0;
   this->widen(spot);
 }
@@ -50,7 +50,7 @@ void MaterialRange::join(const MaterialRange& other)
 {
   this->layers.thinnest = std::min(this->layers.thinnest, other.layers.thinnest);
   this->layers.thickest = std::max(this->layers.thickest, other.layers.thickest);
-  for (const double ratio : other.layers.poissonsRatios)
+  for (const double ratio : other.layers.poissonRatios)
   {
     this->addRatio(ratio);
   }
@@ -70,23 +70,23 @@ void MaterialRange::join(const MaterialRange& other)
   }
 }
 
-void MaterialRange::addRatio(double poissonsRatio)
+void MaterialRange::addRatio(double poissonRatio)
 {
-  std::vector<double>& ratios = this->layers.poissonsRatios;
-  if (!ratios.empty() && ratios.back() == poissonsRatio)
+  std::vector<double>& ratios = this->layers.poissonRatios;
+  if (!ratios.empty() && ratios.back() == poissonRatio)
   {
     return;
   }
-  const auto place = std::lower_bound(ratios.begin(), ratios.end(), poissonsRatio);
-  const bool known = place != ratios.end() && *place == poissonsRatio;
+  const auto place = std::lower_bound(ratios.begin(), ratios.end(), poissonRatio);
+  const bool known = place != ratios.end() && *place == poissonRatio;
   if (!known && static_cast<int>(ratios.size()) <= LayerTable::DistinctRatios)
   {
-    ratios.insert(place, poissonsRatio);
+    ratios.insert(place, poissonRatio);
   }
   else if (!known) // too many for the list: only their range is stored
   {
-    ratios.front() = std::min(ratios.front(), poissonsRatio);
-    ratios.back() = std::max(ratios.back(), poissonsRatio);
+    ratios.front() = std::min(ratios.front(), poissonRatio);
+    ratios.back() = std::max(ratios.back(), poissonRatio);
   }
 }
 

@@ -43,7 +43,7 @@ public:
   std::vector<ContactSpot> extremes;
 
 private:
-  void addRatio(double poissonsRatio);
+  void addRatio(double poissonRatio);
   void widen(const ContactSpot& spot);
 };
 } // namespace palpate

@@ -73,7 +73,7 @@ public:
     }
     if (bounds.hasLayers())
     {
-      const std::vector<double>& ratios = bounds.layers.poissonsRatios;
+      const std::vector<double>& ratios = bounds.layers.poissonRatios;
       if (!bounds.hasStack())
       {
         this->Axes[1] = Axis(ratios.front(), ratios.back(), Ratio);
@@ -150,7 +150,7 @@ public:
   void addWeights(const ContactSpot& spot, float* weights) const
   {
     const std::array<double, 4> places = {
-      spot.thickness > 0.0 ? this->thicknessPlace(spot.thickness) : 0.0, spot.poissonsRatio,
+      spot.thickness > 0.0 ? this->thicknessPlace(spot.thickness) : 0.0, spot.poissonRatio,
       this->thicknessPlace(spot.second), this->yieldingPlace(spot)
     };
     for (std::size_t law = 0; law < this->laws(); ++law)

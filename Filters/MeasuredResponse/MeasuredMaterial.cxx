@@ -36,7 +36,7 @@ vtkSmartPointer<vtkDoubleArray> addPointArray(vtkPolyData* body, const char* nam
 }
 } // namespace
 
-void spreadMaterial(vtkPolyData* body, double poissonsRatio, double reach,
+void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
   SiteMeasurement& measurement, vtkPolyData* spread)
 {
   std::vector<SiteAnchor> anchors;
@@ -64,7 +64,7 @@ void spreadMaterial(vtkPolyData* body, double poissonsRatio, double reach,
   const auto compliance = addPointArray(spread, MeasuredMaterial::ComplianceArray);
   const auto thickness = addPointArray(spread, MeasuredMaterial::ThicknessArray);
   const auto young = addPointArray(spread, MeasuredMaterial::YoungArray);
-  const double plane = 1.0 - poissonsRatio * poissonsRatio;
+  const double plane = 1.0 - poissonRatio * poissonRatio;
   vtkSMPTools::For(0, body->GetNumberOfPoints(),
     [&](vtkIdType first, vtkIdType last)
     {

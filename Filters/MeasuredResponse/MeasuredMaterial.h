@@ -21,7 +21,7 @@ constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed at the 
 
 /// Makes `spread` a copy of the body with the material at its points: E*, C_g and 1/h of the sites
 /// that are not refused, interpolated within `reach` (mm).
-void spreadMaterial(vtkPolyData* body, double poissonsRatio, double reach,
+void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
   SiteMeasurement& measurement, vtkPolyData* spread);
 
 /// Removes the response `name` at points beyond the reach of all sites. At the other points it

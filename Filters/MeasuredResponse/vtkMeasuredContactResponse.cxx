@@ -231,7 +231,7 @@ std::string vtkMeasuredContactResponse::ReadSites(
     options.model = static_cast<palpate::BodyModel>(this->BodyModel - HalfSpace);
   }
   options.noise = this->Noise;
-  options.poissonsRatio = this->PoissonRatio;
+  options.poissonRatio = this->PoissonRatio;
   options.base = static_cast<palpate::LayerBase>(this->LayerBase);
   options.findContact = this->FindContact;
   options.largestStrain = this->MaximumStrain;
@@ -312,7 +312,7 @@ std::string vtkMeasuredContactResponse::RespondTo(
       [&data](std::size_t point) { return data->contactAt(point); } };
     request.measured = &known;
   }
-  request.material.poissonsRatio = this->PoissonRatio;
+  request.material.poissonRatio = this->PoissonRatio;
   request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
   // No site has both compliance and layer; between sites both are interpolated.
   request.material.complianceExcludesLayer = true;

@@ -14,20 +14,20 @@ inline bool isYoungsModulus(double youngsModulus)
 }
 
 /// Whether nu is a Poisson's ratio for which the half-space laws are valid: 0 <= nu <= 0.5.
-inline bool isPoissonsRatio(double poissonsRatio)
+inline bool isPoissonsRatio(double poissonRatio)
 {
-  return poissonsRatio >= 0.0 && poissonsRatio <= 0.5;
+  return poissonRatio >= 0.0 && poissonRatio <= 0.5;
 }
 
 /// E* = E / (1 - nu^2), in the unit of E (MPa); the tool is assumed to be rigid. NaN if E or nu is
 /// outside its range.
-inline double reducedModulus(double youngsModulus, double poissonsRatio)
+inline double reducedModulus(double youngsModulus, double poissonRatio)
 {
-  if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonsRatio))
+  if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonRatio))
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  return youngsModulus / (1.0 - poissonsRatio * poissonsRatio);
+  return youngsModulus / (1.0 - poissonRatio * poissonRatio);
 }
 } // namespace palpate
 

@@ -20,7 +20,7 @@ bool isOfOneMaterial(const LawRequest& request)
   const bool varies = std::any_of(request.arrays.begin(), request.arrays.end(),
     [](const MaterialArray& array) { return !array.name.empty(); });
   return !varies && !request.measured && request.material.thickness == 0.0 &&
-    !request.material.isStack() && request.material.poissonsRatio <= LargestYieldRatio;
+    !request.material.isStack() && request.material.poissonRatio <= LargestYieldRatio;
 }
 } // namespace
 
@@ -37,7 +37,7 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
   const double radius = request.tool->GetKernel()->contactRadius(request.deflection);
   BodyYield found;
   const std::string fault = findYield(body,
-    { request.material.youngsModulus, request.material.poissonsRatio, radius, {} }, goOn, found);
+    { request.material.youngsModulus, request.material.poissonRatio, radius, {} }, goOn, found);
   if (!fault.empty())
   {
     made.warning = "The deflection of the whole body is not included, since " + fault;

@@ -79,7 +79,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   for (const FiniteLayer& layer : problem.layers)
   {
     const double e = layer.youngsModulus;
-    const double nu = layer.poissonsRatio;
+    const double nu = layer.poissonRatio;
     this->Materials.push_back({ StrainEnergy(layer.model, e / (2.0 * (1.0 + nu)), layer.parameter),
       e / (3.0 * (1.0 - 2.0 * nu)) });
     this->IsLinear = this->IsLinear && layer.model == StrainModel::Linear;
@@ -87,7 +87,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
     interfaces.push_back(thickness);
   }
   const FiniteLayer& top = problem.layers.front();
-  this->Penalty = PenaltyFactor * reducedModulus(top.youngsModulus, top.poissonsRatio) / a;
+  this->Penalty = PenaltyFactor * reducedModulus(top.youngsModulus, top.poissonRatio) / a;
   const bool isHalfSpace = std::isinf(thickness);
   interfaces.pop_back();
   const double above = isHalfSpace ? (interfaces.empty() ? 0.0 : interfaces.back()) : thickness;

@@ -147,10 +147,10 @@ std::string checkProblem(const FiniteProblem& problem)
       return joined("Layer ", i, ": Young's modulus must be positive and finite (MPa), but is ",
         layer.youngsModulus);
     }
-    if (!(layer.poissonsRatio >= 0.0 && layer.poissonsRatio <= FiniteLayer::LargestPoissonsRatio))
+    if (!(layer.poissonRatio >= 0.0 && layer.poissonRatio <= FiniteLayer::LargestPoissonsRatio))
     {
       return joined("Layer ", i, ": Poisson's ratio must lie between 0 and ",
-        FiniteLayer::LargestPoissonsRatio, ", but is ", layer.poissonsRatio);
+        FiniteLayer::LargestPoissonsRatio, ", but is ", layer.poissonRatio);
     }
     const std::string fault = checkStrainEnergy(layer.model, layer.parameter);
     if (!fault.empty())

@@ -18,7 +18,7 @@ struct FiniteLayer
 {
   double thickness = std::numeric_limits<double>::infinity(); ///< mm; infinite: a half-space
   double youngsModulus = 0.1;                                 ///< MPa, at small strain
-  double poissonsRatio = 0.45;                                ///< 0 to LargestPoissonsRatio
+  double poissonRatio = 0.45;                                 ///< 0 to LargestPoissonsRatio
   StrainModel model = StrainModel::NeoHooke;
   double parameter = 0.0; ///< parameter of the model
 

@@ -77,7 +77,7 @@ LayerStack solvedStack(const StrainBodies& bodies)
   const auto held = [unit](StackLayer& layer)
   {
     layer.youngsModulus /= unit;
-    layer.poissonsRatio = std::min(layer.poissonsRatio, LargestSolvedRatio);
+    layer.poissonRatio = std::min(layer.poissonRatio, LargestSolvedRatio);
   };
   std::for_each(stack.layers.begin(), stack.layers.end(), held);
   held(stack.halfSpace);
@@ -88,7 +88,7 @@ LayerStack solvedStack(const StrainBodies& bodies)
 double ratioError(const LayerStack& stack)
 {
   const auto isBeyond = [](const StackLayer& layer)
-  { return layer.poissonsRatio > LargestSolvedRatio; };
+  { return layer.poissonRatio > LargestSolvedRatio; };
   return std::any_of(stack.layers.begin(), stack.layers.end(), isBeyond) ||
       (stack.hasHalfSpace && isBeyond(stack.halfSpace))
     ? BeyondSolvedRatio

@@ -44,7 +44,7 @@ StrainRow rowOf(const StrainProblem& problem, const StrainTable::Axes& axes, std
   if (!layers.empty())
   {
     layers[0].thickness = thickness;
-    layers[0].poissonsRatio = row.ratio;
+    layers[0].poissonRatio = row.ratio;
   }
   if (layers.size() > 1)
   {
@@ -75,7 +75,7 @@ std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law
     FiniteLayer layer;
     layer.thickness = isEndless ? layer.thickness : from.thickness;
     layer.youngsModulus = from.youngsModulus;
-    layer.poissonsRatio = from.poissonsRatio;
+    layer.poissonRatio = from.poissonRatio;
     layer.model = law.model;
     layer.parameter = law.parameter;
     layers.push_back(layer);
@@ -125,12 +125,12 @@ std::string keyOf(const StrainProblem& problem, const StrainTable::Axes& axes)
   for (const StackLayer& layer : problem.stack.layers)
   {
     key += "|";
-    add({ layer.thickness, layer.youngsModulus, layer.poissonsRatio });
+    add({ layer.thickness, layer.youngsModulus, layer.poissonRatio });
   }
   if (problem.stack.hasHalfSpace)
   {
     key += "|on";
-    add({ problem.stack.halfSpace.youngsModulus, problem.stack.halfSpace.poissonsRatio });
+    add({ problem.stack.halfSpace.youngsModulus, problem.stack.halfSpace.poissonRatio });
   }
   for (const std::vector<double>* axis :
     { &axes.ratios, &axes.thicknesses, &axes.seconds, &axes.roots })

@@ -70,7 +70,7 @@ std::string makeCylinderScene(const ViewerOptions&, ViewerScene& scene)
   scene.title = "Cylinder of radius 50 mm";
   scene.body = makeTube();
   scene.notes = { "The paper gives no dimensions: radius 50 mm and length 160 mm are assumed." };
-  scene.poissonsRatio = 0.5;
+  scene.poissonRatio = 0.5;
   scene.youngsModulus = 3.45 * (1.0 - 0.25);
   scene.materialSource =
     "rubber, E* = 3.45 MPa (Mahvash and Hayward 2002, section 4.2), incompressible";

@@ -105,7 +105,7 @@ HapticWindow::HapticWindow(
   this->View->SetBody(responses.body);
   this->View->SetTool(responses.tools.front());
   this->View->SetTitle(scene.title);
-  this->View->SetPoissonRatio(scene.poissonsRatio);
+  this->View->SetPoissonRatio(scene.poissonRatio);
   this->View->SetLargestDeflection(options.maximumDeflection);
   this->View->SetLargestForce(this->LargestForce);
   this->Session->SetBody(responses.body);

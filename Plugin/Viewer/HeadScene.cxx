@@ -39,7 +39,7 @@ std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
   scene.body = read.body;
   scene.notes = read.notes;
   scene.youngsModulus = 0.035;
-  scene.poissonsRatio = 0.49;
+  scene.poissonRatio = 0.49;
   scene.materialSource =
     "E within the 31-42 kPa of cheek, cheekbone and forehead in vivo (aspiration; Luboz, Promayon "
     "and Payan, HAL hal-01092748); Poisson's ratio assumed nearly incompressible";

@@ -118,12 +118,12 @@ std::string describeStack(const ViewerScene& scene)
     const bool isScanned = scene.layer.scanned && i == scene.layer.scannedLayer;
     text += joined(i > 0 ? layer.slips ? "; slipping, " : "; " : "",
       isScanned ? std::string("the rest of the soft tissue") : joined(layer.thickness, " mm"),
-      " of ", layer.youngsModulus, " MPa, nu ", layer.poissonsRatio);
+      " of ", layer.youngsModulus, " MPa, nu ", layer.poissonRatio);
   }
   if (stack.hasHalfSpace)
   {
     return joined(text, stack.halfSpace.slips ? "; slipping on" : "; on", " a half-space of ",
-      stack.halfSpace.youngsModulus, " MPa, nu ", stack.halfSpace.poissonsRatio, "; ");
+      stack.halfSpace.youngsModulus, " MPa, nu ", stack.halfSpace.poissonRatio, "; ");
   }
   text += stack.base == LayerBase::Slip ? "; slipping on a rigid base" : "; bonded to a rigid base";
   if (!scene.layer.scanned)
@@ -206,7 +206,7 @@ std::string describeMaterial(const ViewerScene& scene)
   }
   return scene.layer.isStack()
     ? "of each layer its own (" + scene.materialSource + ")"
-    : joined("E = ", scene.youngsModulus, " MPa, nu = ", scene.poissonsRatio, " (",
+    : joined("E = ", scene.youngsModulus, " MPa, nu = ", scene.poissonRatio, " (",
         scene.materialSource, ")");
 }
 
@@ -272,7 +272,7 @@ std::string describeStiffening(const ViewerScene& scene, const ResponseSet& resp
   }
   const auto kernel = isStack
     ? std::make_shared<const LayerKernel>(stack)
-    : std::make_shared<const LayerKernel>(scene.poissonsRatio, LayerBase::Bonded);
+    : std::make_shared<const LayerKernel>(scene.poissonRatio, LayerBase::Bonded);
   std::string all = isStack
     ? describeSpot(scene, point).substr(2) + "; times the force on a half-space of the first"
     : rounded(thickness, 1) + " mm thick; times the force on a half-space";

@@ -31,13 +31,13 @@ void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
   {
     const StackLayer& below = stack.layers[i];
     setup->AddLayer(
-      layer.scanned ? 0.0 : below.thickness, below.youngsModulus, below.poissonsRatio, below.slips);
+      layer.scanned ? 0.0 : below.thickness, below.youngsModulus, below.poissonRatio, below.slips);
   }
   setup->SetLayerBase(stack.hasHalfSpace ? vtkToolContactResponse::ElasticBase
       : stack.base == LayerBase::Slip    ? vtkToolContactResponse::Slip
                                          : vtkToolContactResponse::Bonded);
   setup->SetBaseYoungsModulus(stack.halfSpace.youngsModulus);
-  setup->SetBasePoissonRatio(stack.halfSpace.poissonsRatio);
+  setup->SetBasePoissonRatio(stack.halfSpace.poissonRatio);
   setup->SetBaseSlips(stack.halfSpace.slips);
 }
 
@@ -73,7 +73,7 @@ std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene
     responses.names.push_back(setup->GetResponseName(setup->GetNumberOfTools() - 1));
   }
   setup->SetYoungsModulus(scene.youngsModulus);
-  setup->SetPoissonRatio(scene.poissonsRatio);
+  setup->SetPoissonRatio(scene.poissonRatio);
   setup->SetMaximumDeflection(options.maximumDeflection);
   setup->SetLayerThickness(scene.layer.scanned ? 0.0 : scene.layer.thickness);
   if (scene.layer.isStack())

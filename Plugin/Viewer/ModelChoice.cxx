@@ -18,7 +18,7 @@ std::string chooseModel(const ViewerOptions& options, const ViewerScene& scene,
   const auto begin = std::chrono::steady_clock::now();
   const LeastFormRequest request{ responses.body, responses.names.front(), options.tolerance,
     scene.depth, scene.solid ? "GlobalCompliance" : "", responses.tools.front(),
-    scene.youngsModulus, scene.poissonsRatio };
+    scene.youngsModulus, scene.poissonRatio };
   const LeastForm form = findLeastForm(request);
   if (form.error.empty())
   {

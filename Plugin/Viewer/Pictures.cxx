@@ -56,7 +56,7 @@ struct Stage
     shown->SetRenderer(renderer);
     shown->SetBody(body);
     shown->SetTool(tool);
-    shown->SetPoissonRatio(scene.poissonsRatio);
+    shown->SetPoissonRatio(scene.poissonRatio);
     shown->SetLargestForce(largestForce);
     shown->SetLargestDeflection(scene.depth);
     shown->SetTitle(scene.title + describeSpot(scene, nearestCorner(body, moment)));

@@ -52,19 +52,19 @@ std::string updateQuietly(vtkAlgorithm* algorithm)
 
 ContactLaw lawOf(const ViewerScene& scene)
 {
-  return { scene.youngsModulus, scene.poissonsRatio, scene.layer };
+  return { scene.youngsModulus, scene.poissonRatio, scene.layer };
 }
 
 BodyMaterial::Constants materialOf(const ContactLaw& law)
 {
-  BodyMaterial::Constants made{ law.youngsModulus, law.poissonsRatio, law.layer.thickness,
+  BodyMaterial::Constants made{ law.youngsModulus, law.poissonRatio, law.layer.thickness,
     law.layer.stack.base, false };
   if (law.layer.isStack())
   {
     const LayerStack& stack = law.layer.stack;
     const StackLayer& top = stack.layers.front();
     made.youngsModulus = top.youngsModulus;
-    made.poissonsRatio = top.poissonsRatio;
+    made.poissonRatio = top.poissonRatio;
     made.thickness = top.thickness;
     made.deeper.assign(stack.layers.begin() + 1, stack.layers.end());
     if (stack.hasHalfSpace)

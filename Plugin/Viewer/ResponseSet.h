@@ -28,13 +28,13 @@ struct ResponseSet
 struct ContactLaw
 {
   double youngsModulus = 0.0; ///< MPa
-  double poissonsRatio = 0.0;
+  double poissonRatio = 0.0;
   LayerChoice layer;
 
   bool operator==(const ContactLaw& other) const
   {
-    return this->youngsModulus == other.youngsModulus &&
-      this->poissonsRatio == other.poissonsRatio && this->layer == other.layer;
+    return this->youngsModulus == other.youngsModulus && this->poissonRatio == other.poissonRatio &&
+      this->layer == other.layer;
   }
 };
 

@@ -15,7 +15,7 @@ void chooseContact(
   const ViewerOptions& options, const ViewerScene& scene, vtkHapticSession* session)
 {
   ContactSettings contact = options.contact;
-  contact.friction.poissonRatio = scene.poissonsRatio;
+  contact.friction.poissonRatio = scene.poissonRatio;
   session->GetSettings()->SetKernel(contact);
 }
 
@@ -114,7 +114,7 @@ std::string describeFriction(const ViewerOptions& options, const ViewerScene& sc
   text << "mu = " << friction.coefficient << ", ";
   if (friction.model == FrictionModel::ShapeDerived)
   {
-    text << "pre-sliding displacement from the response, nu = " << scene.poissonsRatio;
+    text << "pre-sliding displacement from the response, nu = " << scene.poissonRatio;
   }
   else
   {

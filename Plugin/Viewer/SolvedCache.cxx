@@ -53,7 +53,7 @@ std::string keepSolved(vtkPolyData* body, const std::string& file)
 std::string solvedKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   std::string key;
-  for (const double number : { scene.youngsModulus, scene.poissonsRatio, options.maximumDeflection,
+  for (const double number : { scene.youngsModulus, scene.poissonRatio, options.maximumDeflection,
          options.terms.errorTolerance, options.terms.edges ? 1.0 : 0.0, options.terms.tilt })
   {
     key += '|' + shortestDecimals(number);

@@ -38,7 +38,7 @@ std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
   scene.solid = true;
   scene.modelReason = "in series with the compliance of the solid, by finite elements";
   return solids->fillWithVoxels(scene.body,
-    { options.voxel, options.fixedFaces, scene.youngsModulus, scene.poissonsRatio }, scene.notes);
+    { options.voxel, options.fixedFaces, scene.youngsModulus, scene.poissonRatio }, scene.notes);
 }
 
 /// For --tissue: makes a solid of a segmentation.
@@ -87,7 +87,7 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
     return error;
   }
   // The user's options override the scene.
-  if (options.youngsModulus || options.poissonsRatio)
+  if (options.youngsModulus || options.poissonRatio)
   {
     scene.materialSource = "given on the command line";
   }
@@ -95,11 +95,11 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   {
     const StackLayer& top = options.layer->stack.layers.front();
     scene.youngsModulus = top.youngsModulus;
-    scene.poissonsRatio = top.poissonsRatio;
+    scene.poissonRatio = top.poissonRatio;
     scene.materialSource = layerSource(*options.layer);
   }
   scene.youngsModulus = options.youngsModulus.value_or(scene.youngsModulus);
-  scene.poissonsRatio = options.poissonsRatio.value_or(scene.poissonsRatio);
+  scene.poissonRatio = options.poissonRatio.value_or(scene.poissonRatio);
   scene.depth = options.depth.value_or(scene.depth);
   scene.terms = options.terms;
   scene.terms.changeTolerance = options.tolerance;
@@ -174,9 +174,9 @@ std::string makeUserScene(const ViewerOptions& options, ViewerScene& scene)
   scene.tools = { vtkNew<vtkContactTool>()->GetSpecification() };
   vtkNew<vtkToolContactResponse> usual;
   scene.youngsModulus = usual->GetYoungsModulus();
-  scene.poissonsRatio = usual->GetPoissonRatio();
+  scene.poissonRatio = usual->GetPoissonRatio();
   const std::string tool = responseText(scene.body, "Response", ResponseArray::Tool);
-  if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonsRatio &&
+  if (!tool.empty() && options.tools.empty() && !options.youngsModulus && !options.poissonRatio &&
     !options.layer)
   {
     ResponseArrays arrays;

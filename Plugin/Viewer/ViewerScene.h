@@ -23,7 +23,7 @@ struct ViewerScene
   vtkSmartPointer<vtkPolyData> body;
   std::vector<std::string> notes; ///< description of how the body was made, one sentence each
   double youngsModulus = 0.1;     ///< MPa; as in vtkToolContactResponse
-  double poissonsRatio = 0.45;
+  double poissonRatio = 0.45;
   LawTerms terms;         ///< terms of the law: strain, curvature, error
   PronySeries relaxation; ///< relaxation of the body
   bool stored = false;    ///< whether the body has the response "Response" already, which is used

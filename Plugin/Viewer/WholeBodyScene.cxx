@@ -21,7 +21,7 @@ bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
     !scene.layer.isStack() && !scene.layer.scanned && scene.layer.thickness == 0.0;
   return options.wholeBody && !options.body.empty() && !scene.stored && isHalfSpace &&
     !scene.terms.edges && options.hands.empty() && options.trial.empty() &&
-    scene.poissonsRatio <= LargestYieldRatio;
+    scene.poissonRatio <= LargestYieldRatio;
 }
 
 double widestContact(const ViewerOptions& options, const ViewerScene& scene)
@@ -51,7 +51,7 @@ std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& f
   ProgressLine line("the body as a whole is solved");
   const std::string fault = findYield(
     sound.body(),
-    { scene.youngsModulus, scene.poissonsRatio, radius,
+    { scene.youngsModulus, scene.poissonRatio, radius,
       options.fixedGiven ? options.fixedFaces : "" },
     [&line](double done) { return line.show(done); }, found);
   if (found.isKnown())

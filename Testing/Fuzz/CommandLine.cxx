@@ -85,8 +85,7 @@ void checkBody(const ViewerOptions& options)
 {
   require(options.scene == "head" || options.scene == "cylinder", "the scene is known");
   require(!options.youngsModulus || isPositive(*options.youngsModulus), "a modulus");
-  require(
-    !options.poissonsRatio || (*options.poissonsRatio >= 0.0 && *options.poissonsRatio <= 0.5),
+  require(!options.poissonRatio || (*options.poissonRatio >= 0.0 && *options.poissonRatio <= 0.5),
     "Poisson's ratio");
   require(!options.layer || options.layer->scanned || isNotNegative(options.layer->thickness),
     "a thickness");
@@ -108,7 +107,7 @@ void checkBody(const ViewerOptions& options)
     require(
       std::isfinite(tissue.label) && labels.insert(tissue.label).second, "a label is given once");
     require(isPositive(tissue.youngsModulus), "the modulus of a tissue");
-    require(tissue.poissonsRatio >= 0.0 && tissue.poissonsRatio <= 0.499, "its Poisson's ratio");
+    require(tissue.poissonRatio >= 0.0 && tissue.poissonRatio <= 0.499, "its Poisson's ratio");
   }
   require(options.tissues.empty() || !options.body.empty(), "tissues are those of a file");
 }

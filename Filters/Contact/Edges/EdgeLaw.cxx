@@ -231,11 +231,11 @@ EdgeLaw::Value EdgeLaw::at(double u, double sharpness) const noexcept
     first * right.bend + second * right.slope * right.slope };
 }
 
-double pointLoadSoftness(double poissonsRatio)
+double pointLoadSoftness(double poissonRatio)
 {
   constexpr std::array<double, 6> ratio = { 0.0, 0.15, 0.25, 0.3, 0.45, 0.5 };
   constexpr std::array<double, 6> value = { 1.3653, 1.5166, 1.7107, 1.8448, 2.4487, 2.7481 };
-  const double nu = std::clamp(poissonsRatio, 0.0, 0.5);
+  const double nu = std::clamp(poissonRatio, 0.0, 0.5);
   std::size_t i = 1;
   while (i + 1 < ratio.size() && nu > ratio[i])
   {
@@ -246,7 +246,7 @@ double pointLoadSoftness(double poissonsRatio)
   return 1.0 / ((1.0 - part) / value[i - 1] + part / value[i]);
 }
 
-double edgeSharpness(double poissonsRatio, double turn)
+double edgeSharpness(double poissonRatio, double turn)
 {
   constexpr double most = 2.0 * Pi / 3.0;
   const double t = std::tan(0.5 * std::min(turn, most));
@@ -256,8 +256,8 @@ double edgeSharpness(double poissonsRatio, double turn)
   }
   // The strain at the surface is proportional to 1 - 2ν. Its contribution is (1+ν)(1-2ν)² 2/9,
   // compared with cos² inside, whose mean is 1/3.
-  const double n = 1.0 - 2.0 * poissonsRatio;
-  const double skin = (1.0 + poissonsRatio) * n * n * 2.0 / 9.0;
+  const double n = 1.0 - 2.0 * poissonRatio;
+  const double skin = (1.0 + poissonRatio) * n * n * 2.0 / 9.0;
   const double part = 0.65 * skin / (1.0 / 3.0 + skin);
   return (1.0 - part) * t * t * t + part * t;
 }

@@ -94,7 +94,7 @@ private:
 
 /// ψ of a point load at distance d from a right-angled edge: the edge adds C = ψ/(2πE* d) to the
 /// compliance of a half-space. Within 0.02 (Data/Reference: Hetényi's quarter space).
-PALPATE_EXPORT double pointLoadSoftness(double poissonsRatio);
+PALPATE_EXPORT double pointLoadSoftness(double poissonRatio);
 
 /// ψ of a point load at distance d from an edge at which the surface turns by the angle `turn`
 /// (rad), divided by ψ of a right-angled edge. The effect of an edge with a small turn is far less
@@ -103,7 +103,7 @@ PALPATE_EXPORT double pointLoadSoftness(double poissonsRatio);
 /// compressible bodies; beyond a right angle t^3.4, up to 120° (a thinner wedge counts as 120°).
 /// Compared with finite elements the result is at most 1.4 times as large, or larger by 0.13 of the
 /// value of a right angle, and never smaller (Data/Reference/edges/wedge_point_law.csv).
-PALPATE_EXPORT double edgeSharpness(double poissonsRatio, double turn);
+PALPATE_EXPORT double edgeSharpness(double poissonRatio, double turn);
 } // namespace palpate
 
 #endif

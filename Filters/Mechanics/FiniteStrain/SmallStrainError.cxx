@@ -26,10 +26,10 @@ double overRatio(const std::array<double, 3>& value, double ratio)
 } // namespace
 
 double smallStrainError(
-  double pressure, double poissonsRatio, double depthOverThickness, double radiusOverThickness)
+  double pressure, double poissonRatio, double depthOverThickness, double radiusOverThickness)
 {
   // A measure of compressibility; 0 at ν = ½.
-  const double n = (1.0 - 2.0 * poissonsRatio) / (1.0 - poissonsRatio);
+  const double n = (1.0 - 2.0 * poissonRatio) / (1.0 - poissonRatio);
   if (!(depthOverThickness > 0.0))
   {
     // The residual is of second order: 0.009 at s = 0.3, 0.033 at 0.55. For ν below 0.3 the slope
@@ -39,8 +39,8 @@ double smallStrainError(
     return std::abs(slope) * pressure +
       (0.1 + 0.8 * std::max(0.0, n - atLeast)) * pressure * pressure;
   }
-  const double k = overRatio({ 0.182, -0.104, -0.185 }, poissonsRatio);
-  const double b = overRatio({ 0.668, 0.480, 0.275 }, poissonsRatio);
+  const double k = overRatio({ 0.182, -0.104, -0.185 }, poissonRatio);
+  const double b = overRatio({ 0.668, 0.480, 0.275 }, poissonRatio);
   const double layer = b * depthOverThickness * radiusOverThickness / (0.5 + radiusOverThickness);
   return std::abs(k * pressure + layer) + 0.1 * pressure * pressure + 0.05 * depthOverThickness;
 }

@@ -18,7 +18,7 @@ namespace palpate
  * `depthOverThickness` and `radiusOverThickness` are 0 on a half-space.
  */
 PALPATE_EXPORT double smallStrainError(
-  double pressure, double poissonsRatio, double depthOverThickness, double radiusOverThickness);
+  double pressure, double poissonRatio, double depthOverThickness, double radiusOverThickness);
 } // namespace palpate
 
 #endif

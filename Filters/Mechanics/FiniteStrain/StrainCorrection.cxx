@@ -55,14 +55,14 @@ std::string solve(StrainModule::Solver StrainModule::*where, const SolvedStrain&
 } // namespace
 
 StrainCorrection::Course StrainCorrection::course(
-  double poissonsRatio, double thickness, double second) const
+  double poissonRatio, double thickness, double second) const
 {
   Course course;
   if (const StrainTable* table = thickness > 0.0 ? this->Layers.get() : this->HalfSpace.get())
   {
-    course.Table = table->course(std::min(poissonsRatio, LargestSolvedRatio), thickness, second);
+    course.Table = table->course(std::min(poissonRatio, LargestSolvedRatio), thickness, second);
     course.HasTable = true;
-    course.More = poissonsRatio > LargestSolvedRatio ? BeyondSolvedRatio : 0.0;
+    course.More = poissonRatio > LargestSolvedRatio ? BeyondSolvedRatio : 0.0;
   }
   return course;
 }

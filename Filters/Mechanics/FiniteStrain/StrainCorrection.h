@@ -68,9 +68,9 @@ public:
 
   /// `depth` (mm) is that of the tool at small strain. `thickness` (mm) is 0 for a half-space;
   /// `second` (mm) is the thickness of a stack's second layer. Takes less than 1 µs.
-  Value at(double depth, double poissonsRatio, double thickness, double second = 0.0) const
+  Value at(double depth, double poissonRatio, double thickness, double second = 0.0) const
   {
-    return this->course(poissonsRatio, thickness, second).at(depth);
+    return this->course(poissonRatio, thickness, second).at(depth);
   }
 
   /// The correction on one body, which is cheaper for many depths.
@@ -85,7 +85,7 @@ public:
     bool HasTable = false;
     double More = 0.0; ///< error for a Poisson's ratio beyond the tables
   };
-  Course course(double poissonsRatio, double thickness, double second = 0.0) const;
+  Course course(double poissonRatio, double thickness, double second = 0.0) const;
 
   void setHalfSpace(std::unique_ptr<StrainTable> table) { this->HalfSpace = std::move(table); }
   void setLayers(std::unique_ptr<StrainTable> table) { this->Layers = std::move(table); }

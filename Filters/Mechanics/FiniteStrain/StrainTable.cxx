@@ -90,7 +90,7 @@ StrainTable::StrainTable(
   }
 }
 
-StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, double second) const
+StrainTable::Course StrainTable::course(double poissonRatio, double thickness, double second) const
 {
   const Axes& axes = this->Given;
   const std::size_t columns = axes.roots.size();
@@ -106,7 +106,7 @@ StrainTable::Course StrainTable::course(double poissonsRatio, double thickness, 
   const std::size_t all = axes.thicknesses.size();
   const bool isBetween = this->ThickestEnds && all > 2 && thickness <= axes.thicknesses[all - 2];
   const Weights ratio = weightsAt(
-    axes.ratios.size(), [&](std::size_t i) { return axes.ratios[i]; }, poissonsRatio);
+    axes.ratios.size(), [&](std::size_t i) { return axes.ratios[i]; }, poissonRatio);
   const Weights height = over(axes.thicknesses, isBetween ? all - 1 : all, thickness);
   const Weights lower = over(axes.seconds, axes.seconds.size(), second);
 

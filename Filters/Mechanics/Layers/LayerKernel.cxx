@@ -139,28 +139,28 @@ const ChebyshevRule<RatioPoints>& chebyshev()
 }
 } // namespace
 
-LayerKernel::LayerKernel(double poissonsRatio, LayerBase base)
-  : PoissonsRatio(poissonsRatio)
+LayerKernel::LayerKernel(double poissonRatio, LayerBase base)
+  : PoissonsRatio(poissonRatio)
   , Base(base)
 {
-  this->tabulate(SampledTransform(poissonsRatio, base));
+  this->tabulate(SampledTransform(poissonRatio, base));
 }
 
 LayerKernel::LayerKernel(const LayerStack& stack)
-  : PoissonsRatio(stack.layers.front().poissonsRatio)
+  : PoissonsRatio(stack.layers.front().poissonRatio)
   , Base(stack.base)
   , Stack(std::make_shared<const LayerStack>(stack))
 {
   this->tabulate(SampledTransform(stack));
 }
 
-std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonsRatio, LayerBase base)
+std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonRatio, LayerBase base)
 {
   constexpr std::size_t mostKernels = 64;
   static RecentValues<std::pair<double, LayerBase>, LayerKernel> recent(mostKernels, mostKernels);
-  return recent.get({ poissonsRatio, base },
+  return recent.get({ poissonRatio, base },
     [&] {
-      return std::pair(std::make_shared<const LayerKernel>(poissonsRatio, base), std::size_t{ 1 });
+      return std::pair(std::make_shared<const LayerKernel>(poissonRatio, base), std::size_t{ 1 });
     });
 }
 

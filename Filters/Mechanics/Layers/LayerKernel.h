@@ -56,14 +56,14 @@ public:
     Samples resolvent; ///< Γ(1, t): y(a) = f(a) - ∫_0^1 Γ(1, t) f(t) dt for δ - g = f
   };
 
-  LayerKernel(double poissonsRatio, LayerBase base);
+  LayerKernel(double poissonRatio, LayerBase base);
   /// Returns a kernel from a cache of the last 64 kernels of the process. Thread-safe.
-  static std::shared_ptr<const LayerKernel> shared(double poissonsRatio, LayerBase base);
+  static std::shared_ptr<const LayerKernel> shared(double poissonRatio, LayerBase base);
   /// The kernel of a stack without fault (LayerStack.h); h, ν and E* are those of the top layer.
   /// Takes about 50 ms.
   explicit LayerKernel(const LayerStack& stack);
 
-  double poissonsRatio() const noexcept { return this->PoissonsRatio; }
+  double poissonRatio() const noexcept { return this->PoissonsRatio; }
   LayerBase base() const noexcept { return this->Base; }
   /// The stack of this kernel; null for a single layer.
   const LayerStack* stack() const noexcept { return this->Stack.get(); }

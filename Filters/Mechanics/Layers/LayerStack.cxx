@@ -22,7 +22,7 @@ constexpr double LeastWaveNumber = 1e-3; // for k times the thinnest layer; a pa
 
 Real shearModulus(const StackLayer& layer)
 {
-  return static_cast<Real>(layer.youngsModulus) / (2.0L * (1.0L + layer.poissonsRatio));
+  return static_cast<Real>(layer.youngsModulus) / (2.0L * (1.0L + layer.poissonRatio));
 }
 
 /// The two fields that decay from a face, at the distance Z from the face: displacements (A, B),
@@ -53,8 +53,8 @@ Fields fieldsAt(Real z, double nu)
 Matrix4 stiffness(const StackLayer& layer, Real k)
 {
   const Real depth = k * static_cast<Real>(layer.thickness);
-  const Fields near = fieldsAt(0.0L, layer.poissonsRatio);
-  const Fields far = fieldsAt(depth, layer.poissonsRatio);
+  const Fields near = fieldsAt(0.0L, layer.poissonRatio);
+  const Fields far = fieldsAt(depth, layer.poissonRatio);
   Matrix2 mirror = Matrix2::Identity();
   mirror(1, 1) = -1.0L;
   Matrix4 displacement;
@@ -67,7 +67,7 @@ Matrix4 stiffness(const StackLayer& layer, Real k)
 
 Matrix2 halfSpaceStiffness(const StackLayer& halfSpace)
 {
-  const Fields fields = fieldsAt(0.0L, halfSpace.poissonsRatio);
+  const Fields fields = fieldsAt(0.0L, halfSpace.poissonRatio);
   return -shearModulus(halfSpace) * fields.traction * fields.displacement.inverse();
 }
 
@@ -120,7 +120,7 @@ TransformPair transformAt(const LayerStack& stack, double omega)
   const StackLayer& top = stack.layers.front();
   const Matrix2 compliance =
     topStiffness(stack, static_cast<Real>(omega) / static_cast<Real>(top.thickness)).inverse();
-  const double modulus = reducedModulus(top.youngsModulus, top.poissonsRatio);
+  const double modulus = reducedModulus(top.youngsModulus, top.poissonRatio);
   return { 0.5 * modulus * static_cast<double>(compliance(1, 1)),
     -0.5 * modulus * static_cast<double>(compliance(0, 1)) };
 }
@@ -145,9 +145,9 @@ std::string checkStack(const LayerStack& stack)
       return joined(
         name, ": Young's modulus must be positive and finite (MPa), but is ", layer.youngsModulus);
     }
-    return isPoissonsRatio(layer.poissonsRatio)
+    return isPoissonsRatio(layer.poissonRatio)
       ? std::string()
-      : joined(name, ": Poisson's ratio must lie between 0 and 0.5, but is ", layer.poissonsRatio);
+      : joined(name, ": Poisson's ratio must lie between 0 and 0.5, but is ", layer.poissonRatio);
   };
   for (std::size_t i = 0; i < stack.layers.size(); ++i)
   {
@@ -163,7 +163,7 @@ std::string checkStack(const LayerStack& stack)
 StackTransform stackTransform(const LayerStack& stack, double omega)
 {
   const StackLayer& top = stack.layers.front();
-  const double limit = (1.0 - 2.0 * top.poissonsRatio) / (2.0 * (1.0 - top.poissonsRatio));
+  const double limit = (1.0 - 2.0 * top.poissonRatio) / (2.0 * (1.0 - top.poissonRatio));
   double thinnest = top.thickness;
   for (const StackLayer& layer : stack.layers)
   {

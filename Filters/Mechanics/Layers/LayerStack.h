@@ -15,13 +15,13 @@ struct StackLayer
 {
   double thickness = 1.0;     ///< mm
   double youngsModulus = 0.1; ///< MPa
-  double poissonsRatio = 0.45;
+  double poissonRatio = 0.45;
   bool slips = false; ///< frictionless on the layer above; ignored for the top layer
 
   bool operator==(const StackLayer& other) const
   {
     return this->thickness == other.thickness && this->youngsModulus == other.youngsModulus &&
-      this->poissonsRatio == other.poissonsRatio && this->slips == other.slips;
+      this->poissonRatio == other.poissonRatio && this->slips == other.slips;
   }
 };
 

@@ -164,7 +164,7 @@ SurfaceDisplacement LayerSurface::at(double r) const
   {
     return { 0.0, normal };
   }
-  const double nu = this->Contact.kernel().poissonsRatio();
+  const double nu = this->Contact.kernel().poissonRatio();
   const double halfSpace = (1.0 - 2.0 * nu) / (Pi * (1.0 - nu)) * this->loadInside(r) / r;
   const double layer = 2.0 / Pi / r *
     abel(

@@ -51,7 +51,7 @@ struct CurvesKey
     return this->tool == other.tool && this->depths == other.depths &&
       this->layers.base == other.layers.base && this->layers.thinnest == other.layers.thinnest &&
       this->layers.thickest == other.layers.thickest &&
-      this->layers.poissonsRatios == other.layers.poissonsRatios &&
+      this->layers.poissonRatios == other.layers.poissonRatios &&
       this->layers.stack == other.layers.stack;
   }
 };
@@ -61,9 +61,9 @@ LayerTable::LayerTable(
   const AxisymmetricTool& tool, const Layers& layers, std::vector<double> depths)
   : LayerCurves(std::move(depths))
   , Scale(tool.contactRadius(this->Depths.back()))
-  , Ratios(layers.poissonsRatios)
-  , FirstRatio(layers.poissonsRatios.front())
-  , LastRatio(layers.poissonsRatios.back())
+  , Ratios(layers.poissonRatios)
+  , FirstRatio(layers.poissonRatios.front())
+  , LastRatio(layers.poissonRatios.back())
 {
   if (this->Ratios.size() > DistinctRatios)
   {
@@ -124,15 +124,15 @@ LayerTable::ThicknessRule::Values LayerTable::thicknessFactors(double thickness)
     width > 0.0 ? std::clamp(2.0 * (x - this->Begin) / width - 1.0, -1.0, 1.0) : 0.0);
 }
 
-Eigen::ArrayXd LayerTable::ratioFactors(double poissonsRatio) const
+Eigen::ArrayXd LayerTable::ratioFactors(double poissonRatio) const
 {
   if (this->RatiosAreChebyshev)
   {
     const double width = this->LastRatio - this->FirstRatio;
-    return RatioRule::standard().factorsAt(2.0 * (poissonsRatio - this->FirstRatio) / width - 1.0);
+    return RatioRule::standard().factorsAt(2.0 * (poissonRatio - this->FirstRatio) / width - 1.0);
   }
   Eigen::ArrayXd factors = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(this->Ratios.size()));
-  const auto found = std::find(this->Ratios.begin(), this->Ratios.end(), poissonsRatio);
+  const auto found = std::find(this->Ratios.begin(), this->Ratios.end(), poissonRatio);
   if (found == this->Ratios.end())
   {
     factors.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -144,7 +144,7 @@ Eigen::ArrayXd LayerTable::ratioFactors(double poissonsRatio) const
   return factors;
 }
 
-LayerTable::Curve LayerTable::sample(double thickness, double poissonsRatio) const
+LayerTable::Curve LayerTable::sample(double thickness, double poissonRatio) const
 {
   Curve curve(static_cast<Eigen::Index>(this->Depths.size()), 3);
   if (!this->answers(thickness))
@@ -153,7 +153,7 @@ LayerTable::Curve LayerTable::sample(double thickness, double poissonsRatio) con
     return curve;
   }
   const ThicknessRule::Values factors = this->thicknessFactors(thickness);
-  const Eigen::ArrayXd ratios = this->ratioFactors(poissonsRatio);
+  const Eigen::ArrayXd ratios = this->ratioFactors(poissonRatio);
   curve.setZero();
   Eigen::Map<Eigen::VectorXd> all(curve.data(), curve.size());
   for (std::size_t k = 0; k < this->Tables.size(); ++k)
@@ -187,7 +187,7 @@ std::shared_ptr<const LayerCurves> makeLayerCurves(
       {
         curves = std::make_shared<const LayerTable>(tool, layers, depths);
         columns = LayerTable::ThicknessPoints *
-          std::min<std::size_t>(layers.poissonsRatios.size(), LayerTable::DistinctRatios);
+          std::min<std::size_t>(layers.poissonRatios.size(), LayerTable::DistinctRatios);
       }
       return std::pair(std::move(curves), 3 * sizeof(double) * depths.size() * columns);
     });

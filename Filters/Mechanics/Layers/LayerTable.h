@@ -19,9 +19,9 @@ namespace palpate
 /// The properties in which the points of a layered body differ.
 struct LayerPlace
 {
-  double thickness = 0.0;     ///< of the layer, or of a stack's first layer, mm
-  double second = 0.0;        ///< of the second layer of a stack, mm
-  double poissonsRatio = 0.0; ///< of a single layer; unused for a stack
+  double thickness = 0.0;    ///< of the layer, or of a stack's first layer, mm
+  double second = 0.0;       ///< of the second layer of a stack, mm
+  double poissonRatio = 0.0; ///< of a single layer; unused for a stack
 };
 
 /// One tool at fixed depths, for all layered points of a body. Safe to use from any number of
@@ -77,7 +77,7 @@ public:
     LayerBase base = LayerBase::Bonded;
     double thinnest = 0.0;
     double thickest = 0.0;
-    std::vector<double> poissonsRatios;
+    std::vector<double> poissonRatios;
     std::shared_ptr<const StackKernels> stack = {};
   };
 
@@ -92,9 +92,9 @@ public:
 
   Curve sample(const LayerPlace& place) const override
   {
-    return this->sample(place.thickness, place.poissonsRatio);
+    return this->sample(place.thickness, place.poissonRatio);
   }
-  Curve sample(double thickness, double poissonsRatio) const;
+  Curve sample(double thickness, double poissonRatio) const;
 
 private:
   using ThicknessRule = ChebyshevRule<ThicknessPoints>;
@@ -103,7 +103,7 @@ private:
 
   double thicknessAt(int point) const;
   ThicknessRule::Values thicknessFactors(double thickness) const;
-  Eigen::ArrayXd ratioFactors(double poissonsRatio) const;
+  Eigen::ArrayXd ratioFactors(double poissonRatio) const;
 
   double Thinnest = 0.0;
   double Scale = 1.0;

@@ -76,9 +76,9 @@ double AxisymmetricTool::pressure(double r, double deflection, double reducedMod
 }
 
 SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
-  double r, double deflection, double poissonsRatio) const
+  double r, double deflection, double poissonRatio) const
 {
-  if (!this->answers(deflection) || !(r >= 0.0) || std::isnan(poissonsRatio))
+  if (!this->answers(deflection) || !(r >= 0.0) || std::isnan(poissonRatio))
   {
     return { NotANumber, NotANumber };
   }
@@ -98,8 +98,7 @@ SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
   const double load = r >= a ? this->forcePerModulus(a, deflection)
     : this->isStillFlat(a)   ? 2.0 * deflection * r * r / (a + std::sqrt((a - r) * (a + r)))
                              : this->loadInside(r, a, deflection);
-  const double radial =
-    -(1.0 - 2.0 * poissonsRatio) / (2.0 * Pi * (1.0 - poissonsRatio)) * load / r;
+  const double radial = -(1.0 - 2.0 * poissonRatio) / (2.0 * Pi * (1.0 - poissonRatio)) * load / r;
   return { radial, normal };
 }
 

@@ -83,7 +83,7 @@ public:
   /// or apex.
   double pressure(double r, double deflection, double reducedModulus) const;
   /// Displacement of the surface point that was at distance r from the axis before contact.
-  SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonsRatio) const;
+  SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonRatio) const;
 
 protected:
   // Functions that a shape defines. They are called with finite δ > 0; `a` is contactRadius(δ).

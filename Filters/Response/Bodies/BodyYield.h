@@ -23,7 +23,7 @@ namespace palpate
 struct YieldRequest
 {
   double youngsModulus = 0.1; ///< MPa
-  double poissonsRatio = 0.45;
+  double poissonRatio = 0.45;
   double radius = 2.0; ///< radius of the contact for which the compliance is exact, mm
   std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
   int cells = 12000;   ///< approximate upper limit of the number of finite elements

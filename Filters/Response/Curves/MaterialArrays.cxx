@@ -119,7 +119,7 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
   std::string wrong = material.checkConstants();
   BodyMaterial::Values values;
   const std::array<PointValues*, 5> wanted = { &values.youngsModulus, &values.thickness,
-    &values.compliance, &values.poissonsRatio, &values.second };
+    &values.compliance, &values.poissonRatio, &values.second };
   const vtkIdType points = body->GetNumberOfPoints();
   for (std::size_t index = 0; index < wanted.size() && wrong.empty(); ++index)
   {
@@ -153,12 +153,12 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)
     ? material.range()
     : MaterialRange(material.range().layers.base, material.range().stack);
   MaterialRange whole(own.layers.base, own.stack);
-  const auto ratios = ranks.gather(own.layers.poissonsRatios);
+  const auto ratios = ranks.gather(own.layers.poissonRatios);
   const auto extremes = ranks.gather(own.extremes);
   for (std::size_t rank = 0; rank < ratios.size(); ++rank)
   {
     MaterialRange piece(own.layers.base);
-    piece.layers.poissonsRatios = ratios[rank];
+    piece.layers.poissonRatios = ratios[rank];
     piece.extremes = extremes[rank];
     whole.join(piece);
   }

@@ -15,7 +15,7 @@ std::vector<double> stackNumbersOf(const LayerStack& stack)
   const auto add = [&numbers](const StackLayer& layer, double thickness)
   {
     numbers.insert(numbers.end(),
-      { thickness, layer.youngsModulus, layer.poissonsRatio, layer.slips ? 1.0 : 0.0 });
+      { thickness, layer.youngsModulus, layer.poissonRatio, layer.slips ? 1.0 : 0.0 });
   };
   for (const StackLayer& layer : stack.layers)
   {

@@ -89,7 +89,7 @@ void attachStack(const BodyMaterial& material, const std::string& name, vtkPolyD
   const auto add = [&layers](const StackLayer& layer, double thickness)
   {
     layers->InsertNextTuple4(
-      thickness, layer.youngsModulus, layer.poissonsRatio, layer.slips ? 1.0 : 0.0);
+      thickness, layer.youngsModulus, layer.poissonRatio, layer.slips ? 1.0 : 0.0);
   };
   const std::array<double, 2> thinnest = { material.range().layers.thinnest,
     material.range().second.thinnest };

@@ -96,7 +96,7 @@ double powerOfTwoFrom(double radius)
 std::string keyOf(
   const std::string& body, const YieldRequest& request, const std::string& fixed, double largest)
 {
-  return joined(Revision, ' ', body, ' ', shortestDecimals(request.poissonsRatio), ' ', fixed, ' ',
+  return joined(Revision, ' ', body, ' ', shortestDecimals(request.poissonRatio), ' ', fixed, ' ',
     request.cells, ' ', shortestDecimals(largest));
 }
 
@@ -213,7 +213,7 @@ std::string solve(vtkPolyData* body, const YieldRequest& request, double largest
     return fault;
   }
   SolveRequest solution;
-  solution.factor.material = { 1.0, request.poissonsRatio };
+  solution.factor.material = { 1.0, request.poissonRatio };
   solution.radius = largest;
   solution.spacing = std::max(
     LeastOfSpacing * filled.spacing, std::sqrt(filled.area / (PointsPerCell * request.cells)));
@@ -301,7 +301,7 @@ std::size_t numbersFor(std::size_t count)
 std::string checkYieldRequest(const YieldRequest& request)
 {
   FactorRequest factor;
-  factor.material = { request.youngsModulus, request.poissonsRatio };
+  factor.material = { request.youngsModulus, request.poissonRatio };
   const std::string fault = checkFactorRequest(factor);
   if (!fault.empty())
   {

@@ -81,7 +81,7 @@ std::string readStackLayer(const std::string& text, StackLayer& layer, bool& sca
   return firstFault([&]
     { return scanned ? std::string() : StackRange.read(parts[0], layer.thickness); },
     [&] { return YoungsModulusRange.read(parts[1], layer.youngsModulus); },
-    [&] { return PoissonsRatioRange.read(parts[2], layer.poissonsRatio); });
+    [&] { return PoissonsRatioRange.read(parts[2], layer.poissonRatio); });
 }
 
 /// Checks the combination of the layers.

@@ -11,7 +11,7 @@ struct TissueChoice
 {
   double label = 0.0;
   double youngsModulus = 0.0; ///< MPa
-  double poissonsRatio = 0.0;
+  double poissonRatio = 0.0;
 };
 
 /// Reads "LABEL:MPA:NU". Returns "" or the error.

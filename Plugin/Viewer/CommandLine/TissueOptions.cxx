@@ -34,7 +34,7 @@ std::string readTissue(const std::string& text, TissueChoice& tissue)
     {
       return NumberRange::between(
         0.0, LargestTissueRatio, "Poisson's ratio of a tissue, 0 to 0.499, e.g. 0.49")
-        .read(parts[2], read.poissonsRatio);
+        .read(parts[2], read.poissonRatio);
     });
   if (fault.empty())
   {

@@ -90,7 +90,7 @@ std::string readSetting(const std::string& name, const std::string& value, Trial
 {
   std::map<std::string, std::function<std::string()>> readers = {
     { "young", [&] { return readInto(choice.youngsModulus, YoungsModulusRange, value); } },
-    { "poisson", [&] { return readInto(choice.poissonsRatio, PoissonsRatioRange, value); } },
+    { "poisson", [&] { return readInto(choice.poissonRatio, PoissonsRatioRange, value); } },
     { "layer", [&] { return readLayer(value, choice); } },
     { "layers",
       [&]
@@ -152,7 +152,7 @@ std::string readChoice(const std::string& text, TrialChoice& choice)
     }
     choice.tool = part;
   }
-  return choice.layer && choice.layer->isStack() && (choice.youngsModulus || choice.poissonsRatio)
+  return choice.layer && choice.layer->isStack() && (choice.youngsModulus || choice.poissonRatio)
     ? "'" + text.substr(0, 40) + "': each of the layers has its own young and poisson"
     : std::string();
 }

@@ -17,7 +17,7 @@ struct TrialChoice
   std::string name; ///< the text of the alternative
   std::string tool; ///< empty: the first tool of the scene
   std::optional<double> youngsModulus;
-  std::optional<double> poissonsRatio;
+  std::optional<double> poissonRatio;
   std::optional<LayerChoice> layer;
   std::optional<bool> hasLump; ///< whether the body has its nodules
   ContactSettings contact; ///< settings of the session, including the changes of this alternative

@@ -69,7 +69,7 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
     ->check(within(YoungsModulusRange, "POSITIVE"));
   app
     .add_option(
-      "--poisson", options.poissonsRatio, "Poisson's ratio of the body (for BODY 0.45 by default)")
+      "--poisson", options.poissonRatio, "Poisson's ratio of the body (for BODY 0.45 by default)")
     ->check(within(PoissonsRatioRange, "0 TO 0.5"));
   app.add_option("--depth", options.depth, "depth to which the tip is pressed, mm")
     ->check(positive("a depth in mm, e.g. 1", LargestDepth));

@@ -27,7 +27,7 @@ struct ViewerOptions
                     ///< mricron-data
   std::vector<std::string> tools;
   std::optional<double> youngsModulus;
-  std::optional<double> poissonsRatio;
+  std::optional<double> poissonRatio;
   std::optional<double> depth;
   double maximumDeflection = 2.0;
   LawTerms terms;                    ///< strain, curvature, error

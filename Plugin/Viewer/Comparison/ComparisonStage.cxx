@@ -32,7 +32,7 @@ void setStage(vtkBodyComparison* comparison, const std::array<ComparedBody, 2>& 
 {
   const ViewerScene& scene = bodies[0].scene;
   comparison->SetYoungsModulus(scene.youngsModulus);
-  comparison->SetPoissonRatio(scene.poissonsRatio);
+  comparison->SetPoissonRatio(scene.poissonRatio);
   comparison->SetDeflection(scene.depth);
   for (const int side : { vtkBodyComparison::Left, vtkBodyComparison::Right })
   {
@@ -51,7 +51,7 @@ void printStatements(vtkBodyComparison* comparison, const std::array<ComparedBod
 {
   const ViewerScene& scene = bodies[0].scene;
   std::printf("  material    E = %g MPa, nu = %g (%s)\n  tools      ", scene.youngsModulus,
-    scene.poissonsRatio, scene.materialSource.c_str());
+    scene.poissonRatio, scene.materialSource.c_str());
   for (const std::string& tool : scene.tools)
   {
     std::printf(" %s", tool.c_str());

@@ -101,7 +101,7 @@ std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene)
   measured->SetRegistrationFile(options.registration);
   measured->SetReach(options.reach);
   measured->SetMaximumStrain(options.maximumStrain);
-  measured->SetPoissonRatio(scene.poissonsRatio);
+  measured->SetPoissonRatio(scene.poissonRatio);
   measured->SetMaximumDeflection(options.maximumDeflection);
   for (std::size_t i = 0; i < scene.tools.size(); ++i)
   {

@@ -100,7 +100,7 @@ std::string makeSurface(vtkUnstructuredGrid* solid, ViewerScene& scene)
   vtkNew<vtkElasticCompliance> elastic;
   elastic->SetInputData(solid);
   elastic->SetYoungsModulus(scene.youngsModulus);
-  elastic->SetPoissonRatio(scene.poissonsRatio);
+  elastic->SetPoissonRatio(scene.poissonRatio);
   elastic->SetNumberOfModes(Modes);
   std::string error = updateQuietly(elastic);
   if (!error.empty())
@@ -166,8 +166,8 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
 /// Sets the properties that are the same for both bodies.
 void describe(const ViewerOptions& options, ViewerScene& scene)
 {
-  const bool given = options.youngsModulus || options.poissonsRatio;
-  scene.poissonsRatio = options.poissonsRatio.value_or(PoissonRatio);
+  const bool given = options.youngsModulus || options.poissonRatio;
+  scene.poissonRatio = options.poissonRatio.value_or(PoissonRatio);
   scene.terms = options.terms;
   scene.relaxation = options.relaxation;
   scene.youngsModulus =

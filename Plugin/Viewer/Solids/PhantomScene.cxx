@@ -51,7 +51,7 @@ std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
   const auto begin = std::chrono::steady_clock::now();
   std::fprintf(stderr, "palpate: solving the phantom: once, a minute or two\n");
   vtkNew<vtkNoduleDetectability> detectability;
-  detectability->SetInputData(makePhantomGrid(scene.youngsModulus, scene.poissonsRatio));
+  detectability->SetInputData(makePhantomGrid(scene.youngsModulus, scene.poissonRatio));
   vtkNew<vtkContactTool> tool;
   if (!tool->SetSpecification(scene.tools.front()))
   {
@@ -106,7 +106,7 @@ std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
   }
   scene.title = "Phantom with nine nodules";
   scene.youngsModulus = options.youngsModulus.value_or(0.1);
-  scene.poissonsRatio = options.poissonsRatio.value_or(0.45);
+  scene.poissonRatio = options.poissonRatio.value_or(0.45);
   scene.materialSource = "assumed: a soft silicone rubber";
   scene.tools = options.tools.empty() ? std::vector<std::string>{ "sphere:1.6" } : options.tools;
   scene.stored = true;

@@ -51,7 +51,7 @@ std::string textOfTissues(const ViewerOptions& options)
   for (const TissueChoice& tissue : options.tissues)
   {
     text += joined(text.empty() ? "label " : ", label ", tissue.label,
-      ": E = ", tissue.youngsModulus, " MPa, nu = ", tissue.poissonsRatio);
+      ": E = ", tissue.youngsModulus, " MPa, nu = ", tissue.poissonRatio);
   }
   return text + " (given on the command line)";
 }
@@ -66,7 +66,7 @@ std::string segmentedKey(
   for (const TissueChoice& tissue : options.tissues)
   {
     key += '|' + shortestDecimals(tissue.label) + ':' + shortestDecimals(tissue.youngsModulus) +
-      ':' + shortestDecimals(tissue.poissonsRatio);
+      ':' + shortestDecimals(tissue.poissonRatio);
   }
   for (int i = 0; i < 6; ++i)
   {
@@ -115,7 +115,7 @@ std::string solveTissues(const ViewerOptions& options, ViewerScene& scene, vtkIm
   filled->SetInputData(image);
   for (const TissueChoice& tissue : options.tissues)
   {
-    filled->AddTissue(tissue.label, tissue.youngsModulus, tissue.poissonsRatio);
+    filled->AddTissue(tissue.label, tissue.youngsModulus, tissue.poissonRatio);
   }
   filled->SetSurfaceSpacing(options.solidSpacing);
   filled->SetFixedFaces(options.fixedFaces);

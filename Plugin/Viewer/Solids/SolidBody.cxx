@@ -122,7 +122,7 @@ std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
     scene.notes.push_back("no second mesh to estimate the error of the first: " + lost);
   }
   pressed->SetYoungsModulus(scene.youngsModulus);
-  pressed->SetPoissonRatio(scene.poissonsRatio);
+  pressed->SetPoissonRatio(scene.poissonRatio);
   setSolidTerms(options, scene, pressed);
   pressed->SetSourceSpacing(sizes.sources);
   vtkSmartPointer<vtkPolyData> body = scene.body;

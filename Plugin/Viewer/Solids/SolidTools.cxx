@@ -21,13 +21,12 @@ namespace
 /// The range of Poisson's ratios of a scene.
 StrainBodies strainBodiesOf(const ViewerOptions& options, const ViewerScene& scene)
 {
-  StrainBodies bodies{ scene.poissonsRatio, scene.poissonsRatio };
+  StrainBodies bodies{ scene.poissonRatio, scene.poissonRatio };
   if (!options.tissues.empty())
   {
     const auto [least, most] = std::minmax_element(options.tissues.begin(), options.tissues.end(),
-      [](const TissueChoice& a, const TissueChoice& b)
-      { return a.poissonsRatio < b.poissonsRatio; });
-    bodies = { least->poissonsRatio, most->poissonsRatio };
+      [](const TissueChoice& a, const TissueChoice& b) { return a.poissonRatio < b.poissonRatio; });
+    bodies = { least->poissonRatio, most->poissonRatio };
   }
   return bodies;
 }

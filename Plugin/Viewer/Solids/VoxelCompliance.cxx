@@ -177,7 +177,7 @@ std::string attachVoxelCompliance(
   vtkNew<vtkElasticCompliance> compliance;
   compliance->SetInputConnection(voxels->GetOutputPort());
   compliance->SetYoungsModulus(options.youngsModulus);
-  compliance->SetPoissonRatio(options.poissonsRatio);
+  compliance->SetPoissonRatio(options.poissonRatio);
   compliance->SetNumberOfModes(BodyModes);
   error = updateQuietly(voxels);
   if (error.empty())

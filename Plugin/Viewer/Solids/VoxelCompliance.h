@@ -15,7 +15,7 @@ struct VoxelComplianceOptions
   double spacing = 2.0;          ///< mm
   std::string fixedFaces = "z-"; ///< sides that hold the body, as for vtkVoxelBody
   double youngsModulus = 0.1;    ///< MPa
-  double poissonsRatio = 0.45;
+  double poissonRatio = 0.45;
 };
 
 /**

@@ -61,7 +61,7 @@ std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoi
 {
   const ContactLaw own = lawOf(scene);
   const ContactLaw law = { choice.youngsModulus.value_or(own.youngsModulus),
-    choice.poissonsRatio.value_or(own.poissonsRatio), choice.layer.value_or(own.layer) };
+    choice.poissonRatio.value_or(own.poissonRatio), choice.layer.value_or(own.layer) };
   const std::string& tool = choice.tool.empty() ? scene.tools.front() : choice.tool;
   if (choice.hasLump && !scene.nodules)
   {
@@ -83,7 +83,7 @@ std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoi
   {
     return "alternative '" + choice.name + "': the material of this body is not to be changed";
   }
-  if (law.layer.isStack() && !choice.layer && (choice.youngsModulus || choice.poissonsRatio))
+  if (law.layer.isStack() && !choice.layer && (choice.youngsModulus || choice.poissonRatio))
   {
     return "alternative '" + choice.name + "': each of the layers has its own young and poisson";
   }
@@ -101,7 +101,7 @@ std::string BlindTrial::prepare(
     planTrials(static_cast<int>(this->Choices.size()), options.trialRounds, this->Head.seed);
   for (TrialChoice& choice : this->Choices)
   {
-    choice.contact.friction.poissonRatio = choice.poissonsRatio.value_or(scene.poissonsRatio);
+    choice.contact.friction.poissonRatio = choice.poissonRatio.value_or(scene.poissonRatio);
     const std::string error =
       this->chooseResponse(scene, choice, options.maximumDeflection, responses);
     if (!error.empty())

@@ -110,7 +110,7 @@ double error(const BodyIdentification& identification, const IdentifiedBody& bod
 BodyIdentification nearlyCompressible()
 {
   IdentificationOptions options;
-  options.poissonsRatio = 0.45;
+  options.poissonRatio = 0.45;
   return BodyIdentification(options);
 }
 } // namespace
@@ -152,7 +152,7 @@ TEST(HeldOutTool, Layer)
 TEST(HeldOutTool, LayerWithoutNoise)
 {
   IdentificationOptions options;
-  options.poissonsRatio = 0.45;
+  options.poissonRatio = 0.45;
   options.findContact = false;
   const BodyIdentification identification(options);
   const IdentifiedBody body =
@@ -171,7 +171,7 @@ TEST(HeldOutTool, FailsOnAPlateNoThickerThanTheContact)
   // global. The compliance absorbs a part of the contact's deflection, so a smaller tool is
   // predicted too soft.
   IdentificationOptions options;
-  options.poissonsRatio = 0.3;
+  options.poissonRatio = 0.3;
   const BodyIdentification identification(options);
   const IdentifiedBody body = identify(identification, "plateclamped-sphere6.35-neohooke");
   ASSERT_EQ(body.refusal, "");

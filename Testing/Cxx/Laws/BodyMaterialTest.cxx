@@ -39,7 +39,7 @@ TEST(BodyMaterial, ConstantsHoldWhereThereAreNoValues)
   ASSERT_EQ(material.take(std::move(values), 2), "");
   const ContactSpot spot = material.spots().at(1);
   EXPECT_DOUBLE_EQ(spot.reducedModulus, 0.1 / (1.0 - 0.45 * 0.45));
-  EXPECT_EQ(spot.poissonsRatio, 0.45);
+  EXPECT_EQ(spot.poissonRatio, 0.45);
   EXPECT_EQ(spot.compliance, 2.0);
   EXPECT_EQ(spot.thickness, 0.0);
   EXPECT_EQ(material.describe(), "half-space in series with global compliance");
@@ -50,13 +50,13 @@ TEST(BodyMaterial, ValuesOverrideEach)
   BodyMaterial material(Usual);
   BodyMaterial::Values values;
   values.youngsModulus = { "E", { 0.2, 0.3 } };
-  values.poissonsRatio = { "nu", { 0.0, 0.5 } };
+  values.poissonRatio = { "nu", { 0.0, 0.5 } };
   values.thickness = { "h", { 0.0, 4.0 } };
   ASSERT_EQ(material.take(std::move(values), 2), "");
   EXPECT_DOUBLE_EQ(material.spots().at(0).reducedModulus, 0.2);
   EXPECT_DOUBLE_EQ(material.spots().at(1).reducedModulus, 0.4);
   EXPECT_EQ(material.spots().at(1).thickness, 4.0);
-  EXPECT_EQ(material.range().layers.poissonsRatios, (std::vector<double>{ 0.5 }));
+  EXPECT_EQ(material.range().layers.poissonRatios, (std::vector<double>{ 0.5 }));
   EXPECT_EQ(material.describe(), "layer bonded to a rigid base of varying thickness");
 }
 
@@ -78,7 +78,7 @@ TEST(BodyMaterial, AWrongValueIsNamedWithItsPoint)
   values.youngsModulus = { "E", { 0.1, -3.0 } };
   expectNames(take(Usual, values, 2), { "'E'", "point 1", "-3" });
   values = {};
-  values.poissonsRatio = { "nu", { 0.7, 0.1 } };
+  values.poissonRatio = { "nu", { 0.7, 0.1 } };
   expectNames(take(Usual, values, 2), { "'nu'", "point 0", "0.7" });
   values = {};
   values.thickness = { "h", { 1.0, nan } };

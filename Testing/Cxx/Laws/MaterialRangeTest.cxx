@@ -16,7 +16,7 @@ void expectSame(const MaterialRange& one, const MaterialRange& other)
 {
   EXPECT_EQ(one.layers.thinnest, other.layers.thinnest);
   EXPECT_EQ(one.layers.thickest, other.layers.thickest);
-  EXPECT_EQ(one.layers.poissonsRatios, other.layers.poissonsRatios);
+  EXPECT_EQ(one.layers.poissonRatios, other.layers.poissonRatios);
   EXPECT_EQ(one.stiffens, other.stiffens);
   ASSERT_EQ(one.extremes.size(), other.extremes.size());
   for (std::size_t i = 0; i < one.extremes.size(); ++i)
@@ -44,7 +44,7 @@ TEST(MaterialRange, FindsTheExtremes)
   EXPECT_TRUE(range.hasLayers());
   EXPECT_EQ(range.layers.thinnest, 3.0);
   EXPECT_EQ(range.layers.thickest, 7.0);
-  EXPECT_EQ(range.layers.poissonsRatios, (std::vector<double>{ 0.30, 0.45 }));
+  EXPECT_EQ(range.layers.poissonRatios, (std::vector<double>{ 0.30, 0.45 }));
   EXPECT_TRUE(range.stiffens);
   EXPECT_EQ(range.extremes[0].compliance, -2.0); // smallest E* C
   EXPECT_EQ(range.extremes[1].compliance, 4.0);
@@ -82,7 +82,7 @@ TEST(MaterialRange, OfManyRatiosTheRangeIsKept)
   {
     range.add({ 0.1, 0.5 * ((7 * i) % (many + 1)) / many, 0.0, 1.0 });
   }
-  EXPECT_EQ(range.layers.poissonsRatios.front(), 0.0);
-  EXPECT_EQ(range.layers.poissonsRatios.back(), 0.5);
-  EXPECT_GT(static_cast<int>(range.layers.poissonsRatios.size()), LayerTable::DistinctRatios);
+  EXPECT_EQ(range.layers.poissonRatios.front(), 0.0);
+  EXPECT_EQ(range.layers.poissonRatios.back(), 0.5);
+  EXPECT_GT(static_cast<int>(range.layers.poissonRatios.size()), LayerTable::DistinctRatios);
 }

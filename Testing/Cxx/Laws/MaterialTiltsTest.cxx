@@ -65,7 +65,7 @@ void compare(const std::string& text, double range, double largest, const BodyMa
     const ContactSpot spot = spots.at(i);
     bodies.push_back({ spot.thickness,
       spot.thickness > 0.0
-        ? std::make_shared<const LayerKernel>(spot.poissonsRatio, LayerBase::Bonded)
+        ? std::make_shared<const LayerKernel>(spot.poissonRatio, LayerBase::Bonded)
         : nullptr,
       spot.compliance * spot.reducedModulus });
   }

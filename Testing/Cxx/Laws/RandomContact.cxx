@@ -131,12 +131,12 @@ Body drawBody(ContactFamily family, Draw& draw)
       body.radius = -draw.byRatio(4.0, 40.0);
       break;
     case ContactFamily::Layer:
-      body.material.poissonsRatio = layersRatio(draw);
+      body.material.poissonRatio = layersRatio(draw);
       body.material.thickness = draw.byRatio(0.5, 4.0);
       body.material.base = draw.chance(0.8) ? LayerBase::Bonded : LayerBase::Slip;
       break;
     case ContactFamily::Stack:
-      body.material.poissonsRatio = layersRatio(draw);
+      body.material.poissonRatio = layersRatio(draw);
       body.material.thickness = draw.byRatio(0.15, 2.0);
       for (int more = draw.chance(0.5) ? 1 : 2; more > 0; --more)
       {
@@ -171,7 +171,7 @@ double deepestIn(const BodyMaterial::Constants& material, double deepest)
 std::string inWords(const Body& body)
 {
   const BodyMaterial::Constants& given = body.material;
-  std::string words = joined("nu ", given.poissonsRatio);
+  std::string words = joined("nu ", given.poissonRatio);
   if (given.thickness > 0.0)
   {
     words += joined("; ", given.thickness, " mm");
@@ -179,12 +179,12 @@ std::string inWords(const Body& body)
   for (const StackLayer& layer : given.deeper)
   {
     words +=
-      joined(" / ", layer.thickness, " mm E ", layer.youngsModulus, " nu ", layer.poissonsRatio);
+      joined(" / ", layer.thickness, " mm E ", layer.youngsModulus, " nu ", layer.poissonRatio);
   }
   if (given.halfSpace)
   {
     words += joined(
-      " / half-space E ", given.halfSpace->youngsModulus, " nu ", given.halfSpace->poissonsRatio);
+      " / half-space E ", given.halfSpace->youngsModulus, " nu ", given.halfSpace->poissonRatio);
   }
   if (given.base == LayerBase::Slip)
   {
@@ -202,14 +202,14 @@ FiniteCurve solve(const Body& body, const AxisymmetricTool& tool, StrainModel mo
     problem.layers.push_back({ thickness, modulus, ratio, model, 0.0 });
   };
   constexpr double endless = std::numeric_limits<double>::infinity();
-  add(given.thickness > 0.0 ? given.thickness : endless, given.youngsModulus, given.poissonsRatio);
+  add(given.thickness > 0.0 ? given.thickness : endless, given.youngsModulus, given.poissonRatio);
   for (const StackLayer& layer : given.deeper)
   {
-    add(layer.thickness, layer.youngsModulus, layer.poissonsRatio);
+    add(layer.thickness, layer.youngsModulus, layer.poissonRatio);
   }
   if (given.halfSpace)
   {
-    add(endless, given.halfSpace->youngsModulus, given.halfSpace->poissonsRatio);
+    add(endless, given.halfSpace->youngsModulus, given.halfSpace->poissonRatio);
   }
   problem.slipBase = given.base == LayerBase::Slip;
   problem.contactRadius = tool.contactRadius(depths.back());
@@ -285,7 +285,7 @@ RandomContact judgeContact(ContactFamily family, const Body& body, const Tool& c
   std::unique_ptr<StrainCorrection> strain;
   if (isSphereOnLayer || (body.material.thickness == 0.0 && chosen.hasTable))
   {
-    const double nu = body.material.poissonsRatio;
+    const double nu = body.material.poissonRatio;
     const double h = body.material.thickness;
     const std::string fault = makeStrainCorrection(*tool, { StrainModel::NeoHooke, 0.0 },
       { nu, nu, h == 0.0, h, h, LayerBase::Bonded }, chosen.deepest, {}, strain);
@@ -337,10 +337,10 @@ RandomContact drawContact(ContactFamily family, std::mt19937& random)
   return judgeContact(family, body, chosen);
 }
 
-RandomContact pressOnBall(const std::string& tool, double deepest, double radius,
-  double poissonsRatio, double youngsModulus)
+RandomContact pressOnBall(
+  const std::string& tool, double deepest, double radius, double poissonRatio, double youngsModulus)
 {
-  const Body body{ { youngsModulus, poissonsRatio, 0.0, LayerBase::Bonded, false }, radius };
+  const Body body{ { youngsModulus, poissonRatio, 0.0, LayerBase::Bonded, false }, radius };
   return judgeContact(ContactFamily::Ball, body, { tool, deepest, true });
 }
 } // namespace palpate::testing

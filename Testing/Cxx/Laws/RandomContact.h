@@ -61,7 +61,7 @@ RandomContact drawContact(ContactFamily family, std::mt19937& random);
 
 /// The same for a given sphere on a ball (mm, MPa).
 RandomContact pressOnBall(const std::string& tool, double deepest, double radius,
-  double poissonsRatio, double youngsModulus);
+  double poissonRatio, double youngsModulus);
 } // namespace palpate::testing
 
 #endif

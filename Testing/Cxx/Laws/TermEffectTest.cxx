@@ -22,9 +22,9 @@ BodyMaterial material(const BodyMaterial::Constants& constants)
   EXPECT_EQ(made.take({}, 100), "");
   return made;
 }
-BodyMaterial halfSpace(double poissonsRatio = 0.45)
+BodyMaterial halfSpace(double poissonRatio = 0.45)
 {
-  return material({ 0.1, poissonsRatio, 0.0, LayerBase::Bonded, false });
+  return material({ 0.1, poissonRatio, 0.0, LayerBase::Bonded, false });
 }
 
 /// One point in ten has twice the curvature of the others.

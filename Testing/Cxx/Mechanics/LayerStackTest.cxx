@@ -38,7 +38,7 @@ LayerStack stackOf(const std::string& layers, const std::string& base)
     std::istringstream numbers(part);
     StackLayer layer;
     std::string interface;
-    numbers >> layer.thickness >> layer.youngsModulus >> layer.poissonsRatio >> interface;
+    numbers >> layer.thickness >> layer.youngsModulus >> layer.poissonRatio >> interface;
     layer.youngsModulus *= Modulus;
     layer.slips = interface == "slip-top";
     stack.layers.push_back(layer);
@@ -48,7 +48,7 @@ LayerStack stackOf(const std::string& layers, const std::string& base)
     stack.hasHalfSpace = true;
     char sign = 0;
     std::istringstream(base) >> sign >> stack.halfSpace.youngsModulus >> sign >>
-      stack.halfSpace.poissonsRatio;
+      stack.halfSpace.poissonRatio;
     stack.halfSpace.youngsModulus *= Modulus;
   }
   return stack;
@@ -182,9 +182,9 @@ TEST(LayerStack, NamesWhatMakesNoSense)
   stack.layers[1].thickness = -2.0;
   EXPECT_NE(checkStack(stack).find("Layer 1: its thickness"), std::string::npos);
   stack.layers[1].thickness = 2.0;
-  stack.layers[0].poissonsRatio = 0.6;
+  stack.layers[0].poissonRatio = 0.6;
   EXPECT_NE(checkStack(stack).find("Layer 0: Poisson"), std::string::npos);
-  stack.layers[0].poissonsRatio = 0.5;
+  stack.layers[0].poissonRatio = 0.5;
   stack.hasHalfSpace = true;
   stack.halfSpace.youngsModulus = NAN;
   EXPECT_NE(checkStack(stack).find("half-space: Young"), std::string::npos);

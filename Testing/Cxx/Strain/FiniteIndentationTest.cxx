@@ -31,7 +31,7 @@ FiniteLayer unitLayer(double nu, StrainModel model = StrainModel::NeoHooke, doub
 {
   FiniteLayer layer;
   layer.youngsModulus = 1.0 - nu * nu;
-  layer.poissonsRatio = nu;
+  layer.poissonRatio = nu;
   layer.model = model;
   layer.parameter = parameter;
   return layer;

@@ -179,7 +179,7 @@ TEST(StrainCorrection, ThickLayersBetweenTheirNodes)
     FiniteProblem problem;
     FiniteLayer layer;
     layer.thickness = given.thickness;
-    layer.poissonsRatio = given.ratio;
+    layer.poissonRatio = given.ratio;
     problem.layers = { layer };
     const double exact = solvedFactor(*pressed, problem, given.depth);
     const auto made = correction(
@@ -199,7 +199,7 @@ TEST(StrainCorrection, TheErrorBeyondTheTableCoversWhatIsThere)
   const auto made = correction(*sphere, deepest, halfSpaces());
   FiniteProblem problem;
   FiniteLayer body; // infinite
-  body.poissonsRatio = 0.48;
+  body.poissonRatio = 0.48;
   problem.layers = { body };
   const double exact = solvedFactor(*sphere, problem, deepest);
   const StrainFactor found = made->at(deepest, 0.48, 0.0);
@@ -319,7 +319,7 @@ TEST(StrainCorrection, ACornerHasAnErrorOfItsOwn)
     FiniteProblem problem;
     FiniteLayer layer;
     layer.thickness = 1.0;
-    layer.poissonsRatio = 0.3;
+    layer.poissonRatio = 0.3;
     problem.contactRadius = 1.0;
     problem.depths = { deepest };
     problem.edge = 0.1;
@@ -499,7 +499,7 @@ TEST(SmallStrainError, HoldsAtRandomWhereTheSolverWasNotFitted)
     FiniteLayer layer;
     layer.thickness = h;
     layer.youngsModulus = 1.0;
-    layer.poissonsRatio = nu;
+    layer.poissonRatio = nu;
     problem.layers = { layer };
     const ToolOutline outline(*sphere, 0.95, 0.1);
     const FiniteCurve finite = pressTool(outline, problem);

@@ -35,7 +35,7 @@ StrainBodies stackOf(std::vector<StackLayer> layers, LayerBase base = LayerBase:
 {
   StrainBodies bodies;
   bodies.hasHalfSpace = false;
-  bodies.leastRatio = bodies.mostRatio = layers.front().poissonsRatio;
+  bodies.leastRatio = bodies.mostRatio = layers.front().poissonRatio;
   bodies.thinnest = bodies.thickest = layers.front().thickness;
   bodies.base = base;
   bodies.stack.base = base;
@@ -133,7 +133,7 @@ TEST_F(StrainStack, ToSmallDepthsItIsTheExactLaw)
       for (const StackLayer& layer : stack.layers)
       {
         problem.layers.push_back(
-          { layer.thickness, layer.youngsModulus, layer.poissonsRatio, model });
+          { layer.thickness, layer.youngsModulus, layer.poissonRatio, model });
       }
       if (stack.hasHalfSpace)
       {
@@ -149,7 +149,7 @@ TEST_F(StrainStack, ToSmallDepthsItIsTheExactLaw)
     // The exact law at any depth, if the strain is declared small. The elements grow away from the
     // contact; if it is half a layer wide, it is resolved well.
     const double exact =
-      contact.evaluate(0.1, reducedModulus(top.youngsModulus, top.poissonsRatio)).force;
+      contact.evaluate(0.1, reducedModulus(top.youngsModulus, top.poissonRatio)).force;
     // The far field of a half-space adds the same error.
     EXPECT_NEAR(solve(0.1, StrainModel::Linear) / exact, 1.0, stack.hasHalfSpace ? 2e-3 : 1e-3);
     // Finite strain at a depth of 1e-4 radii: the remaining effect is about 0.05 a/R, with a/R =

@@ -51,8 +51,8 @@ int main(int count, char** arguments)
   const auto tool = makeTool(specification);
   const double thickness = number(2);
   const double deepest = number(6);
-  layer.poissonsRatio = number(3);
-  layer.youngsModulus = 1.0 - layer.poissonsRatio * layer.poissonsRatio;
+  layer.poissonRatio = number(3);
+  layer.youngsModulus = 1.0 - layer.poissonRatio * layer.poissonRatio;
   layer.parameter = number(5);
   FiniteProblem problem;
   problem.contactRadius = tool->contactRadius(deepest);
@@ -60,7 +60,7 @@ int main(int count, char** arguments)
   {
     layer.thickness = thickness;
     const LayerContact contact(
-      *tool, std::make_shared<LayerKernel>(layer.poissonsRatio, LayerBase::Bonded), thickness);
+      *tool, std::make_shared<LayerKernel>(layer.poissonRatio, LayerBase::Bonded), thickness);
     problem.contactRadius = contact.contactRadius(deepest);
   }
   problem.layers = { layer };

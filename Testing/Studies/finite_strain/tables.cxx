@@ -68,7 +68,7 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
 {
   FiniteProblem problem;
   FiniteLayer layer;
-  layer.poissonsRatio = ratio;
+  layer.poissonRatio = ratio;
   layer.youngsModulus = 1.0 - ratio * ratio;
   if (given.thickness > 0.0)
   {
