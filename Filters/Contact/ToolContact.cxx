@@ -264,7 +264,8 @@ void ToolContact::addMemory(Jet& work, const Pressed& at, Contact& result) noexc
   {
     const Friction::Result friction = this->Resistance.update(
       result.contactPoint, result.normal, result.normalForce, result.deflection, this->response());
-    result.friction += friction.force;
+    result.friction = this->Relaxation.isInTime() ? Vector3(result.friction + friction.force)
+                                                  : friction.force; // keeps -0
     if (!friction.sliding && result.state == ContactState::Slide)
     {
       result.state = ContactState::Stick;

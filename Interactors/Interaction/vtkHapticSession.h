@@ -27,9 +27,9 @@
  * AddDevice puts further devices, up to four in total, on the same body, each with its own mapping
  * and safety chain. One loop computes the ticks of all devices at the same times. If the response
  * of the body has a coupling (vtkToolContactResponse), the tools affect one another through the
- * deflection of the surface; a lost device has no effect on the others. Devices are
- * numbered from 0; number 0 is that of GetDevice. For an index without a device, getters return the
- * values before the first tick.
+ * deflection of the surface; a lost device has no effect on the others. Devices are numbered
+ * from 0; number 0 is that of GetDevice. For an index without a device, getters return the values
+ * before the first tick.
  *
  * Defects of the body's mesh are reported in one warning, as by vtkToolContactProbe.
  *

@@ -79,9 +79,9 @@ public:
 
   std::size_t count() const noexcept { return this->Devices.size(); }
 
-  /// Makes a step of one device. `time` in s must increase, for the ramps and the safety chain.
+  /// Steps the only device. `time` in s must increase, for the ramps and the safety chain.
   Tick step(const DeviceSample& sample, double time) noexcept;
-  /// Makes a step of all devices: count() samples in, count() ticks out.
+  /// Steps all devices: count() samples in, count() ticks out.
   void step(const DeviceSample* samples, double time, Tick* ticks) noexcept;
 
   /// Prefetches the memory that the next step reads if the hands continue their motion. To be
