@@ -47,7 +47,7 @@ DeviceSample sampleAt(const Vector3& tip)
   return sample;
 }
 
-struct Pressed
+struct PressedStep
 {
   ServoStep step;
   std::unique_ptr<ServoScene> next;
@@ -57,7 +57,7 @@ struct Pressed
 
 /// Moves the tip from outside to 1 mm below the surface, along it, and off its border if it has
 /// one.
-void press(Pressed& pressed)
+void press(PressedStep& pressed)
 {
   const double height = pressed.height;
   double time = 0.0;
@@ -97,7 +97,7 @@ int main()
   store.randomizeCurves(1);
   const std::shared_ptr<const ContactBody> round = contactBody(ball, store);
   const std::shared_ptr<const ContactBody> plate = uniformBody(openPlate(10.0, 10));
-  std::vector<Pressed> all;
+  std::vector<PressedStep> all;
   DeviceSpecification device;
   device.maximumForceRate = 2000.0;
   const WorkspaceMapping mapping;
@@ -115,7 +115,7 @@ int main()
   reading::counted(
     [&]
     {
-      for (Pressed& pressed : all)
+      for (PressedStep& pressed : all)
       {
         press(pressed);
       }
