@@ -53,9 +53,8 @@ struct Blend
       return; // at the corner: value and slopes are 0; the second derivatives have no limit and
               // count as 0
     }
-    const double inverse = 1.0 / sum;
-    const double p = a * inverse;
-    const double q = b * inverse;
+    const double p = a / sum;
+    const double q = b / sum;
     value = p * q * (p - q) * sum * sum;
     x = q * (p * p + 2.0 * p * q - q * q) * sum;
     y = p * (p * p - 2.0 * p * q - q * q) * sum;
