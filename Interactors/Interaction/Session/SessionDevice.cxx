@@ -16,11 +16,18 @@ std::string openReplay(const std::string& file, SessionDevice& device)
   SessionDevice opened;
   opened.kind = SessionDevice::Replay;
   const std::string error = readTrajectory(file, opened.trajectory);
-  if (error.empty())
+  if (!error.empty() || opened.trajectory.rows.empty())
   {
-    device = std::move(opened);
+    return error;
   }
-  return error;
+  // A recording from the middle of a session is replayed from its first row on.
+  const double begin = opened.trajectory.rows.front().time;
+  for (TrajectoryRow& row : opened.trajectory.rows)
+  {
+    row.time -= begin;
+  }
+  device = std::move(opened);
+  return {};
 }
 
 std::string use(

@@ -177,7 +177,9 @@ QString LiveTouchForm::chosenDevice() const
 void LiveTouchForm::showSource(const LiveTouchSource& source, const QString& name)
 {
   set(this->body, source.obstacle.isEmpty() ? name : source.obstacle);
-  const QString before = this->chosenResponse();
+  // The choice is kept while the body is the same.
+  const QString before = source.body == this->shown ? this->chosenResponse() : QString();
+  this->shown = source.body;
   const bool wasBlocked = this->response->blockSignals(true);
   this->response->clear();
   for (const StoredResponse& one : source.responses)

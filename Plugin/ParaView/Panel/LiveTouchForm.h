@@ -12,6 +12,7 @@ class QPushButton;
 class QToolButton;
 class QWidget;
 class pqForceBar;
+class pqOutputPort;
 
 namespace palpate
 {
@@ -54,6 +55,9 @@ struct LiveTouchForm
   void showTouch(LiveTouchSession& touch, double rate);
   /// Shows that no session runs (yet), and the reason `fault`, if it is not "".
   void showRest(const LiveTouchSession& touch, bool canStart, const QString& fault);
+
+private:
+  const pqOutputPort* shown = nullptr; ///< the body whose responses are listed; only compared
 };
 } // namespace palpate
 

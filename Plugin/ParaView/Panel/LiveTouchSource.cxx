@@ -19,6 +19,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
 
+#include <algorithm>
+
 namespace palpate
 {
 namespace
@@ -47,6 +49,17 @@ std::vector<StoredResponse> listResponses(vtkPVDataInformation* data)
     }
   }
   return responses;
+}
+
+/// Moves the response that the source *Touch* shows to the front; without one the first response of
+/// a filter with its default name.
+void putShownFirst(std::vector<StoredResponse>& responses, pqPipelineSource* touch)
+{
+  const char* name =
+    touch ? vtkSMPropertyHelper(touch->getProxy(), "ResponseName", true).GetAsString() : nullptr;
+  const std::string shown = name ? name : "Response";
+  std::stable_partition(responses.begin(), responses.end(),
+    [&shown](const StoredResponse& response) { return response.name == shown; });
 }
 
 using Proxy = vtkSmartPointer<vtkSMSourceProxy>;
@@ -106,6 +119,7 @@ LiveTouchSource findLiveTouchSource(pqOutputPort* active)
   }
   vtkPVDataInformation* data = body->getDataInformation();
   found.responses = listResponses(data);
+  putShownFirst(found.responses, found.touch);
   if (found.responses.empty())
   {
     found.obstacle = QString(

@@ -9,6 +9,8 @@
 #include "vtkVariant.h"
 
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <thread>
 
@@ -91,6 +93,38 @@ void checkReplay(vtkPolyData* body)
   PALPATE_CHECK(!again->GetDevice()->Open("replay:" + file));
   PALPATE_CHECK_TEXT(refusals.takeErrors(), file.c_str());
   PALPATE_CHECK(again->Start()); // the previous device is still in use
+}
+
+/// A recording that begins in the middle of a session is replayed at once, from its first row on.
+void checkReplayFromTheMiddle(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> first;
+  first->SetBody(body);
+  first->SetResponseName("Sphere");
+  first->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
+  PALPATE_CHECK(first->Start());
+  first->Step(first->GetDevice()->GetPathDuration());
+  std::vector<palpate::Tick> ticks = first->GetRecorder()->GetTicks();
+  const auto half = static_cast<std::ptrdiff_t>(ticks.size() / 2);
+  ticks.erase(ticks.begin(), ticks.begin() + half);
+  const std::string file = "TestHapticSessionDevices-middle.csv";
+  PALPATE_CHECK(palpate::writeTrajectory(file, ticks).empty());
+  vtkNew<vtkHapticSession> again;
+  again->SetBody(body);
+  again->SetResponseName("Sphere");
+  PALPATE_CHECK(again->GetDevice()->Open("replay:" + file));
+  std::remove(file.c_str());
+  PALPATE_CHECK(again->Start());
+  const double duration = ticks.back().time - ticks.front().time;
+  PALPATE_CHECK(std::abs(again->GetDevice()->GetPathDuration() - duration) < 1e-9);
+  again->Step(duration);
+  const std::vector<palpate::Tick>& played = again->GetRecorder()->GetTicks();
+  PALPATE_CHECK(played.size() == ticks.size());
+  for (std::size_t i = 0; i < std::min(played.size(), ticks.size()); ++i)
+  {
+    // Times are differences, so that a tip between two rows is rounded.
+    PALPATE_CHECK((played[i].tip - ticks[i].tip).norm() < 1e-9);
+  }
 }
 
 /// On the servo thread every tick is recorded. The count is checked in a second way.
@@ -176,6 +210,7 @@ int TestHapticSessionDevices(int, char*[])
   const Body body = threeTools();
   checkMapping(body);
   checkLost(body);
+  checkReplayFromTheMiddle(body);
   checkReplay(body);
   checkRealTime(body);
   return palpate::testing::result();
