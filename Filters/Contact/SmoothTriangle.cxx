@@ -63,6 +63,68 @@ struct Blend
     xy = (p - q) * (p * p + 4.0 * p * q + q * q);
   }
 };
+
+// The same instructions in the same order with vectors of two or four, thus the same bits. A thread
+// sanitizer cannot run the function that chooses between them.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+[[gnu::target_clones("avx", "default")]]
+#endif
+[[gnu::hot]] SurfaceJet
+evaluatePatch(const Vector4* controls, const Vector4* twist, const Vector3& u) noexcept
+{
+  std::array<Four, 10> cubic;
+  std::array<Four, 6> c; // j, r: 00 10 20 01 11 02
+  std::array<Four, 3> d;
+  const auto* const control = reinterpret_cast<const StoredFour*>(controls);
+  const auto* const twists = reinterpret_cast<const StoredFour*>(twist);
+  cut<4>(control, u, cubic.data());
+  cut<3>(cubic.data(), u, c.data());
+  cut<2>(c.data(), u, d.data());
+  Four point = u[0] * d[0] + u[1] * d[1] + u[2] * d[2];
+  Four dv = 4.0 * (d[1] - d[0]);
+  Four dw = 4.0 * (d[2] - d[0]);
+  Four dvv = 12.0 * (c[2] - 2.0 * c[1] + c[0]);
+  Four dvw = 12.0 * (c[4] - c[1] - c[3] + c[0]);
+  Four dww = 12.0 * (c[5] - 2.0 * c[3] + c[0]);
+  // Gregory's part: at corner i, with j and k the next two, 12 u_i² g(u_j, u_k).
+  const auto add =
+    [&](const StoredFour& twist, double value, double v, double w, double vv, double vw, double ww)
+  {
+    point += value * twist;
+    dv += v * twist;
+    dw += w * twist;
+    dvv += vv * twist;
+    dvw += vw * twist;
+    dww += ww * twist;
+  };
+  { // corner 0: j = 1, k = 2
+    const Blend g(u[1], u[2]);
+    const double s = 12.0 * u[0] * u[0];
+    const double t = 24.0 * u[0];
+    const double v = t * g.value;
+    const double second = 24.0 * g.value;
+    add(twists[0], s * g.value, s * g.x - v, s * g.y - v, s * g.xx - 2.0 * (t * g.x) + second,
+      s * g.xy - t * g.x - t * g.y + second, s * g.yy - 2.0 * (t * g.y) + second);
+  }
+  { // corner 1: j = 2, k = 0
+    const Blend g(u[2], u[0]);
+    const double s = 12.0 * u[1] * u[1];
+    const double t = 24.0 * u[1];
+    add(twists[1], s * g.value, t * g.value - s * g.y, s * g.x - s * g.y,
+      24.0 * g.value - 2.0 * (t * g.y) + s * g.yy, t * g.x - t * g.y - s * g.xy + s * g.yy,
+      s * g.xx - 2.0 * (s * g.xy) + s * g.yy);
+  }
+  { // corner 2: j = 0, k = 1
+    const Blend g(u[0], u[1]);
+    const double s = 12.0 * u[2] * u[2];
+    const double t = 24.0 * u[2];
+    add(twists[2], s * g.value, s * g.y - s * g.x, t * g.value - s * g.x,
+      s * g.yy - 2.0 * (s * g.xy) + s * g.xx, t * g.y - s * g.xy - t * g.x + s * g.xx,
+      24.0 * g.value - 2.0 * (t * g.x) + s * g.xx);
+  }
+  const auto three = [](const Four& f) { return Vector3(f[0], f[1], f[2]); };
+  return { three(point), three(dv), three(dw), three(dvv), three(dvw), three(dww) };
+}
 } // namespace
 
 Vector3 SurfaceJet::across() const noexcept
@@ -219,65 +281,8 @@ bool SmoothTriangle::build(
   return true;
 }
 
-// The same instructions in the same order with vectors of two or four, thus the same bits. A thread
-// sanitizer cannot run the function that chooses between them.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
-[[gnu::target_clones("avx", "default")]]
-#endif
-[[gnu::hot]] SurfaceJet
-SmoothTriangle::evaluate(const Vector3& u) const noexcept
+SurfaceJet SmoothTriangle::evaluate(const Vector3& u) const noexcept
 {
-  std::array<Four, 10> cubic;
-  std::array<Four, 6> c; // j, r: 00 10 20 01 11 02
-  std::array<Four, 3> d;
-  const auto* const control = reinterpret_cast<const StoredFour*>(this->Control.data());
-  const auto* const twists = reinterpret_cast<const StoredFour*>(this->Twist.data());
-  cut<4>(control, u, cubic.data());
-  cut<3>(cubic.data(), u, c.data());
-  cut<2>(c.data(), u, d.data());
-  Four point = u[0] * d[0] + u[1] * d[1] + u[2] * d[2];
-  Four dv = 4.0 * (d[1] - d[0]);
-  Four dw = 4.0 * (d[2] - d[0]);
-  Four dvv = 12.0 * (c[2] - 2.0 * c[1] + c[0]);
-  Four dvw = 12.0 * (c[4] - c[1] - c[3] + c[0]);
-  Four dww = 12.0 * (c[5] - 2.0 * c[3] + c[0]);
-  // Gregory's part: at corner i, with j and k the next two, 12 u_i² g(u_j, u_k).
-  const auto add =
-    [&](const StoredFour& twist, double value, double v, double w, double vv, double vw, double ww)
-  {
-    point += value * twist;
-    dv += v * twist;
-    dw += w * twist;
-    dvv += vv * twist;
-    dvw += vw * twist;
-    dww += ww * twist;
-  };
-  { // corner 0: j = 1, k = 2
-    const Blend g(u[1], u[2]);
-    const double s = 12.0 * u[0] * u[0];
-    const double t = 24.0 * u[0];
-    const double v = t * g.value;
-    const double second = 24.0 * g.value;
-    add(twists[0], s * g.value, s * g.x - v, s * g.y - v, s * g.xx - 2.0 * (t * g.x) + second,
-      s * g.xy - t * g.x - t * g.y + second, s * g.yy - 2.0 * (t * g.y) + second);
-  }
-  { // corner 1: j = 2, k = 0
-    const Blend g(u[2], u[0]);
-    const double s = 12.0 * u[1] * u[1];
-    const double t = 24.0 * u[1];
-    add(twists[1], s * g.value, t * g.value - s * g.y, s * g.x - s * g.y,
-      24.0 * g.value - 2.0 * (t * g.y) + s * g.yy, t * g.x - t * g.y - s * g.xy + s * g.yy,
-      s * g.xx - 2.0 * (s * g.xy) + s * g.yy);
-  }
-  { // corner 2: j = 0, k = 1
-    const Blend g(u[0], u[1]);
-    const double s = 12.0 * u[2] * u[2];
-    const double t = 24.0 * u[2];
-    add(twists[2], s * g.value, s * g.y - s * g.x, t * g.value - s * g.x,
-      s * g.yy - 2.0 * (s * g.xy) + s * g.xx, t * g.y - s * g.xy - t * g.x + s * g.xx,
-      24.0 * g.value - 2.0 * (t * g.x) + s * g.xx);
-  }
-  const auto three = [](const Four& f) { return Vector3(f[0], f[1], f[2]); };
-  return { three(point), three(dv), three(dw), three(dvv), three(dvw), three(dww) };
+  return evaluatePatch(this->Control.data(), this->Twist.data(), u);
 }
 } // namespace palpate
