@@ -70,13 +70,11 @@ struct Blend
 [[gnu::target_clones("avx", "default")]]
 #endif
 [[gnu::hot]] SurfaceJet
-evaluatePatch(const Vector4* controls, const Vector4* twist, const Vector3& u) noexcept
+evaluatePatch(const StoredFour* control, const StoredFour* twists, const Vector3& u) noexcept
 {
   std::array<Four, 10> cubic;
   std::array<Four, 6> c; // j, r: 00 10 20 01 11 02
   std::array<Four, 3> d;
-  const auto* const control = reinterpret_cast<const StoredFour*>(controls);
-  const auto* const twists = reinterpret_cast<const StoredFour*>(twist);
   cut<4>(control, u, cubic.data());
   cut<3>(cubic.data(), u, c.data());
   cut<2>(c.data(), u, d.data());
@@ -283,6 +281,7 @@ bool SmoothTriangle::build(
 
 SurfaceJet SmoothTriangle::evaluate(const Vector3& u) const noexcept
 {
-  return evaluatePatch(this->Control.data(), this->Twist.data(), u);
+  return evaluatePatch(reinterpret_cast<const StoredFour*>(this->Control.data()),
+    reinterpret_cast<const StoredFour*>(this->Twist.data()), u);
 }
 } // namespace palpate
