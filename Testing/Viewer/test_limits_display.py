@@ -17,7 +17,7 @@ from bridge_peer import BridgePeer
 from own_display import OwnDisplay
 from session import CACHE, PALPATE, TIME_OUT, SessionCase, run
 
-HOVER = 0.010  # m above the body: start position of a device that is at 0
+LOWEST = 0.025  # m below the start, which is 10 mm above the body
 GONE = "the X server of DISPLAY='{}' is gone"
 
 
@@ -71,8 +71,9 @@ class DisplayLoss(SessionCase):
         def pushes():
             if peer.is_pushing():
                 return True
-            presses = (time.monotonic() - begin) % 2.0 < 1.5
-            peer.position = (0.0, 0.0, -HOVER - 0.001 if presses else 0.0)  # the device's z points outward there
+            # The device's z points out of the screen, which the view turns by 25 to 75 degrees from the normal.
+            part = (time.monotonic() - begin) % 2.0 / 1.5
+            peer.position = (0.0, 0.0, -LOWEST * part if part < 1.0 else 0.0)
             return False
 
         self.wait_until(pushes, program, "the body pushes back")
