@@ -230,7 +230,8 @@ void checkOffBody(Window& w)
   PALPATE_CHECK(w.style->IsPointerOffBody());
   double after[3];
   w.session->GetTip(after);
-  PALPATE_CHECK(std::equal(before, before + 3, after));
+  constexpr double rest = 0.05; // mm; the hand may still come to rest
+  PALPATE_CHECK(vtkMath::Distance2BetweenPoints(before, after) < rest * rest);
   w.pointAtPixel(600, 200);
   PALPATE_CHECK(!w.style->IsPointerOffBody());
   w.pointAt(3.0, 2.0);
