@@ -84,7 +84,8 @@ evaluatePatch(const StoredFour* control, const StoredFour* twists, const Vector3
   Four dvv = 12.0 * (c[2] - 2.0 * c[1] + c[0]);
   Four dvw = 12.0 * (c[4] - c[1] - c[3] + c[0]);
   Four dww = 12.0 * (c[5] - 2.0 * c[3] + c[0]);
-  // Gregory's part: at corner i, with j and k the next two, 12 u_i² g(u_j, u_k).
+  // Gregory's part: at corner i, with j and k the next two, 12 u_i² g(u_j, u_k). The corners are
+  // written out, because a loop over them is slower.
   const auto add =
     [&](const StoredFour& twist, double value, double v, double w, double vv, double vw, double ww)
   {

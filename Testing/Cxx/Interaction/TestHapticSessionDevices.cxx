@@ -62,15 +62,22 @@ void checkLost(vtkPolyData* body)
   PALPATE_CHECK(device->Force == 0.0);
 }
 
+/// A session in virtual time whose tool has slid over the body.
+vtkSmartPointer<vtkHapticSession> sessionAfterSlide(vtkPolyData* body)
+{
+  auto session = vtkSmartPointer<vtkHapticSession>::New();
+  session->SetBody(body);
+  session->SetResponseName("Sphere");
+  session->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
+  PALPATE_CHECK(session->Start());
+  session->Step(session->GetDevice()->GetPathDuration());
+  return session;
+}
+
 /// A recording that is written and replayed in virtual time gives the same bits.
 void checkReplay(vtkPolyData* body)
 {
-  vtkNew<vtkHapticSession> first;
-  first->SetBody(body);
-  first->SetResponseName("Sphere");
-  first->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
-  PALPATE_CHECK(first->Start());
-  first->Step(first->GetDevice()->GetPathDuration());
+  const auto first = sessionAfterSlide(body);
   const std::string file = "TestHapticSessionDevices-replay.csv";
   PALPATE_CHECK(palpate::writeTrajectory(file, first->GetRecorder()->GetTicks()).empty());
   vtkNew<vtkHapticSession> again;
@@ -98,12 +105,7 @@ void checkReplay(vtkPolyData* body)
 /// A recording that begins in the middle of a session is replayed at once, from its first row on.
 void checkReplayFromTheMiddle(vtkPolyData* body)
 {
-  vtkNew<vtkHapticSession> first;
-  first->SetBody(body);
-  first->SetResponseName("Sphere");
-  first->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
-  PALPATE_CHECK(first->Start());
-  first->Step(first->GetDevice()->GetPathDuration());
+  const auto first = sessionAfterSlide(body);
   std::vector<palpate::Tick> ticks = first->GetRecorder()->GetTicks();
   const auto half = static_cast<std::ptrdiff_t>(ticks.size() / 2);
   ticks.erase(ticks.begin(), ticks.begin() + half);
