@@ -26,7 +26,7 @@ struct ContactBody
   ContactBody(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, const ResponseArrays& responses, const BuildProgress& progress = {})
     : Shared(std::make_shared<const Shape>(
-        points, pointCount, triangles, triangleCount, progress, creaseTurn(responses)))
+        points, pointCount, triangles, triangleCount, progress, creasesOf(responses)))
     , surface(Shared->surface)
     , tree(Shared->tree)
     , response(responses, &surface)
@@ -61,8 +61,9 @@ private:
   struct Shape
   {
     Shape(const double* points, std::size_t pointCount, const std::int32_t* triangles,
-      std::size_t triangleCount, const BuildProgress& progress, double creaseTurn)
-      : surface(points, pointCount, triangles, triangleCount, progress, creaseTurn)
+      std::size_t triangleCount, const BuildProgress& progress,
+      const PackedMesh::CreaseRule& creases)
+      : surface(points, pointCount, triangles, triangleCount, progress, creases)
       , tree(surface)
     {
     }
@@ -119,9 +120,9 @@ private:
     }
     this->prefetchResponses(triangle);
   }
-  static double creaseTurn(const ResponseArrays& responses)
+  static PackedMesh::CreaseRule creasesOf(const ResponseArrays& responses)
   {
-    return responses.edges.areFelt() ? BodyEdges::LeastTurn : 0.0;
+    return { BodyEdges::LeastTurn, responses.edges.areFelt() };
   }
   static std::unique_ptr<const BodyEdges> edgesOf(
     const PackedMesh& surface, const ResponseArrays& responses)

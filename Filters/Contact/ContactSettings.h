@@ -59,8 +59,8 @@ struct FrictionSettings
 /// also enumerations, may be out of range until faultOfContact() has checked them.
 struct ContactSettings
 {
-  ForceForm form = ForceForm::NormalizedDirection;
-  ContactSurface surface = ContactSurface::Facets;
+  ForceForm form = ForceForm::EnergyConsistent;
+  ContactSurface surface = ContactSurface::Smooth;
   FrictionSettings friction = {};
   /// Number of parallel elements for a body that relaxes, 0 to MostRelaxationElements; 0: the
   /// quasi-linear law. More elements are more accurate when the tool moves out again: within 0.9 %

@@ -9,9 +9,15 @@
 namespace palpate
 {
 PackedMesh::PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
-  std::size_t triangleCount, const BuildProgress& progress, double creaseTurn)
+  std::size_t triangleCount, const BuildProgress& progress, const CreaseRule& creases)
 {
-  Builder(*this, progress, creaseTurn).build(points, pointCount, triangles, triangleCount);
+  Builder(*this, progress, creases).build(points, pointCount, triangles, triangleCount);
+}
+
+PackedMesh::PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
+  std::size_t triangleCount)
+  : PackedMesh(points, pointCount, triangles, triangleCount, {}, {})
+{
 }
 
 std::size_t PackedMesh::memory() const noexcept
@@ -19,7 +25,8 @@ std::size_t PackedMesh::memory() const noexcept
   return this->Records.size() * sizeof(Record) + this->Vertices.size() * sizeof(Vertex) +
     (this->Ring.size() + this->InputTriangles.size() + this->InputPoints.size()) *
     sizeof(std::int32_t) +
-    this->Creases.size() * sizeof(CreaseSide) + this->CornerNormals.size() * sizeof(CornerNormal);
+    this->Creases.size() * sizeof(CreaseSide) + this->CornerNormals.size() * sizeof(CornerNormal) +
+    this->Folded.size();
 }
 
 Vector3 PackedMesh::faceNormal(std::int32_t triangle) const noexcept

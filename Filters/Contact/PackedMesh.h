@@ -42,12 +42,15 @@ using BuildProgress = std::function<void(double)>;
  * edge between such a triangle and another one is not a border. An edge of more than two triangles
  * has no neighbour and counts as border.
  *
- * On request the surface is cut along its sharp convex edges (creases), so that a contact followed
- * from triangle to triangle stays on its face. Triangles at a crease are not neighbours, and a
- * point there becomes one point per face, each with the normal of its face. An edge is sharp if the
- * surface turns there by at least the given angle. Below BluntTurn, the turn must also be at least
- * twice the smallest turn at the other sides of each of its two triangles: the facets of a coarse
- * ball are not faces. An edge between two points at which no other crease ends is not cut.
+ * On request sharp edges (creases) are found. An edge is sharp if the surface turns there by at
+ * least the given angle. Below BluntTurn, the turn must also be at least twice the smallest turn at
+ * the other sides of each of its two triangles: the facets of a coarse ball are not faces. An edge
+ * between two points at which no other crease ends is not a crease.
+ *
+ * The surface can be cut along its convex creases, so that a contact followed from triangle to
+ * triangle stays on its face. Triangles at a cut are not neighbours, and a point there becomes one
+ * point per face, each with the normal of its face. Where a crease is not cut, its triangles are
+ * folded: the normals at their corners are not those of the faces.
  *
  * Cost: about 105 bytes per triangle; built in O(n log n), threaded; the result does not depend on
  * the number of threads. Immutable, safe from any number of threads.
@@ -73,10 +76,19 @@ public:
     float turn;          ///< rad
   };
 
+  /// How creases are treated.
+  struct CreaseRule
+  {
+    double leastTurn = 0.0; ///< least turn of a sharp edge, rad; 0: creases are not searched
+    bool areCut = true;     ///< whether the surface is cut along its convex creases
+  };
+
   /// Copies `pointCount` points (x, y, z) and `triangleCount` triangles (three point indices).
-  /// `creaseTurn` (rad): least turn of a sharp edge, see above; 0: no edge is cut.
   PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
-    std::size_t triangleCount, const BuildProgress& progress = {}, double creaseTurn = 0.0);
+    std::size_t triangleCount, const BuildProgress& progress, const CreaseRule& creases);
+  /// A mesh whose creases are not searched.
+  PackedMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
+    std::size_t triangleCount);
 
   /// Counts of the triangles that take part in contact and of all points; a point on a crease
   /// counts once for each face.
@@ -144,6 +156,11 @@ public:
   bool isUnderCorner(const Vector3& tip, const SurfacePoint& closest) const noexcept;
   /// Both sides of each crease, ordered by triangle.
   const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
+  /// Whether a corner of the triangle is on a crease that is not cut.
+  bool isFolded(std::int32_t triangle) const noexcept
+  {
+    return !this->Folded.empty() && this->Folded[static_cast<std::size_t>(triangle)] != 0;
+  }
 
   /// Calls visit(triangle) for each triangle around a point.
   template <class Visit>
@@ -267,6 +284,7 @@ private:
     Vector3 normal;
   };
   std::vector<CreaseSide> Creases;
+  std::vector<std::uint8_t> Folded; ///< 1 per triangle; empty if no triangle is folded
   std::vector<CornerNormal> CornerNormals;
   Defects Found;
   std::string Fault;

@@ -50,9 +50,9 @@ void PackedMesh::Builder::build(const double* points, std::size_t pointCount,
   this->numberPoints(sound);
   this->report(0.4);
   this->findNeighbours(sound);
-  if (this->CreaseTurn > 0.0)
+  if (this->Creases.leastTurn > 0.0)
   {
-    this->cutCreases();
+    this->findCreases();
   }
   this->report(0.6);
   this->packRings();

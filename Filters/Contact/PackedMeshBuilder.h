@@ -11,6 +11,8 @@
 
 namespace palpate
 {
+class CreaseCut;
+
 /// The slope at which the neighbours of a triangle fall below its plane, divided by twice its
 /// smallest altitude: the value that PackedMesh::isCertainlyNearest needs, 1/mm, rounded up;
 /// infinite if a neighbour is under the triangle.
@@ -21,10 +23,10 @@ float steepnessOf(const PackedMesh& mesh, std::int32_t triangle);
 class PackedMesh::Builder
 {
 public:
-  Builder(PackedMesh& mesh, const BuildProgress& progress, double creaseTurn)
+  Builder(PackedMesh& mesh, const BuildProgress& progress, const CreaseRule& creases)
     : Mesh(mesh)
     , Progress(progress)
-    , CreaseTurn(creaseTurn)
+    , Creases(creases)
   {
   }
   void build(const double* points, std::size_t pointCount, const std::int32_t* triangles,
@@ -36,7 +38,8 @@ private:
   void numberPoints(const SoundMesh& sound);
   void findNeighbours(const SoundMesh& sound);
   void joinPoints(const SoundMesh& sound);
-  void cutCreases();
+  void findCreases();
+  void cut(const CreaseCut& creases);
   void packRings();
   void packRecords();
   void markCreases();
@@ -56,7 +59,7 @@ private:
 
   PackedMesh& Mesh;
   const BuildProgress& Progress;
-  double CreaseTurn;
+  const CreaseRule Creases;
   std::size_t PointCount = 0;
   std::vector<float> Coordinates;         ///< local; by packed point
   std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area

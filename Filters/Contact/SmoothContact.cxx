@@ -92,7 +92,7 @@ bool SmoothContact::load(std::int32_t triangle) noexcept
   {
     const auto& corners = this->Mesh.corners(triangle);
     this->Loaded = triangle;
-    this->IsSound =
+    this->IsSound = !this->Mesh.isFolded(triangle) &&
       this->Patch.build({ this->Mesh.corner(triangle, 0), this->Mesh.corner(triangle, 1),
                           this->Mesh.corner(triangle, 2) },
         { this->Response.normal(corners[0]), this->Response.normal(corners[1]),

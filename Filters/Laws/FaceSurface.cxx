@@ -3,7 +3,6 @@
 
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/Edges/CreaseCut.h"
-#include "Laws/SurfaceCurvature.h"
 
 #include <array>
 #include <map>
@@ -98,20 +97,25 @@ void FaceSurface::findNormals(const LinkedSurface& surface)
   }
 }
 
-SurfaceCurvature SurfaceCurvature::ofFaces(
-  const TriangleSpans& surface, const float* normals, double contactRadius)
+FaceForms::FaceForms(const TriangleSpans& surface, const float* normals)
+  : Points(surface.pointCount)
+  , Faces(surface, normals)
+  , Forms(this->Faces.spans(), this->Faces.normals().data())
 {
-  const FaceSurface faces(surface, normals);
-  SurfaceCurvature found(faces.spans(), faces.normals().data(), contactRadius);
-  std::vector<PointCurvature> sums(surface.pointCount, PointCurvature{});
-  std::vector<float> count(surface.pointCount, 0.0F);
-  for (std::size_t i = 0; i < found.Found.size(); ++i)
+}
+
+SurfaceCurvature FaceForms::curvature(double contactRadius) const
+{
+  const std::vector<PointCurvature> found = this->Forms.curvatures(contactRadius);
+  std::vector<PointCurvature> sums(this->Points, PointCurvature{});
+  std::vector<float> count(this->Points, 0.0F);
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const auto point = static_cast<std::size_t>(faces.pointOf(i));
+    const auto point = static_cast<std::size_t>(this->Faces.pointOf(i));
     count[point] += 1.0F;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      sums[point][k] += found.Found[i][k];
+      sums[point][k] += found[i][k];
     }
   }
   for (std::size_t point = 0; point < sums.size(); ++point)
@@ -121,7 +125,12 @@ SurfaceCurvature SurfaceCurvature::ofFaces(
       value /= count[point];
     }
   }
-  found.Found = std::move(sums);
-  return found;
+  return SurfaceCurvature(std::move(sums));
+}
+
+SurfaceCurvature SurfaceCurvature::ofFaces(
+  const TriangleSpans& surface, const float* normals, double contactRadius)
+{
+  return FaceForms(surface, normals).curvature(contactRadius);
 }
 } // namespace palpate

@@ -3,6 +3,9 @@
 #define palpate_FaceSurface_h
 
 #include "Laws/LinkedSurface.h"
+#include "Laws/SurfaceCurvature.h"
+#include "Laws/SurfaceForms.h"
+#include "Mechanics/PalpateExport.h"
 
 #include <Eigen/Core>
 
@@ -38,6 +41,22 @@ private:
   std::vector<float> Normals;
   std::vector<std::int32_t> PointOf;
   std::vector<bool> IsCut; ///< for each point: the point is on an edge
+};
+
+/// The curvature of the faces between sharp edges (SurfaceCurvature::ofFaces) for any number of
+/// contact radii. Does not refer to the arrays from which it is made.
+class PALPATE_EXPORT FaceForms
+{
+public:
+  /// `normals`: 3 floats per point, unit length.
+  FaceForms(const TriangleSpans& surface, const float* normals);
+
+  SurfaceCurvature curvature(double contactRadius) const;
+
+private:
+  const std::size_t Points;
+  const FaceSurface Faces;
+  const SurfaceForms Forms;
 };
 } // namespace palpate
 

@@ -18,12 +18,20 @@ struct LawTerms
   bool automatic = false; ///< omit terms that change the force little
   /// Largest change of the force by omitted terms, relative to the force.
   double changeTolerance = 0.01;
-  bool edges = false; ///< contacts can leave the body over sharp edges (BodyEdges)
-  double tilt = 0.0;  ///< largest tilt of the tool, degrees; 0: upright
+  bool edges = true; ///< contacts can leave the body over sharp edges (BodyEdges)
+  double tilt = 0.0; ///< largest tilt of the tool, degrees; 0: upright
 
   bool keepsError() const { return this->storeError && this->errorTolerance > 0.0; }
-  /// Small strain on a flat surface, valid until the first assumption fails.
-  static LawTerms plain() { return { false, {}, 0.0, false }; }
+  /// Small strain on a flat surface without edges, valid until the first assumption fails.
+  static LawTerms plain()
+  {
+    LawTerms terms;
+    terms.curvature = false;
+    terms.errorTolerance = 0.0;
+    terms.storeError = false;
+    terms.edges = false;
+    return terms;
+  }
 };
 } // namespace palpate
 

@@ -8,6 +8,7 @@
 #include "Mechanics/PalpateExport.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -73,6 +74,12 @@ public:
   }
 
 private:
+  friend class FaceForms;
+  explicit SurfaceCurvature(std::vector<PointCurvature>&& found)
+    : Found(std::move(found))
+  {
+  }
+
   std::vector<PointCurvature> Found;
 };
 } // namespace palpate

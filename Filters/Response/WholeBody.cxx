@@ -29,22 +29,23 @@ WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,
 {
   WholeBody made;
   made.body = body;
-  if (!request.wholeBody || request.terms.edges || request.couples || !ranks.areAlone() ||
-    !isOfOneMaterial(request) || !makeBodyMesh(body).isClosed())
+  if (!request.wholeBody || request.couples || !ranks.areAlone() || !isOfOneMaterial(request) ||
+    !makeBodyMesh(body).isClosed())
   {
     return made;
   }
   const double radius = request.tool->GetKernel()->contactRadius(request.deflection);
+  const YieldRequest asked{ request.material.youngsModulus, request.material.poissonRatio, radius,
+    {} };
   BodyYield found;
-  const std::string fault = findYield(body,
-    { request.material.youngsModulus, request.material.poissonRatio, radius, {} }, goOn, found);
+  const std::string fault = findYield(body, asked, goOn, found);
   if (!fault.empty())
   {
     made.warning = "The deflection of the whole body is not included, since " + fault;
     return made;
   }
   made.isComplete = !found.compliance.empty();
-  if (found.isKnown())
+  if (isAccurate(found, body, asked))
   {
     made.body = vtkSmartPointer<vtkPolyData>::New();
     made.body->ShallowCopy(body);

@@ -24,9 +24,9 @@ struct WholeBody
  *
  * The compliance is not included, and `body` is returned unchanged, in these cases: the surface is
  * open; the body is on several processes; it has layers, a given compliance, a material that varies
- * or was measured, or a Poisson's ratio above 0.499; sharp edges have an effect (their law has no
- * compliance); contacts interact (the compliance under one contact does not act on another). The
- * same holds, with a warning, if the body cannot be filled with elements or held, or if the module
+ * or was measured, or a Poisson's ratio above 0.499; contacts interact (the compliance under one
+ * contact does not act on another); the triangles are too large for it (isAccurate). The same
+ * holds, with a warning, if the body cannot be filled with elements or held, or if the module
  * Solids is missing.
  */
 WholeBody includeWholeBody(const Ranks& ranks, vtkPolyData* body,

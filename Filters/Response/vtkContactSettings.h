@@ -10,8 +10,8 @@
  *
  * | Property | meaning | range | default |
  * | --- | --- | --- | --- |
- * | ForceForm | how three curves are combined into one force | 0 to 2 | NormalizedDirection |
- * | ContactSurface | the surface on which tips are projected | 0 to 1 | Facets |
+ * | ForceForm | how three curves are combined into one force | 0 to 2 | EnergyConsistent |
+ * | ContactSurface | the surface on which tips are projected | 0 to 1 | Smooth |
  * | FrictionModel | behaviour of a contact before it slides | 0 to 2 | ElastoPlastic |
  * | FrictionCoefficient | Coulomb's μ; 0: no friction | finite, >= 0 | 0 |
  * | TangentialStiffness | of the sticking contact, N/mm | finite, > 0 | 1 |
@@ -94,7 +94,7 @@ public:
   };
 
   ///@{
-  /** How three curves are combined into one force. Default NormalizedDirection. */
+  /** How three curves are combined into one force. Default EnergyConsistent. */
   void SetForceForm(int form)
   {
     this->Assign(this->Values.form, static_cast<palpate::ForceForm>(form));
@@ -103,7 +103,7 @@ public:
   ///@}
 
   ///@{
-  /** The surface on which tips are projected. Default Facets. */
+  /** The surface on which tips are projected. Default Smooth. */
   void SetContactSurface(int surface)
   {
     this->Assign(this->Values.surface, static_cast<palpate::ContactSurface>(surface));

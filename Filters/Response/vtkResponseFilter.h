@@ -60,8 +60,8 @@ public:
    * 1970). The curves of a law remain those far from edges; those of true shape include the
    * softening. A field array `<name>Edges` (double 5: exponent m, contact radius at 1 mm in mm,
    * Poisson's ratio, extent in mm, 1 if the curves include the edges) lets probe, touch and servo
-   * loop apply them; the error includes the rest of their effect. Default off: the force drops
-   * where a contact passes an edge.
+   * loop apply them; the error includes the rest of their effect. Default on. Off: the force
+   * drops where a contact passes an edge.
    */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
@@ -130,7 +130,7 @@ protected:
   int NumberOfSamples = 8;
   bool StoreError = true;
   double LayerThickness = 0.0;
-  bool EdgeCorrection = false;
+  bool EdgeCorrection = true;
   double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool AutomaticTerms = false;

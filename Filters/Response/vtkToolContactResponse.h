@@ -138,9 +138,9 @@ public:
   /** Whether the law is in series with the compliance of the whole body, which vtkBodyCompliance
    * finds from its closed surface, within a few seconds for the first response. The output then has
    * the arrays of the compliance, and `Model` names the side that holds the body. The compliance is
-   * left out with layers, a given compliance, a material that varies, EdgeCorrection, Coupling, ν
-   * above 0.499 or an open surface, and, with a warning, if it cannot be found. Default off; on in
-   * ParaView. */
+   * left out with layers, a given compliance, a material that varies, Coupling, ν above 0.499, an
+   * open surface, or a mesh whose triangles are too large, and, with a warning, if it cannot be
+   * found. Default off; on in ParaView. */
   vtkSetMacro(WholeBody, bool);
   vtkGetMacro(WholeBody, bool);
   vtkBooleanMacro(WholeBody, bool);

@@ -169,7 +169,7 @@ public:
   vtkBooleanMacro(CurvatureCorrection, bool);
   ///@}
   ///@{
-  /** Whether sharp edges change the force; see vtkToolContactResponse. Default off. */
+  /** Whether sharp edges change the force; see vtkToolContactResponse. Default on. */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
   vtkBooleanMacro(EdgeCorrection, bool);
@@ -331,7 +331,7 @@ private:
   bool BaseSlips = false;
   double ComplianceModulus = 0.0;
   bool CurvatureCorrection = true;
-  bool EdgeCorrection = false;
+  bool EdgeCorrection = true;
   double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;

@@ -53,17 +53,23 @@ std::string causeOfError(const ViewerScene& scene, const ResponseSet& responses,
   vtkSmartPointer<vtkPolyData> judged;
   std::string fault = attachAtPoints(
     scene, responses, { point }, CauseName, depth, scene.terms.errorTolerance, judged);
-  vtkDataArray* errors = fault.empty()
-    ? judged->GetPointData()->GetArray(arrayName(CauseName, ResponseArray::Error).c_str())
-    : nullptr;
-  const double error =
-    errors ? errors->GetComponent(point, errors->GetNumberOfComponents() - 1) : 0.0;
+  double error = 0.0;
+  if (fault.empty())
+  {
+    vtkDataArray* errors =
+      judged->GetPointData()->GetArray(arrayName(CauseName, ResponseArray::Error).c_str());
+    error = errors ? errors->GetComponent(point, errors->GetNumberOfComponents() - 1) : 0.0;
+  }
   if (!(error > 0.0) || !std::isfinite(error))
   {
     return storedLimit(responses.body, responses.names.front(), point);
   }
   constexpr double justBelow = 1.0 - 1e-4; // the error is a float
   fault = attachAtPoints(scene, responses, { point }, CauseName, depth, justBelow * error, judged);
-  return fault.empty() ? storedLimit(judged, CauseName, point) : std::string();
+  if (!fault.empty())
+  {
+    return {};
+  }
+  return storedLimit(judged, CauseName, point);
 }
 } // namespace palpate

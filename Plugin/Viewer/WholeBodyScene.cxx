@@ -20,8 +20,7 @@ bool isAsked(const ViewerOptions& options, const ViewerScene& scene)
   const bool isHalfSpace =
     !scene.layer.isStack() && !scene.layer.scanned && scene.layer.thickness == 0.0;
   return options.wholeBody && !options.body.empty() && !scene.stored && isHalfSpace &&
-    !scene.terms.edges && options.hands.empty() && options.trial.empty() &&
-    scene.poissonRatio <= LargestYieldRatio;
+    options.hands.empty() && options.trial.empty() && scene.poissonRatio <= LargestYieldRatio;
 }
 
 double widestContact(const ViewerOptions& options, const ViewerScene& scene)
@@ -39,8 +38,9 @@ double widestContact(const ViewerOptions& options, const ViewerScene& scene)
   return widest;
 }
 
-/// Returns "", or a message about the fault.
-std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& found)
+/// Sets `found` and `isAttached`. Returns "", or a message about the fault.
+std::string solve(
+  const ViewerOptions& options, ViewerScene& scene, BodyYield& found, bool& isAttached)
 {
   const SoundBody sound(scene.body);
   const double radius = widestContact(options, scene);
@@ -49,12 +49,12 @@ std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& f
     return {}; // the response names the fault
   }
   ProgressLine line("the body as a whole is solved");
+  const YieldRequest asked{ scene.youngsModulus, scene.poissonRatio, radius,
+    options.fixedGiven ? options.fixedFaces : "" };
   const std::string fault = findYield(
-    sound.body(),
-    { scene.youngsModulus, scene.poissonRatio, radius,
-      options.fixedGiven ? options.fixedFaces : "" },
-    [&line](double done) { return line.show(done); }, found);
-  if (found.isKnown())
+    sound.body(), asked, [&line](double done) { return line.show(done); }, found);
+  isAttached = isAccurate(found, sound.body(), asked);
+  if (isAttached)
   {
     const auto body = vtkSmartPointer<vtkPolyData>::New();
     body->ShallowCopy(sound.body());
@@ -73,15 +73,21 @@ void addBodyCompliance(const ViewerOptions& options, ViewerScene& scene)
     return;
   }
   BodyYield found;
-  const std::string fault = solve(options, scene, found);
+  bool isAttached = false;
+  const std::string fault = solve(options, scene, found, isAttached);
   if (!fault.empty())
   {
     std::fprintf(stderr,
       "palpate: warning: the deflection of the whole body is not included, since %s\n",
       fault.c_str());
   }
-  if (!found.isKnown())
+  if (!isAttached)
   {
+    if (!found.compliance.empty())
+    {
+      scene.notes.push_back("the forces do not include the deflection of the whole body: the "
+                            "triangles of the surface are too large for it");
+    }
     return;
   }
   scene.solid = true;

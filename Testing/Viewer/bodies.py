@@ -4,8 +4,9 @@ import struct
 
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkNIFTIImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
@@ -24,6 +25,17 @@ def sphere(radius=25.0):
     source.SetPhiResolution(64)
     source.Update()
     return source.GetOutput()
+
+
+def cube(side=40.0):
+    """Of twelve triangles, about the origin."""
+    source = vtkCubeSource()
+    for set_length in (source.SetXLength, source.SetYLength, source.SetZLength):
+        set_length(side)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(source.GetOutputPort())
+    triangles.Update()
+    return triangles.GetOutput()
 
 
 def image(values, spacing=(1.0, 1.0, 1.0)):

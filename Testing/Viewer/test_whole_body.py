@@ -38,10 +38,12 @@ class WholeBody(SessionCase):
         self.assertEqual(re.search(HELD, held.stderr).group(1), "z-:25")
         self.assertGreater(peak_force(held), peak_force(whole))
 
-    def test_it_is_left_out_with_a_layer_and_at_edges(self):
-        for option in (("--layer", "5"), ("--edges",)):
-            with self.subTest(option):
-                self.assertNotRegex(self.press_ball(*option, whole_body=True).stderr, HELD)
+    def test_it_is_left_out_with_a_layer_and_on_large_triangles(self):
+        self.assertNotRegex(self.press_ball("--layer", "5", whole_body=True).stderr, HELD)
+        cube = bodies.write(bodies.cube(), self.folder / "cube.vtp")
+        result = self.succeed(cube, "--tool", "sphere:1", "--depth", "0.2", whole_body=True)
+        self.assertNotRegex(result.stderr, HELD)
+        self.assertIn("triangles of the surface are too large", result.stderr)
 
     def test_a_side_needs_a_body_that_yields(self):
         path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contact/Coupled/BodyCoupling.h"
 
+#include "Mechanics/Checked.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -38,6 +39,20 @@ std::string faultOfValues(const float* values, std::size_t points, const char* w
   }
   return {};
 }
+
+std::string faultOfModes(const CouplingTerms& terms, std::size_t points)
+{
+  const auto modes = static_cast<std::size_t>(terms.modeCount);
+  for (std::size_t i = 0; terms.modes && i < points * modes; ++i)
+  {
+    if (!std::isfinite(terms.modes[i]))
+    {
+      return joined(
+        "mode ", i % modes, " of point ", i / modes, " must be finite, but is ", terms.modes[i]);
+    }
+  }
+  return {};
+}
 } // namespace
 
 std::string faultOfCoupling(const CouplingTerms& terms, std::size_t points)
@@ -70,18 +85,10 @@ std::string faultOfCoupling(const CouplingTerms& terms, std::size_t points)
     return joined(
       "the number of modes must be 0 to ", CouplingTerms::MostModes, ", but is ", terms.modeCount);
   }
-  std::string fault = faultOfValues(terms.localModulus, points, "the reduced modulus (MPa)");
-  fault = fault.empty() ? faultOfValues(terms.localThickness, points, "the thickness (mm)") : fault;
-  const auto modes = static_cast<std::size_t>(terms.modeCount);
-  for (std::size_t i = 0; fault.empty() && terms.modes && i < points * modes; ++i)
-  {
-    if (!std::isfinite(terms.modes[i]))
-    {
-      fault = joined(
-        "mode ", i % modes, " of point ", i / modes, " must be finite, but is ", terms.modes[i]);
-    }
-  }
-  return fault;
+  return firstFault([&]
+    { return faultOfValues(terms.localModulus, points, "the reduced modulus (MPa)"); },
+    [&] { return faultOfValues(terms.localThickness, points, "the thickness (mm)"); },
+    [&] { return faultOfModes(terms, points); });
 }
 
 BodyCoupling::BodyCoupling(

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace palpate
 {
@@ -91,7 +92,7 @@ void CreaseCut::findSides(
   {
     for (std::size_t e = 0; e < 3; ++e)
     {
-      const double turn{ turns[t][e] };
+      const double turn{ std::abs(turns[t][e]) };
       if (turn < leastTurn)
       {
         continue;
@@ -104,9 +105,11 @@ void CreaseCut::findSides(
       const double beside{ std::max(leastOf(t, e), leastOf(n, f)) };
       if (turn >= PackedMesh::BluntTurn || turn >= TimesItsFellows * beside)
       {
-        this->IsCut[3 * t + e] = 1;
-        this->Sides.push_back(
-          { static_cast<std::int32_t>(t), static_cast<std::int32_t>(e), across, turns[t][e] });
+        const bool isConvex = turns[t][e] > 0.0F;
+        this->IsCut[3 * t + e] = isConvex ? 1 : 0;
+        (isConvex ? this->Sides : this->Concave)
+          .push_back(
+            { static_cast<std::int32_t>(t), static_cast<std::int32_t>(e), across, turns[t][e] });
       }
     }
   }
@@ -155,6 +158,52 @@ void CreaseCut::partAround(std::int32_t point)
     }
     parts += isNew ? 1 : 0;
   }
+}
+
+std::vector<std::uint8_t> CreaseCut::folded(bool isCut) const
+{
+  const auto endsOf = [this](const PackedMesh::CreaseSide& side)
+  {
+    const TriangleCorners& corners = this->Triangles[static_cast<std::size_t>(side.triangle)];
+    const auto edge = static_cast<std::size_t>(side.edge);
+    return std::array<std::int32_t, 2>{ corners[edge], corners[(edge + 1) % 3] };
+  };
+  std::unordered_map<std::int32_t, int> sidesAt; // number of sides of creases that end at a point
+  for (const auto* sides : { &this->Sides, &this->Concave })
+  {
+    for (const PackedMesh::CreaseSide& side : *sides)
+    {
+      for (const std::int32_t point : endsOf(side))
+      {
+        ++sidesAt[point];
+      }
+    }
+  }
+  std::vector<std::uint8_t> folded;
+  const auto fold = [&](const PackedMesh::CreaseSide& side)
+  {
+    folded.resize(this->Triangles.size());
+    for (const std::int32_t point : endsOf(side))
+    {
+      const auto around = this->Links.around(point);
+      std::for_each(around[0], around[1],
+        [&folded](std::int32_t t) { folded[static_cast<std::size_t>(t)] = 1; });
+    }
+  };
+  for (const PackedMesh::CreaseSide& side : this->Concave)
+  {
+    constexpr int sidesOfOneEdge = 2;
+    const auto [start, end] = endsOf(side);
+    if (std::max(sidesAt[start], sidesAt[end]) > sidesOfOneEdge)
+    {
+      fold(side);
+    }
+  }
+  if (!isCut)
+  {
+    std::for_each(this->Sides.begin(), this->Sides.end(), fold);
+  }
+  return folded;
 }
 
 /// Removes edges whose two sides are still connected, because the parts are the same at both ends.

@@ -13,9 +13,10 @@
 namespace palpate
 {
 /**
- * Decides where a surface is cut so that its faces are no longer connected across sharp convex
- * edges: which edges are cut (see PackedMesh), and the parts into which the triangles around a
- * point are divided. Used while a mesh is built, and for the curvature of its faces.
+ * Finds the creases of a surface (see PackedMesh). At convex creases the surface can be cut, so
+ * that its faces are no longer connected there: this class decides which edges are cut, and finds
+ * the parts into which the triangles around a point are divided. Used while a mesh is built, and
+ * for the curvature of its faces.
  */
 class PALPATE_EXPORT CreaseCut
 {
@@ -25,7 +26,7 @@ public:
   CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t usable,
     const std::vector<float>& coordinates, const TriangleLinks& links, double leastTurn);
 
-  /// Both sides of each edge that is cut, ordered by triangle.
+  /// Both sides of each convex crease, where the surface is cut, ordered by triangle.
   const std::vector<PackedMesh::CreaseSide>& sides() const noexcept { return this->Sides; }
   /// The part to which a corner of a triangle belongs, among the parts around its point; 0 if the
   /// surface is not cut there.
@@ -33,6 +34,10 @@ public:
   {
     return this->Parts[3 * triangle + corner];
   }
+  /// The triangles that have a corner on a crease where the surface is not cut: a concave crease
+  /// and, unless `isCut`, a convex one. Normals of points are not those of the faces there. Values
+  /// are 1 for such a triangle; empty if there is none.
+  std::vector<std::uint8_t> folded(bool isCut) const;
 
 private:
   void findSides(std::size_t usable, const std::vector<float>& coordinates, double leastTurn);
@@ -43,8 +48,9 @@ private:
   const std::vector<TriangleCorners>& Triangles;
   const TriangleLinks& Links;
   std::vector<PackedMesh::CreaseSide> Sides;
-  std::vector<std::uint8_t> IsCut; ///< 3 per triangle
-  std::vector<int> Parts;          ///< 3 per triangle
+  std::vector<PackedMesh::CreaseSide> Concave; ///< both sides of each concave crease
+  std::vector<std::uint8_t> IsCut;             ///< 3 per triangle
+  std::vector<int> Parts;                      ///< 3 per triangle
 };
 } // namespace palpate
 

@@ -9,14 +9,19 @@
 
 namespace palpate
 {
-void PackedMesh::Builder::cutCreases()
+void PackedMesh::Builder::findCreases()
 {
-  const CreaseCut cut(
-    this->joined(), this->Usable, this->Coordinates, *this->Links, this->CreaseTurn);
-  if (cut.sides().empty())
+  const CreaseCut creases(
+    this->joined(), this->Usable, this->Coordinates, *this->Links, this->Creases.leastTurn);
+  this->Mesh.Folded = creases.folded(this->Creases.areCut);
+  if (this->Creases.areCut && !creases.sides().empty())
   {
-    return;
+    this->cut(creases);
   }
+}
+
+void PackedMesh::Builder::cut(const CreaseCut& creases)
+{
   const std::size_t before = this->PointCount;
   std::map<std::pair<std::int32_t, int>, std::int32_t> numbers;
   const auto partOf = [&](std::int32_t point, int part)
@@ -41,7 +46,7 @@ void PackedMesh::Builder::cutCreases()
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const int part = cut.part(t, k);
+      const int part = creases.part(t, k);
       if (part == 0)
       {
         continue;
@@ -65,7 +70,7 @@ void PackedMesh::Builder::cutCreases()
   {
     this->Twins[i] = this->Twins[i] < 0 ? static_cast<std::int32_t>(i) : this->Twins[i];
   }
-  this->Mesh.Creases = cut.sides();
+  this->Mesh.Creases = creases.sides();
   this->Links = std::make_unique<TriangleLinks>(this->joined(), this->PointCount);
 }
 

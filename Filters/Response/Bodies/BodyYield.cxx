@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Bodies/BodyYield.h"
 
+#include "Mechanics/ReducedModulus.h"
+#include "Response/BodyConversion.h"
 #include "Response/BodyField.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -11,7 +13,11 @@
 #include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 namespace palpate
 {
@@ -57,6 +63,39 @@ std::string findYield(vtkPolyData* body, const YieldRequest& request,
     return "the deflection of the whole body needs " + missingModule("Solids", loaded.fault);
   }
   return static_cast<const YieldModule*>(loaded.table)->find(body, request, goOn, made);
+}
+
+bool isAccurate(const BodyYield& found, vtkPolyData* body, const YieldRequest& request)
+{
+  constexpr double shareOfCompliance = 0.5;
+  constexpr double shareOfDeflection = 0.25;
+  // Compliance of a flat round end on a half-space, mm/N.
+  const double local =
+    1.0 / (2.0 * reducedModulus(request.youngsModulus, request.poissonRatio) * request.radius);
+  const std::vector<double> points = copyPoints(body);
+  const std::vector<std::int32_t> corners = copyTriangles(body);
+  double known = 0.0;
+  double accurate = 0.0;
+  for (std::size_t t = 0; !found.compliance.empty() && t + 2 < corners.size(); t += 3)
+  {
+    Eigen::Matrix3d places;
+    bool isKnown = true;
+    bool isWithin = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto point = static_cast<std::size_t>(corners[t + k]);
+      const double compliance = found.compliance[point];
+      places.col(static_cast<Eigen::Index>(k)) = Eigen::Vector3d(points.data() + 3 * point);
+      isKnown = isKnown && compliance > 0.0;
+      isWithin = isWithin &&
+        found.error[point] <
+          std::max(shareOfCompliance * compliance, shareOfDeflection * (local + compliance));
+    }
+    const double area = (places.col(1) - places.col(0)).cross(places.col(2) - places.col(0)).norm();
+    known += isKnown ? area : 0.0;
+    accurate += isKnown && isWithin ? area : 0.0;
+  }
+  return known > 0.0 && accurate >= 0.5 * known;
 }
 
 void attachYield(const BodyYield& found, vtkPolyData* body)

@@ -10,7 +10,6 @@
 
 #include "Mechanics/Files/ModuleFile.h"
 
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,13 +46,6 @@ struct BodyYield
   std::vector<signed char> signs;
   std::string heldAt;                ///< the sides at which the body is held
   std::vector<std::string> warnings; ///< repairs of the surface
-
-  /// Whether the compliance is known at a point. On a mesh of few large triangles it is not.
-  bool isKnown() const
-  {
-    return std::any_of(
-      this->compliance.begin(), this->compliance.end(), [](double value) { return value != 0.0; });
-  }
 };
 
 /// Functions of the module Solids that the library Response calls (ModuleFile.h).
@@ -68,6 +60,13 @@ struct YieldModule : ModuleTable
 /// module is missing, or the body cannot be filled or held. Cost: vtkBodyCompliance.
 PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldRequest& request,
   const std::function<bool(double)>& goOn, BodyYield& made);
+
+/// Whether the compliance makes a law more accurate. It does not on a mesh of few large triangles,
+/// whose corners yield much and whose faces yield little. It does if its error is small over half
+/// of the area where it is known at all corners: below half of the compliance, or a quarter of the
+/// deflection of a contact with the radius of the request. `found` is the result of `request`.
+PALPATERESPONSE_EXPORT bool isAccurate(
+  const BodyYield& found, vtkPolyData* body, const YieldRequest& request);
 
 /// Attaches `GlobalCompliance`, `GlobalComplianceError` (double, mm/N), `ComplianceStatus` (uint8),
 /// `GlobalMode0`... (float 3, sqrt(mm/N)) and the field array `GlobalModeSign` to the body from

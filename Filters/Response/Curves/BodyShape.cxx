@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Response/Curves/BodyShape.h"
 
+#include "Laws/FaceSurface.h"
 #include "Mechanics/RecentValues.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/ContentHash.h"
@@ -121,6 +122,14 @@ public:
       });
     return *this->Forms;
   }
+  const FaceForms& faces() const
+  {
+    std::call_once(this->FacesMade,
+      [this] {
+        this->Faces = std::make_unique<FaceForms>(this->Whole.spans(), this->Whole.normals.data());
+      });
+    return *this->Faces;
+  }
   const EdgeSurface& edges() const
   {
     std::call_once(this->EdgesMade,
@@ -131,8 +140,8 @@ public:
   /// An upper limit, with all parts.
   std::size_t bytes() const
   {
-    constexpr std::size_t perPoint = 260;
-    constexpr std::size_t perTriangle = 130;
+    constexpr std::size_t perPoint = 310; // the forms of the faces copy points and normals
+    constexpr std::size_t perTriangle = 145;
     return perPoint * this->Whole.points.size() / 3 +
       perTriangle * this->Whole.triangles.size() / 3;
   }
@@ -140,8 +149,10 @@ public:
 private:
   WholeSurface Whole;
   mutable std::once_flag FormsMade;
+  mutable std::once_flag FacesMade;
   mutable std::once_flag EdgesMade;
   mutable std::unique_ptr<SurfaceForms> Forms;
+  mutable std::unique_ptr<FaceForms> Faces;
   mutable std::unique_ptr<EdgeSurface> Edges;
 };
 
@@ -186,10 +197,8 @@ std::shared_ptr<const BodyShape> findShape(
   auto curvature = std::async(std::launch::async,
     [&]
     {
-      const WholeSurface& whole = shared->whole();
-      return std::make_unique<SurfaceCurvature>(terms.edges
-          ? SurfaceCurvature::ofFaces(whole.spans(), whole.normals.data(), a)
-          : SurfaceCurvature(shared->forms(), a));
+      return std::make_unique<SurfaceCurvature>(
+        terms.edges ? shared->faces().curvature(a) : SurfaceCurvature(shared->forms(), a));
     });
   if (wantsEdges)
   {

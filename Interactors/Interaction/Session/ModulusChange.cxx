@@ -57,7 +57,7 @@ bool isHalfSpace(const MadeResponses& known)
   const auto hasFiniteStrain = [&](const std::string& name)
   { return (responseModel(known.body, name).parts & FiniteStrainPart) != 0; };
   return of.layerThickness == 0.0 && of.thicknessArray.empty() && of.complianceArray.empty() &&
-    of.terms.strain.model == StrainModel::Linear && !of.terms.edges && of.terms.tilt == 0.0 &&
+    of.terms.strain.model == StrainModel::Linear && of.terms.tilt == 0.0 &&
     std::none_of(of.names.begin(), of.names.end(), hasFiniteStrain);
 }
 
@@ -149,6 +149,17 @@ vtkSmartPointer<vtkPolyData> scaled(
       {
         data->AddArray(scaled(array, std::pow(factor, power))); // replaces the array of this name
       }
+    }
+  }
+  for (const std::string& response : request.names)
+  {
+    const std::string name = contractOf(ResponseArray::Edges).named(response);
+    if (vtkDataArray* edges = made->GetFieldData()->GetArray(name.c_str()))
+    {
+      constexpr int ratio = 2; // component of Poisson's ratio
+      vtkSmartPointer<vtkDataArray> copy = scaled(edges, 1.0);
+      copy->SetComponent(0, ratio, request.poissonRatio);
+      made->GetFieldData()->AddArray(copy);
     }
   }
   return made;

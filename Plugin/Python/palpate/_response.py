@@ -23,7 +23,7 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
              maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response",
              compliance_excludes_layer: bool = False, curvature: bool = True, strain: Strain = "small",
              error_tolerance: float = 0.05, layers: Sequence[Layer] = (), automatic: Optional[float] = None,
-             edges: bool = False, relax: Sequence[Tuple[PerPoint, float]] = (), compliance_relaxes: bool = True,
+             edges: bool = True, relax: Sequence[Tuple[PerPoint, float]] = (), compliance_relaxes: bool = True,
              coupling: bool = False, tilt: float = 0.0, points: Optional[Reals] = None,
              tissues: Optional[Mapping[float, Tuple[float, float]]] = None, fixed: str = "z-", spacing: float = 0.0,
              progress: Optional[Callable[[str, float], Any]] = None) -> vtkPolyData:
@@ -49,8 +49,8 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
     compliance : global compliance of the body, mm/N, in series with the local dent. True: found from the shape of a closed
         body of one material without layers, as vtkBodyCompliance does, within seconds; the next call reads it from a
         cache. It depends on the side that holds the body: the one on which it stands best, named in the model. It is
-        left out for an open body, and with layers, a material that varies, edges or coupling. None or False: no global
-        compliance.
+        left out for an open body, a body of few large triangles, and with layers, a material that varies or coupling.
+        None or False: no global compliance.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : number of samples per curve, 2 to 256.
     name : prefix of the arrays; several tools on one body need several names.
@@ -65,8 +65,9 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
         law if together they change the force by no more than that. "neo-hooke" is added if its tables have the tool and
         it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
         the reasons. None or False: all terms as given.
-    edges : whether sharp edges have an effect in palpate.probe and in sessions: a contact near an edge is softer and is
-        pushed off the body, and its force falls to zero as it leaves over the edge. False: the force drops at an edge.
+    edges : whether sharp edges have an effect in palpate.probe and in sessions (the default): a contact near an edge is
+        softer and is pushed off the body, and its force falls to zero as it leaves over the edge. False: the force drops
+        at an edge.
     relax : relaxation of the body, up to four pairs (strength, seconds): E(t) = E (1 + sum of strength exp(-t/seconds)),
         where E is the slow modulus, that of `young` and of the curves. A strength may vary from point to point like
         `young`. Relaxation has an effect over time: in palpate.probe along paths with times, and in sessions.

@@ -14,10 +14,34 @@ namespace palpate::testing
 {
 namespace
 {
-PackedMesh cut(const Surface& body)
+PackedMesh withCreases(const Surface& body, bool areCut)
 {
   return PackedMesh(body.points.front().data(), body.points.size(), body.triangles.front().data(),
-    body.triangles.size(), {}, BodyEdges::LeastTurn);
+    body.triangles.size(), {}, { BodyEdges::LeastTurn, areCut });
+}
+
+PackedMesh cut(const Surface& body)
+{
+  return withCreases(body, true);
+}
+
+/// Compares the folded triangles with those that have a corner at a place of a crease.
+template <class IsOnCrease>
+void expectFolded(const PackedMesh& mesh, const IsOnCrease& isOnCrease)
+{
+  std::size_t folded = 0;
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)
+  {
+    bool isExpected = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      isExpected = isExpected || isOnCrease(Vector3(mesh.corner(t, k) + mesh.centre()));
+    }
+    EXPECT_EQ(mesh.isFolded(t), isExpected) << t;
+    folded += isExpected ? 1 : 0;
+  }
+  EXPECT_GT(folded, 0U);
+  EXPECT_LT(folded, mesh.triangleCount());
 }
 
 /// A prism over a regular polygon of radius 10, 10 high, each triangle split into 4^times.
@@ -148,6 +172,35 @@ TEST(CreaseCut, BordersStayBorders)
   const PackedMesh mesh = cut(roof);
   EXPECT_EQ(mesh.creases().size(), 2U * 10U);
   EXPECT_EQ(mesh.defects().borderEdges, 40U);
+}
+
+TEST(CreaseCut, TrianglesAtCreasesThatAreNotCutAreFolded)
+{
+  const double apothem = 10.0 * std::cos(M_PI / 6.0);
+  const auto isOnPrismEdge = [apothem](const Vector3& at)
+  {
+    int faces = std::abs(at.z()) < 1e-6 || std::abs(at.z() - 10.0) < 1e-6 ? 1 : 0;
+    for (int i = 0; i < 6; ++i)
+    {
+      const double angle = (2.0 * i + 1.0) * M_PI / 6.0;
+      faces += std::abs(std::cos(angle) * at.x() + std::sin(angle) * at.y() - apothem) < 1e-5;
+    }
+    return faces > 1;
+  };
+  const PackedMesh prism = withCreases(polygonPrism(6, 3), false);
+  EXPECT_TRUE(prism.creases().empty());
+  expectFolded(prism, isOnPrismEdge);
+  // A cut surface is folded at its concave edge alone, a ball and a cut prism nowhere.
+  expectFolded(cut(subdivided(angleBlock(), 2)),
+    [](const Vector3& at)
+    { return std::abs(at.x() - 8.0) < 1e-5 && std::abs(at.y() - 8.0) < 1e-5; });
+  for (const PackedMesh& mesh : { cut(polygonPrism(6, 3)), withCreases(icosphere(10.0, 2), false) })
+  {
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangleCount()); ++t)
+    {
+      EXPECT_FALSE(mesh.isFolded(t)) << t;
+    }
+  }
 }
 
 TEST(CreaseCut, WhatIsNotAskedForIsNotCut)

@@ -56,6 +56,47 @@ TEST(SmoothTracker, BeginsAtTheSmoothSurface)
   EXPECT_EQ(tracker.update(Vector3(500, 0, 0)).outcome, Outcome::Outside);
 }
 
+TEST(SmoothTracker, FlatSidesStayFlat)
+{
+  // Bodies whose sides turn by 20° to 60° and back: patches through the mean normals would bulge by
+  // up to a quarter of the length of a side. The depth under the middle of each triangle is the
+  // distance from its plane.
+  std::vector<Surface> bodies{ grooveBlock(), angleBlock() };
+  for (const int sides : { 6, 9, 12 })
+  {
+    std::vector<Eigen::Vector2d> polygon;
+    std::vector<std::array<std::int32_t, 3>> caps;
+    for (int i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * M_PI * i / sides;
+      polygon.emplace_back(20.0 * std::cos(angle), 20.0 * std::sin(angle));
+    }
+    for (std::int32_t i = 1; i + 1 < sides; ++i)
+    {
+      caps.push_back({ 0, i, i + 1 });
+    }
+    bodies.push_back(prism(polygon, caps, 30.0));
+  }
+  for (const Surface& surface : bodies)
+  {
+    const auto body = uniformBody(surface);
+    ContactTracker tracker = trackerOn(*body);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      const auto at = static_cast<std::int32_t>(t);
+      const Vector3 a = surface.corner(at, 0);
+      const Vector3 normal =
+        (surface.corner(at, 1) - a).cross(surface.corner(at, 2) - a).normalized();
+      const Vector3 middle = (a + surface.corner(at, 1) + surface.corner(at, 2)) / 3.0;
+      constexpr double depth = 0.1; // the nearest edge is farther away
+      tracker.reset();
+      const ContactTracker::Result found = tracker.update(middle - depth * normal);
+      EXPECT_EQ(found.outcome, Outcome::Inside);
+      EXPECT_NEAR(found.place.signedDistance, -depth, 1e-5) << "coordinates are floats";
+    }
+  }
+}
+
 TEST(SmoothTracker, KeepsToTheSideItEntered)
 {
   // A flat cushion, 40 mm wide and 6 thick: the contact does not change sides at half its
