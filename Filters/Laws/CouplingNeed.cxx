@@ -45,7 +45,7 @@ CoupledPoint pointOf(const ResponseArrays& arrays, const ResponseField& curves, 
   return point;
 }
 
-/// |K C(r)|.
+/// The relative change of the force by a tool at the distance r: |K C(r)|.
 double changeAt(const CoupledPoint& point, const CouplingLaw& law, double distance)
 {
   const double share = law.isLayered() ? law.at(distance / point.thickness).value : 1.0;
@@ -88,7 +88,8 @@ CouplingNeed couplingNeed(const ResponseArrays& arrays, double tolerance)
     need.reach = Infinity;
     return need;
   }
-  // On a half-space the change ends here; on a layer before.
+  // On a half-space the change falls to the tolerance at this distance; on a layer at a smaller
+  // one.
   need.reach = widest.softness() / (Pi * (tolerance - global));
   while (need.reach > need.apart && changeAt(widest, law, need.reach) < SearchStep * tolerance)
   {

@@ -32,7 +32,7 @@ struct NearField
   PALPATE_EXPORT double at(const Eigen::Vector3d& away) const;
 };
 
-/// Conversion to and from the stored order: g, R₀; Q xx, yy, zz, ρ; Q xy, yz, zx, E*.
+/// The stored order is: g, R₀; Q xx, yy, zz, ρ; Q xy, yz, zx, E*.
 PALPATE_EXPORT std::array<double, NearField::Numbers> numbersOf(const NearField& near);
 PALPATE_EXPORT NearField nearFieldOf(const std::array<double, NearField::Numbers>& numbers);
 } // namespace palpate
