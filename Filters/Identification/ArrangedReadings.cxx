@@ -22,8 +22,8 @@ using Eigen::VectorXd;
 
 constexpr int ScanGroups = 100;
 constexpr int ScanCandidates = 60;
-constexpr double ScanBefore = 0.5; // of the range: largest distance of the contact before the first
-                                   // reading
+// Of the range: largest distance of the contact before the first reading.
+constexpr double ScanBefore = 0.5;
 constexpr int MostScans = 12;
 constexpr double BaselineDepths = 4.0; // baseline length in depths of contact
 constexpr std::size_t EnoughBefore = 30;

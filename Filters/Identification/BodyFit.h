@@ -85,8 +85,8 @@ struct PALPATE_EXPORT BodyFit
   std::vector<double> contactOffset;   ///< depth of first contact of each curve, mm
   std::vector<ForceBaseline> baseline; ///< for each curve
   std::vector<BaselineTerms> terms;    ///< terms of each baseline that were fitted
-  double sumOfSquares = 0.0; ///< sum of squares of the residuals of force over all single readings,
-                             ///< N²
+  /// Sum of squares of the residuals of force over all single readings, N².
+  double sumOfSquares = 0.0;
   int degreesOfFreedom = 0;
   bool converged = false;
   /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the depths of contact, and

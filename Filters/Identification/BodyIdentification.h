@@ -51,12 +51,12 @@ struct IdentifiedBody
   /// The relaxation of the body; the other parameters then describe the slow response. No branches:
   /// the body is elastic.
   PronySeries relaxation;
-  std::vector<Estimate> relaxationStrength;                       ///< p_i
-  std::vector<Estimate> relaxationTime;                           ///< τ_i, s
-  double shortestTime = std::numeric_limits<double>::quiet_NaN(); ///< shortest time that the test
-                                                                  ///< can resolve, s
-  double longestTime = std::numeric_limits<double>::quiet_NaN(); ///< longest time that the test can
-                                                                 ///< resolve, s
+  std::vector<Estimate> relaxationStrength; ///< p_i
+  std::vector<Estimate> relaxationTime;     ///< τ_i, s
+  /// Shortest time that the test can resolve, s.
+  double shortestTime = std::numeric_limits<double>::quiet_NaN();
+  /// Longest time that the test can resolve, s.
+  double longestTime = std::numeric_limits<double>::quiet_NaN();
   std::string remark; ///< readings that were not used, and quantities that are not determined
   /// S, one row for ln E* and one for C_g or ln h: S Sᵀ is their covariance, multiplied by the
   /// square of the factor from a standard error to half a 95 % interval.

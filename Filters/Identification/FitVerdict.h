@@ -21,9 +21,9 @@ constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 
 // noise.
 constexpr double LeastNoise = 0.003;
 constexpr double LeastError = 0.0003;
-constexpr int LargestPassCount = 6;  // of alternating fits and choices of readings
-constexpr double Inseparable = 1e-4; // sine of an angle; rounding and a kink can cause such an
-                                     // angle
+constexpr int LargestPassCount = 6; // of alternating fits and choices of readings
+// Sine of an angle; rounding and a kink can cause such an angle.
+constexpr double Inseparable = 1e-4;
 } // namespace FitLimits
 
 /// Errors of the packed parameters from a Jacobian, per unit residual.

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 constexpr double Storage = 1e-3;
-// of the interval between two samples; enough for the precision of a float
+// Bisections of the interval between two samples, enough for the precision of a float.
 constexpr int Halvings = 24;
 } // namespace
 

@@ -25,14 +25,14 @@ constexpr int FourthTerm = 9;
 constexpr int OffsetTerm = 10;
 
 constexpr double Reach = 1.25; // radius of the disc, in contact radii
-// radius that contains two rings of neighbours, in distances of points
+// Radius that contains two rings of neighbours, in distances of points.
 constexpr double TwoRings = 2.6;
 constexpr std::size_t Fewest = 12; // least number of points for a fit
 // Largest number of points. A disc has more if the mesh is far finer here than elsewhere. Averages
 // of neighbours then take less time.
 constexpr std::size_t Most = 2000;
 constexpr std::size_t Enough = 96; // points for a fit; from more points only a part is drawn
-// least cosine between normals; excludes points beyond a sharp edge
+// Least cosine between normals; excludes points beyond a sharp edge.
 constexpr double LeastFacing = 0.3;
 // Ridges divided by the sum of weights, for lengths in contact radii.
 constexpr double TiltRidge = 0.005;

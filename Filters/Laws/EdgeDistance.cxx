@@ -24,9 +24,9 @@ using Eigen::Vector3d;
 constexpr double IncompressibleRatio = 0.5; // Poisson's ratio at which edges are compared
 // Sharpness of an edge of 60°; the reach of blunter edges is reduced in proportion.
 constexpr double BluntSharpness = 0.2;
-// sine of the largest angle between the direction to an edge and the tangent plane
+// Sine of the largest angle between the direction to an edge and the tangent plane.
 constexpr double LargestRise = 0.25;
-// largest distance of edges found with cells of one size, in cells
+// Largest distance of edges found with cells of one size, in cells.
 constexpr double LargestCellDistance = 4.0;
 constexpr double CellRatio = 3.0; // ratio of the next larger cell size
 // Largest size of a cell as a fraction of the body's width. Larger cells do not resolve the shape

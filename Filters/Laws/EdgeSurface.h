@@ -40,7 +40,7 @@ struct PALPATE_EXPORT EdgeSurface : LinkedSurface
   /// A width of the body, mm. A box whose surface has the same variances of position has three side
   /// lengths; this is the middle one. It does not depend on the coordinate axes.
   double width = 0.0;
-  /// sides that belong to one facet; two coincident sides are not a border
+  /// Sides that belong to one facet; two coincident sides are not a border.
   std::vector<SurfaceSide> border;
 
 private:

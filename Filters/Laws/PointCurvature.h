@@ -23,7 +23,7 @@ inline constexpr double ContactVariance = 0.1;
 inline constexpr double SagVariance = 0.192;
 inline constexpr double TurnVariance = 0.577;
 inline constexpr double StepVariance = 0.5;
-// squared edge length of the lattice, in squared distances of points
+// Squared edge length of the lattice, in squared distances of points.
 inline constexpr double EdgeSquare = 1.155;
 /// The largest weight of the sags, for contacts smaller than the facets.
 inline constexpr double LargestSagWeight = 1.5;

@@ -21,9 +21,9 @@ public:
     , Visits(6 * surface.triangleCount)
   {
     const std::vector<std::size_t> corners = this->sortCorners(surface);
-    // position in the list of neighbours of `seenAt`
+    // Position in the list of neighbours of the point in `seenAt`.
     std::vector<std::uint32_t> placeOf(surface.pointCount, 0);
-    // last point that has this neighbour, plus one
+    // Last point that has this neighbour, plus one.
     std::vector<std::uint32_t> seenAt(surface.pointCount, 0);
     this->Neighbours.reserve(6 * surface.pointCount);
     std::size_t visit = 0;

@@ -16,7 +16,7 @@ namespace palpate
 namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
-// number of blocks; the caller can stop the computation after each
+// Number of blocks; the caller can stop the computation after each.
 constexpr std::size_t MostBlocks = 20;
 // Points of a block per thread. A block takes some 50 ms. A caller that stops does not wait longer,
 // and the cost of starting threads is small.

@@ -107,7 +107,7 @@ private:
   std::vector<double> Depths;
   UnitCurve HalfSpace;
   std::shared_ptr<const LayerCurves> Stored; ///< curves of layers, at the depths of the samples
-  /// curves of layers, with more samples, for solving in series
+  /// Curves of layers, with more samples, for solving in series.
   std::shared_ptr<const LayerCurves> Local;
   ResponseSampling LocalSampling;
   double LocalRange;

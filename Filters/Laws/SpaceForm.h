@@ -17,7 +17,7 @@ namespace palpate
 struct SpaceForm
 {
   static constexpr std::size_t Square = 6; ///< index of the square of the mean curvature
-  /// index of the square of the roughness (SurfaceCurvature)
+  /// Index of the square of the roughness (SurfaceCurvature).
   static constexpr std::size_t Rough = 7;
   static constexpr std::size_t Count = 8; ///< index of the number of forms in a sum
 

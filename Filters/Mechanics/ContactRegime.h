@@ -23,8 +23,8 @@ PALPATE_EXPORT double regimeIndex(
 /// Whether the shape of the tool has an effect.
 enum class RegimeVerdict : unsigned char
 {
-  ShapeMatters, ///< a tool twice as large changes the force by more than 10 %, which a hand can
-                ///< feel
+  /// A tool twice as large changes the force by more than 10 %, which a hand can feel.
+  ShapeMatters,
   Mixed,
   PointForceSuffices ///< a tool four times as large changes the force by less than 5 %
 };

@@ -118,8 +118,8 @@ private:
   std::vector<double> ContactPressures;   ///< MPa, < 0
   std::vector<PressureStep> Steps;
   std::vector<Gap> Gaps;
-  std::vector<int> ValueOf; ///< index in the tangent for each element, row and column <= row; -1:
-                            ///< none
+  /// Index in the tangent for each element, row and column <= row; -1: none.
+  std::vector<int> ValueOf;
 };
 } // namespace palpate
 

@@ -18,8 +18,8 @@ constexpr double Growth = 1.6;
 constexpr double FarAway = 1000.0;      // distance at which a half-space is fixed, in contact radii
 constexpr double PenaltyFactor = 300.0; // multiple of E* per contact radius
 constexpr double ElementsPerFillet = 5.0;
-constexpr double CentralHole = 0.02; // fraction of a ball's radius, where elements would have no
-                                     // width
+// Fraction of a ball's radius, where elements would have no width.
+constexpr double CentralHole = 0.02;
 
 /// (r, z) of the point at the distance `along` the surface from the axis and at the depth `below`
 /// the surface; z = 0 is the surface on the axis.

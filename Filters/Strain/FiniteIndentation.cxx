@@ -20,8 +20,8 @@ constexpr int MostHalvings = 4; // of a step of Newton's method; after that the 
 constexpr int MostCuts = 7;     // halvings of a step in depth
 // Factor of the depth per step, because the contact grows with the depth.
 constexpr double LargestGrowth = 1.3;
-constexpr double FirstFraction = 0.05; // fraction of the first depth, for the step from the
-                                       // undeformed body
+// Fraction of the first depth, for the step from the undeformed body.
+constexpr double FirstFraction = 0.05;
 constexpr double Converged = 1e-12; // largest gain of a further iteration, relative to the energy
 
 /// Newton's method on the potential of a body and a tool at successive depths.

@@ -88,7 +88,7 @@ bool CsvReader::columns(std::vector<std::string_view> names, std::size_t require
   this->Names = std::move(names);
   this->Place.assign(this->Names.size(), Absent);
   this->FieldCount = this->size();
-  // the rows of a table are counted from the row after the names
+  // The rows of a table are counted from the row after the names.
   this->Begin = this->Stream ? this->Begin : 0;
   for (std::size_t i = 0; i < this->Names.size(); ++i)
   {
@@ -257,7 +257,7 @@ bool CsvReader::split()
     {
       this->Fields.emplace_back();
     }
-    // the memory of the field is used again for the next record
+    // The memory of the field is used again for the next record.
     std::string& field = this->Fields[count++];
     field.clear();
     at = skipBlanks(at);

@@ -33,7 +33,7 @@ constexpr double LayerExtension = 2.25;
 constexpr double TableError = 0.003; // caused by mesh, far field and interpolation
 // Error for a flat end with a sharp rim, because the rim is rounded in the table.
 constexpr double FlatError = 0.015;
-// difference from the result of another program for a sharp rim
+// Difference from the result of another program for a sharp rim.
 constexpr double FlatLayerError = 0.022;
 constexpr double ConeError = 0.005;
 

@@ -50,11 +50,11 @@ public:
   /// The nodes, all ascending. `thicknesses` is empty for a half-space.
   struct Axes
   {
-    std::vector<double> ratios;       ///< Poisson's ratios
-    std::vector<double> thicknesses;  ///< mm
-    std::vector<double> roots;        ///< √(δ/δ_max), 0 < root <= 1; at most MostRoots
-    std::vector<double> seconds = {}; ///< thicknesses of a stack's second layer, mm; empty: no
-                                      ///< second layer
+    std::vector<double> ratios;      ///< Poisson's ratios
+    std::vector<double> thicknesses; ///< mm
+    std::vector<double> roots;       ///< √(δ/δ_max), 0 < root <= 1; at most MostRoots
+    /// Thicknesses of a stack's second layer, mm; empty: no second layer.
+    std::vector<double> seconds = {};
   };
 
   /// `factors` are ordered by ratio, then thickness, then second, then root. An unknown factor is

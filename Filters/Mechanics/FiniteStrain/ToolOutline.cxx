@@ -16,11 +16,11 @@ using Eigen::Vector2d;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr int PiecesPerSmooth = 24; // biarcs of a smooth part; the error is 1e-6 of its size
-// the outline is straight beyond this slope; no contact is steeper
+// The outline is straight beyond this slope; no contact is steeper.
 constexpr double SteepestSlope = 6.0;
 // radians; smaller angles are those of a sampled curve, not corners
 constexpr double CornerAngle = 0.02;
-// largest fraction of a part that the fillet at either end may replace
+// Largest fraction of a part that the fillet at either end may replace.
 constexpr double LargestCut = 0.35;
 // Step of differences as a fraction of a part's length, suitable for profiles with six digits.
 constexpr double TangentStep = 1e-6;

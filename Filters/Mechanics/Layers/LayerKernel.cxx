@@ -22,7 +22,7 @@ namespace
 {
 constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at this ω
 constexpr int OmegaPanels = 20;
-// for a stack, because deep layers have an effect at small ω
+// Least ω for a stack, in which deep layers have an effect at small ω.
 constexpr double LeastOmega = 1.0 / 4096;
 
 // Ranges of a/h. In each range a polynomial of degree 15 through Chebyshev points approximates the

@@ -18,7 +18,7 @@ namespace
 using Real = long double;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 using Matrix4 = Eigen::Matrix<Real, 4, 4>;
-// for k times the thinnest layer; a parabola is used for smaller k
+// Least k times thickness of the thinnest layer. For smaller k a parabola is used.
 constexpr double LeastWaveNumber = 1e-3;
 
 Real shearModulus(const StackLayer& layer)

@@ -38,7 +38,7 @@ private:
   void leaveOutTheThinnest(const AxisymmetricTool& tool);
 
   std::shared_ptr<const StackKernels> Kernels; ///< null: no point has a curve
-  /// logarithms of F, dF/dδ and a by depth; one column per node
+  /// Logarithms of F, dF/dδ and a by depth; one column per node.
   Eigen::MatrixXd Logarithms;
 };
 } // namespace palpate

@@ -278,7 +278,7 @@ private:
   }
 
   std::size_t Awake = 0; ///< elements that were touched and have not recovered
-  /// number of elements in contact; these are the first ones, because contact areas are nested
+  /// Number of elements in contact; these are the first ones, because contact areas are nested.
   std::size_t Touched = 0;
   Values Depth{}; ///< u_j
   Values Force{}; ///< q_j

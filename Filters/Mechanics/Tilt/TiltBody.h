@@ -16,9 +16,9 @@ class AxisymmetricTool;
 /// with a compliance in series.
 struct TiltBody
 {
-  /// thickness of the layer, or of a stack's first layer, mm; 0 for a half-space
+  /// Thickness of the layer, or of a stack's first layer, mm; 0 for a half-space.
   double thickness = 0.0;
-  /// kernel of the layer or stack; null for a half-space
+  /// Kernel of the layer or stack; null for a half-space.
   std::shared_ptr<const LayerKernel> kernel;
   double yielding = 0.0; ///< compliance in series times E*, 1/mm
 

@@ -9,8 +9,9 @@ namespace palpate
 /// A tilted contact on a layer, in dimensionless numbers.
 struct TiltedLayer
 {
-  double radius = 0.0;  ///< contact radius of the upright tool at the same depth in a half-space,
-                        ///< divided by the thickness of the layer; 0 on a half-space
+  /// Contact radius of the upright tool at the same depth in a half-space, divided by the thickness
+  /// of the layer; 0 on a half-space.
+  double radius = 0.0;
   double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
   double rim = 0.0;     ///< κ h/D for a tool with a flat end (TiltTerms::dropScale), else 0
 };

@@ -21,7 +21,7 @@ constexpr double Degree = Pi / 180.0;
 // tilt.
 constexpr double Margin = 4.0 * Degree;
 constexpr double LargestTilt = 80.0 * Degree; // at larger tilts the body's surface is not a plane
-// distance from the tip at which a flank has its final slope
+// Distance from the tip at which a flank has its final slope.
 constexpr double FarRadius = 1e6;
 
 /// A point of the profile.

@@ -28,7 +28,7 @@ constexpr double Power = -1.2; // exponent of τ that makes it nearly linear in 
 constexpr int SamplesPerRow = 4;
 constexpr std::size_t OfRows =
   SamplesPerRow * RowCells + 2;          // samples over the depths of the rows, and two more
-constexpr std::size_t MostSamples = 200; // samples down to 1e-7 of the least depth, for small tilts
+constexpr std::size_t MostSamples = 200; // samples at small tilts, down to 1e-7 of the least depth
 // Lower bound of contact radius over depth for the result of the solver.
 constexpr double Smallest = 1e-9;
 
@@ -182,7 +182,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) cons
   constexpr double Least = 1e-4;
   constexpr double Whole = 3.0; // q of full contact of the end
   constexpr int Lower = 60;     // number of points from the least q to 1
-  // number of points from q = 1 to full contact, with decreasing distances
+  // Number of points from q = 1 to full contact, with decreasing distances.
   constexpr int Upper = 40;
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;

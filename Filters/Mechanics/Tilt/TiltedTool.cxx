@@ -16,7 +16,7 @@ namespace
 {
 const GaussLegendre& cellRule()
 {
-  // for the exponential of a cubic over a cell; the error is 1e-12
+  // For the exponential of a cubic over a cell the error is 1e-12.
   static const GaussLegendre rule(8);
   return rule;
 }
