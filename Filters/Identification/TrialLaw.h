@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Force and its derivatives with respect to the parameters, at one depth below first contact.
+/// Force at one depth below first contact, and its derivatives with respect to the parameters.
 struct Sensitivity
 {
   double force = 0.0;
@@ -55,7 +55,7 @@ public:
     {
       const double compliance = this->Body.compliance;
       const SeriesPoint point = seriesResponse(this->Tool, modulus, compliance, deflection);
-      // With K the local stiffness, S = K/(1+CK): dF/d ln E* = F/(1+CK), dF/dC = -F S.
+      // S = K/(1+CK) with the local stiffness K. Therefore dF/d ln E* = F/(1+CK) and dF/dC = -F S.
       result = { point.force, point.stiffness, point.force * (1.0 - compliance * point.stiffness),
         -point.force * point.stiffness };
     }
