@@ -30,7 +30,8 @@ constexpr std::size_t EnoughBefore = 30;
 constexpr std::size_t MostReadings = 200; // more readings are averaged
 constexpr int ContactGroups = 160;
 constexpr int BaselineGroups = 40;
-constexpr double Unknown = std::numeric_limits<double>::infinity(); // for a noise that is not known
+// Value of a noise that is not known.
+constexpr double Unknown = std::numeric_limits<double>::infinity();
 // Fraction of the depth of contact. Before first contact, groups within this distance are as fine
 // as those in contact.
 constexpr double KinkShare = 0.1;

@@ -83,7 +83,7 @@ struct PALPATE_EXPORT BodyFit
 {
   BodyParameters body;
   std::vector<double> contactOffset;   ///< depth of first contact of each curve, mm
-  std::vector<ForceBaseline> baseline; ///< for each curve
+  std::vector<ForceBaseline> baseline; ///< baseline of each curve
   std::vector<BaselineTerms> terms;    ///< fitted terms of each baseline
   /// Sum of squares of the residuals of force over all single readings, N².
   double sumOfSquares = 0.0;

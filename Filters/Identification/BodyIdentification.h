@@ -49,7 +49,8 @@ struct IdentifiedBody
   std::vector<Estimate> forceOffset;   ///< force offset of each curve at first contact, N
   /// Force drift of each curve, N/mm. The interval is 0 to 0 if the drift is not determined.
   std::vector<Estimate> forceDrift;
-  std::vector<ForceBaseline> baseline; ///< for each curve, computed from forceOffset and forceDrift
+  /// Baseline of each curve, computed from forceOffset and forceDrift.
+  std::vector<ForceBaseline> baseline;
   /// The relaxation of the body; the other parameters then describe the slow response. If there are
   /// no branches, the body is elastic.
   PronySeries relaxation;

@@ -42,7 +42,7 @@ struct PreparedCurve
 struct ElasticityLimits
 {
   double hysteresis = 0.2;
-  double rateEffect = 0.1; ///< also the largest relative decrease of the force in a hold
+  double rateEffect = 0.1; ///< limit also for the largest relative decrease of the force in a hold
 };
 
 /**

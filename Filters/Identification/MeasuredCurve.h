@@ -42,7 +42,7 @@ struct MeasuredCurves
 {
   std::string file;
   ToolSpecification tool;
-  std::string toolText;  ///< as in the file
+  std::string toolText;  ///< text of the tool in the file
   std::string synthetic; ///< method by which computed curves were made; empty for measured curves
   std::vector<MeasuredCurve> curves;
 };

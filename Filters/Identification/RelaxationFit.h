@@ -17,7 +17,7 @@ namespace palpate
 /// of ln p_i and of ln τ_i, if these parameters were fitted.
 struct PALPATE_EXPORT RelaxationFit : BodyFit
 {
-  PronySeries series; ///< with ascending times
+  PronySeries series; ///< branches in the order of their times
   double score = 0.0; ///< sum of squares over σ², plus a penalty for each parameter (1 %)
 };
 

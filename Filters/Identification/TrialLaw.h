@@ -17,7 +17,7 @@ struct Sensitivity
   double force = 0.0;
   double stiffness = 0.0;
   double byLogModulus = 0.0;
-  double bySecond = 0.0; ///< with respect to C_g or ln h
+  double bySecond = 0.0; ///< derivative with respect to C_g or ln h
 };
 
 /// The law of one tool on a body during a fit.

@@ -45,7 +45,7 @@ struct FieldTriangle
   };
   /// Positions of the corners, mm.
   std::array<Vector3, 3> corners = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
-  std::array<double, 3> thickness{}; ///< of the layer, mm; 0 on a half-space
+  std::array<double, 3> thickness{}; ///< thickness of the layer, mm; 0 on a half-space
   LayerBase base = LayerBase::Bonded;
   /// The stack to which the first layer belongs; no layers if the body is not a stack.
   LayerStack stack;

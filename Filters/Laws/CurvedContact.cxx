@@ -199,7 +199,7 @@ ContactNodes onCurvedBody(
       curved.size() == 0 || (depth > curved.depths.back() && force > curved.forces.back());
     if (isFlatEnd && (!(depth >= whole && depth > 0.0 && force > 0.0) || !isLater))
     {
-      continue; // not yet in full contact
+      continue; // the flat end is not yet in full contact
     }
     if (!(depth > 0.0) || !isLater)
     {

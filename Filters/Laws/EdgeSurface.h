@@ -35,7 +35,7 @@ struct PALPATE_EXPORT EdgeSurface : LinkedSurface
     return (this->SteepSides[facet] >> i & 1U) != 0;
   }
 
-  std::vector<Eigen::Vector3d> normals; ///< of the points, unit
+  std::vector<Eigen::Vector3d> normals; ///< normals of the points, unit
   double spacing = 0.0;                 ///< square root of the area per point, mm
   /// A width of the body, mm. A box whose surface has the same variances of position has three side
   /// lengths; this is the middle one. It does not depend on the coordinate axes.

@@ -154,7 +154,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   struct Part
   {
     double share;    // fraction of the depth, not normalised
-    double pressure; // over E*
+    double pressure; // pressure on the layer divided by its E*
     double ratio;
     double thickness; // 0: infinite
   };

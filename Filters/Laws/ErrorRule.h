@@ -31,7 +31,7 @@ struct ErrorParts
 /// The surface at a spot, and the measurement of the material.
 struct SpotSurface
 {
-  SpotCurvature curvature; ///< of the mesh, even if the law does not include it
+  SpotCurvature curvature; ///< curvature of the mesh, even if the law does not include it
   NearEdge edge;
   /// The contact with which the material was measured; null: the material was not measured.
   const LocalState* measured = nullptr;

@@ -37,7 +37,7 @@ private:
   std::vector<std::int32_t> Triangles;
   std::vector<float> Normals;
   std::vector<std::int32_t> PointOf;
-  std::vector<bool> IsCut; ///< for each point: whether it is on a sharp edge
+  std::vector<bool> IsCut; ///< whether each point is on a sharp edge
 };
 } // namespace palpate
 

@@ -31,8 +31,8 @@ public:
   /// Returns the range of bodies for the correction of finite strain.
   StrainBodies strainBodies() const;
 
-  LayerTable::Layers layers; ///< without layers: thinnest is infinite, thickest 0
-  LayerStack stack;          ///< no layers: the body is not a stack
+  LayerTable::Layers layers; ///< if there are none, `thinnest` is infinite and `thickest` is 0
+  LayerStack stack;          ///< without layers if the body is not a stack
   /// Thickness of the second layer of the stack, mm. Without one, the span is that of `layers`
   /// without layers.
   ThicknessSpan second;

@@ -26,7 +26,7 @@ struct NearField
   Eigen::Vector3d slope = Eigen::Vector3d::Zero(); ///< g, 1/N
   Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();  ///< Q, 1/(N mm), symmetric
   double radius = 0.0;                             ///< ρ, mm; 0: unknown
-  double reducedModulus = 0.0;                     ///< of the half-space, MPa
+  double reducedModulus = 0.0;                     ///< E* of the half-space, MPa
 
   /// R(d), mm/N.
   PALPATE_EXPORT double at(const Eigen::Vector3d& away) const;

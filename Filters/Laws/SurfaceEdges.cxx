@@ -201,7 +201,7 @@ private:
   double Radius;
   double Cell; ///< mm
   FacePatches Patches;
-  std::vector<float> Turns; ///< per patch
+  std::vector<float> Turns; ///< turn of the edge at each patch, rad; 0: no edge
   std::vector<SurfaceSide> Sides;
 };
 } // namespace

@@ -19,7 +19,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Factors whose results bound 95 of 100 errors; see SurfaceCurvatureTest.cxx.
-constexpr double DiscFactor = 2.0;      // on the residual of a disc
+constexpr double DiscFactor = 2.0;      // factor on the residual of a disc
 constexpr double DiscNoiseFactor = 3.0; // additional factor with noise
 constexpr double DiscCurvatureFactor = 0.003;
 constexpr double LargestDiscNoise = 0.5; // with more noise an average is more accurate
@@ -31,7 +31,8 @@ constexpr double LargestDiscRatio = 8.0;
 constexpr double AverageFactor = 1.3;
 // Factor on the spread, because the centre of an average is not exactly at the point.
 constexpr double SpreadFactor = 0.1;
-constexpr double CurvatureFactor = 0.02; // for facets and for the rotation of forms
+// Factor on the curvature, for facets and for the rotation of forms.
+constexpr double CurvatureFactor = 0.02;
 
 // Limits for the correlation between the difference of sags and turns at a point and at its
 // neighbours. Above the first a surface counts as smooth, below the second as noisy. White noise

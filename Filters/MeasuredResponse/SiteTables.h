@@ -16,7 +16,7 @@ namespace palpate
 struct PlacedSite
 {
   MeasuredSite measured;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< after registration, mm
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< position after registration, mm
   double distance = 0.0;                              ///< distance from the surface, mm
 };
 

@@ -46,7 +46,8 @@ ElementPoint pointOf(const Element& element, int i, int k)
       slope(node, 1) = nx[m] * sy[j];
     }
   }
-  const Eigen::Matrix2d jacobian = element.places * slope; // of (r, z) with respect to (x, y)
+  // Derivatives of (r, z) with respect to (x, y).
+  const Eigen::Matrix2d jacobian = element.places * slope;
   const Eigen::Matrix<double, 9, 2> byPlace = slope * jacobian.inverse();
   const double r = element.places.row(0).dot(shape);
   ElementPoint point;

@@ -78,7 +78,7 @@ private:
   struct Gap
   {
     double value;             ///< distance from the tool, mm, > 0 outside
-    Eigen::Vector2d gradient; ///< with respect to the displacement
+    Eigen::Vector2d gradient; ///< gradient with respect to the displacement
     Eigen::Matrix2d hessian;
     double byDepth;
     Eigen::Vector2d gradientByDepth;

@@ -17,7 +17,8 @@ namespace
 constexpr double Growth = 1.6;
 // Distance at which the nodes of a half-space are fixed, in contact radii.
 constexpr double FarAway = 1000.0;
-constexpr double PenaltyFactor = 300.0; // as a multiple of E* divided by the contact radius
+// Stiffness of the penalty, as a multiple of E* divided by the contact radius.
+constexpr double PenaltyFactor = 300.0;
 constexpr double ElementsPerFillet = 5.0;
 // Fraction of a ball's radius. Closer to the centre the elements would have no width.
 constexpr double CentralHole = 0.02;
@@ -112,7 +113,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   const auto nodeAt = [columns](int column, int row) { return row * columns + column; };
 
   this->UnknownOf.assign(2 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
-  for (int row = 0; row < rows; ++row) // from the surface downwards
+  for (int row = 0; row < rows; ++row) // rows are numbered from the surface downwards
   {
     for (int column = 0; column < columns; ++column)
     {

@@ -26,7 +26,7 @@ constexpr auto CallInterval = std::chrono::milliseconds(100); // interval betwee
 /// One row of a table.
 struct StrainRow
 {
-  LayerStack stack; ///< no layers: a half-space
+  LayerStack stack; ///< without layers: a half-space
   double ratio;     ///< Poisson's ratio of the half-space or of a single layer
   double deepest;   ///< mm
 };

@@ -177,7 +177,8 @@ private:
   double Largest;
   const std::vector<TiltBody>& Bodies;
   const TiltedHalfSpace& HalfSpace;
-  std::vector<std::vector<TiltWork>> Uprights; ///< for each depth and each body
+  /// Results of the upright tool for each depth and each body.
+  std::vector<std::vector<TiltWork>> Uprights;
 };
 
 std::string countFault(const std::vector<TiltBody>& bodies)

@@ -42,7 +42,7 @@ struct TiltTerms
   int laws = 0;   ///< 1 to MostLaws
 
   static constexpr int MostLaws = 16;
-  static constexpr int MostNodes = 256; ///< of depths, of angles and of drops
+  static constexpr int MostNodes = 256; ///< largest number of depths, of angles and of drops
 
   bool areFelt() const noexcept { return this->laws > 0; }
 };

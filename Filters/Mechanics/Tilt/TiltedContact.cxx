@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int CoarsePixels = 32; // for the search of the contact
+constexpr int CoarsePixels = 32; // number of pixels along each side for the search of the contact
 constexpr int MostIterations = 400;
 constexpr double Tolerance = 1e-5; // largest gap under the pressure, relative to the depth
 

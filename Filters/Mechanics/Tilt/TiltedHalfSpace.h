@@ -85,7 +85,7 @@ private:
   Kind Is = Kind::Solved;
   bool IsFaceted = false; ///< the splines interpolate ln τ, not τ^-1.2
   std::vector<Row> Rows;
-  std::vector<Upright> Uprights; ///< in the order of depth, the deepest first
+  std::vector<Upright> Uprights; ///< upright tool at each depth, the deepest first
 };
 } // namespace palpate
 
