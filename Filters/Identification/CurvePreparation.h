@@ -34,8 +34,8 @@ struct PreparedCurve
   /// Largest relative decrease of the force in a hold at the end of a loading; NaN if there is no
   /// hold.
   double holdLoss = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::size_t>
-    turns; ///< readings at which a branch or a hold begins or ends, ascending
+  /// Readings at which a branch or a hold begins or ends, ascending.
+  std::vector<std::size_t> turns;
 };
 
 /// Limits within which a curve counts as elastic.

@@ -22,8 +22,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double BranchRatio = 9.210; // χ² with two degrees of freedom, 1 %
-constexpr double Doubt =
-  2.0 * BranchRatio; // once in a million: for branches that are not determined
+// Additional penalty for branches that are not determined. Noise exceeds the whole penalty once in
+// a million fits.
+constexpr double Doubt = 2.0 * BranchRatio;
 // Least ratio of neighbouring times; branches with a smaller ratio are merged.
 constexpr double LeastTimeRatio = 1.5;
 constexpr std::size_t CoarseBlocks = 1;

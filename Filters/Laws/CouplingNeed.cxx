@@ -20,7 +20,7 @@ constexpr double SearchStep = 0.99; // factor from one distance of the search to
 struct CoupledPoint
 {
   double stiffness = 0.0; ///< N/mm, at half of the range
-  double modulus = 0.0;   ///< E*, MPa; 0: only the modes
+  double modulus = 0.0;   ///< E*, MPa; 0: only the modes have an effect
   double thickness = 0.0; ///< mm; 0: a half-space
   double global = 0.0;    ///< compliance of the modes, mm/N
 

@@ -40,8 +40,8 @@ struct LocalState
   double force = 0.0;     ///< F/E*, mm²
   double stiffness = 0.0; ///< (dF/dδ)/E*, mm
   double radius = 0.0;    ///< mm
-  /// Depth of the tool with that contact radius on the flat body, mm. Negative: to be computed from
-  /// the radius.
+  /// Depth of the tool with that contact radius on the flat body, mm. If negative, it must be
+  /// computed from the radius.
   double toolDepth = -1.0;
   double toolTurn = 1.0; ///< derivative of toolDepth with respect to `depth`
   /// false: no law is valid at this depth; the values only serve to find the first depth with a law

@@ -17,9 +17,9 @@ namespace palpate
 struct NearEdge
 {
   static constexpr float Far = std::numeric_limits<float>::infinity();
-  float distance = Far; ///< mm, straight line
+  float distance = Far; ///< distance to the edge along a straight line, mm
   float turn = 0.0F;    ///< angle by which the surface turns away at the edge, rad
-  float border = Far;   ///< distance to the border, mm, straight line
+  float border = Far;   ///< distance to the border along a straight line, mm
   bool isSharp = false; ///< the edge is a side between two facets with a turn of BluntTurn or more
 };
 

@@ -32,7 +32,8 @@ constexpr double BorderReach = 2.0; // distance in contact radii beyond which a 
 /// half-space, divided by a |κ|: 2 |C_g E* R_b|, from finite elements on balls and in cavities.
 double wholeCompliance(double radius, double meanCurvature, double poissonRatio)
 {
-  constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less for a compressible body
+  // C_g E* R_b is -0.19 to -0.23 at ν = 0.45. Its magnitude is less for a compressible body.
+  constexpr double ball = 0.46;
   if (!(meanCurvature < 0.0))
   {
     return ball;

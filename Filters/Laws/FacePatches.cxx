@@ -15,8 +15,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double LeastPatchCosine =
-  0.15; // smallest cosine between the normals of facets in a patch
+// Smallest cosine between the normals of facets in a patch.
+constexpr double LeastPatchCosine = 0.15;
 // Fraction of a cell's area. A patch with a smaller area does not define a normal.
 constexpr double LeastArea = 0.2;
 

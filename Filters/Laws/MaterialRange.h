@@ -33,8 +33,8 @@ public:
 
   LayerTable::Layers layers; ///< if there are none, `thinnest` is infinite and `thickest` is 0
   LayerStack stack;          ///< without layers if the body is not a stack
-  /// Thickness of the second layer of the stack, mm. Without one, the span is that of `layers`
-  /// without layers.
+  /// Thickness of the second layer of the stack, mm. If there is none, `thinnest` is infinite
+  /// and `thickest` is 0.
   ThicknessSpan second;
   bool stiffens = false;     ///< at least one compliance is negative
   bool hasHalfSpace = false; ///< at least one point has no layer

@@ -29,7 +29,7 @@ inline constexpr double EdgeSquare = 1.155;
 inline constexpr double LargestSagWeight = 1.5;
 // Factors for errors that are estimated from a few neighbours. The results bound 95 of 100 errors;
 // see SurfaceCurvatureTest.cxx.
-// factor for one point, on roughness, residual and difference
+// Factor for one point, on roughness, residual and difference.
 inline constexpr double PointFactor = 0.7;
 inline constexpr double NoisyPointFactor = 2.5; // factor for one point with noise
 

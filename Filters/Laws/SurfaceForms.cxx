@@ -39,7 +39,7 @@ constexpr double CurvatureFactor = 0.02;
 // has -0.29.
 constexpr double SmoothCorrelation = -0.12;
 constexpr double NoisyCorrelation = -0.25;
-constexpr double LargestDifference = 3.0; // times the median; larger differences are those of edges
+constexpr double LargestDifference = 3.0; // times the median; larger differences occur at edges
 
 using Curvature = PointCurvature;
 

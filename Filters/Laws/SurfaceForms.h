@@ -28,7 +28,7 @@ class PALPATE_EXPORT SurfaceForms
 public:
   static constexpr int MostSteps = 16;
 
-  /// `normals`: 3 floats per point, unit length. Both arguments' arrays must outlive this.
+  /// `normals`: 3 floats per point, unit length. The arrays of both arguments must outlive this.
   SurfaceForms(const TriangleSpans& surface, const float* normals);
 
   /// Returns the curvatures of all points for a contact of the given radius, mm. Cost: up to 5 µs

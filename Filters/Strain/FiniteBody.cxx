@@ -323,7 +323,7 @@ FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
     if (gap.value < 0.0)
     {
       found.force += this->Penalty * point.weight * gap.value * gap.byDepth;
-      // The energy of the penalty, plus the same amount for the additional energy of the body
+      // Adds the energy of the penalty, and the same amount for the additional energy of the body
       // without the penalty.
       found.energy += this->Penalty * point.weight * gap.value * gap.value;
       found.contactRadius = radius;

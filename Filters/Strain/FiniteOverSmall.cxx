@@ -22,8 +22,8 @@ constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.
 /// Depth in fillet radii to which the result is used. At larger depths the surface creases next to
 /// the rim, and c is up to 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-constexpr double ReservedTime =
-  0.3; // fraction of the remaining time that is reserved for rounder rims
+// Fraction of the remaining time that is reserved for rounder rims.
+constexpr double ReservedTime = 0.3;
 
 /// Returns c with one fillet, to the largest depth that has an equilibrium.
 std::vector<double> factorsWith(

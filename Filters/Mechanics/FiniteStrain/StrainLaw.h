@@ -13,8 +13,9 @@ enum class StrainModel
 {
   Linear,   ///< small strain
   NeoHooke, ///< W = μ/2 (Ī₁-3)
-  Ogden, ///< one term: W = 2μ/α² (Σ λ̄^α - 3); α = 2 is Neo-Hooke; large α > 0 stiffens in tension,
-         ///< α < 0 in compression
+  /// One term: W = 2μ/α² (Σ λ̄^α - 3). α = 2 is Neo-Hooke. Large α > 0 stiffens in tension, α < 0 in
+  /// compression.
+  Ogden,
   Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as for skin and arteries
 };
 

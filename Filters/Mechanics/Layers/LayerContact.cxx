@@ -10,8 +10,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double DepthTolerance =
-  1e-13; // relative; the force is stationary in a, so its error is smaller
+// Relative error of the depth. The error of the force is smaller, because the force is stationary
+// in a.
+constexpr double DepthTolerance = 1e-13;
 } // namespace
 
 LayerContact::LayerContact(

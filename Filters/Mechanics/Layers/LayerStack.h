@@ -42,7 +42,7 @@ struct LayerStack
   std::vector<StackLayer> layers;
   LayerBase base = LayerBase::Bonded; ///< kind of the rigid base
   bool hasHalfSpace = false;          ///< the base is a half-space and not rigid
-  StackLayer halfSpace;               ///< its thickness is ignored
+  StackLayer halfSpace;               ///< the base; its thickness is ignored
 
   static constexpr std::size_t MostLayers = 4;
 

@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double ReachInLayers =
-  20.0; // the slowest decay is e^(-0.74 r/h), of an incompressible layer
+// The slowest decay is e^(-0.74 r/h), that of an incompressible layer.
+constexpr double ReachInLayers = 20.0;
 
 /// y dt at one node of a rule over the contact.
 struct Source

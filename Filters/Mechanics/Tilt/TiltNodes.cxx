@@ -128,7 +128,7 @@ private:
     const double depthByX = 2.0 * this->Range * placeAt(node);
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
     std::array<Ratio, 3> rim{};    // ρ
-    std::array<Ratio, 3> missed{}; // ratio of the half-space's work to the profile's
+    std::array<Ratio, 3> missed{}; // work on the half-space over work of the profile
     // The differences use y and one position on each side; at the largest tilt y and two smaller
     // positions.
     const bool isLast = y + AngleStep > 1.0;

@@ -22,12 +22,12 @@ namespace palpate
 namespace
 {
 constexpr double Shallowest = 256.0; // ratio of the largest to the smallest depth of the rows
-constexpr int RowCells = 13;         // about two per factor e of the depth
+constexpr int RowCells = 13;         // number of intervals, about two per factor e of the depth
 constexpr int AngleCells = 11;
 constexpr double Power = -1.2; // exponent of τ that makes it nearly linear in sin² θ
 constexpr int SamplesPerRow = 4;
-constexpr std::size_t OfRows =
-  SamplesPerRow * RowCells + 2;          // samples over the depths of the rows, and two more
+// Number of samples over the depths of the rows, and two more.
+constexpr std::size_t OfRows = SamplesPerRow * RowCells + 2;
 constexpr std::size_t MostSamples = 200; // samples at small tilts, down to 1e-7 of the least depth
 // Lower bound of contact radius over depth for the result of the solver.
 constexpr double Smallest = 1e-9;

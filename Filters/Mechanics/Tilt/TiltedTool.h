@@ -51,7 +51,7 @@ protected:
   double reducedSlope(double x) const override;
 
 private:
-  /// Ln a at the fraction t of a cell, and its derivative with respect to t.
+  /// ln a at the fraction t of a cell, and its derivative with respect to t.
   struct Logarithm
   {
     double value;

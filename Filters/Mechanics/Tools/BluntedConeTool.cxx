@@ -56,7 +56,7 @@ double BluntedConeTool::reducedProfile(double x) const
   return x * (this->logarithm(x, q) + this->Cosine / this->Sine * std::atan2(q, b));
 }
 
-/// G' at x = √(b²+q²) > b.
+/// g' at x = √(b²+q²) > b.
 double BluntedConeTool::slopeBehind(double x, double q) const
 {
   const double b = this->Tangent;

@@ -11,7 +11,7 @@
 namespace palpate
 {
 /// The end of a half-space law: at depths beyond `depth`, the tool would also touch the body at
-/// `radius`, outside the circle of contact. mm; +inf and NaN if this never happens.
+/// `radius`, outside the circle of contact. Both in mm; +inf and NaN if there is no such depth.
 struct DepthLimit
 {
   double depth = std::numeric_limits<double>::infinity();

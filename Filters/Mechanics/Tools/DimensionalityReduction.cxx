@@ -61,7 +61,7 @@ double betweenBranchPoints(double s, double p, double q, Integrand&& f)
   const double width = p - s;
   const double half = 0.5 * (q - p);
   const double end = 2.0 * std::asinh(std::sqrt(half / width));
-  const int panels = static_cast<int>(std::ceil(end / 12.0)); // 32 points resolve cosh over 12
+  const int panels = static_cast<int>(std::ceil(end / 12.0)); // 32 points resolve cosh φ over 12
   double sum =
     GaussLegendre::standard().integrate(p + half, q, [&](double x) { return f(x, x - p); });
   for (int i = 0; i < panels; ++i)
