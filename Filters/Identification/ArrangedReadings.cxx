@@ -22,16 +22,19 @@ using Eigen::VectorXd;
 
 constexpr int ScanGroups = 100;
 constexpr int ScanCandidates = 60;
-constexpr double ScanBefore = 0.5; // of the range: largest distance of the contact before the first
-                                   // reading
+// Largest distance of the contact before the first reading, as a fraction of the range.
+constexpr double ScanBefore = 0.5;
 constexpr int MostScans = 12;
-constexpr double BaselineDepths = 4.0; // baseline length in depths of contact
+constexpr double BaselineDepths = 4.0; // length of the baseline, in depths of contact
 constexpr std::size_t EnoughBefore = 30;
 constexpr std::size_t MostReadings = 200; // more readings are averaged
 constexpr int ContactGroups = 160;
 constexpr int BaselineGroups = 40;
-constexpr double Unknown = std::numeric_limits<double>::infinity(); // noise
-constexpr double KinkShare = 0.1; // fraction of the depth of contact: groups within it are as fine
+// Value of a noise that is not known.
+constexpr double Unknown = std::numeric_limits<double>::infinity();
+// Fraction of the depth of contact. Before first contact, groups within this distance are as fine
+// as those in contact.
+constexpr double KinkShare = 0.1;
 
 /// Averages the readings `first` <= i < `last` over `count` equal intervals of depth.
 void appendGroups(const IndentationCurve& curve, std::size_t first, std::size_t last, int count,
@@ -66,14 +69,14 @@ void appendGroups(const IndentationCurve& curve, std::size_t first, std::size_t 
   }
 }
 
-/// A half-space on a baseline, for one depth of first contact.
+/// A half-space and a baseline, for one depth of first contact.
 struct Candidate
 {
   FirstContact contact;
   double squares = std::numeric_limits<double>::infinity();
 };
 
-/// The best E*, offset and drift for a contact at this depth, by linear least squares.
+/// Returns the best E*, offset and drift for a contact at the given depth, by linear least squares.
 Candidate fitAt(const IndentationCurve& groups, double depth, bool hasBaseline)
 {
   Candidate result;
@@ -136,8 +139,8 @@ BaselineTerms baselineTerms(double readings, double range, double depth, double 
   {
     return BaselineTerms::None;
   }
-  // The error of the force over the depth, from the standard error of the slope of a line through
-  // evenly spaced readings.
+  // The error of the force over the depth. It follows from the standard error of the slope of a
+  // line through evenly spaced readings.
   const double error =
     std::max(noise, FitLimits::LeastNoise) * depth * std::sqrt(12.0 / readings) / range;
   return readings >= fewestForDrift && (range >= longEnough * depth || error <= wellEnough)
@@ -222,7 +225,7 @@ IndentationCurve arrangeReadings(const IndentationCurve& curve, bool findContact
       std::lower_bound(depths.begin(), depths.end(), depth) - depths.begin());
   };
   std::size_t first = 0;
-  std::size_t middle = 0; // groups are fine after this reading
+  std::size_t middle = 0; // first reading of the fine groups
   if (findContact)
   {
     FirstContact& start = arranged.start;

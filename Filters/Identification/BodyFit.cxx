@@ -19,14 +19,14 @@ using Eigen::VectorXd;
 
 constexpr std::size_t FewReadings = 16;
 
-/// The force at the end of a curve on the estimated half-space. A single wrong reading has little
-/// effect on it.
+/// Returns the force at the end of a curve on the estimated half-space. A single wrong reading has
+/// little effect on this force.
 double endForce(const IndentationCurve& curve)
 {
   return curve.tool->force(curve.deflection.back() - curve.start.depth, curve.start.modulus);
 }
 
-/// The E* for which the first curve has its end force, with the other parameters given.
+/// Returns the E* for which the first curve has its end force. The other parameters are given.
 double matchModulus(BodyParameters body, const IndentationCurve& curve,
   const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -38,7 +38,7 @@ double matchModulus(BodyParameters body, const IndentationCurve& curve,
   return force / bodyResponse(body, *curve.tool, kernel, local).force;
 }
 
-/// Start values: from a nearly local to a nearly global body, from a thick to a thin layer.
+/// Returns the initial bodies: from nearly local to nearly global, from a thick to a thin layer.
 std::vector<BodyParameters> startingBodies(
   BodyModel model, const IndentationCurve& curve, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -70,7 +70,7 @@ std::vector<BodyParameters> startingBodies(
   return starts;
 }
 
-/// A subset of the readings, evenly chosen, including the deepest one.
+/// Returns a subset of the readings, evenly chosen, including the deepest reading.
 IndentationCurve thin(const IndentationCurve& curve)
 {
   IndentationCurve few;
@@ -128,7 +128,7 @@ std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves, Body
     baselines.push_back(curve.start.baseline);
     few.push_back(thin(curve));
   }
-  // Each start is fitted to a subset of the readings; the best result is then fitted to all
+  // Each initial body is fitted to a subset of the readings. Then the best result is fitted to all
   // readings.
   FitResiduals coarse(few, model, findContact, kernel);
   VectorXd best;

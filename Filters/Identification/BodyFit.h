@@ -23,8 +23,8 @@ namespace palpate
 enum class BodyModel
 {
   HalfSpace,        ///< fits E*
-  GlobalCompliance, ///< fits E*, and C_g in series with the half-space
-  Layer             ///< fits E*, and h on a rigid base
+  GlobalCompliance, ///< fits E* and C_g, which is in series with the half-space
+  Layer             ///< fits E* and h of a layer on a rigid base
 };
 
 /// The parameters of a body.
@@ -33,17 +33,17 @@ struct BodyParameters
   BodyModel model = BodyModel::HalfSpace;
   double reducedModulus = 0.0; ///< E*, MPa
   double compliance = 0.0;     ///< C_g, mm/N
-  double thickness = 0.0;      ///< h, mm; 0 without a layer
+  double thickness = 0.0;      ///< h, mm; 0: no layer
 };
 
 /// The loading of one tool: readings of ascending depth, from any origin. For a fit the readings
-/// are arranged (ArrangedReadings.h), with an estimate of first contact.
+/// are arranged and have an estimate of first contact (ArrangedReadings.h).
 struct IndentationCurve
 {
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  std::vector<double> readings;   ///< number of readings averaged in each value; empty: one
+  std::vector<double> readings;   ///< number of readings averaged in each value; if empty, one each
   FirstContact start;
 
   void append(double depth, double value, double count)
@@ -62,38 +62,39 @@ struct IndentationCurve
     }
     return largest;
   }
-  /// The force of a reading minus the estimated baseline, N.
+  /// Returns the force of a reading minus the estimated baseline, N.
   double netForce(std::size_t reading) const
   {
     return this->force[reading] - this->start.baseline.at(this->deflection[reading]);
   }
 };
 
-/// The response of a body to a tool; `kernel` is needed only for a layer.
+/// Returns the response of a body to a tool. `kernel` is needed only for a layer.
 PALPATE_EXPORT SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 
-/// The contact without the compliance in series; `kernel` is needed only for a layer.
+/// Returns the contact without the compliance in series. `kernel` is needed only for a layer.
 PALPATE_EXPORT IndentationPoint localContact(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double deflection);
 
-/// A body fitted to curves, with its accuracy.
+/// A body fitted to curves, and the accuracy of the fit.
 struct PALPATE_EXPORT BodyFit
 {
   BodyParameters body;
   std::vector<double> contactOffset;   ///< depth of first contact of each curve, mm
-  std::vector<ForceBaseline> baseline; ///< for each curve
-  std::vector<BaselineTerms> terms;    ///< terms of each baseline that were fitted
-  double sumOfSquares = 0.0; ///< sum of squares of the residuals of force over all single readings,
-                             ///< N²
+  std::vector<ForceBaseline> baseline; ///< baseline of each curve
+  std::vector<BaselineTerms> terms;    ///< fitted terms of each baseline
+  /// Sum of squares of the residuals of force over all single readings, N².
+  double sumOfSquares = 0.0;
   int degreesOfFreedom = 0;
   bool converged = false;
-  /// Standard errors per newton of noise: of ln E*, of C_g or ln h, of the depths of contact, and
-  /// of the fitted terms of each baseline; +inf for parameters that the curves do not determine.
+  /// Standard errors of the fitted parameters, each divided by the standard deviation of the noise
+  /// (N). Order: ln E*; C_g or ln h; depths of contact; fitted terms of each baseline. +inf for
+  /// parameters that the curves do not determine.
   Eigen::VectorXd errorPerNoise;
-  /// S, one row for ln E* and one for C_g or ln h: S Sᵀ is their covariance per square newton of
-  /// noise. Empty if the curves do not determine these parameters.
+  /// S, with one row for ln E* and one for C_g or ln h. S Sᵀ is their covariance divided by the
+  /// variance of the noise (N²). Empty if the curves do not determine these parameters.
   Eigen::MatrixXd spreadPerNoise;
   /// The smallest sine of the angle between the effect of one parameter on the forces and the
   /// effects of the others. 0 if two parameters cannot be separated.
@@ -104,15 +105,16 @@ struct PALPATE_EXPORT BodyFit
 };
 
 /**
- * Fits a body by non-linear least squares (Levenberg and Marquardt) of the force. Parameters: E*,
- * C_g or h; for each curve the depth of first contact (fixed at 0 without `findContact`); and the
- * terms of its baseline that its readings determine. Returns nothing if no start leads to a body
- * with finite E*, or if the number of readings does not exceed that of parameters.
+ * Fits a body by non-linear least squares (Levenberg and Marquardt) of the force. The parameters
+ * are E*, C_g or h, the depth of first contact of each curve (fixed at 0 if `findContact` is
+ * false), and the terms of each baseline that the readings determine. Returns nothing if no initial
+ * body leads to a finite E*, or if there are not more readings than parameters.
  */
 PALPATE_EXPORT std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
-/// The standard error of ln E* per newton of noise if C_g (0 here) were also unknown.
+/// Returns the standard error of ln E* divided by the standard deviation of the noise (N), if C_g
+/// (0 here) were also unknown.
 PALPATE_EXPORT double modulusErrorBesideCompliance(
   const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact);
 } // namespace palpate

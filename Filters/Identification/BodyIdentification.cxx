@@ -39,7 +39,7 @@ void sortByDepth(IndentationCurve& curve)
   curve = std::move(sorted);
 }
 
-/// The common noise of all curves.
+/// Returns the common noise of all curves.
 ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
 {
   double squares = 0.0;
@@ -182,8 +182,8 @@ std::string BodyIdentification::choose(
   return {};
 }
 
-/// Identifies a body from the given readings, without another choice of readings. Returns the
-/// reason of a failure, or "".
+/// Identifies a body from the given readings, which are not changed. Returns the reason of a
+/// failure, or "".
 std::string BodyIdentification::judge(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -219,7 +219,7 @@ std::string BodyIdentification::judge(
                          : unclear;
 }
 
-/// Selects and arranges the readings of all curves that are within small strain, and counts them.
+/// Selects the readings of all curves that are within small strain, arranges and counts them.
 /// Returns the reason if there are too few, or "".
 std::string BodyIdentification::select(const std::vector<IndentationCurve>& all, const BodyFit& fit,
   std::vector<IndentationCurve>& used, std::size_t& count) const
@@ -266,7 +266,7 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
     used.push_back(arrangeReadings(curve, this->Options.findContact));
   }
 
-  // The readings within small strain depend on the body, so that fit and choice of readings
+  // The readings within small strain depend on the body. Therefore fit and choice of readings
   // alternate.
   Judgement judgement;
   result.refusal = this->judge(used, noise, judgement);

@@ -19,17 +19,19 @@ namespace palpate
 /// Known properties, and the limits of an acceptable fit.
 struct IdentificationOptions
 {
-  /// The model to fit, if it is known; otherwise the simplest sufficient model is chosen.
+  /// The model to fit, if it is given. Otherwise the simplest sufficient model is chosen.
   std::optional<BodyModel> model;
-  double noise = 0.0;        ///< standard deviation of a force reading, N; 0: estimated
+  double noise = 0.0;        ///< standard deviation of a force reading, N; if 0, it is estimated
   double poissonRatio = 0.5; ///< Poisson's ratio of a layer
   LayerBase base = LayerBase::Bonded;
   bool findContact = true; ///< false: deflections are measured from first contact
-  /// Contact radius divided by tip radius; deeper readings are not used.
+  /// Largest contact radius divided by tip radius. Deeper readings are not used.
   double largestStrain = 0.4;
-  double largestMisfit = 0.02;     ///< residual as a fraction of the largest force
-  double largestUncertainty = 0.5; ///< half the confidence interval of E*, relative
-  /// The relaxation of the body, if it is known; no branches: the relaxation is identified.
+  double largestMisfit = 0.02; ///< largest residual as a fraction of the largest force
+  /// Largest half width of the confidence interval of E*, relative.
+  double largestUncertainty = 0.5;
+  /// The relaxation of the body, if it is known in advance. Without branches, the relaxation is
+  /// identified.
   PronySeries relaxation;
 };
 
@@ -44,30 +46,32 @@ struct IdentifiedBody
   Estimate compliance;                 ///< mm/N; for BodyModel::GlobalCompliance
   Estimate thickness;                  ///< mm; for BodyModel::Layer
   std::vector<Estimate> contactOffset; ///< depth of first contact of each curve, mm
-  std::vector<Estimate> forceOffset;   ///< for each curve, N, at first contact
-  /// For each curve, N/mm; the interval is 0 to 0 if not determined.
+  std::vector<Estimate> forceOffset;   ///< force offset of each curve at first contact, N
+  /// Force drift of each curve, N/mm. The interval is 0 to 0 if the drift is not determined.
   std::vector<Estimate> forceDrift;
-  std::vector<ForceBaseline> baseline; ///< for each curve, from forceOffset and forceDrift
-  /// The relaxation of the body; the other parameters then describe the slow response. No branches:
-  /// the body is elastic.
+  /// Baseline of each curve, computed from forceOffset and forceDrift.
+  std::vector<ForceBaseline> baseline;
+  /// The relaxation of the body; the other parameters then describe the slow response. If there are
+  /// no branches, the body is elastic.
   PronySeries relaxation;
-  std::vector<Estimate> relaxationStrength;                       ///< p_i
-  std::vector<Estimate> relaxationTime;                           ///< τ_i, s
-  double shortestTime = std::numeric_limits<double>::quiet_NaN(); ///< shortest time that the test
-                                                                  ///< can resolve, s
-  double longestTime = std::numeric_limits<double>::quiet_NaN(); ///< longest time that the test can
-                                                                 ///< resolve, s
+  std::vector<Estimate> relaxationStrength; ///< p_i
+  std::vector<Estimate> relaxationTime;     ///< τ_i, s
+  /// Shortest time that the test can resolve, s.
+  double shortestTime = std::numeric_limits<double>::quiet_NaN();
+  /// Longest time that the test can resolve, s.
+  double longestTime = std::numeric_limits<double>::quiet_NaN();
   std::string remark; ///< readings that were not used, and quantities that are not determined
-  /// S, one row for ln E* and one for C_g or ln h: S Sᵀ is their covariance, multiplied by the
+  /// S, with one row for ln E* and one for C_g or ln h. S Sᵀ is their covariance, multiplied by the
   /// square of the factor from a standard error to half a 95 % interval.
   Eigen::MatrixXd spread;
 
-  double noise = 0.0;  ///< standard deviation of a reading, N, given or estimated
-  double misfit = 0.0; ///< residual of the fit per reading, N; about the noise for a suitable model
+  double noise = 0.0; ///< standard deviation of a reading, N, given or estimated
+  /// Residual of the fit per reading, N; for a suitable model about equal to the noise.
+  double misfit = 0.0;
   double largestForce = 0.0; ///< largest force of the readings used, N
   bool withinNoise = false;  ///< false: the residual of the best model exceeds the noise
 
-  // The end of the data used, computed from the fitted curves.
+  // The end of the used data, computed from the fitted curves.
   double endForce = 0.0;     ///< N
   double endStiffness = 0.0; ///< dF/dδ, N/mm
   IndentationPoint end;      ///< end of the curve with the largest contact, without C_g
@@ -79,30 +83,33 @@ struct IdentifiedBody
  *
  * Three models are fitted: a half-space (E*), a half-space in series with a global compliance (E*,
  * C_g > 0), and a layer on a rigid base (E*, h; Poisson's ratio given). A model is within the noise
- * if its residual does not exceed the noise (an F test at three standard deviations) and no model
- * with more parameters reduces the residual by more than noise would (a likelihood ratio at 1 %).
- * The result is the simplest model within the noise. If no model is within the noise, the result is
- * the model with the smallest residual, if this residual is below `largestMisfit`; withinNoise is
- * then false.
+ * under two conditions. Its residual does not exceed the noise (an F test at three standard
+ * deviations), and no model with more parameters reduces the residual by more than noise would (a
+ * likelihood ratio at 1 %). The result is the simplest model within the noise. If no model is
+ * within the noise, the result is the model with the smallest residual, if this residual is below
+ * `largestMisfit`. withinNoise is then false.
  *
  * The laws are those of small strain. Readings deeper than `largestStrain` allows (StrainWindow.h)
- * are not used; `remark` reports their number. The largest depth depends on the body, so that fit
+ * are not used; `remark` reports their number. The largest depth depends on the body. Therefore fit
  * and choice of readings alternate.
  *
  * In addition to the body, the fit finds for each curve the depth of first contact, and the offset
  * and the drift of its force with the depth, if the readings before contact determine them
  * (ArrangedReadings.h).
  *
- * No body is identified, and the reason is returned, in these cases: too few readings; readings
- * before contact that are not on a straight line; a global compliance below 0; curves that do not
- * separate the parameters, such as those of flat punches of one radius, which are straight lines
- * for any E*, C_g and h; an uncertainty of E* above `largestUncertainty` if C_g were also unknown;
- * no model with a sufficiently small residual.
+ * In the following cases no body is identified, and the reason is returned:
+ * - too few readings;
+ * - readings before contact that are not on a straight line;
+ * - a global compliance below 0;
+ * - curves that do not separate the parameters, such as those of flat punches of one radius, which
+ *   are straight lines for any E*, C_g and h;
+ * - an uncertainty of E* above `largestUncertainty` if C_g were also unknown;
+ * - no model with a sufficiently small residual.
  *
- * Confidence intervals are those of the linearised problem, from the Jacobian and the given noise
- * or the misfit (Student's t). The intervals of E* and h are symmetric in the logarithm. Cost: a
- * few milliseconds, a tenth of a second for a layer. Immutable and safe to use from any number of
- * threads.
+ * Confidence intervals are those of the linearised problem. They follow from the Jacobian and from
+ * the given noise or the misfit (Student's t). The intervals of E* and h are symmetric in the
+ * logarithm. Cost: a few milliseconds, a tenth of a second for a layer. Immutable and safe to use
+ * from any number of threads.
  */
 class PALPATE_EXPORT BodyIdentification
 {

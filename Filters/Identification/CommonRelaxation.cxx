@@ -14,7 +14,7 @@ namespace
 using Eigen::Index;
 
 constexpr double MergeRatio = 2.0;  // times with a smaller ratio are merged
-constexpr int PointsPerDecade = 10; // for the comparison of ψ
+constexpr int PointsPerDecade = 10; // number of times per decade at which ψ is compared
 constexpr double TimeMargin = 5.0;  // ψ is compared from (shortest τ)/5 to 5 (longest τ)
 
 /// All branches of the sites, sorted by their times.

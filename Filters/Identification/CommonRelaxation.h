@@ -11,12 +11,12 @@
 
 namespace palpate
 {
-/// The relaxation of all sites of a body, with common times and separate strengths. The strengths
-/// can be interpolated between the sites.
+/// The relaxation of all sites of a body. The times are common to the sites, the strengths are
+/// separate. Therefore the strengths can be interpolated between the sites.
 struct CommonRelaxation
 {
   PronySeries mean; ///< mean over all sites; no branches if no site relaxes
-  /// p_i of each site, one for each branch of `mean`, then zeros.
+  /// p_i of each site: one value for each branch of `mean`, then zeros.
   std::vector<std::array<double, PronySeries::LargestCount>> strength;
   /// The largest relative difference between this ψ and the ψ identified at a site, over the times
   /// of that site.
@@ -24,10 +24,10 @@ struct CommonRelaxation
 };
 
 /**
- * Times within a factor of two are merged; then the closest and weakest times are merged until four
- * remain. The strengths of each site are fitted to the ψ(t) identified there (non-negative least
- * squares, evenly in ln t). E* and the other parameters of a site are unchanged. Exact for one
- * site, and for sites with equal times.
+ * Makes the common relaxation of sites. Times within a factor of two are merged. Then the closest
+ * and weakest times are merged until four remain. The strengths of each site are fitted to the ψ(t)
+ * identified there (non-negative least squares, evenly in ln t). E* and the other parameters of a
+ * site are unchanged. Exact for one site, and for sites with equal times.
  */
 PALPATE_EXPORT CommonRelaxation commonRelaxation(const std::vector<const IdentifiedBody*>& sites);
 } // namespace palpate

@@ -12,14 +12,15 @@ namespace palpate
 {
 namespace
 {
-// Fraction of the range of deflection. A smaller step back is noise.
+// Fraction of the range of deflection. A smaller reversal is noise.
 constexpr double TurnShare = 0.1;
-// Fraction of the range: readings closer to a turning point are at rest.
+// Fraction of the range. Readings at a smaller distance from a turning point are at rest.
 constexpr double RestShare = 0.01;
-constexpr double NearlyShare = 0.03; // fraction of the range within which a hold may begin
-constexpr double SpeedRatio = 1.5;   // two loads with a smaller ratio have the same speed
+// Fraction of the range before the end of a loading within which a hold may begin.
+constexpr double NearlyShare = 0.03;
+constexpr double SpeedRatio = 1.5; // two loadings with a smaller ratio count as equally fast
 
-/// Readings first..last, both included, all in one phase.
+/// The readings from `first` to `last`, both included, which are in one phase.
 struct Segment
 {
   CurvePhase phase = CurvePhase::Unknown;
@@ -41,7 +42,7 @@ std::vector<Segment> recordedSegments(const std::vector<CurvePhase>& phases)
   return segments;
 }
 
-/// The turning points, each at least `step` from the preceding one, with the first and last
+/// Returns the turning points, each at least `step` from the preceding one, and the first and last
 /// reading.
 std::vector<std::size_t> turningPoints(const std::vector<double>& deflection, double step)
 {
@@ -104,7 +105,8 @@ std::vector<Segment> foundSegments(const std::vector<double>& deflection, double
   return segments;
 }
 
-/// ∫ F dδ from `low` to `high` of a branch, N mm, by the trapezoidal rule; > 0 in either direction.
+/// Returns ∫ F dδ from `low` to `high` of a branch, N mm, by the trapezoidal rule; > 0 in either
+/// direction.
 double energy(const std::vector<double>& deflection, const std::vector<double>& force,
   const Segment& branch, double low, double high)
 {
@@ -152,7 +154,7 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Relative decrease of the force between two readings while the depth is at rest.
+/// Returns the relative decrease of the force between two readings while the depth is at rest.
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;
@@ -168,7 +170,7 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
       static_cast<double>(n);
   };
   const std::size_t few = 1 + count / 50;
-  double most = 0.0; // the depth may still rise slightly at first
+  double most = 0.0; // largest mean; the depth may still rise slightly at the beginning
   for (std::size_t i = first; i + few <= first + count / 2 + 1; ++i)
   {
     most = std::max(most, mean(i, few));
@@ -178,8 +180,8 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Computes the largest relative decrease in the holds at the end of a loading, and the ends of all
-/// segments.
+/// Computes the largest relative decrease of the force in the holds at the end of a loading, and
+/// the ends of all segments.
 void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
   PreparedCurve& prepared)
 {
@@ -192,8 +194,8 @@ void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments
     {
       continue;
     }
-    // A recorded hold, or the readings between the branches, including readings that noise of the
-    // depth has displaced.
+    // The hold is a recorded phase, or consists of the readings between the branches. It includes
+    // readings that noise of the depth has displaced.
     const bool isNext = s + 1 < segments.size();
     const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
     const std::size_t end = isHeld ? segments[s + 1].last

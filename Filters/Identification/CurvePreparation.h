@@ -12,53 +12,54 @@
 
 namespace palpate
 {
-/// The readings of one loading, in the order in which they were taken.
+/// The readings of one loading, in the order of measurement.
 struct LoadingBranch
 {
   std::vector<double> deflection;
   std::vector<double> force;
-  double speed = std::numeric_limits<double>::quiet_NaN();      ///< mm/s; NaN without times
-  double hysteresis = std::numeric_limits<double>::quiet_NaN(); ///< NaN without an unloading
+  double speed = std::numeric_limits<double>::quiet_NaN();      ///< mm/s; NaN if there are no times
+  double hysteresis = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is no unloading
 };
 
 /// The branches of a curve, and measures of its deviation from the curve of an elastic body.
 struct PreparedCurve
 {
   std::vector<LoadingBranch> loads;
-  /// Largest fraction of the energy of a loading that is not recovered on its unloading; NaN
-  /// without an unloading.
+  /// Largest fraction of the energy of a loading that is not recovered on its unloading; NaN if
+  /// there is no unloading.
   double hysteresis = std::numeric_limits<double>::quiet_NaN();
   /// Relative difference in energy, over their common depths, between the fastest and the slowest
   /// loading; NaN if the ratio of their speeds is less than 1.5.
   double rateEffect = std::numeric_limits<double>::quiet_NaN();
-  /// Largest relative decrease of the force in a hold at the end of a loading; NaN without a hold.
+  /// Largest relative decrease of the force in a hold at the end of a loading; NaN if there is no
+  /// hold.
   double holdLoss = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::size_t>
-    turns; ///< readings at which a branch or a hold begins or ends, ascending
+  /// Readings at which a branch or a hold begins or ends, ascending.
+  std::vector<std::size_t> turns;
 };
 
 /// Limits within which a curve counts as elastic.
 struct ElasticityLimits
 {
   double hysteresis = 0.2;
-  double rateEffect = 0.1; ///< also the largest relative decrease of the force in a hold
+  double rateEffect = 0.1; ///< limit also for the largest relative decrease of the force in a hold
 };
 
 /**
  * Separates the loading branches of a curve from unloading and hold, and measures hysteresis, rate
  * effect and loss in holds.
  *
- * The branches are those of the recorded phases. Without recorded phases a branch ends at a turning
+ * The branches are the recorded phases. If no phases are recorded, a branch ends at a turning
  * point, where the deflection reverses by more than a tenth of its total range. Readings during a
  * rest at a turning point belong to no branch, because the force may relax.
  *
- * Returns the reason why the curve is refused, or "". `prepared` is set in either case.
+ * Returns the reason why the curve is refused, or "". `prepared` is set in both cases.
  */
 PALPATE_EXPORT std::string prepareCurve(
   const MeasuredCurve& curve, const ElasticityLimits& limits, PreparedCurve& prepared);
 
-/// Whether a prepared curve exceeds the limits in a way that shows relaxation: it loses energy in
-/// loops, is stiffer at a higher speed, or its force decreases during a hold.
+/// Whether a prepared curve exceeds the limits in a way that shows relaxation. Such a curve loses
+/// energy in loops, is stiffer at a higher speed, or its force decreases during a hold.
 PALPATE_EXPORT bool relaxes(const PreparedCurve& prepared, const ElasticityLimits& limits);
 } // namespace palpate
 

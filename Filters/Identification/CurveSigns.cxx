@@ -15,15 +15,18 @@ namespace palpate
 {
 namespace
 {
-constexpr double SignRatio = 3.0; // ratio of the change in one direction to that in the other
-// In standard deviations of the noise; larger changes are not noise.
+// Smallest ratio of the change in one direction to the change in the other.
+constexpr double SignRatio = 3.0;
+// In standard deviations of the noise. Only larger changes are significant.
 constexpr double NoiseFactor = 8.0;
-// Fraction of the change of force below which there is no contact.
+// Fraction of the change of force. If the first force is smaller, there is no contact.
 constexpr double ContactFraction = 0.25;
-constexpr double DepthFraction = 0.1;         // fraction of the range of deflection
-constexpr std::size_t MostStartReadings = 20; // number of readings that count as the first
+// Least significant change of depth, as a fraction of the range of deflection.
+constexpr double DepthFraction = 0.1;
+// Largest number of readings that count as the first readings.
+constexpr std::size_t MostStartReadings = 20;
 constexpr double UnitStrain = 0.4;   // contact radius divided by tip radius, for the check of units
-constexpr double DepthRatio = 100.0; // multiple of the depth of UnitStrain
+constexpr double DepthRatio = 100.0; // implausible depth, as a multiple of the depth of UnitStrain
 
 double median(std::vector<double> values)
 {
@@ -32,7 +35,7 @@ double median(std::vector<double> values)
   return *middle;
 }
 
-/// Noise of the forces, N, estimated from neighbours in depth.
+/// Returns the noise of the forces, N, estimated from neighbours in depth.
 double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDepth)
 {
   std::vector<double> depths;
@@ -73,7 +76,8 @@ std::string doubtSigns(const MeasuredCurve& curve)
   sortBy(curve.deflection);
   const double noise = NoiseFactor * noiseOf(curve, order);
   sortBy(curve.force);
-  const std::size_t skipped = std::min<std::size_t>(2, count / 8); // they may be outliers
+  // The lowest and highest readings may be outliers.
+  const std::size_t skipped = std::min<std::size_t>(2, count / 8);
   const std::size_t lowest = order[skipped];
   const std::size_t highest = order[count - 1 - skipped];
   const double fall = force - curve.force[lowest];

@@ -40,7 +40,8 @@ constexpr std::array<UnitColumn, 6> ForceColumns = { { { "force_N", 1.0 }, { "fo
 constexpr std::array<UnitColumn, 4> TimeColumns = { { { "time_s", 1.0 }, { "time_us", 1e-6 },
   { "time_ms", 1e-3 }, { "time_min", 60.0 } } };
 
-/// The factors for the numbers of a file: units, and -1 for a quantity that decreases on pressing.
+/// The factors for the numbers of a file. They contain the unit, and are negative for a quantity
+/// that decreases while the tool is pressed in.
 struct Factors
 {
   double deflection = 1.0;
@@ -86,8 +87,8 @@ std::string readNegative(std::string_view text, Factors& factors)
   return {};
 }
 
-/// The column of this record with a quantity in one of its units; the first of `columns` if the
-/// record has none of them. `factor` is multiplied by the factor of the column.
+/// Returns the column of the current record that has a quantity in one of its units, or the first
+/// of `columns` if there is no such column. Multiplies `factor` by the factor of the column.
 template <std::size_t N>
 const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns, double& factor)
 {
@@ -110,7 +111,7 @@ const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns,
   return found ? found->name : columns.front().name;
 }
 
-/// Reports a column whose name has a known quantity but no known unit.
+/// Reports a fault if the name of a column has a known quantity but no known unit.
 template <std::size_t N>
 void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
 {
@@ -138,7 +139,7 @@ void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
   }
 }
 
-/// Uses this record as the names of the columns.
+/// Uses the current record as the names of the columns.
 void nameColumns(CsvReader& csv, Factors& factors)
 {
   const char* const deflection = findColumn(csv, DeflectionColumns, factors.deflection);
@@ -150,7 +151,7 @@ void nameColumns(CsvReader& csv, Factors& factors)
     { "x_mm", "y_mm", "z_mm", deflection, force, "site", time, "phase" }, RequiredColumns);
 }
 
-/// The name of a site in a file without site names: "(10, 0, 50)".
+/// Returns the name of a site in a file without site names: "(10, 0, 50)".
 std::string nameOf(const Eigen::Vector3d& position)
 {
   return "(" + shortestDecimals(position[0]) + ", " + shortestDecimals(position[1]) + ", " +
@@ -161,7 +162,7 @@ std::string nameOf(const Eigen::Vector3d& position)
 void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, std::size_t>& index,
   std::vector<MeasuredCurve>& curves)
 {
-  // Evaluated in this order.
+  // The numbers are read in this order.
   const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) };
   const bool isNamed = csv.hasColumn(Site);
   const std::string site = isNamed ? std::string(csv.text(Site))
@@ -212,7 +213,7 @@ void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, s
 }
 
 /// Reads the readings, starting with the names of the columns. The tool of `read` may already be
-/// set.
+/// set. Returns a fault, or "".
 std::string readReadings(
   CsvReader& csv, const std::string& name, MeasuredCurves read, MeasuredCurves& curves)
 {
@@ -284,7 +285,7 @@ std::string readCurves(const CurvesTable& table, MeasuredCurves& curves)
   {
     return table.name + ": " + fault;
   }
-  std::size_t records = 0; // the first record contains the names of the columns
+  std::size_t records = 0; // the first record has the names of the columns
   CsvReader csv(
     [&](std::vector<std::string>& fields)
     {

@@ -21,26 +21,25 @@ namespace palpate
  *   site,x_mm,y_mm,z_mm,deflection_mm,force_N,time_s,phase
  *   A,10,0,50,0.02,0.0013,0.1,loading
  *
- * time_s and phase (`loading`, `unloading`, `hold`, or empty) may be missing. site may be missing
- * in a file with one curve; the name of the site is then its position. Columns may be in any order.
- * Other columns (CsvReader) and other comments are ignored. All rows of a site have the same
- * position. They are in the order of measurement, and time does not decrease.
+ * The columns time_s and phase (`loading`, `unloading`, `hold`, or empty) are optional. The column
+ * site is optional in a file with one curve; the name of the site is then its position. Columns may
+ * be in any order. Other columns (CsvReader) and other comments are ignored. All rows of a site
+ * have the same position. They are in the order of measurement, and time does not decrease.
  *
  * Units: the name of a column contains its unit: deflection_nm, _um, _mm, _cm or _m; force_nN, _uN,
  * _mN, _N or _kN; time_us, _ms, _s or _min. Signs: deflection and force increase while the tool is
- * pressed in. A quantity that decreases instead is listed in the head, as `# negative: force` or `#
- * negative: deflection, force`.
+ * pressed in. If a quantity decreases instead, the head of the file lists it, as `# negative:
+ * force` or `# negative: deflection, force`.
  *
  * Returns an error "file:line: reason", or "". After an error `curves` is unchanged.
  */
 PALPATE_EXPORT std::string readCurves(const std::string& path, MeasuredCurves& curves);
 
-/// Reads curves from a stream; `name` replaces the file name in errors.
+/// Reads curves from a stream. `name` replaces the file name in errors.
 PALPATE_EXPORT std::string readCurves(
   std::istream& stream, const std::string& name, MeasuredCurves& curves);
 
-/// The readings of one tool as a table in memory: its columns, named as in a file, and its fields
-/// as texts.
+/// The readings of one tool as a table in memory: columns named as in a file, and fields as text.
 struct CurvesTable
 {
   std::string name; ///< replaces the file name in errors

@@ -16,12 +16,13 @@ struct Estimate
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// `error` is half the width of the interval: of ln value for logarithmicEstimate(), of value for
-/// linearEstimate().
+/// Return an estimate with its interval. `error` is half the width of the interval: of ln value for
+/// logarithmicEstimate(), of value for linearEstimate().
 PALPATE_EXPORT Estimate logarithmicEstimate(double value, double error);
 PALPATE_EXPORT Estimate linearEstimate(double value, double error);
 
-/// The 97.5 % quantile of Student's t (Abramowitz and Stegun 26.7.5; error 1e-3 for ν >= 5).
+/// Returns the 97.5 % quantile of Student's t (Abramowitz and Stegun 26.7.5; error 1e-3 for ν >=
+/// 5).
 PALPATE_EXPORT double studentQuantile(double degreesOfFreedom);
 } // namespace palpate
 

@@ -17,7 +17,7 @@ struct ForceBaseline
   }
 };
 
-/// The terms of a baseline that the readings before contact determine; other terms are 0.
+/// The terms of a baseline that the readings before contact determine. The other terms are 0.
 enum class BaselineTerms
 {
   None,
@@ -25,11 +25,11 @@ enum class BaselineTerms
   OffsetAndDrift
 };
 
-/// Depth of first contact, baseline of the force and modulus of the body, as a start for fits.
+/// Depth of first contact, baseline of the force and modulus of the body. Initial values for fits.
 struct FirstContact
 {
   double depth = 0.0;   ///< mm
-  double modulus = 0.0; ///< E* of a half-space, MPa; 0: the force does not rise with the depth
+  double modulus = 0.0; ///< E* of a half-space, MPa; 0 if the force does not rise with the depth
   ForceBaseline baseline;
   BaselineTerms terms = BaselineTerms::None;
 };

@@ -14,8 +14,8 @@
 
 namespace palpate
 {
-/// The residuals of arranged loading curves, for Eigen's LevenbergMarquardt. Parameters as in
-/// PackedBody.
+/// The residuals of arranged loading curves, for Eigen's LevenbergMarquardt. The parameters are
+/// those of PackedBody.
 class FitResiduals : public PackedBody
 {
 public:

@@ -16,21 +16,21 @@ namespace palpate
 namespace FitLimits
 {
 constexpr double LikelihoodRatio = 6.635; // χ² with one degree of freedom, 1 %
-// Fractions of the largest force. LeastNoise: no law is more accurate, so that a smaller residual
-// does not justify more parameters. LeastError: least noise for intervals, if the readings have no
-// noise.
+// Fractions of the largest force. `LeastNoise`: no law is more accurate; therefore a smaller
+// residual does not justify more parameters. `LeastError`: least noise for intervals, if the
+// readings have no noise.
 constexpr double LeastNoise = 0.003;
 constexpr double LeastError = 0.0003;
-constexpr int LargestPassCount = 6;  // of alternating fits and choices of readings
-constexpr double Inseparable = 1e-4; // sine of an angle; rounding and a kink can cause such an
-                                     // angle
+constexpr int LargestPassCount = 6; // number of alternating fits and choices of readings
+// Sine of an angle. Rounding errors and a kink can cause such an angle.
+constexpr double Inseparable = 1e-4;
 } // namespace FitLimits
 
-/// Errors of the packed parameters from a Jacobian, per unit residual.
+/// Errors of the packed parameters for a unit residual, computed from a Jacobian.
 struct JacobianVerdict
 {
-  Eigen::VectorXd error;  ///< standard errors
-  Eigen::MatrixXd spread; ///< S; S Sᵀ is their covariance; empty if they are not determined
+  Eigen::VectorXd error; ///< standard errors
+  Eigen::MatrixXd spread; ///< S; S Sᵀ is the covariance; empty if the parameters are not determined
   double separation = 0.0;
 };
 JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
@@ -38,24 +38,25 @@ JacobianVerdict judgeJacobian(const Eigen::MatrixXd& jacobian);
 /// Whether the residual of a fit is within the noise, by an F test at three standard deviations.
 bool leavesNoise(const BodyFit& fit, const ForceNoise& noise);
 
-/// The reason why a global compliance <= 0 is not accepted; "" if the compliance is positive.
-/// `width` is the width of the interval, per standard error for a newton of noise, N.
+/// Returns the reason why a global compliance <= 0 is not accepted; "" if the compliance is
+/// positive. `width` is the result of intervalWidth(), N.
 std::string checkCompliance(const BodyFit& fit, double width);
 
-/// The reason why an arranged curve determines no body, or "": its force does not rise, or its
-/// depth is not plausible in mm.
+/// Returns the reason why an arranged curve determines no body, or "". The reasons are a force that
+/// does not rise, and a depth that is not plausible in mm.
 std::string checkLoading(const IndentationCurve& curve);
 
-/// The reason why the readings before contact of one of the curves of a fit are not a baseline, or
-/// "". They are not on a straight line, within the noise or `allowed` (N), or the drift of the line
-/// exceeds LargestDrift by more than its interval of the width `width`.
+/// Returns the reason why the readings before contact of one of the curves of a fit are not a
+/// baseline, or "". There are two reasons: the readings are not on a straight line, within the
+/// noise or `allowed` (N), or the drift of the line exceeds LargestDrift by more than its interval
+/// of the width `width`.
 std::string checkBaseline(const std::vector<IndentationCurve>& curves, const BodyFit& fit,
   const ForceNoise& noise, double width, double allowed);
 
 /// Whether the contact of a tool has the same radius at every depth.
 bool isFlat(const AxisymmetricTool& tool);
 
-/// The reason why curves of flat punches alone cannot be identified.
+/// The message that curves of flat punches alone cannot be identified.
 extern const char* const FlatAlone;
 } // namespace palpate
 

@@ -11,10 +11,11 @@ namespace palpate
 namespace
 {
 constexpr double DeviationPerMedian = 1.482602218505602; // 1/Φ⁻¹(3/4), for normal noise
-// Fraction of the range of depths: closer readings have equal depth.
+// Fraction of the range of depths. Readings with a smaller distance have equal depth.
 constexpr double TieShare = 1e-9;
 
-/// A combination of four readings that is 0 for a parabola, scaled to the noise of one reading.
+/// Returns a combination of four readings that is 0 for a parabola, scaled to the noise of one
+/// reading.
 double residual(const double* x, const double* y, double tie)
 {
   for (int i = 0; i < 3; ++i)

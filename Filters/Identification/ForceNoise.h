@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Standard deviation of the force readings, N, and the number of independent readings to which its
-/// accuracy corresponds.
+/// The standard deviation of the force readings, N, and its accuracy, as an equivalent number of
+/// independent readings.
 struct ForceNoise
 {
   double deviation = 0.0;
@@ -20,8 +20,8 @@ struct ForceNoise
 /**
  * Estimates the noise as the median of the residuals of parabolas through each run of four
  * neighbouring readings. Therefore the kink at first contact and single outliers have no effect.
- * Depths must be ascending. Readings of several loadings at one depth are compared with each other,
- * so that differences between loadings count as noise.
+ * Depths must be ascending. Readings of several loadings at one depth are compared with each other.
+ * Therefore differences between loadings count as noise.
  *
  * A median of absolute deviations is as accurate as 0.37 n independent readings (Rousseeuw and
  * Croux 1993). Overlapping runs share readings; therefore n/4 is used. NaN for fewer than four

@@ -21,7 +21,8 @@ enum class CurvePhase
 };
 
 /**
- * The readings of one tool at one site, in the order of measurement; there may be several loadings.
+ * The readings of one tool at one site, in the order of measurement. They may contain several
+ * loadings.
  *
  * Deflection (mm) and force (N) are > 0 into the body. The origin of the deflection is that of the
  * instrument; the contact point is determined later (BodyIdentification.h).
@@ -41,8 +42,8 @@ struct MeasuredCurves
 {
   std::string file;
   ToolSpecification tool;
-  std::string toolText;  ///< as in the file
-  std::string synthetic; ///< how computed curves were made; empty: measured curves
+  std::string toolText;  ///< text of the tool in the file
+  std::string synthetic; ///< method by which computed curves were made; empty for measured curves
   std::vector<MeasuredCurve> curves;
 };
 } // namespace palpate

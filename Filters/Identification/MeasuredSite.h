@@ -33,15 +33,16 @@ struct MeasuredSite
   IdentifiedBody body;
 };
 
-/// Collects the curves of each site from several files, each of one tool, in the order in which
-/// they occur. An error names a site with different positions in two files.
+/// Collects the curves of each site from several files, in the order in which they occur. Each file
+/// has the curves of one tool. Returns an error that names a site with different positions in two
+/// files, or "".
 PALPATE_EXPORT std::string collectSites(
   const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
 
-/// Prepares the curves of the site and identifies its body; sets `refusal` on failure. If a loop, a
+/// Prepares the curves of the site and identifies its body. Sets `refusal` on failure. If a loop, a
 /// hold or an effect of speed exceeds the limits, and all curves have times, a relaxing body is
-/// identified (RelaxingIdentification.h). If the relaxation is given in the options, this is done
-/// for every site with times.
+/// identified (RelaxingIdentification.h). If the options contain the relaxation, a relaxing body is
+/// assumed at every site with times.
 PALPATE_EXPORT void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site);
 } // namespace palpate

@@ -12,10 +12,10 @@
 namespace palpate
 {
 /**
- * Packs a fitted body, and the first contacts of its curves, into parameters of order one: ln E*;
- * then C_g divided by a reference, or ln h; then the depths of contact divided by a reference
- * depth; then, divided by the largest force, the fitted offset and drift of each baseline.
- * Residuals are relative to the largest force. This is the common base class of all residuals.
+ * Packs a fitted body and the first contacts of its curves into parameters of order one. The order
+ * is: ln E*; C_g divided by a reference, or ln h; the depths of contact divided by a reference
+ * depth; the fitted offset and drift of each baseline divided by the largest force. Residuals are
+ * relative to the largest force. This is the common base class of all residuals.
  */
 class PackedBody
 {
@@ -40,7 +40,7 @@ public:
   }
   double force() const { return this->Force; }
   double depth() const { return this->Depth; }
-  /// The C_g for which the largest force causes the whole depth.
+  /// The C_g with which the largest force causes a deflection of the whole range of depth.
   double compliance() const { return this->Depth / this->Force; }
 
   BodyParameters body(const Eigen::VectorXd& p) const;
@@ -52,14 +52,15 @@ public:
   }
   ForceBaseline baseline(const Eigen::VectorXd& p, std::size_t curve) const;
 
-  /// Whether a sum of squares is that of a valid body; steps to an invalid body have residuals of
+  /// Whether a sum of squares is that of a valid body. Steps to an invalid body have residuals of
   /// Astray.
   static bool isBody(double squares) { return squares < Astray * Astray; }
 
   /// Computes separation, spread, and errors of body and offsets from the Jacobian at the minimum.
-  /// The errors of further parameters are not unpacked.
+  /// Does not unpack the errors of further parameters.
   void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
-  /// The standard error of ln E* per newton of noise, from the same Jacobian.
+  /// Returns the standard error of ln E* divided by the standard deviation of the noise (N), from
+  /// the same Jacobian.
   double modulusError(const Eigen::MatrixXd& jacobian) const;
 
 protected:
@@ -69,7 +70,7 @@ protected:
   /// Packs a body into the first parameters of `p`.
   void packBody(const BodyParameters& body, const std::vector<double>& offsets,
     const std::vector<ForceBaseline>& baselines, Eigen::VectorXd& p) const;
-  /// The derivatives of a residual with respect to the baseline of its curve.
+  /// Sets the derivatives of a residual with respect to the baseline of its curve.
   void fillBaseline(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
     double deflection, double readings) const;
   /// Whether a step resulted in a valid body.
@@ -80,8 +81,8 @@ protected:
     return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
   }
 
-  /// The residual of an invalid body or a force that is not finite; so large that the method
-  /// rejects the step.
+  /// The residual of an invalid body or of a force that is not finite. It is so large that the
+  /// method rejects the step.
   static constexpr double Astray = 1e3;
 
   BodyModel Model;

@@ -27,7 +27,8 @@ double predictedForceError(const IdentifiedBody& body, const AxisymmetricTool& t
   {
     return 1.0;
   }
-  Eigen::VectorXd gradient(body.spread.rows()); // of ln F by ln E* and the second parameter
+  // Derivatives of ln F with respect to ln E* and the second parameter.
+  Eigen::VectorXd gradient(body.spread.rows());
   gradient[0] = (forceOf(1.0 + step, second) - forceOf(1.0 - step, second)) / (2.0 * step * force);
   if (gradient.size() > 1)
   {

@@ -7,10 +7,10 @@
 
 namespace palpate
 {
-/// Half the 95 % interval, relative, of another tool's force on the identified body at a depth
-/// (mm). It consists of a part due to noise, from the linearised problem, and a part due to the
-/// model's residual if that exceeds the noise. 1 if the body has no force at that depth. `kernel`
-/// is needed only for a layer. Cost: four evaluations of the body.
+/// Returns half the 95 % interval, relative, of another tool's force on the identified body at a
+/// depth (mm). The error has two parts: one caused by noise, from the linearised problem, and one
+/// caused by the model's residual if the residual exceeds the noise. 1 if the body has no force at
+/// that depth. `kernel` is needed only for a layer. Cost: four evaluations of the body.
 PALPATE_EXPORT double predictedForceError(const IdentifiedBody& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 } // namespace palpate

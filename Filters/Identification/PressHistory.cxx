@@ -12,18 +12,19 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ManyReadings = 600; // more readings than this are averaged
+constexpr std::size_t ManyReadings = 600; // if there are more readings, they are averaged
 constexpr double DepthShare = 0.005; // fraction of the range within which readings are averaged
-// Fraction of the time since the last turn within which readings are averaged.
+// Fraction of the time since the last turning point within which readings are averaged.
 constexpr double TimeShare = 0.03;
-// Fraction of the range. Between points that are farther apart, points are inserted.
+// Fraction of the range. If two points are farther apart, points are inserted between them.
 constexpr double StepShare = 0.02;
-// Fraction of the time of a press: shorter times are not resolved.
+// Fraction of the time of a press. Shorter relaxation times are not resolved.
 constexpr double RampShare = 1.0 / 15.0;
-constexpr double ContactShare = 0.1; // fraction of the depth: uncertainty of the estimated contact
-constexpr double LittleShare = 0.02; // fraction of the depth: a smaller reversal is noise
+// Uncertainty of the estimated contact as a fraction of the depth.
+constexpr double ContactShare = 0.1;
+constexpr double LittleShare = 0.02; // a reversal by a smaller fraction of the depth is noise
 
-/// The first reading of each group, and the end of the readings.
+/// Returns the first reading of each group, and finally the number of readings.
 std::vector<std::size_t> groupsOf(
   const MeasuredCurve& curve, const std::vector<std::size_t>& turns, double range, double slack)
 {
@@ -49,7 +50,7 @@ std::vector<std::size_t> groupsOf(
   return starts;
 }
 
-/// The least time between two points with readings, s.
+/// Returns the least time between two points with readings, s.
 double closestReadings(const PressHistory& history)
 {
   double closest = std::numeric_limits<double>::infinity();
@@ -91,7 +92,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
        slack *= 1.5)
   {
     starts = groupsOf(curve, prepared.turns, range, slack);
-    if (slack > 1e6) // the number of turns is as large as that of readings
+    if (slack > 1e6) // there are nearly as many turning points as readings
     {
       break;
     }
@@ -107,7 +108,8 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
     };
     const double time = mean(curve.time);
     const double deflection = mean(curve.deflection);
-    // Inserts points of the path between those with readings. None are needed before contact.
+    // Inserts points between the points with readings. Before contact no inserted points are
+    // necessary.
     if (g > 0 && std::max(deflection, history.deflection.back()) > contact - ContactShare * range)
     {
       const double lastTime = history.time.back();

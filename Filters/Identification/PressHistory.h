@@ -23,13 +23,13 @@ struct PressHistory
   std::vector<double> time;       ///< s, never decreasing
   std::vector<double> deflection; ///< mm, from any origin
   std::vector<double> force;      ///< N
-  /// Number of readings averaged at each point; 0: a point of the path without a reading.
+  /// Number of readings averaged at each point; 0 for an inserted point without a reading.
   std::vector<double> readings;
-  IndentationCurve loading; ///< the arranged loadings only, for the start of a fit
+  IndentationCurve loading; ///< the arranged loadings only, for the initial values of a fit
   ForceNoise noise;         ///< noise of a reading
 
   std::size_t size() const noexcept { return this->time.size(); }
-  /// The force of a point minus the estimated baseline, N.
+  /// Returns the force of a point minus the estimated baseline, N.
   double netForce(std::size_t point) const
   {
     return this->force[point] - this->loading.start.baseline.at(this->deflection[point]);
@@ -38,7 +38,7 @@ struct PressHistory
 
 /// Makes a history from a curve with times. If it has more than 600 readings, readings that are
 /// neighbours in time are averaged over about 0.5 % of the depth of contact and 3 % of the time
-/// since the last turn.
+/// since the last turning point.
 PALPATE_EXPORT PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curve,
   const PreparedCurve& prepared, bool findContact);
 
@@ -49,8 +49,8 @@ struct TimeWindow
   double longest = 0.0;  ///< the longest time in contact before the depth reverses
 };
 
-/// The window of the points with readings. `offsets` is the deflection of first contact of each
-/// history, mm.
+/// Returns the range of times from the points with readings. `offsets` is the deflection of first
+/// contact of each history, mm.
 PALPATE_EXPORT TimeWindow windowOf(
   const std::vector<PressHistory>& histories, const std::vector<double>& offsets);
 } // namespace palpate

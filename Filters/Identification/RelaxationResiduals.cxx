@@ -14,10 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double LogStep = 1e-6;     // of ln p and ln τ; the error of the differences is 1e-6
-constexpr double OffsetStep = 1e-5;  // step, fraction of the depth
-constexpr double LargestLog = 25.0;  // of ln p, of either sign
-constexpr double LargestTime = 40.0; // of ln τ, τ in s, of either sign
+constexpr double LogStep = 1e-6;     // step of ln p and ln τ; the error of the differences is 1e-6
+constexpr double OffsetStep = 1e-5;  // step of the offset as a fraction of the depth
+constexpr double LargestLog = 25.0;  // largest magnitude of ln p
+constexpr double LargestTime = 40.0; // largest magnitude of ln τ, τ in s
 
 bool isUsable(const PronySeries& series)
 {

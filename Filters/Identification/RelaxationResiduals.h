@@ -24,24 +24,24 @@ struct RelaxingBody
   std::vector<ForceBaseline> baseline;
 };
 
-/// The unknowns of a fit: the model, the number of branches (0: the given series), the number of
-/// blocks of elements.
+/// The unknowns of a fit: the model, the number of branches (if 0, `given` is used), and the number
+/// of blocks of elements.
 struct RelaxationProblem
 {
   BodyModel model = BodyModel::HalfSpace;
   bool findContact = true;
   std::shared_ptr<const LayerKernel> kernel;
   std::size_t branches = 0;
-  PronySeries given; ///< used if branches is 0
+  PronySeries given; ///< series that is used if branches is 0
   std::size_t blocks = 3;
 };
 
 /**
- * The residuals of histories, for Eigen's LevenbergMarquardt. Parameters: those of PackedBody, then
- * ln p_i, then ln τ_i.
+ * The residuals of histories, for Eigen's LevenbergMarquardt. The parameters are those of
+ * PackedBody, then ln p_i, then ln τ_i.
  *
- * Derivatives by the parameters of the body are exact (the elements do not depend on the body);
- * those by offsets, strengths and times are differences.
+ * Derivatives with respect to the parameters of the body are exact, because the elements do not
+ * depend on the body. Derivatives with respect to offsets, strengths and times are differences.
  */
 class RelaxationResiduals : public PackedBody
 {
@@ -76,8 +76,8 @@ private:
   RelaxationProblem Problem;
 };
 
-/// The slow curve of a body at the depths of a foundation, then its derivatives by ln E* and, if
-/// the model has such a parameter, by C_g or ln h.
+/// Returns the slow curve of a body at the depths of a foundation, then its derivatives with
+/// respect to ln E* and, if the model has such a parameter, to C_g or ln h.
 std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   const RelaxingFoundation& foundation);

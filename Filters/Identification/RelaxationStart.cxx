@@ -16,12 +16,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double TimesPerDecade = 3.0;
-// Fraction of the largest force below which the contact may be ending.
+// Fraction of the largest force. Readings with smaller forces may be at the end of the contact.
 constexpr double LeastForce = 0.1;
-// Fraction of the whole response: least strength of the slow response.
+// Least strength of the slow response, as a fraction of the whole response.
 constexpr double LeastShare = 0.02;
 
-// Fraction of the slow response: strength of a branch if none is found.
+// Strength of a branch if none is found, as a fraction of the slow response.
 constexpr double DefaultShare = 0.2;
 
 std::vector<double> timeGrid(const TimeWindow& window)
@@ -46,7 +46,7 @@ RelaxationSpectrum RelaxationSpectrum::merged(std::size_t count) const
   RelaxationSpectrum left = *this;
   while (left.time.size() > count)
   {
-    // Ward's rule: merges the pair that causes the smallest change.
+    // Ward's rule: merges the pair whose merging causes the smallest change.
     std::size_t best = 0;
     double least = 0.0;
     for (std::size_t i = 0; i + 1 < left.time.size(); ++i)
@@ -145,7 +145,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     }
   }
   spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
-  if (spectrum.time.empty()) // the fit will then find that there is no branch
+  if (spectrum.time.empty()) // the fit will then find no branch
   {
     spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
     spectrum.strength.push_back(DefaultShare * spectrum.slow);
@@ -156,7 +156,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
 {
   about.body.reducedModulus *= spectrum.slow;
-  // The product of C_g and E*, which determines the shape of the curve, is unchanged.
+  // The shape of the curve depends on the product of C_g and E*. Therefore this product is kept.
   about.body.compliance /= spectrum.slow;
   about.series = {};
   for (std::size_t i = 0; i < spectrum.time.size(); ++i)

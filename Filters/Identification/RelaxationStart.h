@@ -9,29 +9,30 @@
 
 namespace palpate
 {
-/// Strengths of the slow response and of branches at given times, relative to a body's force.
+/// Strengths of the slow response and of branches at given times, relative to the force of a body.
 struct RelaxationSpectrum
 {
   double slow = 0.0;
   std::vector<double> strength; ///< > 0
   std::vector<double> time;     ///< s, ascending
 
-  /// The spectrum reduced to at most `count` branches. Close and weak neighbours are merged.
+  /// Returns the spectrum reduced to at most `count` branches. Close and weak neighbours are
+  /// merged.
   RelaxationSpectrum merged(std::size_t count) const;
 };
 
 /**
- * Estimates the relaxation in the forces of histories, for an approximate body and offsets, by
- * non-negative least squares of the slow response and branches at three times per decade of the
- * window, with the quasi-linear law, from the readings above a tenth of the largest force. The
- * result is the start of a fit.
+ * Estimates the relaxation in the forces of histories, for an approximate body and offsets. The
+ * slow response and branches at three times per decade of the window are fitted by non-negative
+ * least squares, with the quasi-linear law. Only readings above a tenth of the largest force are
+ * used. The result provides the initial values of a fit.
  */
 RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window);
 
-/// The body whose slow response is that of `about` times the slow strength, and whose relaxation is
-/// that of the spectrum.
+/// Returns the body whose slow response is that of `about` times the slow strength, and whose
+/// relaxation is that of the spectrum.
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum);
 } // namespace palpate
 

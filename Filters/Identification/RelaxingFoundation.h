@@ -16,28 +16,28 @@ namespace palpate
 {
 /**
  * The force of a relaxing body over a history of presses, holds and releases. It uses
- * RelaxationElements, but more elements than a servo tick, so that it is accurate enough for a
+ * RelaxationElements, but more elements than a servo tick. Therefore it is accurate enough for a
  * comparison with readings. The slow curve is given by its forces at the gaps of the elements, D
  * (j/n)², and at its end D. Several curves share the elements.
  *
- * Error compared with Ting's integrals, relative to the largest force, with 99 elements: 1e-4 for a
- * sphere and 2e-4 for a cone on unloading; on loading exact, except for the error of the steps in
- * time. Cost: 0.2 µs per point, element and branch for 99 elements.
+ * Error relative to the largest force, compared with Ting's integrals, with 99 elements: 1e-4 for a
+ * sphere and 2e-4 for a cone on unloading. On loading the force is exact, except for the error of
+ * the steps in time. Cost: 0.2 µs per point, element and branch for 99 elements.
  */
 class PALPATE_EXPORT RelaxingFoundation
 {
 public:
-  /// A curve at depths(): forces and, unless empty, dF/dδ for higher accuracy.
+  /// A curve at depths(): forces and, for higher accuracy, dF/dδ. The latter may be empty.
   struct SlowCurve
   {
     Eigen::VectorXd force;
     Eigen::VectorXd stiffness;
   };
 
-  /// Makes elements down to `depth` (mm, > 0), 33 per block.
+  /// Makes 33 elements per block, down to `depth` (mm, > 0).
   RelaxingFoundation(double depth, std::size_t blocks);
 
-  /// Depths from 0 to the end, mm; one more than there are elements.
+  /// Depths from 0 to the end, mm. There is one more depth than elements.
   const Eigen::VectorXd& depths() const noexcept { return this->Depths; }
 
   /// Returns the force of each curve (column) at each point of a history (row), N. `offset` is the

@@ -20,14 +20,15 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double WideInterval = 0.2; // of E*, relative; a wider interval causes a remark
+// Relative width of the interval of E*; a wider interval causes a remark.
+constexpr double WideInterval = 0.2;
 
 std::string seconds(double time)
 {
   return shortly(time) + " s";
 }
 
-/// Number of compared readings.
+/// Returns the number of compared readings.
 std::size_t countOf(const PressHistory& history)
 {
   return static_cast<std::size_t>(
@@ -51,7 +52,7 @@ public:
     IdentifiedBody result;
     result.refusal = this->All.empty() ? "there is no loading" : "";
     result.refusal = result.refusal.empty() ? this->judge() : result.refusal;
-    // The readings within small strain depend on the body, so that fit and choice of readings
+    // The readings within small strain depend on the body. Therefore fit and choice of readings
     // alternate.
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
@@ -252,7 +253,7 @@ private:
       [](const PressHistory& history) { return isFlat(*history.tool); });
   }
 
-  /// Excludes readings that are too deep for a linear law. Returns whether the choice has changed.
+  /// Excludes readings that are too deep for a linear law. Returns true if the choice has changed.
   bool selectReadings()
   {
     bool changed = false;
@@ -336,7 +337,7 @@ private:
     }
   }
 
-  /// The times that the test resolves, and those that it does not resolve, in words.
+  /// Returns the times that the test resolves, and the times that it does not resolve, in words.
   std::string remarkOn(const IdentifiedBody& result, double modulusError) const
   {
     const PronySeries& series = result.relaxation;
@@ -370,7 +371,7 @@ private:
   std::vector<PressHistory> All;
   std::vector<PressHistory> Used;
   ForceNoise Noise;
-  ForceNoise Coarse; ///< at least the accuracy of a law
+  ForceNoise Coarse; ///< the noise, but at least the accuracy of a law
   std::optional<RelaxationFit> Fit;
   double LargestForce = 0.0;
   bool WithinNoise = false;

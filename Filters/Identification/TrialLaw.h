@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// Force and its derivatives with respect to the parameters, at one depth below first contact.
+/// Force at one depth below first contact, and its derivatives with respect to the parameters.
 struct Sensitivity
 {
   double force = 0.0;
   double stiffness = 0.0;
   double byLogModulus = 0.0;
-  double bySecond = 0.0; ///< with respect to C_g or ln h
+  double bySecond = 0.0; ///< derivative with respect to C_g or ln h
 };
 
 /// The law of one tool on a body during a fit.
@@ -55,7 +55,7 @@ public:
     {
       const double compliance = this->Body.compliance;
       const SeriesPoint point = seriesResponse(this->Tool, modulus, compliance, deflection);
-      // With K the local stiffness, S = K/(1+CK): dF/d ln E* = F/(1+CK), dF/dC = -F S.
+      // S = K/(1+CK) with the local stiffness K. Therefore dF/d ln E* = F/(1+CK) and dF/dC = -F S.
       result = { point.force, point.stiffness, point.force * (1.0 - compliance * point.stiffness),
         -point.force * point.stiffness };
     }

@@ -18,8 +18,8 @@ namespace palpate
 class AxisymmetricTool;
 class ResponseLaw;
 
-/// Values at the points of a body, and their name for error messages. If there are no values, the
-/// constant holds at all points.
+/// Values at the points of a body, and the name of the quantity for error messages. If `values` is
+/// empty, the constant holds at all points.
 struct PointValues
 {
   std::string name;
@@ -65,7 +65,7 @@ public:
   {
     PointValues youngsModulus; ///< MPa
     PointValues thickness;     ///< mm, 0 for a half-space
-    PointValues compliance;    ///< global compliance, in series, mm/N
+    PointValues compliance;    ///< global compliance in series with the local contact, mm/N
     PointValues poissonRatio;
     PointValues second;               ///< thickness of the second layer of a stack, mm
     PointValues complianceError = {}; ///< error of the compliance, mm/N
@@ -83,15 +83,15 @@ public:
   /// Sets the common range of all pieces, if other processes have pieces of the body.
   void setRange(const MaterialRange& range) { this->Range = range; }
 
-  /// The exponent for storage, the tip's own exponent or 1: the one with the smaller storage error
-  /// at the softest, stiffest, thinnest and thickest spot of the body.
+  /// The exponent for the storage of curves: the tip's own exponent or 1. Returns the one with the
+  /// smaller storage error at the softest, stiffest, thinnest and thickest spot of the body.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
   /// The largest relative storage error with `exponent` at the four spots of bestExponent(). Spots
   /// that cannot be stored are ignored.
   double storageError(const ResponseLaw& law, double exponent) const;
 
-  /// Describes the model in words.
+  /// Returns a description of the model in words.
   std::string describe() const;
   int modelParts() const;
 

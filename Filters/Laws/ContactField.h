@@ -25,12 +25,12 @@ struct FieldContact
 {
   std::int64_t cell = -1;  ///< cell of the body in which the contact is; -1: no contact
   double deflection = 0.0; ///< sum of the local and the global part
-  /// Along the normal, > 0 out of the body; used by the modes and the near field.
+  /// Force along the normal, N, > 0 out of the body. The modes and the near field use it.
   double force = 0.0;
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::Zero(); ///< outward, unit
-  /// Depth of the tip, mm, if another tool also lowers or supports the surface. The dent is then
-  /// less than the deflection.
+  /// Depth of the tip, mm, if another tool also lowers or supports the surface; infinite otherwise.
+  /// The dent is then less than the deflection.
   double depth = std::numeric_limits<double>::infinity();
 };
 
@@ -43,13 +43,13 @@ struct FieldTriangle
     double sign = 0.0; ///< s_k of GlobalModes.h
     std::array<Vector3, 3> vectors = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
   };
-  /// In mm.
+  /// Positions of the corners, mm.
   std::array<Vector3, 3> corners = { Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
-  std::array<double, 3> thickness{}; ///< of the layer, mm; 0 on a half-space
+  std::array<double, 3> thickness{}; ///< thickness of the layer, mm; 0 on a half-space
   LayerBase base = LayerBase::Bonded;
   /// The stack to which the first layer belongs; no layers if the body is not a stack.
   LayerStack stack;
-  /// Thickness of the second layer, mm; 0: the thickness in `stack`.
+  /// Thickness of the second layer, mm. If 0, the thickness in `stack` is used.
   std::array<double, 3> second{};
   std::vector<Mode> modes;       ///< empty if the response has no global motion
   std::array<NearField, 3> near; ///< radius 0 if the response has no near field
@@ -59,7 +59,7 @@ struct FieldTriangle
 struct FieldSettings
 {
   double poissonRatio = 0.45; ///< 0 to 0.5
-  double reach = 0.0;         ///< mm; 0: limited by the normals only
+  double reach = 0.0;         ///< mm; 0: only the normals limit the field
 };
 
 /**
@@ -77,13 +77,13 @@ struct FieldSettings
  *     v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) for r > a, else 0.
  * Within the contact radius a the surface has the shape of the tool. Outside, m is the part of a
  * tilt of the surface that remains at the distance r from a flat punch that cannot tilt (Johnson
- * 1985, § 5.4 (f)). The local deflection is that of the same force on a half-space with the E* at
- * the contact. v₀ is δ minus the local deflection and the deflection of the modes.
+ * 1985, § 5.4 (f)). The local deflection is the deflection of a half-space with the E* at the
+ * contact under the same force. v₀ is δ minus the local deflection and the deflection of the modes.
  *
- * Global part: by the modes φ_k of the body (GlobalModes.h) with their signs s_k, w_k = -F s_k
- * (n·φ_k(X)), where X is the contact point. The local deflection is δ - F Σ s_k (n·φ_k(X))², so
- * that the surface touches the tool. Without modes and without R, the local part is evaluated at
- * the whole deflection, or at the depth of the tip if that is smaller.
+ * Global part: the modes φ_k of the body (GlobalModes.h) with their signs s_k have the weights w_k
+ * = -F s_k (n·φ_k(X)), where X is the contact point. The local deflection is δ - F Σ s_k
+ * (n·φ_k(X))². With it the surface touches the tool. Without modes and without R, the local part is
+ * evaluated at the whole deflection, or at the depth of the tip if that is smaller.
  *
  * Fade: 1 if reach is 0. Otherwise it is exactly 1 within 3/4 of the reach and within 50° of the
  * contact normal. It falls smoothly to 0 at the reach and at 60°, so that the field has no visible
@@ -94,21 +94,22 @@ struct FieldSettings
 class PALPATE_EXPORT ContactField
 {
 public:
-  static constexpr double CosineOfEnd = 0.5; ///< 60°: beyond, the body is not like a half-space
+  /// 60°; at larger angles the body is not like a half-space.
+  static constexpr double CosineOfEnd = 0.5;
   static constexpr double CosineOfFade = 0.642787610; ///< 50°
   static constexpr double FadeBegin = 0.75;           ///< fraction of the reach
 
   ContactField() = default; ///< no contact: the field is zero
   /// `tool` must outlive the field. `kernel` is the kernel of the most recent layer. The caller
-  /// keeps it from one field to the next, because the construction of a kernel is expensive.
+  /// should keep it from one field to the next, because the construction of a kernel is expensive.
   ContactField(const FieldTriangle& triangle, const AxisymmetricTool& tool,
     const FieldContact& contact, const FieldSettings& settings,
     std::shared_ptr<const LayerKernel>& kernel);
 
   /// u_r and u_z at r >= 0, without fade.
   SurfaceDisplacement local(double r) const;
-  /// The factor `fade`. `cosine` is that of the angle between the normals of the point and of the
-  /// contact.
+  /// The factor `fade`. `cosine` is the cosine of the angle between the normals of the point and of
+  /// the contact.
   double fade(double r, double cosine) const;
   /// v: the additional inward displacement of the surface, mm. `away` is the vector from the
   /// contact in its tangent plane.
@@ -152,13 +153,13 @@ private:
 using ModeSpan = std::variant<const float*, const double*>;
 
 /// Continues a patch across the seams of pieces: adds the points that were reached on other pieces.
-/// Returns false if no piece has points left to visit.
+/// Returns false if no piece has points to visit.
 using SeamCrossing = std::function<bool(SurfacePatch&)>;
 
 /**
  * Adds the displacement of a field to `displacement`, 3 floats (mm) per point of the patch's mesh.
- * The modes act at every point; the local part acts at the points of the patch. The caller has
- * entered the start points of the patch. `modes` has at least as many modes as the field has
+ * The modes act at every point; the local part acts at the points of the patch. The caller must
+ * enter the start points of the patch first. `modes` has at least as many modes as the field has
  * weights. Returns false if a mode's displacement is not finite. The result is bit for bit the same
  * for any number of threads.
  */

@@ -25,10 +25,10 @@ struct SpotCurvature
 struct ContactSpot
 {
   double reducedModulus = 0.0;  ///< E*, MPa
-  double poissonRatio = 0.0;    ///< of the layer; a half-space only needs E*
-  double compliance = 0.0;      ///< global compliance, in series, mm/N
-  double thickness = 0.0;       ///< of the layer, mm; 0 for a half-space
-  SpotCurvature curvature = {}; ///< included in the law
+  double poissonRatio = 0.0;    ///< Poisson's ratio of the layer; a half-space only needs E*
+  double compliance = 0.0;      ///< global compliance in series with the local contact, mm/N
+  double thickness = 0.0;       ///< thickness of the layer, mm; 0 for a half-space
+  SpotCurvature curvature = {}; ///< curvature that the law includes; 0 if it includes none
   double second = 0.0;          ///< thickness of the second layer of a stack, mm
   double thinnest = 0.0;        ///< thickness of the thinnest layer of a stack, mm
   double complianceError = 0.0; ///< error of the compliance, mm/N

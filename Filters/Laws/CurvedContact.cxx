@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int NodesBeforeFlat = 16; // of the sag's law, before a flat end is in full contact
+constexpr int NodesBeforeFlat = 16; // nodes of the sag's law below full contact of a flat end
 
 /// The sums κ_t+κ₁ and κ_t+κ₂, in ascending order.
 struct Sums
@@ -56,7 +56,7 @@ SagPoint sagAt(const SagLaw& sag, double radius)
   {
     return { unknown, unknown };
   }
-  // δ/a² and F/a³ hardly change from node to node, so that a cubic through four nodes suffices.
+  // δ/a² and F/a³ change little from node to node, so that a cubic through four nodes suffices.
   const auto above = std::lower_bound(nodes.radii.begin(), nodes.radii.end(), radius);
   const auto place = static_cast<std::size_t>(above - nodes.radii.begin());
   const std::size_t begin = std::min(place < 2 ? 0 : place - 2, nodes.size() - 4);
@@ -163,7 +163,7 @@ ContactNodes onCurvedBody(
   // A flat end has its full radius at the first node, where the depth is almost 0.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
   const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
-  curved.coversTouch = whole == 0.0; // unless the body is convex, the rim touches first
+  curved.coversTouch = whole == 0.0; // if the body is not convex, the rim touches first
   if (isFlatEnd && whole == 0.0)
   {
     const Sums sums = sumsOf(0.0, curvature);
@@ -173,7 +173,7 @@ ContactNodes onCurvedBody(
     {
       const double a = flat.radii[0] * i / NodesBeforeFlat;
       const SagPoint point = sagAt(sag, a);
-      // dF/dδ of the flat end is proportional to a only on a half-space; therefore the difference
+      // dF/dδ of a flat end is proportional to a only on a half-space. Therefore the difference
       // quotient of the sag is used.
       const SagPoint less = sagAt(sag, 0.999 * a);
       const double stiffness = (point.force - less.force) / (point.depth - less.depth);
@@ -199,7 +199,7 @@ ContactNodes onCurvedBody(
       curved.size() == 0 || (depth > curved.depths.back() && force > curved.forces.back());
     if (isFlatEnd && (!(depth >= whole && depth > 0.0 && force > 0.0) || !isLater))
     {
-      continue; // not yet in full contact
+      continue; // the flat end is not yet in full contact
     }
     if (!(depth > 0.0) || !isLater)
     {

@@ -26,7 +26,7 @@ struct ContactNodes
   std::vector<double> radii;       ///< contact radius, mm
   /// Depth of the tool with that contact radius on the flat body, mm.
   std::vector<double> toolDepths;
-  bool coversTouch = true; ///< false: no law is valid above the first node
+  bool coversTouch = true; ///< false: no law is valid at depths less than that of the first node
 
   std::size_t size() const noexcept { return this->depths.size(); }
   void reserve(std::size_t nodes);
@@ -40,10 +40,10 @@ struct LocalState
   double force = 0.0;     ///< F/E*, mm²
   double stiffness = 0.0; ///< (dF/dδ)/E*, mm
   double radius = 0.0;    ///< mm
-  /// Depth of the tool with that contact radius on the flat body, mm. Negative: to be computed from
-  /// the radius.
+  /// Depth of the tool with that contact radius on the flat body, mm. If negative, it must be
+  /// computed from the radius.
   double toolDepth = -1.0;
-  double toolTurn = 1.0; ///< derivative of toolDepth with respect to the depth
+  double toolTurn = 1.0; ///< derivative of toolDepth with respect to `depth`
   /// false: no law is valid at this depth; the values only serve to find the first depth with a law
   bool isCovered = true;
 };
@@ -71,9 +71,9 @@ private:
   ContactNodes Nodes;
 };
 
-/// The contact of the sag, a paraboloid of curvature `curvature` (1/mm) that represents the body's
-/// own curvature, on the same flat body. On a half-space it has a closed form (Hertz): F = 4/3 κ a³
-/// and δ = κ a².
+/// The contact of the sag on the same flat body. The sag is a paraboloid of curvature `curvature`
+/// (1/mm) that represents the body's own curvature. On a half-space the contact has a closed form
+/// (Hertz): F = 4/3 κ a³ and δ = κ a².
 struct SagLaw
 {
   double curvature = 1.0;
@@ -95,12 +95,12 @@ struct SagLaw
  * its rim touch, and no law is known; a power of the depth is used instead.
  *
  * Unequal curvatures are represented by the geometric mean of both sums: κ = √((κ_t+κ₁)(κ_t+κ₂)) -
- * κ_t, where κ_t = g(a)/a² of the tool at that circle. F is multiplied by 1 +
+ * κ_t, where κ_t = g(a)/a² for the tool at contact radius a. F is multiplied by 1 +
  * ln²((κ_t+κ₂)/(κ_t+κ₁))/48. For a sphere the error is 1e-4 up to a ratio of 3 (Hertz's ellipse).
  *
  * If the body is concave and the tool does not fit into it (a sum below LeastSum of κ_t), no law is
  * valid. The result ends at that depth and may be empty. A flat end touches a hollow with its rim
- * first; the result begins at the depth at which the flat end is in full contact.
+ * first. The result then begins at the depth at which the flat end is in full contact.
  */
 PALPATE_EXPORT ContactNodes onCurvedBody(
   const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature);

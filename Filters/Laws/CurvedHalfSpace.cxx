@@ -12,7 +12,8 @@ namespace
 {
 constexpr int PieceCount = 128;
 constexpr int MostSteps = 30;
-// Relative to the depth. The error after the next step is the square of this value.
+// Largest residual relative to the depth. The error after the next step is the square of this
+// value.
 constexpr double Converged = 1e-5;
 
 double cubic(const std::array<double, 4>& c, double x)
@@ -33,7 +34,7 @@ std::array<double, 4> throughFour(const double* value, double from)
   return { cubic(s, b), s[1] + b * (2.0 * s[2] + 3.0 * b * s[3]), s[2] + 3.0 * b * s[3], s[3] };
 }
 
-/// 1 + ln²(one/other)/48 of two sums of curvatures.
+/// The factor 1 + ln²(one/other)/48 for two sums of curvatures.
 double ellipse(double one, double other)
 {
   if (one == other)
@@ -44,8 +45,8 @@ double ellipse(double one, double other)
   return 1.0 + ratio * ratio / 48.0;
 }
 
-/// The state before full contact of a rim: a power of the depth, up to the depth at which the law
-/// begins.
+/// The state before a rim is in full contact. It is a power of the depth, up to the depth at which
+/// the law begins.
 LocalState beforeRim(const LocalState& first, double fraction)
 {
   const double power = first.stiffness * first.depth / first.force;
@@ -136,8 +137,9 @@ CurvedHalfSpace::Contact CurvedHalfSpace::contactAt(double t, const SpotCurvatur
     body.slope, this->FlatRadius > 0.0 || std::min(body.one, body.other) > LeastSum * tool };
 }
 
-/// A flat end of radius b on a bump before full contact, which begins at a depth of κ_m b². The
-/// contact is Hertz's, and is continued linearly as soon as its radius is b.
+/// The contact of a flat end of radius b with a bump at depths below κ_m b², where full contact
+/// begins. The contact is Hertz's until its radius is b; from there the force is continued
+/// linearly.
 LocalState CurvedHalfSpace::sagAlone(double depth, const SpotCurvature& curvature) const
 {
   const double b = this->FlatRadius;
@@ -162,7 +164,7 @@ LocalState CurvedHalfSpace::sagInSeries(
   {
     const LocalState state = this->sagAlone(depth, curvature);
     const double left = deflection - depth - softness * state.force;
-    // At full contact the stiffness falls, so that a tangent may lead to a negative depth.
+    // At full contact the stiffness falls. Therefore a tangent may lead to a negative depth.
     depth = std::max(depth + left / (1.0 + softness * state.stiffness), 0.25 * depth);
     if (std::abs(left) <= Converged * deflection)
     {
@@ -191,7 +193,7 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
     : b > 0.0 && mean > 0.0 ? this->sagAlone(mean * b * b, around)
                             : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
   const double whole = total(first);
-  // t² divided by the deflection hardly changes, so that the next value is extrapolated linearly.
+  // t² divided by the deflection changes little. Therefore its next value is extrapolated linearly.
   // The first value is that of two paraboloids.
   const double flat = std::min(std::sqrt(deflections.front()), end);
   const double radius = this->at(flat).radius;

@@ -17,13 +17,13 @@ class AxisymmetricTool;
  * The contact of one tool on a curved half-space (CurvedContact.h) at given depths, without
  * separate nodes for each curvature.
  *
- * Two functions are tabulated once per tool: the contact radius a and F/(a t²), as cubic
- * polynomials of t = √depth. Spheres, cones and flats are smooth functions of t. On a body with
- * curvatures κ₁, κ₂ the depth of the same circle is y(t) = √((t² + κ₁a²)(t² + κ₂a²)). Newton's
- * method solves this equation for t. The force is F + 4/3 a (y - t²) and the stiffness 2a, both
- * times 1 + ln²(B/A)/48. For a flat end in full contact both curvatures are the mean curvature.
- * Error: 1e-7; 1e-4 near the kinks of a profile. Cost: 40 ns per depth. Safe to use from any number
- * of threads.
+ * Two functions are tabulated once per tool, as cubic polynomials of t = √depth: the contact radius
+ * a and F/(a t²). For spheres, cones and flats they are smooth functions of t. On a body with
+ * curvatures κ₁, κ₂ the depth at the same contact radius is y(t) = √((t² + κ₁a²)(t² + κ₂a²)).
+ * Newton's method solves this equation for t. The force is F + 4/3 a (y - t²) and the stiffness 2a,
+ * both times 1 + ln²(B/A)/48. For a flat end in full contact both curvatures are the mean
+ * curvature. Error: 1e-7; 1e-4 near the kinks of a profile. Cost: 40 ns per depth. Safe to use from
+ * any number of threads.
  */
 class PALPATE_EXPORT CurvedHalfSpace
 {
@@ -39,7 +39,8 @@ public:
     LocalState* states) const;
 
 private:
-  /// One interval of t: coefficients of the powers of the position in the interval, 0 to 1.
+  /// One interval of t. The coefficients are those of the powers of the position in the interval, 0
+  /// to 1.
   struct Piece
   {
     std::array<double, 4> radius;
@@ -53,8 +54,9 @@ private:
     double force;  ///< F/E*, mm²
   };
   Circle at(double t) const;
-  /// The curved body under a circle: the two sums of t² and the sag, the depth, and the derivative
-  /// of the depth with respect to t. Depth and derivative are 0 if the hollow is too narrow.
+  /// The curved body at a contact radius: t² plus the sag for both curvatures, the depth, and the
+  /// derivative of the depth with respect to t. Depth and derivative are 0 if the hollow is too
+  /// narrow.
   struct Sagging
   {
     double one;
@@ -63,7 +65,7 @@ private:
     double slope;
   };
   static Sagging saggingAt(double t, const Circle& circle, const SpotCurvature& curvature);
-  /// The contact on the curved body whose circle has the parameter t.
+  /// The contact on the curved body at the parameter t.
   struct Contact
   {
     LocalState local;
@@ -77,7 +79,7 @@ private:
   double Step; ///< step of t, √mm
   double FlatRadius;
   std::vector<Piece> Pieces;
-  /// radius at the end of the first interval, in which it is a power of t.
+  /// Contact radius at the end of the first interval, in which the radius is a power of t.
   double FirstRadius = 0.0;
   /// Exponent of that power; 0 for a flat end, whose radius is not a power of t.
   double FirstPower = 0.0;

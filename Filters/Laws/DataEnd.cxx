@@ -10,7 +10,8 @@ namespace palpate
 namespace
 {
 constexpr double Storage = 1e-3;
-constexpr int Halvings = 24; // of the interval between two samples, for the precision of a float
+// Bisections of the interval between two samples, enough for the precision of a float.
+constexpr int Halvings = 24;
 } // namespace
 
 double depthOfDataEnd(const ResponseSampling& sampling, double range, const float* force,
@@ -29,7 +30,7 @@ double depthOfDataEnd(const ResponseSampling& sampling, double range, const floa
   {
     return std::numeric_limits<double>::infinity();
   }
-  // Force and stiffness increase with depth, so that there is one crossing, between samples i - 1
+  // Force and stiffness increase with depth. Therefore there is one crossing, between samples i - 1
   // and i.
   double low = i > 0 ? sampling.depth(i - 1, range) : 0.0;
   double high = sampling.depth(i, range);

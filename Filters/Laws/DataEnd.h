@@ -20,10 +20,11 @@ struct DataEnd
  * The depths of two tools cannot be compared, because the global deflection depends on the force,
  * and the size of the strained region depends on the contact radius a. At one point of a half-space
  * or a layer dF/dδ_local depends only on a, for any tool. The same is true of dF/dδ in series with
- * a compliance. Therefore equal stiffness means equal contact radius, and the data end at the
- * measured force or at the measured stiffness, at the smaller of the two depths.
+ * a compliance. Therefore equal stiffness means equal contact radius. The data end at the depth of
+ * the measured force or at the depth of the measured stiffness, whichever is smaller.
  *
- * `force` and `stiffness` are the n samples of the curve. A tolerance of 1e-3 allows for storage.
+ * `force` and `stiffness` are the n samples of the curve. A tolerance of 1e-3 allows for errors of
+ * storage.
  */
 PALPATE_EXPORT double depthOfDataEnd(const ResponseSampling& sampling, double range,
   const float* force, const float* stiffness, const DataEnd& end);

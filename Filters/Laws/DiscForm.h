@@ -21,13 +21,12 @@ struct DiscForm
 };
 
 /**
- * Fits the surface under a contact by a polynomial of fourth order around a point: an offset and a
- * tilt of the tangent plane, all terms of second and third order, and r⁴. The mean of the form is
- * that of the paraboloid on which a contact has the same force to first order (SurfaceCurvature):
- * half the trace, plus 8/5 a² of the coefficient of r⁴, plus 3/a² of the offset. The points within
- * 1.25 contact radii a are fitted, at least two rings and at most some hundred points, with a
- * weight that falls with the distance.
- * Small ridges keep the terms that few points determine small.
+ * Fits a polynomial of fourth order to the surface under a contact: an offset and a tilt of the
+ * tangent plane, all terms of second and third order, and r⁴. The mean of the form is that of the
+ * paraboloid on which a contact has the same force to first order (SurfaceCurvature): half the
+ * trace, plus 8/5 a² of the coefficient of r⁴, plus 3/a² of the offset. The fit uses the points
+ * within 1.25 contact radii a, but at least two rings and at most some hundred points. Their
+ * weights fall with the distance. Small ridges limit the terms that few points determine.
  *
  * Not thread-safe: one object per thread. Cost: some 10 µs.
  */
@@ -39,8 +38,8 @@ public:
   DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
     double spacing, double contactRadius);
 
-  /// Without a value if the point has no normal, or if fewer than 12 or more than 2000 points are
-  /// near.
+  /// Returns no value if the point has no normal, or if the disc has fewer than 12 or more than
+  /// 2000 points.
   std::optional<DiscForm> fit(std::size_t point);
 
 private:
@@ -54,8 +53,8 @@ private:
   double Radius;
   double Spacing;
   std::vector<std::size_t> Near;     ///< the points of the disc
-  std::vector<double> Terms;         ///< of the points that are fitted
-  std::vector<double> Weighted;      ///< the same times the weights of the points
+  std::vector<double> Terms;         ///< terms of the fitted points
+  std::vector<double> Weighted;      ///< the same terms times the weights of the points
   std::vector<std::uint32_t> Passed; ///< the search in which a point was last seen
   std::uint32_t Search = 0;
 };

@@ -24,10 +24,13 @@ using Eigen::Vector3d;
 constexpr double IncompressibleRatio = 0.5; // Poisson's ratio at which edges are compared
 // Sharpness of an edge of 60°; the reach of blunter edges is reduced in proportion.
 constexpr double BluntSharpness = 0.2;
-constexpr double LargestRise = 0.25; // sine of the largest angle of an edge above the tangent plane
-constexpr double LargestCellDistance = 4.0; // farthest edge found with cells of one size, in cells
-constexpr double CellRatio = 3.0;           // ratio of the next cells' size
-// Fraction of the body's width. Larger cells do not resolve the body's shape.
+// Sine of the largest angle between the direction to an edge and the tangent plane.
+constexpr double LargestRise = 0.25;
+// Largest distance of edges found with cells of one size, in cells.
+constexpr double LargestCellDistance = 4.0;
+constexpr double CellRatio = 3.0; // ratio of the next larger cell size
+// Largest size of a cell as a fraction of the body's width. Larger cells do not resolve the shape
+// of the body.
 constexpr double LargestCell = 0.25;
 
 double sharpnessOf(float turn)
@@ -67,7 +70,7 @@ public:
   }
 
   /// Calls `take(point, side, distance)` for each point that has one of `sides` within `reach`
-  /// (mm): with the nearest side that does not rise above the point's tangent plane.
+  /// (mm). `side` is the nearest side that does not rise above the point's tangent plane.
   template <class Take>
   void from(const std::vector<SurfaceSide>& sides, double reach, const Take& take) const
   {
@@ -78,7 +81,7 @@ public:
     using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
-    // `reached`: distance of the front. Nearer points already have their side.
+    // `reached`: distance of the front, mm. Points at a smaller distance already have their side.
     const auto offer = [&](std::int32_t point, std::int32_t side, float reached)
     {
       const auto i = static_cast<std::size_t>(point);
@@ -183,7 +186,7 @@ EdgeDistance::EdgeDistance(const EdgeSurface& surface, double contactRadius, dou
 double edgeFactor(double poissonRatio, double distanceOverRadius, double sharpness)
 {
   const double psi = pointLoadSoftness(poissonRatio);
-  // Determines the fraction of the force that remains at the edge itself.
+  // This number determines the fraction of the force that remains at the edge itself.
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);
   return x / (x + sharpness * psi / Pi);

@@ -17,9 +17,9 @@ namespace palpate
 struct NearEdge
 {
   static constexpr float Far = std::numeric_limits<float>::infinity();
-  float distance = Far; ///< mm, straight line
-  float turn = 0.0F;    ///< angle by which the surface turns away there, rad
-  float border = Far;   ///< distance to the border, mm, straight line
+  float distance = Far; ///< distance to the edge along a straight line, mm
+  float turn = 0.0F;    ///< angle by which the surface turns away at the edge, rad
+  float border = Far;   ///< distance to the border along a straight line, mm
   bool isSharp = false; ///< the edge is a side between two facets with a turn of BluntTurn or more
 };
 
@@ -44,7 +44,7 @@ class PALPATE_EXPORT EdgeDistance
 {
 public:
   EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach);
-  /// The same on a surface that serves several radii.
+  /// As above, for a surface that serves several radii.
   EdgeDistance(const EdgeSurface& surface, double contactRadius, double reach);
 
   const NearEdge& at(std::size_t point) const noexcept { return this->Found[point]; }
@@ -56,10 +56,10 @@ private:
   std::size_t EdgeCount = 0;
 };
 
-/// Φ of a contact of radius a whose axis is at a distance d = u a from the straight edge of a
-/// wedge: its force divided by the force far from the edge at the same depth. u >= 0. For flats,
-/// paraboloids and cones Φ is within 0.03 of Hetényi's two half-spaces (Data/Reference/edges).
-/// `sharpness` represents the angle of the edge.
+/// Returns Φ: the force of a contact of radius a, whose axis is at the distance d = u a from the
+/// straight edge of a wedge, divided by the force far from the edge at the same depth. u >= 0. For
+/// flats, paraboloids and cones Φ is within 0.03 of Hetényi's two half-spaces
+/// (Data/Reference/edges). `sharpness` represents the angle of the edge.
 PALPATE_EXPORT double edgeFactor(double poissonRatio, double distanceOverRadius, double sharpness);
 } // namespace palpate
 

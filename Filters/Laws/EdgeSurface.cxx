@@ -20,9 +20,9 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double SmallestBorder = 4.0; // radius of the largest hole, in contact radii
+constexpr double SmallestBorder = 4.0; // radius of the largest ignored hole, in contact radii
 
-/// Removes loops shorter than `least` (mm), which are holes in a scan.
+/// Removes loops that are shorter than `least` (mm), because these are holes in a scan.
 void dropHoles(const LinkedSurface& surface, double least, std::vector<SurfaceSide>& border)
 {
   std::map<std::int32_t, std::int32_t> above;
@@ -81,7 +81,7 @@ double widthOf(const LinkedSurface& surface)
 
 std::vector<SurfaceSide> borderOf(const LinkedSurface& surface)
 {
-  // Counts the sides of a single facet by position. Sides of duplicate points occur twice.
+  // Counts the sides of single facets by position. Sides between duplicate points occur twice.
   using Place = std::array<double, 3>;
   std::map<std::pair<Place, Place>, int> at;
   std::vector<SurfaceSide> border;

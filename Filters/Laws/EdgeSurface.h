@@ -35,19 +35,20 @@ struct PALPATE_EXPORT EdgeSurface : LinkedSurface
     return (this->SteepSides[facet] >> i & 1U) != 0;
   }
 
-  std::vector<Eigen::Vector3d> normals; ///< of the points, unit
+  std::vector<Eigen::Vector3d> normals; ///< normals of the points, unit
   double spacing = 0.0;                 ///< square root of the area per point, mm
-  /// A width of the body, mm: the middle one of the three lengths of a box whose surface has the
-  /// same variances. It does not depend on the axes of the coordinates.
+  /// A width of the body, mm. A box whose surface has the same variances of position has three side
+  /// lengths; this is the middle one. It does not depend on the coordinate axes.
   double width = 0.0;
-  std::vector<SurfaceSide> border; ///< sides of a single facet; two coincident sides are no border
+  /// Sides that belong to one facet; two coincident sides are not a border.
+  std::vector<SurfaceSide> border;
 
 private:
   /// Also sets `spacing`.
   void findNormals();
   void findSteepSides();
 
-  std::vector<std::uint8_t> SteepSides; ///< per facet, a bit for each side
+  std::vector<std::uint8_t> SteepSides; ///< one bit for each side of a facet
 };
 
 Eigen::Vector3d facetCentre(const LinkedSurface& surface, std::size_t facet);
@@ -55,8 +56,8 @@ Eigen::Vector3d facetCentre(const LinkedSurface& surface, std::size_t facet);
 double facetTurn(const LinkedSurface& surface, std::size_t facet, std::size_t i);
 double angleBetween(const Eigen::Vector3d& one, const Eigen::Vector3d& other);
 
-/// The border of a surface without the loops that are shorter than the circumference of a hole with
-/// a radius of four contact radii (mm).
+/// Returns the border of a surface without loops that are shorter than the circumference of a hole
+/// with a radius of four times `contactRadius` (mm).
 std::vector<SurfaceSide> findBorder(const EdgeSurface& surface, double contactRadius);
 
 /// The edges of a surface.
@@ -65,18 +66,18 @@ struct SurfaceEdges
   static constexpr double LeastTurn = 0.35; ///< rad, 20°
 
   std::vector<SurfaceSide> sides;
-  double cell; ///< size of the cells over which normals of facets were averaged, mm
+  double cell; ///< size of the cells over which the normals of facets were averaged, mm
 };
 
 /**
  * Finds the convex edges of a surface for a contact of radius a (mm).
  *
- * Facets are averaged in cells of size a, or of a few facets if the mesh is coarse (FacePatches).
- * Therefore noise of a scan and fine facets are not edges, but a narrow fillet is one. The turn of
- * the surface is measured between neighbouring patches, and over two patches. On a ball the turn
- * continues beyond the patch at the same rate; beyond an edge it does not. If the excess of the
- * turn over that rate is LeastTurn or more, it is the turn of an edge. The edge consists of the
- * facet sides in this region with the largest turns.
+ * The normals of facets are averaged in cells of size a, or of a few facets if the mesh is coarse
+ * (FacePatches). Therefore noise of a scan and fine facets are not edges, but a narrow fillet is
+ * one. The turn of the surface is measured between neighbouring patches, and over two patches. On a
+ * ball the turn continues beyond the patch at the same rate; beyond an edge it does not. If the
+ * turn exceeds the turn at that rate by LeastTurn or more, it is the turn of an edge. The edge
+ * consists of the facet sides in this region with the largest turns.
  *
  * Cost: O(n), 0.3 s for a million triangles on one thread; temporary memory 60 bytes per triangle.
  */

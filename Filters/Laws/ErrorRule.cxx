@@ -16,22 +16,24 @@ namespace palpate
 {
 namespace
 {
-// Factor on the mean of the layers: the result bounds the error of all of 30 random forces.
+// Factor on the mean over the layers. The result bounds the errors of all of 30 random
+// forces.
 constexpr double StackBound = 1.6;
-// Error relative to the loss of force at an edge that the tick takes into account. Hetényi's law is
-// accurate to 3 % and the effect of a base to 10 %; a corner is approximated by a product of edges.
-// For other angles edgeSharpness is up to 1.4 times too large.
+// Errors relative to the loss of force at an edge that the tick takes into account. Hetényi's law
+// is accurate to 3 % and the effect of a base to 10 %. A corner is approximated by a product of
+// edges. For angles other than a right angle edgeSharpness is up to 1.4 times too large.
 constexpr double EdgeRemainder = 0.2;
 constexpr double WedgeRemainder = 0.4;
 constexpr double RightAngle = 0.5 * Pi;
 constexpr double AngleTolerance = 0.09; // 5°
 constexpr double BorderReach = 2.0; // distance in contact radii beyond which a border has no effect
 
-/// 2 |C_g E* R_b|, from finite elements on balls and in cavities: the reduction of the global
-/// compliance of a body with mean curvature κ compared with a half-space, per a |κ|.
+/// The reduction of the global compliance of a body with mean curvature κ compared with a
+/// half-space, divided by a |κ|: 2 |C_g E* R_b|, from finite elements on balls and in cavities.
 double wholeCompliance(double radius, double meanCurvature, double poissonRatio)
 {
-  constexpr double ball = 0.46; // -0.19 to -0.23 at ν = 0.45; less for a compressible body
+  // C_g E* R_b is -0.19 to -0.23 at ν = 0.45. Its magnitude is less for a compressible body.
+  constexpr double ball = 0.46;
   if (!(meanCurvature < 0.0))
   {
     return ball;
@@ -153,7 +155,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   struct Part
   {
     double share;    // fraction of the depth, not normalised
-    double pressure; // over E*
+    double pressure; // pressure on the layer divided by its E*
     double ratio;
     double thickness; // 0: infinite
   };

@@ -31,7 +31,7 @@ struct ErrorParts
 /// The surface at a spot, and the measurement of the material.
 struct SpotSurface
 {
-  SpotCurvature curvature; ///< of the mesh, even if the law does not include it
+  SpotCurvature curvature; ///< curvature of the mesh, even if the law does not include it
   NearEdge edge;
   /// The contact with which the material was measured; null: the material was not measured.
   const LocalState* measured = nullptr;
@@ -50,8 +50,8 @@ struct LawScope
 
 /**
  * Relative error of a tool's law at a depth, as a list of parts. The parts are added, because they
- * may have the same sign. a is the contact radius, F the force, κ_m the body's mean curvature and σ
- * the error of κ_m.
+ * may have the same sign. Symbols: contact radius a, force F, mean curvature of the body κ_m, error
+ * σ of κ_m.
  *
  * - Strain, Thickness: the error of small strain (smallStrainError). On a layer the limit is that
  *   of the larger term. With a StrainCorrection it is the error of that correction. In a stack it
@@ -89,7 +89,7 @@ public:
   /// `tool` and the objects that `scope` points to must outlive this.
   ErrorRule(const AxisymmetricTool& tool, const LawScope& scope);
 
-  /// `state` is the local contact.
+  /// `state` is the state of the local contact.
   ErrorParts at(const ContactSpot& spot, const SpotSurface& surface, const LocalState& state) const
   {
     return this->at(spot, surface, this->strain(spot), state);

@@ -15,9 +15,9 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double LeastPatchCosine =
-  0.15; // smallest cosine between the normals of facets in a patch
-// Fraction of a cell's area; a smaller area does not define a normal.
+// Smallest cosine between the normals of facets in a patch.
+constexpr double LeastPatchCosine = 0.15;
+// Fraction of a cell's area. A patch with a smaller area does not define a normal.
 constexpr double LeastArea = 0.2;
 
 double cosineBetween(const Vector3d& one, const Vector3d& other)
@@ -68,8 +68,8 @@ FacePatches::FacePatches(const EdgeSurface& surface, double cell, double longAre
   this->findNext();
 }
 
-/// Sorts facets by their cells, lexicographically; facets of a cell keep their order. `begin`
-/// receives the first position of each cell, and the number of facets.
+/// Sorts facets by their cells, lexicographically. Facets of one cell keep their order. `begin`
+/// receives the first position of each cell, and finally the number of facets.
 std::vector<std::int32_t> FacePatches::sortByCell(
   const std::vector<std::int32_t>& facets, std::vector<std::size_t>& begin) const
 {
@@ -123,7 +123,7 @@ std::vector<std::int32_t> FacePatches::sortByCell(
   return sorted;
 }
 
-/// Combines facets whose centres are in one cell, and whose normals are similar, to one patch.
+/// Combines the facets whose centres are in one cell and whose normals are similar into one patch.
 void FacePatches::makePatches(double longArea)
 {
   std::vector<std::int32_t> facets;
@@ -161,8 +161,8 @@ void FacePatches::makePatches(double longArea)
   }
 }
 
-/// Adds a facet to a patch, or to a new one. During this phase normals and centres are sums,
-/// weighted by area.
+/// Adds a facet to an existing or new patch. Until all facets are added, normals and centres are
+/// sums weighted by area.
 void FacePatches::addFacet(std::size_t t, std::size_t patch)
 {
   if (patch == this->Patches.size())
@@ -213,8 +213,8 @@ void FacePatches::joinSmallPatches()
   }
 }
 
-/// The neighbour of a small patch with the most similar normal. Long facets, and patches whose
-/// normals differ too much, are excluded. -1 if no neighbour remains.
+/// Returns the neighbour of a small patch with the most similar normal. Long facets, and patches
+/// whose normals differ too much, are excluded. Returns -1 if no neighbour remains.
 int FacePatches::mostAlike(int patch, const std::vector<int>& into) const
 {
   int best = -1;

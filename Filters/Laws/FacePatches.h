@@ -16,7 +16,7 @@ namespace palpate
 struct NextPatch
 {
   int patch;
-  bool isSharp; ///< one of the shared sides has a turn of PackedMesh::BluntTurn or more
+  bool isSharp; ///< one of the shared sides has a turn of at least PackedMesh::BluntTurn
 };
 
 /// The facets of a cell with similar normals, or one long facet.
@@ -27,7 +27,7 @@ struct FacePatch
   double area = 0.0; ///< mm²
   bool isLong = false;
   bool isKnown = false;        ///< large enough for its normal to be used
-  std::vector<NextPatch> next; ///< without duplicates
+  std::vector<NextPatch> next; ///< neighbours, without duplicates
 };
 
 /**
@@ -42,7 +42,7 @@ public:
   /// `surface` must outlive this.
   FacePatches(const EdgeSurface& surface, double cell, double longArea);
 
-  /// Number of patches. Patches that were joined to others have no facets.
+  /// Number of patches, including the patches without facets that were joined to others.
   std::size_t size() const { return this->Patches.size(); }
   const FacePatch& at(int patch) const { return this->Patches[static_cast<std::size_t>(patch)]; }
   /// The patch of a facet; -1 for a facet without an area.

@@ -28,7 +28,7 @@ FaceSurface::FaceSurface(const TriangleSpans& surface, const float* normals)
 
 void FaceSurface::cut(const LinkedSurface& surface)
 {
-  std::vector<TriangleCorners> corners; // of the triangles that have an area
+  std::vector<TriangleCorners> corners; // corners of the triangles that have an area
   std::vector<std::size_t> triangleOf;
   for (std::size_t t = 0; t < surface.corners.size(); ++t)
   {
@@ -50,7 +50,8 @@ void FaceSurface::cut(const LinkedSurface& surface)
   }
   const TriangleLinks links(corners, this->PointOf.size());
   const CreaseCut creases(corners, corners.size(), local, links, BodyEdges::LeastTurn);
-  std::map<std::pair<std::int32_t, int>, std::int32_t> copies; // by point and face
+  // Copy of a point for each pair of point and face.
+  std::map<std::pair<std::int32_t, int>, std::int32_t> copies;
   for (std::size_t t = 0; t < corners.size(); ++t)
   {
     for (std::size_t k = 0; k < 3; ++k)

@@ -15,8 +15,8 @@
 
 namespace palpate
 {
-/// A surface that is cut along its sharp edges (CreaseCut). A point on an edge occurs once for each
-/// of the faces at this edge, with the normal of that face. The copies follow the given points.
+/// A surface that is cut along its sharp edges (CreaseCut). A point on an edge has one copy for
+/// each face at this edge, with the normal of that face. The copies follow the given points.
 class FaceSurface
 {
 public:
@@ -29,7 +29,7 @@ public:
       this->Triangles.size() / 3 };
   }
   const std::vector<float>& normals() const noexcept { return this->Normals; }
-  /// The given point of which `point` is a copy. A given point is returned unchanged.
+  /// Returns the given point of which `point` is a copy. A given point is returned unchanged.
   std::int32_t pointOf(std::size_t point) const noexcept { return this->PointOf[point]; }
 
 private:
@@ -40,7 +40,7 @@ private:
   std::vector<std::int32_t> Triangles;
   std::vector<float> Normals;
   std::vector<std::int32_t> PointOf;
-  std::vector<bool> IsCut; ///< for each point: the point is on an edge
+  std::vector<bool> IsCut; ///< whether each point is on a sharp edge
 };
 
 /// The curvature of the faces between sharp edges (SurfaceCurvature::ofFaces) for any number of

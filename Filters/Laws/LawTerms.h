@@ -6,13 +6,13 @@
 
 namespace palpate
 {
-/// The terms of a response and of its error, in addition to small strain on a flat surface; see
+/// The terms of a response and of its error beyond small strain on a flat surface; see
 /// vtkToolContactResponse.
 struct LawTerms
 {
   bool curvature = true; ///< the body's curvature under the tool
   StrainLaw strain;      ///< linear: small strain
-  /// Error of the force at which validity ends; 0: validity by ValidityRule.
+  /// Relative error of the force at which validity ends; 0: validity by ValidityRule.
   double errorTolerance = 0.05;
   bool storeError = true; ///< store the error of each sample
   bool automatic = false; ///< omit terms that change the force little
@@ -22,7 +22,8 @@ struct LawTerms
   double tilt = 0.0; ///< largest tilt of the tool, degrees; 0: upright
 
   bool keepsError() const { return this->storeError && this->errorTolerance > 0.0; }
-  /// Small strain on a flat surface without edges, valid until the first assumption fails.
+  /// Returns the terms for small strain on a flat surface without edges. The law is valid until its
+  /// first assumption fails.
   static LawTerms plain()
   {
     LawTerms terms;

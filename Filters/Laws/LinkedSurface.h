@@ -17,7 +17,7 @@ struct TriangleSpans
 {
   const double* points = nullptr; ///< x, y, z of each point, mm
   std::size_t pointCount = 0;
-  const std::int32_t* triangles = nullptr; ///< three point indices each
+  const std::int32_t* triangles = nullptr; ///< three point indices per triangle
   std::size_t triangleCount = 0;
 };
 
@@ -25,8 +25,8 @@ struct TriangleSpans
 /// there are no used points.
 double pointSpacing(const TriangleSpans& surface);
 
-/// A surface with its neighbours. Facets without an area are ignored; their corners are -1 and
-/// their area is 0.
+/// A surface with the links between its points and facets. Facets without an area are ignored;
+/// their corners are -1 and their area is 0.
 struct LinkedSurface
 {
   /// The arrays that `surface` points to must outlive this.
@@ -43,7 +43,7 @@ struct LinkedSurface
 
   TriangleSpans spans;
   std::vector<TriangleCorners> corners;
-  std::vector<Eigen::Vector3d> areas; ///< mm², along the normals
+  std::vector<Eigen::Vector3d> areas; ///< areas of the facets as vectors along their normals, mm²
   TriangleLinks links;
 
 private:

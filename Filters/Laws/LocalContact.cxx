@@ -13,9 +13,10 @@ namespace palpate
 namespace
 {
 constexpr int NodeCount = 64;
-constexpr int LayerNodeCount = 32; // one solution per node at every point; 16 times the error, 2e-5
+// Fewer nodes, because each is solved at every point. The error is 2e-5, 16 times as large.
+constexpr int LayerNodeCount = 32;
 // In a hollow the contact is wider at equal depth. Therefore the tool's nodes extend to about twice
-// the depth, which suffices for a sum of half the tool's curvature.
+// the depth. This suffices for a sum of curvatures of half the tool's curvature.
 constexpr double HollowFactor = 2.1;
 constexpr double NegativeComplianceFactor = 3.0;
 // The sag's contact radius must exceed the tool's on any layer.

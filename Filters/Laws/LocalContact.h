@@ -17,9 +17,10 @@ class AxisymmetricTool;
 class StrainCorrection;
 
 /**
- * The local contact of one tool, with corrections to the law on a flat body at small strain: the
- * curvature of the body (CurvedContact.h) and finite strain (StrainCorrection.h). The strain factor
- * is evaluated at the depth at which the tool has the same contact radius on the flat body.
+ * The local contact of one tool, with corrections to the law on a flat body at small strain. The
+ * corrections are the curvature of the body (CurvedContact.h) and finite strain
+ * (StrainCorrection.h). The strain factor is evaluated at the depth at which the tool has the same
+ * contact radius on the flat body.
  *
  * On a half-space each depth is solved (CurvedHalfSpace.h). Elsewhere the contact is interpolated
  * between nodes; see NodeLaw for the error. Cost: 40 ns per depth on a half-space, 0.3 µs with
@@ -44,9 +45,8 @@ public:
   }
   /// Whether the law is valid at the spot: its layer must be thick enough.
   bool answers(const ContactSpot& spot) const;
-  /// The contact for E* = 1 at a spot for which answers() is true. `fits` is set to whether the
-  /// tool fits into the body down to the range. If it does not fit, the law is that of the flat
-  /// body.
+  /// The contact for E* = 1 at a spot for which answers() is true. Sets `fits` to true if the tool
+  /// fits into the body down to the range. If it does not fit, the law is that of the flat body.
   NodeLaw law(const ContactSpot& spot, bool& fits) const;
   NodeLaw law(const ContactSpot& spot) const
   {
@@ -54,8 +54,8 @@ public:
     return this->law(spot, fits);
   }
 
-  /// Whether states() can be used: the spot is a half-space, and its compliance is not negative,
-  /// and 0 if strain is finite.
+  /// Whether states() can be used. The spot must be a half-space, and its compliance must be 0, or
+  /// may be positive if strain is small.
   bool isDirect(const ContactSpot& spot) const
   {
     return !(spot.thickness > 0.0) &&
@@ -76,7 +76,7 @@ private:
   const StrainCorrection* Strain;
   ContactNodes HalfSpace;
   CurvedHalfSpace Direct;
-  std::unique_ptr<AxisymmetricTool> Sag; ///< the paraboloid of the body's curvature
+  std::unique_ptr<AxisymmetricTool> Sag; ///< paraboloid that represents the body's curvature
   double SagCurvature;                   ///< 1/mm
   std::shared_ptr<const LayerCurves> Layers;
   std::shared_ptr<const LayerCurves> SagLayers;

@@ -83,7 +83,7 @@ void MaterialRange::addRatio(double poissonRatio)
   {
     ratios.insert(place, poissonRatio);
   }
-  else if (!known) // too many for the list: only their range is stored
+  else if (!known) // the list is full: only the range is stored
   {
     ratios.front() = std::min(ratios.front(), poissonRatio);
     ratios.back() = std::max(ratios.back(), poissonRatio);

@@ -25,15 +25,16 @@ public:
 
   bool hasLayers() const noexcept { return this->layers.thickest > 0.0; }
   bool hasStack() const noexcept { return !this->stack.layers.empty(); }
-  /// The layers. For a stack, they include its kernels, which are made by this function
+  /// Returns the layers. For a stack, this function also makes its kernels and includes them
   /// (StackKernels.h).
   LayerTable::Layers prepared() const;
-  /// The range of bodies for the correction of finite strain.
+  /// Returns the range of bodies for the correction of finite strain.
   StrainBodies strainBodies() const;
 
-  LayerTable::Layers layers; ///< without layers: thinnest is infinite, thickest 0
-  LayerStack stack;          ///< no layers: the body is not a stack
-  /// Thickness of the second layer of the stack, mm; if there is none, as `layers` without layers.
+  LayerTable::Layers layers; ///< if there are none, `thinnest` is infinite and `thickest` is 0
+  LayerStack stack;          ///< without layers if the body is not a stack
+  /// Thickness of the second layer of the stack, mm. If there is none, `thinnest` is infinite
+  /// and `thickest` is 0.
   ThicknessSpan second;
   bool stiffens = false;     ///< at least one compliance is negative
   bool hasHalfSpace = false; ///< at least one point has no layer

@@ -39,7 +39,7 @@ struct Axis
     return this->nodes < 2 ? this->first
                            : this->first + (this->last - this->first) * node / (this->nodes - 1);
   }
-  /// The weight of a node at a value of the parameter. Beyond the ends of the axis, the weight is
+  /// The weight of a node at a value of the parameter. Beyond an end of the axis, the weight is
   /// that at the end.
   double weightOf(int node, double place) const
   {
@@ -53,7 +53,7 @@ struct Axis
   }
 };
 
-/// The grid of parameters on which the laws of one tool are placed.
+/// The grid of parameters. Each node has one law of the tool.
 class TiltGrid
 {
 public:
@@ -124,7 +124,7 @@ public:
         const std::array<int, 4> node = this->nodeOf(law);
         const double place = this->Axes[0].at(node[0]);
         // A kernel is valid for one Poisson's ratio or one stack. All laws with the same ratio or
-        // stack in series with a compliance share the kernel.
+        // stack share the kernel, also the laws in series with a compliance.
         made[law].thickness = place > 0.0 ? this->thicknessAt(place) : 0.0;
         const double yielding = this->Axes[3].at(node[3]);
         made[law].yielding = yielding / ((1.0 - yielding) * 2.0 * this->Radius);
@@ -174,7 +174,7 @@ private:
   double yieldingPlace(const ContactSpot& spot) const
   {
     // If the compliance is so negative that the curve folds, the point has no response and requires
-    // no factor.
+    // no tilt factor.
     constexpr double Stiffest = -0.4;
     const double yielding =
       std::max(Stiffest, spot.compliance * spot.reducedModulus * 2.0 * this->Radius);
@@ -221,7 +221,7 @@ private:
     return std::make_shared<const LayerKernel>(stack);
   }
 
-  /// Removes nodes from the densest axis until the table can hold all laws.
+  /// Removes nodes from the densest axis until the table has room for all laws.
   void limitLaws()
   {
     const std::array<Axis, 4> wanted = this->Axes;
@@ -241,7 +241,8 @@ private:
     }
   }
 
-  /// Finds the thinnest layer that has a law down to the range, upright and at the largest tilt.
+  /// Finds the thinnest layer that has a law down to the range, both upright and at the largest
+  /// tilt.
   void findThinnest(const TiltedHalfSpace& tool, double range)
   {
     // The contact is widest in the least compressible material.
@@ -257,7 +258,7 @@ private:
         return LayerContact(*tilted, own, thickness).deepest() >= range;
       };
       constexpr double Thicker = 1.1;
-      constexpr int MostSteps = 300; // for a factor of 1e12
+      constexpr int MostSteps = 300; // enough for a factor of 1e12
       for (int step = 0; step < MostSteps && !answers(answered); ++step)
       {
         answered *= Thicker;

@@ -32,8 +32,9 @@ struct MaterialTilts
  * Makes the tilt table of a tool that is tilted by up to `largest` (rad) and pressed up to `range`
  * (mm) into a body, and the weights of the body's `points` points.
  *
- * The modulus scales the force and does not change the factor, so that one law is valid for all
- * moduli. Each other parameter has nodes, with one law per node and linear weights between nodes:
+ * The modulus scales the force and does not change the tilt factor. Therefore one law is valid for
+ * all moduli. Each other parameter has nodes, with one law per node and linear weights between
+ * nodes:
  * - the thickness of layers, with even nodes in a/(a + h), where a is the contact radius at the
  *   range. A half-space is one end of this axis;
  * - Poisson's ratio of layers;
@@ -45,8 +46,8 @@ struct MaterialTilts
  * necessary. If one parameter varies and has enough nodes, the error of the force between nodes is
  * 1 % (MaterialTiltsTest.cxx).
  *
- * On a curved body or at finite strain, the factor is that of the flat body at small strain. It
- * multiplies the upright force. `bounds` may include more pieces than `spots`; the table is the
+ * On a curved body or at finite strain, the tilt factor is that of the flat body at small strain.
+ * It multiplies the upright force. `bounds` may include more pieces than `spots`; the table is the
  * same for all pieces. `spots` are those of a BodyMaterial. Cost: that of TiltedHalfSpace, and 0.2
  * to 0.5 s per layer.
  */

@@ -26,13 +26,13 @@ struct NearField
   Eigen::Vector3d slope = Eigen::Vector3d::Zero(); ///< g, 1/N
   Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();  ///< Q, 1/(N mm), symmetric
   double radius = 0.0;                             ///< ρ, mm; 0: unknown
-  double reducedModulus = 0.0;                     ///< of the half-space, MPa
+  double reducedModulus = 0.0;                     ///< E* of the half-space, MPa
 
   /// R(d), mm/N.
   PALPATE_EXPORT double at(const Eigen::Vector3d& away) const;
 };
 
-/// Conversion to and from the stored order: g, R₀; Q xx, yy, zz, ρ; Q xy, yz, zx, E*.
+/// The stored order is: g, R₀; Q xx, yy, zz, ρ; Q xy, yz, zx, E*.
 PALPATE_EXPORT std::array<double, NearField::Numbers> numbersOf(const NearField& near);
 PALPATE_EXPORT NearField nearFieldOf(const std::array<double, NearField::Numbers>& numbers);
 } // namespace palpate

@@ -15,24 +15,25 @@ namespace palpate
 /// The two principal curvatures of a point, and the error of their mean, 1/mm.
 using PointCurvature = std::array<float, 3>;
 
-// Variances of averages along each axis. ContactVariance is that of the area over which a contact
-// averages, in contact radii²; the others are in squared distances of points. For a wave of the
-// wavenumber k on a triangular lattice with edges e, the curvature by sags is too small by
-// (k e)²/12, and that by turns by (k e)²/4.
+// Variances of averages along each axis. ContactVariance is the variance of the area over which a
+// contact averages, in squared contact radii; the others are in squared distances of points. For a
+// wave with the wavenumber k on a triangular lattice with edges e, the curvature by sags is too
+// small by (k e)²/12, and the curvature by turns by (k e)²/4.
 inline constexpr double ContactVariance = 0.1;
 inline constexpr double SagVariance = 0.192;
 inline constexpr double TurnVariance = 0.577;
 inline constexpr double StepVariance = 0.5;
-inline constexpr double EdgeSquare = 1.155; // of the lattice, in squared distances of points
+// Squared edge length of the lattice, in squared distances of points.
+inline constexpr double EdgeSquare = 1.155;
 /// The largest weight of the sags, for contacts smaller than the facets.
 inline constexpr double LargestSagWeight = 1.5;
-// Factors that bound 95 of 100 errors that are estimated from a few neighbours; see
-// SurfaceCurvatureTest.cxx.
-inline constexpr double PointFactor =
-  0.7; // for the form of one point: of roughness, residual and difference
-inline constexpr double NoisyPointFactor = 2.5; // with noise
+// Factors for errors that are estimated from a few neighbours. The results bound 95 of 100 errors;
+// see SurfaceCurvatureTest.cxx.
+// Factor for one point, on roughness, residual and difference.
+inline constexpr double PointFactor = 0.7;
+inline constexpr double NoisyPointFactor = 2.5; // factor for one point with noise
 
-/// The eigenvalues of a form, and the error of their mean.
+/// The eigenvalues of a second fundamental form, and the error of their mean.
 inline PointCurvature principal(const Eigen::Vector3d& form, double error)
 {
   const double mean = 0.5 * (form[0] + form[2]);
@@ -41,8 +42,8 @@ inline PointCurvature principal(const Eigen::Vector3d& form, double error)
     static_cast<float>(error) };
 }
 
-/// The curvature of a contact that is not wider than the turns average, on a surface with such a
-/// fraction of noise.
+/// The curvature for a contact that is not wider than the area over which the turns average.
+/// `noise` is the fraction of noise of the surface, 0 to 1.
 inline PointCurvature pointCurvature(
   const PointForm& fit, double roughness, double contactRadius, double noise)
 {

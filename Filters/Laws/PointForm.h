@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Two orthogonal unit tangents to a normal.
+/// Two unit tangents, orthogonal to each other and to a normal.
 struct TangentFrame
 {
   Eigen::Vector3d first;
@@ -32,13 +32,13 @@ struct PointForm
   }
 };
 
-/// The sums of the least squares that fit a PointForm to the edges at a point.
+/// The sums of the least-squares problem that fits a PointForm to the edges at a point.
 class PointFormSums
 {
 public:
   explicit PointFormSums(const Eigen::Vector3d& normal);
 
-  /// Adds an edge to a neighbour, mm; `turn` is the difference of the unit normals at its ends.
+  /// Adds the edge to a neighbour, mm. `turn` is the difference of the unit normals at its ends.
   void add(const Eigen::Vector3d& edge, const Eigen::Vector3d& turn);
   PointForm fit() const;
 
@@ -47,14 +47,15 @@ private:
 
   Eigen::Vector3d Normal;
   TangentFrame Frame;
-  // Sums over the edges, each multiplied by the edge's length². p = (t², 2tu, u²) of the direction.
-  Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< of p pᵀ
-  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();    ///< of p times the curvature by the turn
-  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();     ///< of p times the curvature by the sag
-  double Square = 0.0;                                ///< of the squared curvature by the turn
+  // Sums over the edges, with the squared length of the edge as weight. p = (t², 2tu, u²) of the
+  // direction.
+  Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< sum of p pᵀ
+  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();    ///< sum of p times the curvature by the turn
+  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();     ///< sum of p times the curvature by the sag
+  double Square = 0.0;                                ///< sum of the squared curvature by the turn
   double Weight = 0.0;
   double Count = 0.0; ///< number of edges
-  // The same sums, for a tilt of the tangent plane.
+  // The corresponding sums for a tilt of the tangent plane.
   Eigen::Matrix<double, 3, 2> Mixed = Eigen::Matrix<double, 3, 2>::Zero();
   Eigen::Matrix2d Tilts = Eigen::Matrix2d::Zero();
   Eigen::Vector2d TiltSags = Eigen::Vector2d::Zero();

@@ -21,8 +21,10 @@ public:
     , Visits(6 * surface.triangleCount)
   {
     const std::vector<std::size_t> corners = this->sortCorners(surface);
-    std::vector<std::uint32_t> placeOf(surface.pointCount, 0); // in the list of `seenAt`
-    std::vector<std::uint32_t> seenAt(surface.pointCount, 0);  // last point that saw it, plus one
+    // Position in the list of neighbours of the point in `seenAt`.
+    std::vector<std::uint32_t> placeOf(surface.pointCount, 0);
+    // Last point that has this neighbour, plus one.
+    std::vector<std::uint32_t> seenAt(surface.pointCount, 0);
     this->Neighbours.reserve(6 * surface.pointCount);
     std::size_t visit = 0;
     for (std::size_t point = 0; point < surface.pointCount; ++point)
@@ -49,9 +51,9 @@ public:
     }
   }
 
-  /// Visits the two other corners of each triangle at a point, triangles in ascending order: a
-  /// neighbour that two triangles share is visited twice. Calls visit(neighbour, place), where
-  /// `place` is the position of the neighbour in the order of forEachNeighbour().
+  /// Visits the two other corners of each triangle at a point, with the triangles in ascending
+  /// order. A neighbour that two triangles share is visited twice. Calls visit(neighbour, place),
+  /// where `place` is the position of the neighbour in the order of forEachNeighbour().
   template <class Visit>
   void forCorners(std::size_t point, const Visit& visit) const
   {
@@ -74,8 +76,8 @@ public:
   }
 
 private:
-  /// The corners of all triangles (three times the triangle, plus 0 to 2) in the order of their
-  /// points. Also sets VisitBegin.
+  /// Returns the corners of all triangles, sorted by their points. The number of a corner is three
+  /// times the triangle, plus 0 to 2. Also sets VisitBegin.
   std::vector<std::size_t> sortCorners(const TriangleSpans& surface)
   {
     std::vector<std::size_t> begin(surface.pointCount + 1, 0);
@@ -98,7 +100,7 @@ private:
 
   std::vector<std::size_t> VisitBegin;
   std::vector<std::size_t> NeighbourBegin;
-  std::vector<std::uint32_t> Visits; ///< places of the neighbours
+  std::vector<std::uint32_t> Visits; ///< positions in the lists of neighbours
   std::vector<std::uint32_t> Neighbours;
 };
 } // namespace palpate

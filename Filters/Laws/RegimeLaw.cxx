@@ -17,7 +17,7 @@ namespace
 {
 // Step of the logarithm of the size. The error of the central difference is step²/6, about 2e-5.
 constexpr double SizeStep = 0.01;
-constexpr int Samples = 8; // of laws that are not stored
+constexpr int Samples = 8; // number of samples of laws that are not stored
 constexpr double ResponseAgreement = 0.02;
 
 /// The forces of a response whose law includes the body's curvature.
@@ -44,7 +44,8 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
         spot.curvature = stored.curvature(i);
         if (contact.isDirect(spot))
         {
-          // Solves down to the range, because the range decides whether the tool fits.
+          // Solves down to the range, because the result at the range decides whether the tool
+          // fits.
           const std::vector<double> both = { depths[i],
             std::max(depths[i], static_cast<double>(ranges[i])) };
           std::array<LocalState, 2> states;

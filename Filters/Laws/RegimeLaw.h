@@ -44,7 +44,7 @@ public:
 
   /// Force, N.
   double force(const ContactSpot& spot, double depth) const;
-  /// `force` is the force at `depth`.
+  /// `force` is the force at `depth`, N.
   SpotRegime regime(const ContactSpot& spot, double depth, double force) const;
 
 private:
@@ -75,12 +75,12 @@ struct ComparedResponse
 };
 
 /**
- * The regime of a tool that is pressed `depths[i]` (mm, > 0) deep at each point of a body.
- * `stored`, unless null, is the response of the same tool on the body. Its force must agree to 2 %
- * (its storage error in series) or to its stated error if that is larger, since the regime must
- * belong to the same body. Depths below a hundredth of its range are not compared. Returns "" if
- * all is valid, else a message that names the point. The bits do not depend on the number of
- * threads.
+ * Computes the regime of a tool that is pressed to the depth `depths[i]` (mm, > 0) at each point i
+ * of a body. `stored`, unless null, is the response of the same tool on the body. The regime must
+ * belong to the same body. Therefore the force of `stored` must agree to 2 % (its storage error in
+ * series) or to its stated error if that is larger. Depths below a hundredth of its range are not
+ * compared. Returns "" if all is valid, else a message that names the point. The bits do not depend
+ * on the number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
   const std::vector<double>& depths, double deepest, const ComparedResponse* stored,

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double StorageExponent = 1.0;
 constexpr int BetweenSamples = 8;
-// Relative difference above which a change is the larger one; forces are floats.
+// Relative difference above which one change counts as larger than another. Forces are floats.
 constexpr double LeastDifference = 1e-4;
 
 FloatCurve curveOf(const ResponseSpans& spans, std::size_t i)

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The relative difference of two responses of one tool at one point; NaN: unknown.
+/// The relative difference between two responses of one tool at one point; NaN if unknown.
 struct ResponseChange
 {
   double force = 0.0;     ///< (F - F₀)/F₀
@@ -16,12 +16,12 @@ struct ResponseChange
 };
 
 /**
- * The largest difference in force, by magnitude, of `changed` from `usual` at point `i`. Both are
- * stored with exponent 1. The compared depths are even in √depth, eight per sample, from 1/samples²
- * of the largest depth to the largest depth. The largest depth is the smallest of `deepest` (mm),
- * both ranges and, with `withinValidity`, both validities. If the changes at several depths are
- * equal to 1e-4, the smallest of these depths is returned. All values are NaN if one of the two has
- * no response, or if there is no depth to compare.
+ * Finds the difference in force between `changed` and `usual` at point `i` that is largest in
+ * magnitude. Both are stored with exponent 1. The compared depths are even in √depth, eight per
+ * sample, from 1/samples² of the largest depth to the largest depth. The largest depth is the
+ * smallest of `deepest` (mm), both ranges and, with `withinValidity`, both validities. If the
+ * changes at several depths are equal to 1e-4, the smallest of these depths is returned. All values
+ * are NaN if one of the two has no response, or if there is no depth to compare.
  */
 PALPATE_EXPORT ResponseChange largestChange(const ResponseSpans& changed,
   const ResponseSpans& usual, std::size_t i, double deepest, bool withinValidity);

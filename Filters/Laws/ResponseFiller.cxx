@@ -16,13 +16,15 @@ namespace palpate
 namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
-constexpr std::size_t MostBlocks = 20; // the caller may stop after each block
-// Points of a block per thread: some 50 ms, so that a caller who stops does not wait, and the cost
-// of starting threads is small.
+// Number of blocks; the caller can stop the computation after each.
+constexpr std::size_t MostBlocks = 20;
+// Points of a block per thread. A block takes some 50 ms. A caller that stops does not wait longer,
+// and the cost of starting threads is small.
 constexpr std::size_t PointsPerThread = 16384;
 constexpr double FirstContactDepth = 1e-3; // fraction of the first sample's depth
 
-/// Whether the contact at a spot is the same as on any flat half-space, up to the modulus.
+/// Whether the contact at a spot is that of a flat half-space, apart from the factor of the
+/// modulus.
 bool isBare(const ContactSpot& spot)
 {
   return spot.thickness == 0.0 && spot.compliance == 0.0 && spot.curvature.isFlat();
@@ -103,7 +105,7 @@ ValidityRule::Answer ResponseFiller::fillEstimated(
   }
   else if (this->Contact->isDirect(spot))
   {
-    static thread_local std::vector<LocalState> states; // reused for all points of a thread
+    static thread_local std::vector<LocalState> states; // reused for all points of one thread
     states.resize(n + 1);
     const bool fits = this->Contact->states(spot, this->ErrorDepths, states.data());
     status = static_cast<unsigned char>(this->Contact->corrects(spot)

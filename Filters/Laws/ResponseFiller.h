@@ -20,8 +20,8 @@ class BodyMaterial;
 class ResponseLaw;
 class StrainCorrection;
 
-/// The output arrays of a response: one value per point; `samples` values per point of force (N)
-/// and stiffness (N/mm).
+/// The output arrays of a response. Most have one value per point; force (N) and stiffness (N/mm)
+/// have `samples` values per point.
 struct ResponseSpans
 {
   int samples;
@@ -37,8 +37,8 @@ struct ResponseSpans
 /// The errors of a measured body at each point; thread-safe. Used only if the error is estimated.
 struct MeasuredBodyError
 {
-  /// Relative error of the force at a sample (0 … n-1), caused by noise and distance of the
-  /// measurement.
+  /// Relative error of the force at a sample (0 … n-1), caused by noise of the measurement and by
+  /// the distance to the measured site.
   std::function<double(std::size_t point, std::size_t sample)> data;
   /// The contact with which the point was measured, for E* = 1. Its radius is 0 if the point was
   /// not measured.
@@ -84,17 +84,17 @@ public:
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
-  /// Enables the estimate of the error: validity ends at the depth at which the error exceeds
-  /// `tolerance` (> 0). `contact` is the local contact of the law. `contact` and `measured` (null:
-  /// the material is given, not measured) must outlive this.
+  /// Enables the estimate of the error. Validity then ends at the depth at which the error exceeds
+  /// `tolerance` (> 0). `contact` is the local contact of the law. `measured` is null if the
+  /// material is given, not measured. `contact` and `measured` must outlive this.
   void estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
     const MeasuredBodyError* measured = nullptr);
 
-  /// Fills point `i`. Different points may be filled at the same time. `curvature` (1/mm) as in
-  /// ValidityRule; it is negative if the point has no triangle with an area, and the status of the
-  /// point is then Degenerate.
+  /// Fills point `i`. Different points may be filled at the same time. `curvature` (1/mm) is
+  /// defined as in ValidityRule. It is negative if the point has no triangle with an area; the
+  /// status of the point is then Degenerate.
   void fill(std::size_t i, const ContactSpot& spot, double curvature) const;
-  /// Fills point `i`, with the surface, which the estimate of the error requires.
+  /// As above, with the surface at the point. The estimate of the error requires it.
   void fill(std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
 
 private:
@@ -126,13 +126,13 @@ struct MadeResponse
 {
   bool complete = false;   ///< false: stopped before the end
   double exponent = 0.0;   ///< exponent with the least storage error
-  std::size_t without = 0; ///< number of points whose status is not Valid
+  std::size_t without = 0; ///< number of points that have no response: their status is not Valid
 };
 
-/// Computes the response of a tool at each of `points` points of a body. Fills the spans, whose
-/// status must be set. `range` (mm) must pass the tool's checkDepth. `goOn(fraction)` receives the
-/// completed fraction; the computation stops if it returns false. The result is bit for bit the
-/// same for any number of threads.
+/// Computes the response of a tool at each of `points` points of a body. Fills `spans`, whose
+/// status must be set before. `range` (mm) must pass the tool's checkDepth. `goOn(fraction)`
+/// receives the completed fraction; the computation stops if it returns false. The result is bit
+/// for bit the same for any number of threads.
 PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
   double range, std::size_t points, const SurfaceShape& shape, const ResponseTerms& terms,
   const ResponseSpans& spans, const std::function<bool(double)>& goOn = {});

@@ -15,8 +15,9 @@ namespace palpate
 namespace
 {
 constexpr int ErrorProbes = 200;
-// The local part of a series has more samples than the stored curve: its storage error is (8/64)⁴
-// of that of the stored curve. With a negative compliance the local part exceeds the range.
+// The local part of a series has more samples than the stored curve. Therefore its storage error is
+// (8/64)⁴ times that of the stored curve. With a negative compliance the local part exceeds the
+// range.
 constexpr int LocalSamples = 64;
 constexpr double LocalDepths = 3.0;
 
@@ -41,7 +42,7 @@ std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
 }
 } // namespace
 
-/// A curve for E* = 1 as a law that can be in series. Its contact radius is unknown.
+/// A curve for E* = 1 as a law that can be combined in series. Its contact radius is unknown.
 class ResponseLaw::SampledLaw final : public IndentationLaw
 {
 public:
@@ -247,7 +248,8 @@ double ResponseLaw::deflectionAtContactRadius(const ContactSpot& spot, double a)
   {
     return this->totalDeflection(spot, this->Tool.depthAtContactRadius(a));
   }
-  // On a layer a is nearly linear in √δ, in which it is interpolated linearly between the samples.
+  // On a layer a is nearly linear in √δ. Therefore a is interpolated linearly in √δ between the
+  // samples.
   const LayerCurves::Curve curve = this->Stored->sample(spot.place());
   double radius = this->Tool.smallestContactRadius();
   if (a <= radius)

@@ -37,8 +37,8 @@ public:
   /// compliance, so that the deflection of their layer exceeds the range.
   void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
-  /// Adds the curvature and finite strain of `contact` to the law. `contact` must be made for this
-  /// tool and prepared for the layers.
+  /// Adds the corrections of `contact` (curvature, finite strain) to the law. `contact` must be
+  /// made for this tool and prepared for the layers.
   void correct(std::shared_ptr<const LocalContact> contact) { this->Contact = std::move(contact); }
 
   /// Writes n forces (N) and n stiffnesses (N/mm). If the spot has no curve, writes zeros and
@@ -57,18 +57,19 @@ public:
   /// Depths of the samples, mm.
   const std::vector<double>& depths() const { return this->Depths; }
 
-  /// The law without storage at 0 < deflection <= range: F (N) and dF/dδ (N/mm). Error 1e-6 on a
-  /// layer. NaN if the contact is not stable.
+  /// The law without storage errors at 0 < deflection <= range: F (N) and dF/dδ (N/mm). The error
+  /// is 1e-6 on a layer. NaN if the contact is not stable.
   IndentationPoint evaluate(const ContactSpot& spot, double deflection) const;
 
-  /// The deflection (mm) at which the contact radius is a. +inf if no deflection has this radius,
-  /// or on a layer no deflection within the range.
+  /// The deflection (mm) at which the contact radius is a. +inf if no deflection has this radius;
+  /// on a layer, if no deflection within the range has it.
   double deflectionAtContactRadius(const ContactSpot& spot, double a) const;
-  /// The deflection of the whole series, mm, at the depth `localDepth` of its local part.
+  /// The deflection of the whole series, mm, for a local part of the depth `localDepth`, mm.
   double totalDeflection(const ContactSpot& spot, double localDepth) const;
 
-  /// Largest relative error of the force between 1 and 100 % of the range: float samples, evaluated
-  /// as in the kernel, compared with the law without storage. +inf if the spot cannot be sampled.
+  /// Largest relative error of the force between 1 and 100 % of the range: the float samples,
+  /// evaluated as in the kernel, are compared with the law without storage. +inf if the spot cannot
+  /// be sampled.
   double storageError(double exponent, const ContactSpot& spot) const;
 
 private:
@@ -85,8 +86,8 @@ private:
   };
   class SampledLaw;
 
-  /// Whether the spot is corrected. The body's curvature is ignored if the layer is too thin for
-  /// it. Finite strain is never ignored.
+  /// Whether the law of a spot is corrected. The body's curvature is ignored if the layer is too
+  /// thin for its correction. Finite strain is never ignored.
   bool isCorrected(const ContactSpot& spot) const
   {
     return this->Contact && this->Contact->corrects(spot) &&
@@ -105,11 +106,12 @@ private:
   int Samples;
   std::vector<double> Depths;
   UnitCurve HalfSpace;
-  std::shared_ptr<const LayerCurves> Stored; ///< layers, at the depths of the samples
-  std::shared_ptr<const LayerCurves> Local;  ///< layers, with more samples, for solving in series
+  std::shared_ptr<const LayerCurves> Stored; ///< curves of layers, at the depths of the samples
+  /// Curves of layers, with more samples, for solving in series.
+  std::shared_ptr<const LayerCurves> Local;
   ResponseSampling LocalSampling;
   double LocalRange;
-  std::shared_ptr<const LocalContact> Contact; ///< with corrections; null: no corrections
+  std::shared_ptr<const LocalContact> Contact; ///< corrections; null: none
 };
 
 /// A tool's law, and its local contact with the corrections. Without a contact (null) the law is
@@ -121,8 +123,9 @@ struct PreparedLaw
 };
 
 /// Makes the law of `tool` to a depth of `range` (mm) with `samples` samples, for all bodies within
-/// `bounds`. `hasContact`: also makes the local contact. `tool` and `strain` (null: small strain)
-/// must outlive the result. Cost: 10 ms to 1 s for the tables of layers, if the body has layers.
+/// `bounds`. If `hasContact` is true, also makes the local contact. `tool` and `strain` (null:
+/// small strain) must outlive the result. Cost: 10 ms to 1 s for the tables of layers, if the body
+/// has layers.
 PALPATE_EXPORT PreparedLaw prepareLaw(const AxisymmetricTool& tool, double range, int samples,
   const MaterialRange& bounds, bool hasContact, const StrainCorrection* strain);
 } // namespace palpate

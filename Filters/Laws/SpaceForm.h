@@ -12,15 +12,16 @@
 
 namespace palpate
 {
-/// A second fundamental form in space, which can be added to the form of another tangent plane
-/// after a turn.
+/// A second fundamental form in space. After a rotation it can be added to the form of another
+/// tangent plane.
 struct SpaceForm
 {
-  static constexpr std::size_t Square = 6; ///< the square of the mean curvature
-  static constexpr std::size_t Rough = 7;  ///< the square of the roughness (SurfaceCurvature)
-  static constexpr std::size_t Count = 8;  ///< number of forms in a sum
+  static constexpr std::size_t Square = 6; ///< index of the square of the mean curvature
+  /// Index of the square of the roughness (SurfaceCurvature).
+  static constexpr std::size_t Rough = 7;
+  static constexpr std::size_t Count = 8; ///< index of the number of forms in a sum
 
-  /// xx, xy, xz, yy, yz, zz, then the numbers above.
+  /// xx, xy, xz, yy, yz, zz, then the three numbers above.
   std::array<double, 9> of{};
 
   SpaceForm() = default;
@@ -44,7 +45,7 @@ struct SpaceForm
     return matrix;
   }
 
-  /// Turns the form by the smallest rotation from one normal to another.
+  /// Rotates the form by the smallest rotation from one normal to another.
   void turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
   {
     const Eigen::Vector3d axis = from.cross(to);

@@ -21,34 +21,41 @@ namespace palpate
  * (least squares, weighted by the edges' length²). Its eigenvalues are the principal curvatures;
  * they are exact on a sphere. With fewer than three directions, both are the mean of the edges.
  *
- * The width of the average follows from the contact: to first order its force depends on the
- * surface's height weighted by 1/√(a²-r²). For heights of second and fourth order this is the mean
- * curvature, averaged so that the mean of r² is a²/5. The turns average over as much if a is 2.4
- * times the distance of the points. There are three ways, by this ratio:
+ * The width of the average follows from the contact. To first order the force of the contact
+ * depends on the surface's height weighted by 1/√(a²-r²). For heights of second and fourth order
+ * this is the mean curvature, averaged so that the mean of r² is a²/5. The turns average over the
+ * same area if a is 2.4 times the distance of the points. There are three methods, depending on the
+ * ratio of a to this distance:
  *
- * - below 1.1: a second form is fitted to the sags of the neighbours below the tangent plane, which
- *   average over a third of that, and the two forms are combined;
+ * - below 1.1: a second form is fitted to the sags of the neighbours below the tangent plane. The
+ *   sags average over a third of the area of the turns. Both forms are combined;
  * - 1.1 to 8: a polynomial is fitted to the heights of the points under the contact (DiscForms);
- * - above 8: the forms of the turns are averaged from point to point, at most MostSteps times, the
- *   last time in part. Each form is turned from normal to normal.
+ * - above 8: the forms of the turns are averaged from point to point, at most MostSteps times. The
+ *   last step may be partial. Each form is rotated from normal to normal.
  *
- * If neighbours differ against each other, the surface is noisy: only the turns are used.
+ * If the differences of neighbours have opposite signs, the surface is noisy. Then only the turns
+ * are used.
  *
  * The error is the error of this mean curvature. The *roughness* of a point is the root mean
- * square, over the point and its neighbours, of the difference between a mean curvature and the
- * mean around it. The error of one form is 0.7 times the root of the sum of three squares: the
- * roughness, the root-mean-square residual of the turns (with fewer than three directions, twice
- * that of the edges), and the difference of the two forms; with noise it is the larger of the
- * residual and 2.5 times the roughness. The error of a disc is twice the residual of its heights
- * over a², and 0.3 % of the curvature. The error of an average is the sum of four terms: 1.3/(1 +
- * steps) times the roughness, since noise moves neighbours against each other; the change by the
- * second half of the steps; a tenth of the spread; and a fiftieth of the curvature. The error holds
- * for 95 of 100 points of analytic surfaces, including noisy and coarse ones:
+ * square, over the point and its neighbours, of the difference between the mean curvature at a
+ * point and the average around it. The error depends on the method:
+ *
+ * - one form: 0.7 times the root of the sum of three squares: the roughness, the root-mean-square
+ *   residual of the turns (with fewer than three directions, twice that of the edges), and the
+ *   difference of the two forms. With noise it is the larger of the residual and 2.5 times the
+ *   roughness;
+ * - a disc: twice the residual of its heights over a², and 0.3 % of the curvature;
+ * - an average: the sum of 1.3/(1 + steps) times the roughness, because noise moves neighbours in
+ *   opposite directions; the change by the second half of the steps; a tenth of the spread; and a
+ *   fiftieth of the curvature.
+ *
+ * The error holds for 95 of 100 points of analytic surfaces, including noisy and coarse surfaces:
  * Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.
  *
- * Points are gathered one by one, threaded; the bits do not depend on the number of threads.
- * Memory: 12 bytes per point; during construction another 24 per triangle and 180 per point, and
- * 150 for averages. Cost: 1 µs per point once, 0.2 µs per point and step, 2 to 5 µs per disc.
+ * Points are gathered one by one, in several threads. The bits do not depend on the number of
+ * threads. Memory: 12 bytes per point; during construction another 24 per triangle and 180 per
+ * point, and 150 per point for averages. Cost: 1 µs per point once, 0.2 µs per point and step, 2 to
+ * 5 µs per disc.
  */
 class PALPATE_EXPORT SurfaceCurvature
 {
@@ -57,7 +64,7 @@ public:
 
   /// `normals`: 3 floats per point, unit length. `contactRadius` in mm.
   SurfaceCurvature(const TriangleSpans& surface, const float* normals, double contactRadius);
-  /// The same from forms that serve several radii.
+  /// As above, from forms that serve several radii.
   SurfaceCurvature(const SurfaceForms& forms, double contactRadius);
 
   /// The curvature of the faces between sharp edges (CreaseCut), for contacts that leave the body

@@ -18,15 +18,17 @@ namespace
 {
 using Eigen::Vector3d;
 
-// Largest cosine between two directions of which one continues the other.
+// Largest cosine between two directions that continue each other.
 constexpr double OppositeCosine = -0.3;
 constexpr double SpacingsPerCell = 2.0; // smallest cell, in square roots of the area per point
-constexpr double LongFacet = 4.0;       // area in squared contact radii
-// An edge turns at least by this fraction within two patches; otherwise it is a fillet or a bevel.
+constexpr double LongFacet = 4.0;       // least area of a long facet, in squared contact radii
+// A side of a sharp edge has at least this fraction of the turn within two patches. Otherwise the
+// edge is a fillet or a bevel.
 constexpr double SharpFraction = 0.8;
-// Fraction of the turn so far. A smaller total turn means a patch behind the edge.
+// Fraction of the turn up to a patch. If the total turn up to the next patch is smaller, that patch
+// is on the face behind the edge.
 constexpr double LeastRemainingTurn = 0.5;
-// Multiple of the smallest turn beyond a patch; a larger turn is that of another edge.
+// Multiple of the smallest turn beyond a patch. A larger turn is that of another edge.
 constexpr double OtherEdgeRatio = 2.0;
 
 class EdgeFinder
@@ -59,7 +61,7 @@ private:
       0.5 * this->Radius, (this->Patches.at(one).centre - this->Patches.at(other).centre).norm());
   }
 
-  /// Whether one direction continues the other, in the projection along the normal. This also works
+  /// Whether one direction continues the other, after projection along the normal. This also works
   /// over a sharp edge.
   static bool areOpposite(const Vector3d& normal, const Vector3d& one, const Vector3d& other)
   {
@@ -68,18 +70,18 @@ private:
     return flat.dot(beyond) < OppositeCosine * flat.norm() * beyond.norm();
   }
 
-  /// The rate, rad/mm, at which the surface turns beyond `patch`, as seen from `from`. It is the
-  /// mean over the directions that continue. Beyond a long facet it is the smallest rate, because
-  /// another edge may end that facet. The face behind `from` is ignored; at a corner, a face beyond
-  /// another sharp edge is ignored too. If none of the next patches is large enough, the rate is
-  /// infinite (unknown), and no turn exceeds it.
+  /// The rate, rad/mm, at which the surface turns beyond `patch`, in the direction from `from`. It
+  /// is the mean over the next patches in that direction. Beyond a long facet it is the smallest
+  /// rate, because another edge may end that facet. The face behind `from` is ignored. At a corner,
+  /// a face beyond another sharp edge is ignored too. If none of the next patches is large enough,
+  /// the rate is infinite (unknown), and no turn exceeds it.
   double rateBeyond(int from, int patch) const
   {
     const FacePatch& here = this->Patches.at(patch);
     const FacePatch& behind = this->Patches.at(from);
     const Vector3d back = behind.centre - here.centre;
     const double turned = angleBetween(behind.normal, here.normal);
-    std::vector<NextPatch> known; // the directions that continue
+    std::vector<NextPatch> known; // next patches in that direction with a known normal
     double leastTurn = Infinity;
     bool goesOn = false;
     for (const NextPatch& next : here.next)
@@ -119,8 +121,8 @@ private:
     return goesOn ? Infinity : 0.0;
   }
 
-  /// The turn of the surface between two patches, minus the larger of the turns at the rates on
-  /// both sides.
+  /// The turn of the surface between two patches, minus the turn at the larger of the rates on both
+  /// sides.
   double excess(int before, int after, int beforeFrom, int afterFrom) const
   {
     const double angle = this->turn(before, after);
@@ -160,8 +162,8 @@ private:
     }
   }
 
-  /// Collects the sides of patches with an edge whose turn is at least half that of the sharpest
-  /// side of the patch.
+  /// Collects the facet sides of patches with an edge. The turn of a side must be at least half
+  /// that of the sharpest side of its patch.
   void collectSides()
   {
     std::vector<double> sharpest(this->Patches.size(), 0.0);
@@ -199,7 +201,7 @@ private:
   double Radius;
   double Cell; ///< mm
   FacePatches Patches;
-  std::vector<float> Turns; ///< per patch
+  std::vector<float> Turns; ///< turn of the edge at each patch, rad; 0: no edge
   std::vector<SurfaceSide> Sides;
 };
 } // namespace

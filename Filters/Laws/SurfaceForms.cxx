@@ -18,29 +18,32 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Factors that bound 95 of 100 errors; see SurfaceCurvatureTest.cxx.
-constexpr double DiscFactor = 2.0;      // of the residual of a disc
-constexpr double DiscNoiseFactor = 3.0; // more with noise
+// Factors whose results bound 95 of 100 errors; see SurfaceCurvatureTest.cxx.
+constexpr double DiscFactor = 2.0;      // factor on the residual of a disc
+constexpr double DiscNoiseFactor = 3.0; // additional factor with noise
 constexpr double DiscCurvatureFactor = 0.003;
-constexpr double LargestDiscNoise = 0.5; // with more noise an average is better
-// A contact of a radius between these, in distances of points, gets the form of its disc.
+constexpr double LargestDiscNoise = 0.5; // with more noise an average is more accurate
+// A contact whose radius is between these limits, in distances of points, gets the form of its
+// disc.
 constexpr double SmallestDiscRatio = 1.1;
 constexpr double LargestDiscRatio = 8.0;
-// For an average, times 1/(1 + steps): errors of neighbours are opposite.
+// Factor for an average, times 1/(1 + steps), because errors of neighbours have opposite signs.
 constexpr double AverageFactor = 1.3;
-// For the spread: the centre of an average is not exactly the point.
+// Factor on the spread, because the centre of an average is not exactly at the point.
 constexpr double SpreadFactor = 0.1;
-constexpr double CurvatureFactor = 0.02; // for facets and for the turning of forms
+// Factor on the curvature, for facets and for the rotation of forms.
+constexpr double CurvatureFactor = 0.02;
 
-// The correlation of the difference between sags and turns with that of the neighbours: between
-// these values a surface counts as smooth and as noisy. That of white noise is -0.29.
+// Limits for the correlation between the difference of sags and turns at a point and at its
+// neighbours. Above the first a surface counts as smooth, below the second as noisy. White noise
+// has -0.29.
 constexpr double SmoothCorrelation = -0.12;
 constexpr double NoisyCorrelation = -0.25;
-constexpr double LargestDifference = 3.0; // times the median: larger ones are those of edges
+constexpr double LargestDifference = 3.0; // times the median; larger differences occur at edges
 
 using Curvature = PointCurvature;
 
-/// Calls body(point) for all of these points, threaded.
+/// Calls body(i, point) for all given points, in several threads.
 template <class Body>
 void forPoints(const std::vector<std::size_t>& points, const Body& body)
 {
@@ -75,7 +78,7 @@ SurfaceForms::SurfaceForms(const TriangleSpans& surface, const float* normals)
   this->findNoise();
 }
 
-/// The fits of all points, and their forms in space.
+/// Makes the fits of all points, and their forms in space.
 void SurfaceForms::fitPoints()
 {
   forRanges(this->Fits.size(),
@@ -94,8 +97,8 @@ void SurfaceForms::fitPoints()
     });
 }
 
-/// The difference of each mean curvature from the mean of its neighbours. It contains noise and
-/// detail too fine for the mesh, but no gradient of the curvature.
+/// Finds the difference between each mean curvature and the mean over the neighbours. This
+/// difference contains noise and detail too fine for the mesh, but no gradient of the curvature.
 void SurfaceForms::findRoughness()
 {
   std::vector<double> rough(this->Forms.size(), 0.0);
@@ -118,7 +121,7 @@ void SurfaceForms::findRoughness()
   }
 }
 
-/// Noise moves neighbours against each other.
+/// Finds the fraction of noise. Noise moves neighbouring points in opposite directions.
 void SurfaceForms::findNoise()
 {
   std::vector<double> differences;
@@ -191,8 +194,8 @@ std::vector<Curvature> SurfaceForms::curvatures(double contactRadius) const
   return found;
 }
 
-/// Sets the curvatures to those of the forms fitted to the disc under the contact. Returns the
-/// points whose disc does not have enough points.
+/// Sets the curvatures of each point from the form fitted to the disc under the contact. Returns
+/// the points whose disc does not have enough points.
 std::vector<std::size_t> SurfaceForms::takeDiscs(
   double contactRadius, std::vector<Curvature>& found) const
 {
@@ -223,12 +226,13 @@ std::vector<std::size_t> SurfaceForms::takeDiscs(
   return others;
 }
 
-/// Sets the curvatures of `points` to those after so many steps, the last one in part.
+/// Sets the curvatures of `points` to the curvatures after `steps` steps of averaging. The last
+/// step may be partial.
 void SurfaceForms::takeAverages(
   double steps, const std::vector<std::size_t>& points, std::vector<Curvature>& found) const
 {
   const int whole = static_cast<int>(std::ceil(steps));
-  // The points of each step: those of the next step and their neighbours.
+  // The points of each step are those of the next step and their neighbours.
   std::vector<std::vector<std::size_t>> reached{ points };
   while (static_cast<int>(reached.size()) < whole)
   {
@@ -276,8 +280,7 @@ void SurfaceForms::takeAverages(
     });
 }
 
-/// Replaces the form of each of `points`, which are ascending, by the mean of itself and its
-/// neighbours.
+/// Replaces the form at each of `points` (ascending) by the mean over the point and its neighbours.
 void SurfaceForms::step(const std::vector<std::size_t>& points, std::vector<SpaceForm>& forms) const
 {
   std::vector<SpaceForm> next(points.size());
@@ -349,7 +352,7 @@ PointFormSums SurfaceForms::sumsOf(std::size_t point) const
   return sums;
 }
 
-/// The sums of the forms at the corners around a point, turned to its normal.
+/// Returns the sums of the forms at the corners around a point, rotated to the normal of the point.
 SpaceForm SurfaceForms::neighboursOf(std::size_t point, const std::vector<SpaceForm>& forms) const
 {
   static thread_local std::vector<SpaceForm> turned; // reused for all points of a thread
@@ -361,7 +364,7 @@ SpaceForm SurfaceForms::neighboursOf(std::size_t point, const std::vector<SpaceF
       turned.push_back(forms[other]);
       SpaceForm& form = turned.back();
       const Vector3d from = this->normalOf(other);
-      constexpr double LeastCosine = -0.5; // beyond a sharp edge
+      constexpr double LeastCosine = -0.5; // smaller cosines occur beyond a sharp edge
       if (form.of[SpaceForm::Count] == 0.0 || !(from.dot(normal) > LeastCosine))
       {
         form.of[SpaceForm::Count] = 0.0;

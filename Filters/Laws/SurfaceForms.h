@@ -17,9 +17,9 @@
 namespace palpate
 {
 /**
- * The second fundamental form at each point of a surface, and its noise. SurfaceCurvature explains
- * how the curvatures for a contact follow. They are found for any number of contact radii, while
- * the fits to the neighbours are made once.
+ * The second fundamental form at each point of a surface, and its noise. The fits to the neighbours
+ * are made once. Curvatures can then be computed for any number of contact radii, as explained in
+ * SurfaceCurvature.
  *
  * Threaded; the bits do not depend on the number of threads.
  */
@@ -28,10 +28,11 @@ class PALPATE_EXPORT SurfaceForms
 public:
   static constexpr int MostSteps = 16;
 
-  /// `normals`: 3 floats per point, unit length. All arrays must outlive this.
+  /// `normals`: 3 floats per point, unit length. The arrays of both arguments must outlive this.
   SurfaceForms(const TriangleSpans& surface, const float* normals);
 
-  /// The curvatures of all points for a contact of this radius, mm. Cost: up to 5 µs per point.
+  /// Returns the curvatures of all points for a contact of the given radius, mm. Cost: up to 5 µs
+  /// per point.
   std::vector<PointCurvature> curvatures(double contactRadius) const;
 
 private:
@@ -55,7 +56,7 @@ private:
   std::vector<PointForm> Fits;
   std::vector<SpaceForm> Forms;
   double Spacing;     ///< pointSpacing(), mm
-  double Noise = 0.0; ///< fraction of noise in the points
+  double Noise = 0.0; ///< fraction of noise in the points, 0 to 1
 };
 } // namespace palpate
 

@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t MostPoints = 400;
 // Square roots of the compared depths, as fractions of the range.
 constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 };
-constexpr int UnstoredSamples = 8; // of laws that are evaluated but not stored
+constexpr int UnstoredSamples = 8; // number of samples of laws that are not stored
 
 /// A model of the body that can compute forces.
 class ModelledForce
@@ -40,7 +40,7 @@ public:
     spot.curvature = this->HasCurvature ? this->Body.shape.curvature(i) : SpotCurvature{};
     return spot;
   }
-  /// Force, N; NaN if the spot has no force at this depth.
+  /// Returns the force, N; NaN if the spot has no force at this depth.
   double at(const ContactSpot& spot, double depth) const
   {
     return this->Prepared.law.evaluate(spot, depth).force;
@@ -54,8 +54,8 @@ private:
   PreparedLaw Prepared;
 };
 
-/// The value of `change(i)` that a fraction `share` of the points does not exceed. Negative changes
-/// are ignored.
+/// Returns the value of `change(i)` that a fraction `share` of the points does not exceed. Negative
+/// changes are ignored.
 template <class Change>
 double quantile(const PressedBody& body, const Change& change)
 {

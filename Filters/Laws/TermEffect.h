@@ -13,7 +13,7 @@ class AxisymmetricTool;
 class BodyMaterial;
 class StrainCorrection;
 
-/// A tool on a body. Laws are compared at the body's points.
+/// A body, and the tool that is pressed into it. Laws are compared at the points of the body.
 struct PressedBody
 {
   const AxisymmetricTool& tool;
@@ -32,17 +32,17 @@ struct LawModel
 };
 
 /**
- * The change of the force between the models `whole` and `less`: |F_less/F_whole - 1|, the largest
- * at four depths (1/16, 1/4, 9/16 and all of the range). A fraction `share` of the points does not
- * exceed the result. Infinite if only `whole` has a force. Uses about 400 points, evenly spaced by
- * their index; 0 if the body has no points. Cost: the construction of the laws, and 10 to 50 µs per
- * point.
+ * Returns the change of the force between the models `whole` and `less`: |F_less/F_whole - 1|, the
+ * largest at four depths (1/16, 1/4, 9/16 and all of the range). A fraction `share` of the points
+ * does not exceed the result. Infinite if only `whole` has a force. Uses about 400 points, evenly
+ * spaced by their index; 0 if the body has no points. Cost: the construction of the laws, and 10 to
+ * 50 µs per point.
  */
 PALPATE_EXPORT double changeOfForce(
   const PressedBody& body, const LawModel& whole, const LawModel& less);
 
-/// An upper bound of the change of the force by finite strain in a Neo-Hooke body, computed by
-/// ErrorRule without the solver.
+/// Returns an upper bound of the change of the force by finite strain in a Neo-Hooke body.
+/// ErrorRule computes it without the solver.
 PALPATE_EXPORT double boundOfStrain(const PressedBody& body, const LawModel& model);
 } // namespace palpate
 

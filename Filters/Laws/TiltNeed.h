@@ -14,21 +14,21 @@ struct TiltNeed
 {
   double change = 0.0; ///< largest relative change of the force by any tilt
   double angle = 0.0;  ///< tilt of that change, rad
-  /// Fraction of the points at which no tilt changes the force by more than the tolerance.
+  /// Fraction of the points at which no tilt changes the force by more than the tolerance, 0 to 1.
   double without = 0.0;
   double torque = 0.0; ///< largest torque, N mm
-  bool isFelt = false; ///< the change exceeds the tolerance at one point at least
+  bool isFelt = false; ///< the change exceeds the tolerance at one or more points
 };
 
 /**
- * The change of the force by a tilt at equal depth of the tip: at half of each point's range, for
- * eight tilts up to the largest. The deepest point of a tool with a flat or round end that is
- * tilted about its tip is deeper than the tip; the change includes this effect. Uses up to 4096
+ * Computes the change of the force by a tilt at equal depth of the tip: at half of each point's
+ * range, for eight tilts up to the largest. If a tool with a flat or round end is tilted about its
+ * tip, its deepest point is deeper than the tip. The change includes this effect. Uses up to 4096
  * points, evenly spaced.
  */
 PALPATE_EXPORT TiltNeed tiltNeed(const ResponseArrays& arrays, double tolerance);
 
-/// The need as a sentence without its full stop; "" for a response without tilts.
+/// Returns the need as a sentence without its full stop; "" for a response without tilts.
 PALPATE_EXPORT std::string tiltReason(
   const TiltNeed& need, const TiltViews& tilts, double tolerance);
 } // namespace palpate

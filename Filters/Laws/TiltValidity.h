@@ -19,11 +19,11 @@ struct TrustSpans
 };
 
 /**
- * Includes the error of tilts up to the largest of the table (tiltError) in the validity: the error
- * of the equivalent profile on a layer, and the error of the table on a half-space, at the contact
- * radius that each sample has on a half-space. The error at each sample becomes the larger of this
- * error and that of the upright law. Validity ends at the depth at which the error exceeds
- * `tolerance` (> 0); its limit is then Tilt.
+ * Includes the error of tilts up to the largest of the table (tiltError) in the validity. On a
+ * layer this is the error of the equivalent profile, on a half-space the error of the table, at the
+ * contact radius that each sample has on a half-space. The error at each sample becomes the larger
+ * of this error and the error of the upright law. Validity ends at the depth at which the error
+ * exceeds `tolerance` (> 0); its limit is then Tilt.
  *
  * `arrays` is the response with its tilts, `spots` its material. The result is bit for bit the same
  * for any number of threads.

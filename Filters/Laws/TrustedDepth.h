@@ -8,7 +8,7 @@
 namespace palpate
 {
 /// The largest depth to which the error of a curve is within a tolerance. The search begins at the
-/// deepest sample. Between the samples, which are at even √δ, the error is assumed to be linear in
+/// deepest sample. The samples are at even √δ. Between samples the error is assumed to be linear in
 /// √δ, like the strain of a sphere.
 class TrustedDepth
 {
@@ -21,8 +21,8 @@ public:
   {
   }
 
-  /// Adds the error at sample k = n … 1, and finally the error at first contact, k = 0. Returns
-  /// true as soon as the depth is known.
+  /// Adds the error at sample k. Call it for k = n … 1, and finally for first contact, k = 0.
+  /// Returns true as soon as the depth is known.
   bool add(std::size_t k, double error)
   {
     if (!this->Known && error <= this->Tolerance)

@@ -11,11 +11,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double StrainRatio = 0.4; // a/R: about 8 % strain (Tabor's 0.2 a/R)
+// a/R at which validity ends: about 8 % strain (Tabor's 0.2 a/R)
+constexpr double StrainRatio = 0.4;
 // Angle by which the body's normal may turn over the contact radius, rad.
 constexpr double NormalTurn = 0.2;
-// Relative to a layer's thickness: at this compression, finite elements with finite strain
-// (Data/Studies/calculix, nu = 0.45) are 4 % above the linear layer; at 0.4 they are 10 % above it.
+// Largest compression of a layer relative to its thickness. At this compression, finite elements
+// with finite strain (Data/Studies/calculix, nu = 0.45) are 4 % above the linear layer; at 0.4 they
+// are 10 % above it.
 constexpr double Compression = 0.2;
 } // namespace
 
@@ -42,7 +44,7 @@ ValidityRule::Answer ValidityRule::at(const ContactSpot& spot, double curvature)
     }
   };
   const bool layer = spot.thickness > 0.0;
-  // A flat end has its full contact radius at any depth, so that its strain depends only on the
+  // A flat end has its full contact radius at any depth. Therefore its strain depends only on the
   // depth.
   const bool widens = this->StrainRadius > this->Tool.smallestContactRadius();
   consider(layer && widens ? this->Law.deflectionAtContactRadius(spot, this->StrainRadius)

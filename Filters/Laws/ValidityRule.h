@@ -30,17 +30,18 @@ public:
   ValidityRule(
     const AxisymmetricTool& tool, const ResponseLaw& law, double range, double bodyWidth);
 
-  /// `curvature` (1/mm): the angle by which the body's normal turns per length at the point.
+  /// `curvature` (1/mm): the angle by which the body's normal turns per length of the surface at
+  /// the point.
   Answer at(const ContactSpot& spot, double curvature) const;
 
 private:
   const AxisymmetricTool& Tool;
   const ResponseLaw& Law;
   double Range;
-  double StrainDepth;  ///< on a half-space
-  double StrainRadius; ///< the contact radius at StrainDepth
-  double HalfWidth;    ///< half the width of the body
-  double WidthDepth;   ///< depth on a half-space at which the contact radius is HalfWidth
+  double StrainDepth;  ///< depth on a half-space at which the strain limit is reached, mm
+  double StrainRadius; ///< contact radius at StrainDepth, mm
+  double HalfWidth;    ///< half the width of the body, mm
+  double WidthDepth;   ///< depth on a half-space at which the contact radius is HalfWidth, mm
 };
 } // namespace palpate
 

@@ -52,7 +52,7 @@ void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
 
   std::vector<double> moduli;
   std::vector<double> compliances;
-  std::vector<double> slenderness; // 1/h, 0 for a half-space
+  std::vector<double> slenderness; // 1/h, 1/mm; 0 for a half-space
   for (const IdentifiedBody* site : measurement.Used)
   {
     moduli.push_back(site->body.reducedModulus);
@@ -92,7 +92,8 @@ void limitToData(
   auto* validity = vtkFloatArray::SafeDownCast(array(ResponseArray::Validity));
   auto* status = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Status));
   auto* limit = vtkUnsignedCharArray::SafeDownCast(array(ResponseArray::Limit));
-  auto* error = vtkFloatArray::SafeDownCast(array(ResponseArray::Error)); // null if not stored
+  // Null if the error is not stored.
+  auto* error = vtkFloatArray::SafeDownCast(array(ResponseArray::Error));
   const int n = force->GetNumberOfComponents();
   const double exponent = output->GetFieldData()
                             ->GetArray(arrayName(name, ResponseArray::Exponent).c_str())

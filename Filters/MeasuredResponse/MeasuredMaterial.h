@@ -10,17 +10,17 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Names of the point arrays passed from the identified sites to vtkToolContactResponse.
+/// Names of the point arrays through which vtkToolContactResponse receives the identified material.
 namespace MeasuredMaterial
 {
 constexpr const char* ModulusArray = "IdentifiedModulus";
 constexpr const char* ComplianceArray = "IdentifiedCompliance";
 constexpr const char* ThicknessArray = "IdentifiedThickness";
-constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed at the end
+constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed from the output at the end
 } // namespace MeasuredMaterial
 
-/// Makes `spread` a copy of the body with the material at its points: E*, C_g and 1/h of the sites
-/// that are not refused, interpolated within `reach` (mm).
+/// Makes `spread` a copy of the body with the material at its points. The material is E*, C_g and
+/// 1/h of the sites that are not refused, interpolated within `reach` (mm).
 void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
   SiteMeasurement& measurement, vtkPolyData* spread);
 

@@ -31,7 +31,8 @@ void attachMeasuredRelaxation(
   {
     return;
   }
-  std::vector<std::vector<double>> strengths(common.mean.count); // for each branch, each site
+  // Strength of each branch at each site.
+  std::vector<std::vector<double>> strengths(common.mean.count);
   for (std::size_t k = 0; k < strengths.size(); ++k)
   {
     for (const auto& site : common.strength)

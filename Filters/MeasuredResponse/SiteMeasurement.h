@@ -14,15 +14,16 @@
 
 namespace palpate
 {
-/// The state of vtkMeasuredContactResponse between reading its files and making its response.
+/// The state of vtkMeasuredContactResponse after its files are read and before its response is
+/// made.
 struct SiteMeasurement
 {
   std::vector<MeasuredCurves> Files;
   std::vector<PlacedSite> Sites;
-  std::vector<SiteAnchor> Anchors; ///< for each site
+  std::vector<SiteAnchor> Anchors; ///< projections of the sites on the mesh
   std::unique_ptr<BodyIdentification> Identification;
   std::unique_ptr<BodyMesh> Mesh;
-  std::unique_ptr<SiteSpread> Spread; ///< for the used sites
+  std::unique_ptr<SiteSpread> Spread; ///< interpolation between the used sites
   std::vector<const IdentifiedBody*> Used;
 
   std::vector<double> collect(double IdentifiedBody::*member) const
@@ -39,10 +40,10 @@ struct SiteMeasurement
   /// from the mesh. Returns the root mean square of the distances.
   double place(double largestDistance);
 
-  /// The number of refused sites; `reasons` receives their names and reasons.
+  /// Returns the number of refused sites. `reasons` receives their names and the reasons.
   std::size_t countRefused(std::string& reasons) const;
 
-  /// The identified bodies and their data in words, for the field array Model.
+  /// Returns the identified bodies and their data in words, for the field array Model.
   std::string describe() const;
   int modelParts() const; ///< sum of ModelPart
 };

@@ -23,7 +23,8 @@ namespace palpate
 namespace
 {
 constexpr double RigidTolerance = 1e-3;
-constexpr double InLine = 1e-3; // relative to the length of a line of points
+// Largest distance from a line, relative to the length of the line of points.
+constexpr double InLine = 1e-3;
 
 const std::vector<std::string_view> PairColumns = { "from_x_mm", "from_y_mm", "from_z_mm",
   "to_x_mm", "to_y_mm", "to_z_mm" };
@@ -90,7 +91,7 @@ std::string fromMatrix(const std::vector<double>& numbers, SiteRegistration& reg
   return {};
 }
 
-/// Whether the points are on one line, or are a single point.
+/// Whether all points are on one line or coincide.
 bool areInLine(vtkPoints* points)
 {
   Eigen::Matrix3Xd x(3, points->GetNumberOfPoints());

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// Ratio of arc to chord in a patch, which turns by at most 60°: (π/6)/sin(π/6).
+/// Ratio of arc to chord in a patch whose normal turns by at most 60°: (π/6)/sin(π/6).
 constexpr double ArcPerChord = 1.0472;
 } // namespace
 
@@ -45,7 +45,7 @@ SiteSpread::SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& site
         }
       });
   }
-  // The sort is stable, so that the sites of a point remain in order.
+  // A stable sort keeps the order of the sites of each point.
   std::stable_sort(
     shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.point < b.point; });
 

@@ -56,8 +56,8 @@ void addEstimate(vtkTable* table, const std::string& name, const std::string& un
     table, name + " to" + unit, sites, [&](const PlacedSite& s) { return value(s).upper; });
 }
 
-/// The value of a quantity with the largest magnitude over the curves of a site; NaN if no curve
-/// has the quantity.
+/// Returns the value of a quantity that is largest in magnitude over the curves of a site; NaN if
+/// no curve has the quantity.
 template <class Value>
 double most(const PlacedSite& site, const Value& value)
 {
@@ -179,7 +179,7 @@ void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
     [](const PlacedSite& s) { return s.measured.body.longestTime; });
 }
 
-/// A number with all its digits, so that a double is read back unchanged.
+/// Returns a number as text with all its digits, so that a double is read back unchanged.
 std::string text(vtkAbstractArray* column, vtkIdType row)
 {
   const vtkVariant value = column->GetVariantValue(row);

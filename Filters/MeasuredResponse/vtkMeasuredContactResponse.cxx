@@ -36,7 +36,7 @@
 
 namespace
 {
-constexpr double IdentifiedShare = 0.5; // fraction of the progress
+constexpr double IdentifiedShare = 0.5; // fraction of the progress for the identification
 } // namespace
 
 vtkStandardNewMacro(vtkMeasuredContactResponse);
@@ -136,7 +136,7 @@ int vtkMeasuredContactResponse::RequestData(
   vtkNew<vtkPolyData> spread;
   palpate::spreadMaterial(body, this->PoissonRatio, this->Reach, measurement, spread);
   fault = this->RespondTo(measurement, spread, output);
-  if (fault.empty() && output->GetNumberOfPoints() > 0) // not aborted
+  if (fault.empty() && output->GetNumberOfPoints() > 0) // if not aborted
   {
     palpate::limitToData(measurement, this->ResponseName, this->MaximumDeflection, output);
     palpate::attachMeasuredRelaxation(measurement, this->ResponseName, output);
@@ -237,7 +237,8 @@ std::string vtkMeasuredContactResponse::ReadSites(
   options.largestStrain = this->MaximumStrain;
   options.largestMisfit = this->MaximumMisfit;
   options.largestUncertainty = this->MaximumUncertainty;
-  this->Relaxations.fillSeries(options.relaxation); // CheckProperties found no fault
+  // CheckProperties has already checked the relaxation
+  this->Relaxations.fillSeries(options.relaxation);
   measurement.Identification = std::make_unique<palpate::BodyIdentification>(options);
   return fault;
 }
@@ -271,7 +272,7 @@ bool vtkMeasuredContactResponse::IdentifySites(palpate::SiteMeasurement& measure
   return true;
 }
 
-/// Warns of refused sites. If all sites are refused, returns their names and reasons.
+/// Warns of refused sites. If all sites are refused, returns their names and the reasons.
 std::string vtkMeasuredContactResponse::JudgeSites(const palpate::SiteMeasurement& measurement)
 {
   std::string refused;
@@ -314,7 +315,7 @@ std::string vtkMeasuredContactResponse::RespondTo(
   }
   request.material.poissonRatio = this->PoissonRatio;
   request.material.base = static_cast<palpate::LayerBase>(this->LayerBase);
-  // No site has both compliance and layer; between sites both are interpolated.
+  // No site has both a compliance and a layer. Between sites both are interpolated.
   request.material.complianceExcludesLayer = true;
   request.arrays = palpate::materialArrays(body,
     { palpate::MeasuredMaterial::YoungArray, anywhere(palpate::MeasuredMaterial::ThicknessArray),

@@ -4,22 +4,22 @@
  * @brief the response of any tool, from force-deflection curves measured with other tools
  *
  * Input: a body as for vtkToolContactResponse, and files of force-deflection curves taken at sites
- * of the body, each file with one tool (`palpate/CurvesFile.h`; measured, or computed by any
- * finite-element code). Sites with one name in several files are one site, measured with several
- * tools. Curves may also come as tables with the columns of such files, on the optional and
- * repeatable input port 1. A reader of .csv files omits the comments in the head of a file.
- * Therefore the tool of a table is MeasuringTool, and its curves count as measured.
+ * of the body. Each file has the curves of one tool (`palpate/CurvesFile.h`; measured, or computed
+ * by any finite-element code). Sites with the same name in several files are one site that was
+ * measured with several tools. Curves may also come as tables with the columns of such files, on
+ * the optional and repeatable input port 1. A reader of .csv files omits the comments in the head
+ * of a file. Therefore the tool of a table is MeasuringTool, and its curves count as measured.
  *
  * For each site the filter separates the loading branches, measures hysteresis and the effect of
  * speed, and finds the depth of first contact and the force before contact. Then it identifies the
  * simplest elastic body that explains the readings within their noise: a half-space (E*), a
  * half-space in series with a global compliance (E*, C_g), or a layer on a rigid base (E*, h). See
- * CurvePreparation.h, BodyIdentification.h.
+ * CurvePreparation.h and BodyIdentification.h.
  *
- * If the curves of a site have times and a loop, a hold or an effect of speed exceeds the limits, a
- * relaxing body is identified. E* and the other parameters then describe the slow response. The
- * filter adds strengths and times of up to four branches, from loading, hold and unloading together
- * (RelaxingIdentification.h).
+ * A relaxing body is identified if the curves of a site have times, and if a loop, a hold or an
+ * effect of speed exceeds the limits. E* and the other parameters then describe the slow response.
+ * The filter adds strengths and times of up to four branches. It identifies them from loading, hold
+ * and unloading together (RelaxingIdentification.h).
  *
  * A site is refused, with the reason, if
  * - it is not elastic and its curves have no times,
@@ -40,17 +40,17 @@
  * `IdentifiedThickness` (mm, 0 for a half-space), double;
  * - `Status` 4 OutOfReach at points that no site reaches: they have no response;
  * - `Error` and `Validity` as in vtkToolContactResponse. The error at each sample includes the
- *   uncertainty at the sites (95 % intervals of the identified body, for this tool), the
- *   differences between the sites around the point, and the effect of curvature and edges, as far
- *   as it differs from their effect in the readings;
- * - `Limit` 6, data: noise and the differences of sites are the largest part of the error; or
- *   beyond Validity the force or the contact radius of the tool (see DataEnd.h) exceeds that of
- *   every tool in the measurement;
+ *   uncertainty at the sites (95 % intervals of the identified body, for this tool) and the
+ *   differences between the sites around the point. It also includes the difference between the
+ *   effect of curvature and edges and their effect in the readings;
+ * - `Limit` 6, data: noise and the differences of sites are the largest part of the error. It is
+ *   also set if beyond Validity the force or the contact radius of the tool (see DataEnd.h) exceeds
+ *   that of every tool in the measurement;
  * - `RelaxationStrength` and `RelaxationTime` (field data), if a site relaxes. The curves are then
  *   the slow response. The strengths are the mean over the sites, at times that are common to the
- *   sites. With several sites the point data `LocalRelaxation` has the strengths of the sites,
- *   interpolated like E*, 0 out of reach;
- * - field data `Model`: the identified bodies and their data; it contains `synthetic` if a file is
+ *   sites. If there are several sites, the point data `LocalRelaxation` has the strengths of the
+ *   sites, interpolated like E*, 0 out of reach;
+ * - field data `Model`: the identified bodies and their data. It contains `synthetic` if a file is
  *   synthetic.
  *
  * Output port 1: a vtkTable with a row per site: Site, Verdict (`identified`, or the reason of the
@@ -68,10 +68,10 @@
  * in the order of time, with Time (s); ModelForce is then computed for that history.
  *
  * @warning Assumes small strain, frictionless tools, and a body that is homogeneous under each
- * site. A body is identified by its response to the measuring tools: E* of a site contains no
- * information about layers thinner than the largest measured contact radius. If there are too few
- * readings before the contact, forces are measured from zero and without drift
- * (ArrangedReadings.h); Remark then reports this.
+ * site. The response to the measuring tools identifies a body: E* of a site contains no information
+ * about layers thinner than the largest measured contact radius. If there are too few readings
+ * before the contact, forces are measured from zero and without drift (ArrangedReadings.h); Remark
+ * then reports this.
  *
  * Cost: up to a tenth of a second per site, or a second for a site that relaxes, on all cores, in
  * addition to the cost of vtkToolContactResponse.
@@ -112,18 +112,25 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The files of curves; at least one unless there are tables. Read on every update. */
+  /**
+   * The files of curves. At least one is required unless there are tables. Read on every update.
+   */
   void AddFileName(const std::string& fileName);
   void ClearFileNames();
   int GetNumberOfFileNames();
   std::string GetFileName(int index);
   ///@}
 
-  /** Adds a table of curves, all taken with MeasuringTool, to input port 1. */
+  /**
+   * Adds a table of curves to input port 1. All its curves must have been taken with MeasuringTool.
+   */
   void AddCurvesConnection(vtkAlgorithmOutput* table);
 
   ///@{
-  /** The tool of the tables on port 1, as `sphere:6.35`; required with tables. Default: none. */
+  /**
+   * The tool of the tables on port 1, for example `sphere:6.35`. Required with tables. Default:
+   * none.
+   */
   vtkSetMacro(MeasuringTool, std::string);
   vtkGetMacro(MeasuringTool, std::string);
   ///@}
@@ -131,7 +138,7 @@ public:
   ///@{
   /**
    * A file with the transformation from the instrument's frame to the body's frame: a rigid 4×4
-   * matrix or pairs of points (SiteRegistration.h). Empty, the default: both frames are the same.
+   * matrix or pairs of points (SiteRegistration.h). Default: empty; both frames are then the same.
    */
   vtkSetMacro(RegistrationFile, std::string);
   vtkGetMacro(RegistrationFile, std::string);
@@ -147,7 +154,7 @@ public:
   };
 
   ///@{
-  /** The model of every site, if it is known. Default Automatic. */
+  /** The model of every site, if it is known in advance. Default Automatic. */
   vtkSetClampMacro(BodyModel, int, Automatic, Layer);
   vtkGetMacro(BodyModel, int);
   ///@}
@@ -166,7 +173,7 @@ public:
 
   ///@{
   /**
-   * Whether to find the depth of first contact from the readings. Default on. Use off if
+   * Whether to find the depth of first contact from the readings. Default on. Set it to off if
    * deflections are measured from first contact, as in finite-element results.
    */
   vtkSetMacro(FindContact, bool);
@@ -175,7 +182,7 @@ public:
   ///@}
 
   ///@{
-  /** Standard deviation of a force reading, N. 0, the default: estimated from the readings. */
+  /** Standard deviation of a force reading, N. Default 0: it is estimated from the readings. */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
   ///@}
@@ -192,7 +199,7 @@ public:
   ///@{
   /**
    * Limit for an elastic body: the largest relative difference in energy between a fast and a slow
-   * loading, and the largest fraction of its force that it may lose in a hold. Default 0.1.
+   * loading, and the largest fraction of the force that a hold may lose. Default 0.1.
    */
   vtkSetMacro(MaximumRateEffect, double);
   vtkGetMacro(MaximumRateEffect, double);
@@ -200,10 +207,10 @@ public:
 
   ///@{
   /**
-   * The relaxation of the body, if it is known: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has a
-   * strength p >= 0, relative to the slow modulus E∞, and a time τ > 0 in seconds; up to four
-   * branches. The relaxation is then not identified; E* and the other parameters take the speed of
-   * the test into account. Curves without times count as slow. Default: none.
+   * The relaxation of the body, if it is known in advance: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch
+   * has a strength p >= 0, relative to the slow modulus E∞, and a time τ > 0 in seconds. Up to four
+   * branches are possible. The relaxation is then not identified; E* and the other parameters take
+   * the speed of the test into account. Curves without times count as slow. Default: none.
    */
   void AddRelaxation(double strength, double seconds)
   {
@@ -224,9 +231,9 @@ public:
 
   ///@{
   /**
-   * Contact radius over tip radius up to which readings are used: the strain measure of
-   * vtkToolContactResponse. The laws are those of small strain. Remark contains the number of
-   * readings that are not used. Default 0.4.
+   * Largest contact radius divided by tip radius up to which readings are used. This is the strain
+   * measure of vtkToolContactResponse. The laws are those of small strain. Remark contains the
+   * number of readings that are not used. Default 0.4.
    */
   vtkSetMacro(MaximumStrain, double);
   vtkGetMacro(MaximumStrain, double);
@@ -234,7 +241,8 @@ public:
 
   ///@{
   /**
-   * Largest residual of a model beyond the noise, as a fraction of the largest force. Default 0.02.
+   * Largest residual of a model in excess of the noise, as a fraction of the largest force. Default
+   * 0.02.
    */
   vtkSetMacro(MaximumMisfit, double);
   vtkGetMacro(MaximumMisfit, double);
@@ -273,7 +281,7 @@ public:
   ///@}
 
   ///@{
-  /** As in vtkToolContactResponse. Default 0.05, and on. */
+  /** As in vtkToolContactResponse. Defaults: 0.05 and on. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   vtkSetMacro(StoreError, bool);
@@ -283,8 +291,8 @@ public:
 
   ///@{
   /**
-   * Results of the last update: root-mean-square distance between the pairs of points after
-   * registration (NaN without pairs), and of the sites from the surface, mm.
+   * Results of the last update, mm: the root-mean-square distance between the pairs of points after
+   * registration (NaN without pairs), and that of the sites from the surface.
    */
   vtkGetMacro(RegistrationResidual, double);
   vtkGetMacro(SiteResidual, double);

@@ -22,7 +22,7 @@ namespace
 {
 constexpr std::array<const char*, 5> Columns = { "Deflection (mm)", "Force (N)", "ModelForce (N)",
   "Site", "Tool" };
-constexpr const char* TimeColumn = "Time (s)"; // present if some of the readings are histories
+constexpr const char* TimeColumn = "Time (s)"; // present if at least one site relaxes
 
 /// The rows of one site and one tool.
 struct Curve

@@ -7,14 +7,14 @@
  * `Deflection (mm)`, `Force (N)`, `ModelForce (N)`, `Site` and `Tool`.
  *
  * Output: a vtkTable with `Deflection (mm)` from first contact and two columns for every site and
- * tool, in the order of the input: `<site> measured (N)`, the readings, and `<site> model (N)`, the
- * force of the identified body at the same deflection; with several tools `<site> measured with
- * <tool> (N)`, and similarly for the model. The rows of a site and tool are consecutive, in the
- * order of their deflection. If the readings have a `Time (s)` because the body relaxes, the rows
- * are in the order of time, so that their lines are the loops. The columns of a site and tool are
- * NaN in all other rows. The model of a refused site is NaN.
+ * tool, in the order of the input. `<site> measured (N)` has the readings. `<site> model (N)` has
+ * the force of the identified body at the same deflection. With several tools the names are `<site>
+ * measured with <tool> (N)`, and similarly for the model. The rows of a site and tool are
+ * consecutive, in the order of their deflection. If the readings have a `Time (s)` because the body
+ * relaxes, the rows are in the order of time, and their plotted lines are loops. The columns of a
+ * site and tool are NaN in all other rows. The model of a refused site is NaN.
  *
- * Errors: a missing column, with its name.
+ * Errors: a missing column is reported with its name.
  *
  * @code{.py}
  * curves = palpate.vtkMeasuredCurves()

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// What is wrong, in words.
+/// The description of an error, in words.
 struct Fault
 {
   std::string text;
@@ -19,7 +19,7 @@ template <class T>
 class [[nodiscard]] Checked
 {
 public:
-  Checked(T value) // NOLINT(google-explicit-constructor): a function returns its value
+  Checked(T value) // NOLINT(google-explicit-constructor): allows `return value;`
     : Content(std::move(value))
   {
   }
@@ -40,7 +40,7 @@ private:
   std::variant<T, Fault> Content;
 };
 
-/// Takes steps in order until one returns a fault. Returns this fault, or "" if there is none.
+/// Runs the steps in order until one returns a fault. Returns this fault, or "" if there is none.
 template <class... Steps>
 std::string firstFault(const Steps&... steps)
 {
@@ -54,7 +54,7 @@ std::string firstFault(const Steps&... steps)
   return fault;
 }
 
-/// The fault with words before it; "" for no fault.
+/// Returns the fault with `words` before it; "" if there is no fault.
 inline std::string prefixed(const char* words, const std::string& fault)
 {
   if (fault.empty())

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Marks the classes and functions that the kernels' shared libraries export. All others are hidden.
+ * Marks the classes and functions that the shared libraries of the kernels export. All others are
+ * hidden.
  *
- * Rule: in an installed header, mark each function and each class that is defined out of line.
+ * Rule: in an installed header, mark each function and each class that is defined in a source file.
  * Headers that are not installed (PRIVATE in palpate_add_kernel) have no marks. Tests access
- * internals by linking palpateMechanicsInside and similar archives of the same objects.
+ * internal functions by linking palpateMechanicsInside and similar archives of the same objects.
  */
 #ifndef PalpateExport_h
 #define PalpateExport_h

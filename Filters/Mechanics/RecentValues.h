@@ -12,9 +12,9 @@
 
 namespace palpate
 {
-/// A cache of results that take long to compute, found by their complete input. It keeps the most
-/// recently used results, up to a number and a total of bytes. Thread-safe. Keys are compared one
-/// by one, which is suitable for tens of values.
+/// A cache of results that take long to compute. A result is found by its complete input. The cache
+/// keeps the most recently used results, up to a number and a total of bytes. Thread-safe. Keys are
+/// compared one by one, which is suitable for tens of values.
 template <class Key, class Value>
 class RecentValues
 {
@@ -39,7 +39,7 @@ public:
     return this->All.front().value;
   }
 
-  /// Stores a value with the size `bytes`; the values that were not used for longest are removed.
+  /// Stores a value with the size `bytes`. Removes the least recently used values if necessary.
   void keep(const Key& key, std::shared_ptr<const Value> value, std::size_t bytes)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -54,8 +54,9 @@ public:
     }
   }
 
-  /// The value of a key. If there is none, make() returns the value and its size, and it is stored.
-  /// Two threads with the same key at the same time may both call make().
+  /// Returns the value of a key. If there is none, calls make(), which returns the value and its
+  /// size, and stores the value. Two threads with the same key may both call make() at the same
+  /// time.
   template <class Make>
   std::shared_ptr<const Value> get(const Key& key, const Make& make)
   {
@@ -79,7 +80,7 @@ private:
   std::size_t MostValues;
   std::size_t MostBytes;
   std::mutex Mutex;
-  std::list<Entry> All; ///< the most recently used first
+  std::list<Entry> All; ///< in the order of last use, the most recent first
 };
 } // namespace palpate
 

@@ -19,8 +19,8 @@ inline bool isPoissonsRatio(double poissonRatio)
   return poissonRatio >= 0.0 && poissonRatio <= 0.5;
 }
 
-/// E* = E / (1 - nu^2), in the unit of E (MPa); the tool is assumed to be rigid. NaN if E or nu is
-/// outside its range.
+/// E* = E / (1 - nu^2), in the unit of E (MPa), for a rigid tool. NaN if E or nu is outside its
+/// range.
 inline double reducedModulus(double youngsModulus, double poissonRatio)
 {
   if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonRatio))

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// One point of a curve F(δ): force (N), dF/dδ (N/mm), the local part of the deflection (mm).
+/// One point of a curve F(δ): force (N), dF/dδ (N/mm), and the local part of the deflection (mm).
 struct SeriesPoint
 {
   double force = 0.0;
@@ -20,11 +20,11 @@ struct SeriesPoint
 /**
  * Local and global deformation in series: δ = δ_local(F; tool) + C F.
  *
- * The global deformation is C F; the structural compliance C (mm/N) does not depend on the tool
- * (St. Venant, Castigliano). The local deformation is given by the law of the tool. A negative C (a
- * rigid base close to the surface) is allowed until 1 + C dF/dδ_local = 0, where the curve folds.
- * Solved by Newton's method, which is monotone because F(δ_local) is convex. Cost: about five
- * evaluations of the local law.
+ * The global deformation is C F. The structural compliance C (mm/N) does not depend on the tool
+ * (St. Venant, Castigliano). The law of the tool gives the local deformation. A negative C (a rigid
+ * base close to the surface) is allowed until 1 + C dF/dδ_local = 0, where the curve folds. The
+ * equation is solved by Newton's method, which is monotone because F(δ_local) is convex. Cost:
+ * about five evaluations of the local law.
  */
 PALPATE_EXPORT SeriesPoint seriesResponse(
   const IndentationLaw& local, double reducedModulus, double compliance, double deflection);

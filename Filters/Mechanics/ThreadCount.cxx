@@ -13,7 +13,7 @@ constexpr std::size_t Most = 1024; // a larger number is assumed to be a typing 
 
 thread_local std::size_t Limit = 0; // 0: no limit
 
-/// The number in PALPATE_THREADS; 0 if it is not set, or not a positive number.
+/// Returns the number in PALPATE_THREADS; 0 if it is not set, or is not a positive number.
 std::size_t environmentCount() noexcept
 {
   const char* text = std::getenv("PALPATE_THREADS");

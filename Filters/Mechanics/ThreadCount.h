@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The number of threads for loops of the kernels: building bodies, finite elements, reduction. The
- * servo tick uses no additional threads. No result depends on the number of threads.
+ * The number of threads for loops of the kernels: construction of bodies, finite elements,
+ * reduction. The servo tick uses no additional threads. No result depends on the number of threads.
  *
  * Default: one thread per core. The environment variable PALPATE_THREADS sets another number; it is
- * read once. Within a ThreadLimit the number is that of the limit, but at most PALPATE_THREADS if
- * that is set.
+ * read once. During a ThreadLimit the number is that of the limit, but at most PALPATE_THREADS if
+ * that variable is set.
  */
 #ifndef palpate_ThreadCount_h
 #define palpate_ThreadCount_h

@@ -16,12 +16,12 @@ namespace
 {
 using Dual = SecondOrder<5>;
 
-/// Shape functions of the nine nodes at a Gauss point of an element, and the matrix B of the
+/// Shape functions of the nine nodes at a Gauss point of an element, and the matrix B in the
 /// displacement gradient H = B u.
 struct ElementPoint
 {
   Eigen::Matrix<double, 5, 18> b = Eigen::Matrix<double, 5, 18>::Zero();
-  Eigen::Vector3d pressure; ///< the linear functions of the volume change
+  Eigen::Vector3d pressure; ///< values of the linear functions for volume change and pressure
   double weight;            ///< mm³
 };
 
@@ -35,7 +35,7 @@ ElementPoint pointOf(const Element& element, int i, int k)
   const auto sx = QuadraticLine::slopes(x);
   const auto sy = QuadraticLine::slopes(y);
   Eigen::Matrix<double, 9, 1> shape;
-  Eigen::Matrix<double, 9, 2> slope; // with respect to x and y
+  Eigen::Matrix<double, 9, 2> slope; // derivatives with respect to x and y
   for (std::size_t j = 0; j < 3; ++j)
   {
     for (std::size_t m = 0; m < 3; ++m)
@@ -46,7 +46,8 @@ ElementPoint pointOf(const Element& element, int i, int k)
       slope(node, 1) = nx[m] * sy[j];
     }
   }
-  const Eigen::Matrix2d jacobian = element.places * slope; // of (r, z) with respect to (x, y)
+  // Derivatives of (r, z) with respect to (x, y).
+  const Eigen::Matrix2d jacobian = element.places * slope;
   const Eigen::Matrix<double, 9, 2> byPlace = slope * jacobian.inverse();
   const double r = element.places.row(0).dot(shape);
   ElementPoint point;
@@ -251,7 +252,7 @@ void FiniteBody::linearize(const Vector& u, double depth, Vector& gradient)
   }
 }
 
-/// Adds the penalty of a point inside the tool.
+/// Adds the penalty of a surface point inside the tool to the gradient.
 void FiniteBody::addContact(std::size_t p, Vector& gradient)
 {
   const SurfacePoint& point = this->Surface[p];
@@ -322,7 +323,7 @@ FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
     if (gap.value < 0.0)
     {
       found.force += this->Penalty * point.weight * gap.value * gap.byDepth;
-      // The energy of the penalty, plus the same amount for the additional energy of the body
+      // Adds the energy of the penalty, and the same amount for the additional energy of the body
       // without the penalty.
       found.energy += this->Penalty * point.weight * gap.value * gap.value;
       found.contactRadius = radius;

@@ -16,8 +16,8 @@ namespace palpate
 {
 /**
  * The potential of a layered body and a tool pressed into it, as a function of the displacements of
- * the nodes: see FiniteIndentation.h. z points out of the body, whose surface is at z = 0. The tip
- * of the tool is at z = -depth.
+ * the nodes (FiniteIndentation.h). z points out of the body, whose surface is at z = 0. The tip of
+ * the tool is at z = -depth.
  */
 class FiniteBody
 {
@@ -29,21 +29,21 @@ public:
   FiniteBody(const ToolOutline& tool, const FiniteProblem& problem);
 
   Eigen::Index unknowns() const { return this->Unknowns; }
-  /// The tangent of the last linearize(); its lower half.
+  /// The lower half of the tangent from the last linearize().
   const Matrix& pattern() const { return this->Tangent; }
 
   /// The potential, N mm; +inf if an element of the body is turned inside out.
   double energy(const Vector& u, double depth) const;
   /// Computes the gradient and the tangent of the potential.
   void linearize(const Vector& u, double depth, Vector& gradient);
-  /// Updates the pressures for a step. Must be called with each step of the last linearization.
+  /// Updates the pressures after a step. Must be called with each step of the last linearization.
   void follow(const Vector& step);
-  /// Clears the pressures. To be called if `u` was not reached by steps.
+  /// Clears the pressures. To be called if `u` was changed by other means than steps.
   void restart() { this->Pressures.clear(); }
-  /// Computes all values except the number of iterations. The force is that of the penalty.
+  /// Computes all results except the number of iterations. The force is that of the penalty.
   FinitePoint evaluate(const Vector& u, double depth) const;
-  /// Derivatives by the depth at an equilibrium whose factorized tangent is in `solver`: of the
-  /// displacements, and of the energy of the penalty, N.
+  /// Derivatives with respect to the depth at an equilibrium whose factorized tangent is in
+  /// `solver`: derivatives of the displacements, and of the energy of the penalty (N).
   struct Course
   {
     Vector motion;
@@ -67,7 +67,7 @@ private:
     StrainEnergy energy;
     double bulkModulus;
   };
-  /// A Gauss point of an edge of the surface.
+  /// A Gauss point on an edge of the surface.
   struct SurfacePoint
   {
     std::array<int, 3> nodes;
@@ -77,8 +77,8 @@ private:
   };
   struct Gap
   {
-    double value;             ///< mm, > 0 outside
-    Eigen::Vector2d gradient; ///< with respect to the displacement
+    double value;             ///< distance from the tool, mm, > 0 outside
+    Eigen::Vector2d gradient; ///< gradient with respect to the displacement
     Eigen::Matrix2d hessian;
     double byDepth;
     Eigen::Vector2d gradientByDepth;
@@ -93,7 +93,7 @@ private:
 
   ElementVector gather(const Element& element, const Vector& u) const;
   double energyOf(const Element& element, const ElementVector& u, double* leastVolume) const;
-  /// Linearizes one element. `followed` is the pressure after the last step, or null.
+  /// Linearizes one element. `followed` is the pressure after the last step; null if there is none.
   void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* followed,
     ElementVector& gradient, ElementMatrix& tangent, PressureStep& step) const;
   Eigen::Vector2d displacementAt(const SurfacePoint& point, const Vector& u) const;
@@ -108,18 +108,18 @@ private:
   std::vector<Material> Materials;
   std::vector<Element> Elements;
   std::vector<SurfacePoint> Surface;
-  std::vector<int> UnknownOf; ///< u_r, u_z for each node; -1: fixed
+  std::vector<int> UnknownOf; ///< index of u_r and u_z of each node; -1: fixed
   Eigen::Index Unknowns = 0;
   Matrix Tangent;
-  // The pressures of elements and of contact are separate unknowns, eliminated from each step. If
-  // they were computed from a volume change or a gap out of equilibrium, the tangent would differ
-  // greatly from that at the solution.
-  std::vector<Eigen::Vector3d> Pressures; ///< empty: to be computed from the displacements
+  // The pressures of elements and of contact are separate unknowns, which are eliminated from each
+  // step. If they were computed from a volume change or a gap out of equilibrium, the tangent would
+  // differ greatly from that at the solution.
+  std::vector<Eigen::Vector3d> Pressures; ///< if empty, they are computed from the displacements
   std::vector<double> ContactPressures;   ///< MPa, < 0
   std::vector<PressureStep> Steps;
   std::vector<Gap> Gaps;
-  std::vector<int> ValueOf; ///< index in the tangent for each element, row and column <= row; -1:
-                            ///< none
+  /// Index in the tangent for each entry (row, column <= row) of each element; -1: no such index.
+  std::vector<int> ValueOf;
 };
 } // namespace palpate
 

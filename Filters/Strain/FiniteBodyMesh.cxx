@@ -15,14 +15,16 @@ namespace palpate
 namespace
 {
 constexpr double Growth = 1.6;
-constexpr double FarAway = 1000.0;      // distance at which a half-space is fixed, in contact radii
-constexpr double PenaltyFactor = 300.0; // multiple of E* per contact radius
+// Distance at which the nodes of a half-space are fixed, in contact radii.
+constexpr double FarAway = 1000.0;
+// Stiffness of the penalty, as a multiple of E* divided by the contact radius.
+constexpr double PenaltyFactor = 300.0;
 constexpr double ElementsPerFillet = 5.0;
-constexpr double CentralHole = 0.02; // fraction of a ball's radius, where elements would have no
-                                     // width
+// Fraction of a ball's radius. Closer to the centre the elements would have no width.
+constexpr double CentralHole = 0.02;
 
-/// (r, z) of the point at the distance `along` the surface from the axis and at the depth `below`
-/// the surface; z = 0 is the surface on the axis.
+/// Returns (r, z) of the point at the distance `along` the surface from the axis and at the depth
+/// `below` the surface. z = 0 is the surface on the axis.
 Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
 {
   if (bodyRadius == 0.0)
@@ -35,7 +37,7 @@ Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
     -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
-/// The end of a half-space's mesh. It is farther away if the layers above are stiffer.
+/// Returns the end of a half-space's mesh. It is farther away if the layers above are stiffer.
 double farEnd(const FiniteProblem& problem, double above)
 {
   double stiffest = 1.0;
@@ -46,8 +48,8 @@ double farEnd(const FiniteProblem& problem, double above)
   return above + FarAway * stiffest * problem.contactRadius;
 }
 
-/// Depth of the mesh. `above` is the thickness of the finite layers. The mesh of a ball extends
-/// almost to the centre.
+/// Returns the depth of the mesh. `above` is the thickness of the finite layers. The mesh of a ball
+/// extends almost to the centre.
 double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const bool isWholeBall = isHalfSpace && problem.bodyRadius > 0.0;
@@ -56,8 +58,8 @@ double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
                      : above;
 }
 
-/// Width of the mesh along the surface: on a ball up to the plane of symmetry, on a cavity to its
-/// other end.
+/// Returns the width of the mesh along the surface. On a ball it extends to the plane of symmetry,
+/// in a cavity to its other end.
 double meshWidth(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const double curved = problem.bodyRadius;
@@ -111,7 +113,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
   const auto nodeAt = [columns](int column, int row) { return row * columns + column; };
 
   this->UnknownOf.assign(2 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
-  for (int row = 0; row < rows; ++row) // from the surface down
+  for (int row = 0; row < rows; ++row) // rows are numbered from the surface downwards
   {
     for (int column = 0; column < columns; ++column)
     {
@@ -149,7 +151,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       this->Elements.push_back(element);
     }
   }
-  // The tool has no end in the model, so it must not touch the other side of a cavity.
+  // In the model the tool has no end. Therefore it must not touch the other side of a cavity.
   const double touchable = curved != 0.0 ? Pi / 3.0 * std::abs(curved) : width;
   for (std::size_t i = 0; i + 1 < rs.size() && rs[i + 1] <= touchable; ++i)
   {

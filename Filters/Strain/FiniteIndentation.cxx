@@ -16,13 +16,13 @@ namespace
 using Eigen::VectorXd;
 
 constexpr int MostIterations = 14;
-constexpr int MostHalvings = 4; // of a step of Newton's method; after that the method has failed
-constexpr int MostCuts = 7;     // halvings of a step in depth
-// Factor of the depth per step, because the contact grows with the depth.
+constexpr int MostHalvings = 4; // halvings of a step of Newton's method before the method fails
+constexpr int MostCuts = 7;     // halvings of a step in depth before the solution ends
+// Largest factor of the depth per step. It is a factor because the contact grows with the depth.
 constexpr double LargestGrowth = 1.3;
-constexpr double FirstFraction = 0.05; // fraction of the first depth, for the step from the
-                                       // undeformed body
-constexpr double Converged = 1e-12; // largest gain of a further iteration, relative to the energy
+// Fraction of the first depth that the step from the undeformed body reaches.
+constexpr double FirstFraction = 0.05;
+constexpr double Converged = 1e-12; // largest gain of a further iteration relative to the energy
 
 /// Newton's method on the potential of a body and a tool at successive depths.
 class Press
@@ -36,7 +36,7 @@ public:
     this->Solver.analyzePattern(this->Body.pattern());
   }
 
-  /// Moves from the last depth to this depth. Returns false if no equilibrium is found.
+  /// Moves from the last depth to `depth`. Returns false if no equilibrium is found.
   bool to(double depth, FinitePoint& point)
   {
     int iterations = 0;
@@ -58,11 +58,11 @@ public:
       }
       else
       {
-        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // applies to later steps, too
+        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // applies also to later steps
       }
     }
     point = this->Body.evaluate(this->Now, depth);
-    // To first order the potential of a rigid contact is the potential with the penalty, plus the
+    // To first order, the potential of a rigid contact is the potential with the penalty, plus the
     // energy of the penalty. The force is the derivative of that sum.
     point.force += this->Course.penaltySlope;
     point.iterations = iterations;
@@ -89,7 +89,7 @@ private:
       }
       const VectorXd step = -this->Solver.solve(this->Gradient);
       const double slope = this->Gradient.dot(step);
-      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or only rounding is left
+      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or only rounding errors remain
       {
         return std::abs(slope) <= Converged * energy;
       }

@@ -13,7 +13,7 @@
 
 namespace palpate
 {
-/// A layer of a body; layers are listed from the top.
+/// One layer of a body. Layers are listed from top to bottom.
 struct FiniteLayer
 {
   double thickness = std::numeric_limits<double>::infinity(); ///< mm; infinite: a half-space
@@ -35,14 +35,14 @@ struct FiniteProblem
   /// least two contact radii. Layers are shells; the half-space is the rest of the ball, or the
   /// body around the cavity.
   double bodyRadius = 0.0;
-  /// The largest expected contact radius, mm, for which the mesh is made.
+  /// Largest expected contact radius, mm. The mesh is made for this radius.
   double contactRadius = 1.0;
   std::vector<double> depths; ///< depths of the tool's tip, mm, ascending, > 0
-  /// Length of the elements under the tool, relative to the contact radius; from ShortestEdge to
+  /// Length of the elements under the tool relative to the contact radius, from ShortestEdge to
   /// LongestEdge.
   double edge = 0.05;
 
-  static constexpr double ShortestEdge = 0.002; ///< corresponds to a million elements
+  static constexpr double ShortestEdge = 0.002; ///< results in about a million elements
   static constexpr double LongestEdge = 0.5;
 };
 
@@ -68,20 +68,21 @@ struct FiniteCurve
  * Presses a tool of revolution without friction into a layered body at finite strain.
  *
  * Elements are axisymmetric, with nine nodes and quadratic displacements. The volume change is
- * projected on three linear functions per element (Q2/P1), so that nearly incompressible bodies do
- * not lock. The pressure is eliminated within the element, so that the solution is the minimum of
- * one potential. Energy and stress are those of StrainEnergy.h. Contact is a potential ½ε⟨-g⟩² of
- * the signed distance g between points of the deformed surface and the tool; its effect on the
+ * projected on three linear functions per element (Q2/P1). Therefore nearly incompressible bodies
+ * do not lock. The pressure is eliminated within the element. Therefore the solution is the minimum
+ * of one potential. Energy and stress are those of StrainEnergy.h. Contact is a potential ½ε⟨-g⟩²
+ * of the signed distance g between points of the deformed surface and the tool; its effect on the
  * force is corrected to first order. The equations are solved by Newton's method. A step that turns
  * an element inside out is shortened. An increment of depth that does not converge is halved.
  *
  * The mesh of a half-space ends at a thousand contact radii, multiplied by the ratio of the modulus
- * of the stiffest layer on the half-space to its own modulus. The nodes at the end are fixed (an
- * error of 0.1 %).
+ * of the stiffest layer to that of the half-space. The nodes at the end are fixed, which causes an
+ * error of 0.1 %.
  *
- * If all layers are linear, kinematics and contact are linear, too: the points of the surface move
- * straight down below the undeformed tool, as in the laws of small strain. The ratio of the two
- * results on the same mesh is the effect of finite strain, almost free of the error of the mesh.
+ * If all layers are linear, kinematics and contact are linear, too. The points of the surface then
+ * move straight down below the undeformed tool, as in the laws of small strain. The ratio of the
+ * two results on the same mesh is the effect of finite strain. It is almost free of the error of
+ * the mesh.
  *
  * `goOn(fraction)` receives the completed fraction; if it returns false, the solution stops. Cost:
  * 0.1 to 0.3 s per iteration, 5 to 20 iterations per depth. Memory: about 100 MB.
@@ -89,7 +90,7 @@ struct FiniteCurve
 PALPATE_EXPORT FiniteCurve pressTool(const ToolOutline& tool, const FiniteProblem& problem,
   const std::function<bool(double)>& goOn = {});
 
-/// The fault of the problem, which names layer and number, or "".
+/// Returns the fault of the problem, which names layer and number, or "".
 PALPATE_EXPORT std::string checkProblem(const FiniteProblem& problem);
 } // namespace palpate
 

@@ -9,23 +9,23 @@ namespace palpate
 {
 namespace
 {
-constexpr double SmallStrainTime = 0.3; // fraction of the time
-constexpr double OutlineReach = 3.0;    // contact radii
-/// A step of the continuation of a rim: factor of its fillet, and factor of the length of its
-/// elements.
+constexpr double SmallStrainTime = 0.3; // fraction of the time for the solution at small strain
+constexpr double OutlineReach = 3.0;    // reach of the outline, in contact radii
+/// A step of the continuation with a rounder rim: factor of its fillet, and factor of the length of
+/// its elements.
 struct Round
 {
   double fillet;
   double edge;
 };
 constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
-/// Depth in radii of a rim's fillet. At larger depths the surface creases next to the rim, and c is
-/// up to 1.5 % too low.
+/// Depth in fillet radii to which the result is used. At larger depths the surface creases next to
+/// the rim, and c is up to 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-constexpr double ReservedTime =
-  0.3; // fraction of the remaining time that is reserved for rounder rims
+// Fraction of the remaining time that is reserved for rounder rims.
+constexpr double ReservedTime = 0.3;
 
-/// c with one fillet, to the largest depth that has an equilibrium.
+/// Returns c with one fillet, to the largest depth that has an equilibrium.
 std::vector<double> factorsWith(
   const ToolOutline& outline, FiniteProblem problem, const std::function<bool(double)>& goOn)
 {
@@ -44,7 +44,7 @@ std::vector<double> factorsWith(
   std::vector<double> factors;
   for (std::size_t k = 0; k < small.points.size(); ++k)
   {
-    // The fillet of an apex has no contact at small depths.
+    // The fillet of an apex is not in contact at small depths.
     const double force = small.points[k].force;
     factors.push_back(force > 0.0 ? finite.points[k].force / force : 0.0);
   }
@@ -68,8 +68,8 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   {
     const double roundness = round.fillet * fillet;
     const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
-    // The last known depth is solved again, to compare both rims. The first depth is solved before
-    // it, as with the sharper rim.
+    // The last known depth is solved again, to compare the results of both rims. The first depth is
+    // solved before it, as with the sharper rim.
     const std::size_t again = std::min<std::size_t>(factors.size(), 2);
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);

@@ -9,7 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// The size at x: the size of a range inside it, increasing with the distance outside it.
+/// Returns the size at x. It is the size of a range inside the range, and increases with the
+/// distance outside.
 double sizeAt(double x, const std::vector<FineRange>& fine, double growth)
 {
   double size = HUGE_VAL;
@@ -35,12 +36,13 @@ std::vector<double> gradedDivision(
     double x = start;
     while (x < stop)
     {
-      // The finer end determines the size, so that the elements become small before a range begins.
+      // The finer of the two ends determines the size. Therefore the elements become small before a
+      // range begins.
       const double size = sizeAt(x, fine, growth);
       x += std::min(size, std::max(sizeAt(x + size, fine, growth), size / growth));
       inner.push_back(x);
     }
-    // The excess of the last element is distributed over all elements.
+    // The excess length of the last element is distributed over all elements.
     const std::size_t count = inner.size();
     const bool dropsLast =
       count > 1 && stop - inner[count - 2] < 0.5 * (inner[count - 1] - inner[count - 2]);

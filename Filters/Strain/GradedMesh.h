@@ -18,9 +18,10 @@ struct FineRange
 };
 
 /**
- * Divides 0 ≤ x ≤ end into elements. Each is as long as the finest range nearby allows; away from
- * ranges an element is `growth` (> 1) times as long as the preceding one. `through`: positions that
- * must be ends of elements, ascending, within (0, end). Returns all ends, including 0 and `end`.
+ * Divides 0 ≤ x ≤ end into elements. Each element is as long as the finest range nearby allows.
+ * With increasing distance from ranges, an element is `growth` (> 1) times as long as the preceding
+ * one. `through`: positions that must be ends of elements, ascending, within (0, end). Returns all
+ * ends, including 0 and `end`.
  */
 PALPATE_EXPORT std::vector<double> gradedDivision(double end, const std::vector<FineRange>& fine,
   double growth, const std::vector<double>& through = {});

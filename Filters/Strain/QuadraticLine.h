@@ -4,7 +4,8 @@
 
 #include <array>
 
-/// The three-node line element on [-1, 1], of which the elements of a FiniteBody are products.
+/// The line element with three nodes on [-1, 1]. The elements of a FiniteBody are products of two
+/// such elements.
 namespace palpate::QuadraticLine
 {
 /// Gauss's rule with three points.

@@ -7,9 +7,9 @@
 namespace palpate
 {
 /**
- * A number with its first and second derivatives with respect to N variables: second-order forward
- * automatic differentiation. A strain energy is then written as one line, from which stress and
- * tangent are computed.
+ * A number with its first and second derivatives with respect to N variables: forward automatic
+ * differentiation of second order. With it, a strain energy is written as one line, from which
+ * stress and tangent are computed.
  */
 template <int N>
 struct SecondOrder

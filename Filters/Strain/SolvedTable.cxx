@@ -14,13 +14,16 @@ namespace palpate
 {
 namespace
 {
-// c is linear in √δ near 0, and contacts of a few elements cannot be resolved by the mesh.
+// c is linear in √δ near 0. Smaller roots are omitted, because the mesh cannot resolve contacts of
+// a few elements.
 const std::vector<double> SolvedRoots = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
-constexpr int RatioNodes = 4;           // one if there is a single value
-constexpr double ThicknessStep = 2.0;   // largest ratio of neighbouring nodes
-constexpr double DeepestFraction = 0.7; // of the thickness of the layers on a rigid base
-constexpr double SolvedError = 0.003;   // error of c due to mesh, far field and interpolation
-constexpr double CornerError = 0.01;    // error of c: the difference to a fillet half as large
+constexpr int RatioNodes = 4;         // one node if there is a single value
+constexpr double ThicknessStep = 2.0; // largest ratio of neighbouring thicknesses
+// Largest depth as a fraction of the thickness of the layers on a rigid base.
+constexpr double DeepestFraction = 0.7;
+constexpr double SolvedError = 0.003; // error of c caused by mesh, far field and interpolation
+// Error of c caused by the fillet: the difference from a fillet half as large.
+constexpr double CornerError = 0.01;
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
 {
@@ -46,7 +49,8 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
-/// The reach is `deepest` for the thickest layers, and at most a fraction of the total thickness.
+/// Returns the reach. It is `deepest` for the thickest layers, and at most a fraction of the total
+/// thickness.
 StrainReach reachOf(double deepest, const StrainBodies& bodies)
 {
   const LayerStack& stack = bodies.stack;
@@ -64,7 +68,8 @@ StrainReach reachOf(double deepest, const StrainBodies& bodies)
   return reach;
 }
 
-/// The layers for the solver. The modulus of the top layer is 1 MPa, because c is dimensionless.
+/// Returns the layers for the solver. The modulus of the top layer is 1 MPa, because c is
+/// dimensionless.
 LayerStack solvedStack(const StrainBodies& bodies)
 {
   LayerStack stack = bodies.stack;
@@ -84,7 +89,8 @@ LayerStack solvedStack(const StrainBodies& bodies)
   return stack;
 }
 
-/// Additional error of c for layers whose Poisson's ratio is above the largest solved one.
+/// Returns the additional error of c for layers whose Poisson's ratio is above the largest solved
+/// ratio.
 double ratioError(const LayerStack& stack)
 {
   const auto isBeyond = [](const StackLayer& layer)
@@ -95,7 +101,7 @@ double ratioError(const LayerStack& stack)
     : 0.0;
 }
 
-/// Additional error of c for a corner, which is solved with a fillet.
+/// Returns the additional error of c for a corner, because it is solved with a fillet.
 double cornerError(const AxisymmetricTool& tool, double deepest)
 {
   const double radius = tool.contactRadius(deepest);

@@ -34,8 +34,8 @@ Number beyondLinear(const Number& x)
   return compose(x, value, grown, 1.0 + grown);
 }
 
-/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 that is due to the volume change. Its derivative is
-/// exactly (2/3) j (1+j)^(-5/3).
+/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 that is caused by the volume change. Its derivative
+/// is exactly (2/3) j (1+j)^(-5/3).
 template <class Number>
 Number volumetricPart(const Number& j)
 {
@@ -92,14 +92,13 @@ template <class Number>
 Number isochoricStretch(const StrainEnergy::Gradient<Number>& h, const Number& j)
 {
   const auto& [a, b, c, d, e] = h;
-  // I₁-3 - 2(J-1), in which the linear terms cancel analytically.
+  // This is I₁-3 - 2(J-1), in which the linear terms cancel analytically.
   const Number plane = a * d - b * c;
   const Number s = a * a + b * b + c * c + d * d + e * e - 2.0 * (plane + e * (a + d) + e * plane);
   return s * exponential(-2.0 / 3.0 * logOnePlus(j)) + volumetricPart(j);
 }
 
-/// Σ λ̄^α - 3 in logarithmic strains, whose linear terms cancel because the sum of the strains is
-/// 0.
+/// Σ λ̄^α - 3 in logarithmic strains. The linear terms cancel, because the sum of the strains is 0.
 template <class Number>
 Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double alpha)
 {
@@ -115,7 +114,7 @@ Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double
   const Number inverse = compose(m, 1.0 / mv, -1.0 / (mv * mv), 2.0 / (mv * mv * mv));
   const Number ratio = squaredLogRatio(q * inverse * inverse); // (ln λ₁ - ln λ₂)²
   const Number around = logOnePlus(e) - 1.0 / 3.0 * logOnePlus(j);
-  const Number mean = -0.5 * around; // of the two strains in the plane
+  const Number mean = -0.5 * around; // mean of the two strains in the plane
   return beyondLinear(alpha * around) + 2.0 * beyondLinear(alpha * mean) +
     2.0 * exponential(alpha * mean) * coshOfRoot(ratio, 0.5 * alpha);
 }

@@ -12,13 +12,13 @@ namespace palpate
 {
 /**
  * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution.
- * The total energy is the sum of this energy and the volumetric energy K/2 (J-1)² (projected by the
- * elements, see FiniteIndentation.h). μ = E/2(1+ν), K = E/3(1-2ν): at small strain all models agree
- * with Hooke's law.
+ * The total energy is the sum of this energy and the volumetric energy K/2 (J-1)², which the
+ * elements project (FiniteIndentation.h). μ = E/2(1+ν), K = E/3(1-2ν): at small strain all models
+ * agree with Hooke's law.
  *
- * The energy is expressed by the displacement gradient H = F-1, so that neither the energy nor the
- * stress of a small strain is a difference of large numbers. Far from a contact, where elements are
- * very large, the rounding error of such a difference would exceed the result.
+ * The energy is expressed by the displacement gradient H = F-1. Therefore neither the energy nor
+ * the stress of a small strain is a difference of large numbers. Far from a contact, where elements
+ * are very large, the rounding error of such a difference would exceed the result.
  */
 class PALPATE_EXPORT StrainEnergy
 {
@@ -37,10 +37,11 @@ public:
 
   bool isLinear() const noexcept { return this->Model == StrainModel::Linear; }
 
-  /// J - 1; for a linear material the trace. For values <= -1 the body is turned inside out.
+  /// Returns J - 1; for a linear material the trace of H. If the value is <= -1, the body is turned
+  /// inside out.
   template <class Number>
   Number volumeChange(const Gradient<Number>& h) const;
-  /// The energy, for J > 0. `volumeChange` is that of h.
+  /// Returns the energy, for J > 0. `volumeChange` is volumeChange(h).
   template <class Number>
   Number isochoric(const Gradient<Number>& h, const Number& volumeChange) const;
 

@@ -26,7 +26,7 @@ constexpr auto CallInterval = std::chrono::milliseconds(100); // interval betwee
 /// One row of a table.
 struct StrainRow
 {
-  LayerStack stack; ///< no layers: a half-space
+  LayerStack stack; ///< without layers: a half-space
   double ratio;     ///< Poisson's ratio of the half-space or of a single layer
   double deepest;   ///< mm
 };
@@ -53,7 +53,7 @@ StrainRow rowOf(const StrainProblem& problem, const StrainTable::Axes& axes, std
   return row;
 }
 
-/// The largest contact radius, at small strain.
+/// Returns the largest contact radius, at small strain.
 double contactRadiusOf(const AxisymmetricTool& tool, const StrainRow& row)
 {
   const double flat = tool.contactRadius(row.deepest);
@@ -64,7 +64,7 @@ double contactRadiusOf(const AxisymmetricTool& tool, const StrainRow& row)
   const LayerContact contact(
     tool, std::make_shared<const LayerKernel>(row.stack), row.stack.layers.front().thickness);
   const double found = contact.contactRadius(row.deepest);
-  return found > 0.0 && std::isfinite(found) ? found : flat; // if the layer is too thin for a law
+  return found > 0.0 && std::isfinite(found) ? found : flat; // the layer may be too thin for a law
 }
 
 std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law)
@@ -95,7 +95,7 @@ std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law
   return layers;
 }
 
-/// c at the roots up to the last equilibrium, then 0.
+/// Returns c at the roots up to the last equilibrium, then 0.
 std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row,
   const std::vector<double>& roots, const std::function<bool(double)>& goOn)
 {

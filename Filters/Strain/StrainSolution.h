@@ -19,8 +19,9 @@ struct StrainProblem
 {
   const AxisymmetricTool& tool;
   StrainLaw law;
-  /// The layers from the top. The axes of the table replace the thicknesses of the first two
-  /// layers, and the Poisson's ratio of a single layer. No layers: a half-space.
+  /// The layers from top to bottom. The axes of the table replace the thicknesses of the first two
+  /// layers, and the Poisson's ratio of a single layer. If there are no layers, the body is a
+  /// half-space.
   LayerStack stack;
   StrainReach reach;
   std::size_t threads;
@@ -30,13 +31,13 @@ struct StrainProblem
 constexpr double SolvedFillet = 0.1;
 
 /**
- * c = F_finite/F_small of the solver, both on one mesh, at the nodes of a table, in the order of
- * StrainTable. c is 0 if the solver found no equilibrium. Cached results are used
+ * Returns c = F_finite/F_small of the solver, both forces on one mesh, at the nodes of a table, in
+ * the order of StrainTable. c is 0 if the solver found no equilibrium. Cached results are used
  * (SolutionCache.h).
  *
- * Rows are solved on `threads` threads, with 50 to 100 MB each. The result is bit for bit the same
- * for any number of threads. `goOn(fraction)` is called on the calling thread, about ten times a
- * second. If it returns false, the solution stops, and the result is empty.
+ * Rows are solved on `threads` threads, which need 50 to 100 MB each. The result is bit for bit the
+ * same for any number of threads. `goOn(fraction)` is called on the calling thread, about ten times
+ * a second. If it returns false, the solution stops, and the result is empty.
  */
 std::vector<double> solveStrain(const StrainProblem& problem, const StrainTable::Axes& axes,
   const std::function<bool(double)>& goOn);

@@ -9,25 +9,27 @@
 
 namespace palpate
 {
-/// A knot of a layer's law, at x/(1 + x) = k / CouplingLaw::Places.
+/// A knot of the law of a layer, at x/(1 + x) = k / CouplingLaw::Places.
 struct CouplingKnot
 {
   double share = 1.0; ///< g at x = r/h
   double slope = 0.0; ///< derivative of g with respect to x/(1 + x)
-  double ratio = 0.0; ///< a/h of a contact of stiffness 2E*h x
+  double ratio = 0.0; ///< a/h of a contact whose stiffness is 2E*h x
 };
 
 /**
  * The compliance of a body at one point of its surface under a force at another point at a distance
- * r: C(r) = g / (πE* r). On a half-space g = 1 (Boussinesq). The displacement of the surface of a
- * layer of thickness h is W(kh) times that of a half-space (LayerKernel), which results in
+ * r: C(r) = g / (πE* r). On a half-space g = 1 (Boussinesq). In Fourier space the displacement of
+ * the surface of a layer of thickness h is W(kh) times that of a half-space (LayerKernel).
+ * Therefore
  *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
  * On a rigid base g is negative beyond about one thickness, where the surface bulges, and decays to
- * 0 soon after.
+ * 0 at a slightly larger distance.
  *
- * g is stored as cubic polynomials between 79 knots, within 2e-6; for x > 39 it is constant. The
- * law also relates the contact radius a to a stiffness K, for any tool whose pressure vanishes at
- * the rim: on a half-space K = 2E* a. Immutable and safe to use from any number of threads.
+ * g is stored as cubic polynomials between 79 knots, with an error of 2e-6; for x > 39 it is
+ * constant. The law also gives the contact radius a for a stiffness K, for any tool whose pressure
+ * vanishes at the rim. On a half-space K = 2E* a. Immutable and safe to use from any number of
+ * threads.
  */
 class PALPATE_EXPORT CouplingLaw
 {
@@ -39,7 +41,7 @@ public:
   CouplingLaw() = default;
   /// The law of a layer or of a stack; h and E* are those of the top layer. Takes about 10 ms.
   explicit CouplingLaw(const LayerKernel& kernel);
-  /// A law from the KnotCount knots of another law. Without knots: the law of a half-space.
+  /// A law from the KnotCount knots of another law. If there are no knots, the law of a half-space.
   explicit CouplingLaw(std::vector<CouplingKnot> knots)
     : Knots(std::move(knots))
   {
@@ -56,8 +58,8 @@ public:
   };
   Share at(double x) const noexcept;
 
-  /// Radius (mm) of a contact of this stiffness (N/mm). `modulus` is E* (MPa), `thickness` h (mm);
-  /// both > 0.
+  /// Returns the radius (mm) of a contact with the stiffness `stiffness` (N/mm). `modulus` is E*
+  /// (MPa), `thickness` h (mm); both > 0.
   double contactRadius(double stiffness, double modulus, double thickness) const noexcept;
 
 private:

@@ -15,7 +15,8 @@ std::string quoted(std::string_view text)
   return "'" + std::string(text) + "'";
 }
 
-/// The text of a comment without the separators that a spreadsheet appends for its empty fields.
+/// Returns the text of a comment without the separators that a spreadsheet appends for empty
+/// fields.
 std::string_view withoutSeparators(std::string_view text)
 {
   const std::size_t last = text.find_last_not_of(" \t\r;,");
@@ -87,7 +88,8 @@ bool CsvReader::columns(std::vector<std::string_view> names, std::size_t require
   this->Names = std::move(names);
   this->Place.assign(this->Names.size(), Absent);
   this->FieldCount = this->size();
-  this->Begin = this->Stream ? this->Begin : 0; // rows of a table are counted from here
+  // The rows of a table are counted from the row after the names.
+  this->Begin = this->Stream ? this->Begin : 0;
   for (std::size_t i = 0; i < this->Names.size(); ++i)
   {
     const auto found = std::find(this->Fields.begin(), this->Fields.end(), this->Names[i]);
@@ -255,7 +257,8 @@ bool CsvReader::split()
     {
       this->Fields.emplace_back();
     }
-    std::string& field = this->Fields[count++]; // reuses its memory for the next record
+    // The memory of the field is used again for the next record.
+    std::string& field = this->Fields[count++];
     field.clear();
     at = skipBlanks(at);
     if (at < this->Line.size() && this->Line[at] == '"')

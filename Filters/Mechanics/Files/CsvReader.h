@@ -15,15 +15,15 @@
 namespace palpate
 {
 /**
- * Comma-separated values, record by record (RFC 4180). Palpate reads the tables of all files with
- * this class.
+ * Reads comma-separated values, one record at a time (RFC 4180). Palpate reads the tables of all
+ * files with this class.
  *
- * If the first record has a semicolon, semicolons separate the fields, and numbers may have a
+ * If the first record has a semicolon, semicolons separate the fields. Numbers may then have a
  * decimal comma, as spreadsheets write them in many languages. All numbers of a file must use the
- * same decimal mark. A field in double quotes may contain separators, ends of line, and quotes as
- * "". Blanks around a field are removed. The reader ignores a byte order mark, empty lines, lines
- * that begin with '#' (after `comment` has received them), and columns that the caller did not
- * name. Lines end with LF or CR LF.
+ * same decimal mark. A field in double quotes may contain separators, ends of line, and quotes,
+ * which are written as "". Blanks around a field are removed. The reader ignores a byte order mark,
+ * empty lines, columns that the caller did not name, and lines that begin with '#'. `comment`
+ * receives these lines. Lines end with LF or CR LF.
  *
  *   CsvReader csv(path);
  *   csv.header({ "time_s", "force_N" }, 2);
@@ -33,8 +33,8 @@ namespace palpate
  *   }
  *   return csv.fault();
  *
- * The first fault is kept and ends the reading: "file:line: reason"; a fault of a field also names
- * its column. The only exception is std::bad_alloc.
+ * The first fault is kept and ends the reading. It has the form "file:line: reason"; the fault of a
+ * field also names its column. The only exception is std::bad_alloc.
  */
 class PALPATE_EXPORT CsvReader
 {
@@ -54,14 +54,14 @@ public:
   /// Called with the text of a comment, without its '#'. Returns a fault, or "".
   std::function<std::string(std::string_view text)> comment;
 
-  /// Moves to the next record. Returns false at the end or after a fault. After the columns have
+  /// Moves to the next record. Returns false at the end or after a fault. Once the columns have
   /// names, a record with another number of fields is a fault.
   bool next();
-  /// Reads the next record and calls columns() for it.
+  /// Reads the next record and uses it as the names of the columns, see columns().
   bool header(std::vector<std::string_view> names, std::size_t required);
-  /// Uses the current record as the names of the columns: `names` in any order. The first
-  /// `required` names must be present, and no name may occur twice. Afterwards the number of a
-  /// column is its index in `names`; before, its index in the record. The texts of the names must
+  /// Uses the current record as the names of the columns. The names may have any order. The first
+  /// `required` of `names` must be present, and no name may occur twice. Afterwards the number of a
+  /// column is its index in `names`; before, its index in the record. The texts of `names` must
   /// outlive the reader.
   bool columns(std::vector<std::string_view> names, std::size_t required);
   /// Whether the columns `begin` <= i < `end` exist. If only some of these columns exist, this is a
@@ -72,7 +72,7 @@ public:
   std::size_t size() const { return this->Fields.size(); }
   /// The text of a field; "" for a missing column.
   std::string_view text(std::size_t column) const;
-  /// The number in a field; 0 and a fault if it is not a finite number.
+  /// The number in a field. If it is not a finite number, returns 0 and sets a fault.
   double number(std::size_t column);
   /// Whether the last record ends with a line break. If not, the file may have been truncated.
   bool endsLine() const { return this->EndsLine; }
@@ -109,7 +109,7 @@ private:
   std::string Fault;
 };
 
-/// The text without blanks at its ends.
+/// Returns the text without blanks at its ends.
 PALPATE_EXPORT std::string_view trimmed(std::string_view text);
 
 /// The trimmed texts before and after the first colon of a comment, "key: value".

@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// A file mapped into memory for reading. Pages are loaded on access and shared with other
-/// processes that map the file. If the file is truncated while it is mapped, further reading ends
-/// the program (SIGBUS): files must therefore be replaced by means of WholeFile.
+/// A file that is mapped into memory for reading. Pages are loaded on access and shared with other
+/// processes that map the file. If the file is truncated while it is mapped, a read beyond its end
+/// stops the program (SIGBUS). Therefore files must be replaced by means of WholeFile.
 class PALPATE_EXPORT MappedFile
 {
 public:
@@ -20,12 +20,12 @@ public:
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  /// Returns "cannot open 'PATH': " or "cannot map 'PATH': " with the system's reason, or "". An
-  /// empty file, a folder or a pipe has no bytes.
+  /// Opens and maps a file. Returns "", or "cannot open 'PATH': " or "cannot map 'PATH': " with the
+  /// system's reason. An empty file, a folder or a pipe has no bytes.
   std::string open(const std::string& path);
   void close() noexcept;
 
-  /// Aligned to a page; null if there are no bytes.
+  /// The first byte of the file, aligned to a page; null if there are no bytes.
   const unsigned char* bytes() const noexcept { return static_cast<unsigned char*>(this->Bytes); }
   std::size_t size() const noexcept { return this->Size; }
 

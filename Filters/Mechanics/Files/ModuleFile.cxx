@@ -12,14 +12,15 @@ namespace palpate
 {
 namespace
 {
-/// File names of a module: with the version, as programs that link the module require, and without.
+/// Returns the file names of a module: with the version, which programs that link the module
+/// require, and without.
 std::array<std::string, 2> namesOf(const std::string& module)
 {
   const std::string name = "lib" + module + ".so";
   return { name + "." + PALPATE_SOVERSION, name };
 }
 
-/// The file of a module in the folder of this library; "" if that folder is unknown.
+/// Returns the file of a module in the folder of this library; "" if that folder is unknown.
 std::string fileOfModule(const std::string& module)
 {
   Dl_info own{};

@@ -9,8 +9,8 @@
 namespace palpate
 {
 /**
- * The functions of a module: a library that the core does not link, because most scenes do not need
- * it. A module has a table of functions, derived from this table, and defines
+ * The table of functions of a module. A module is a library that the core does not link, because
+ * most scenes do not need it. Its table is derived from this struct. A module defines
  *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
@@ -33,8 +33,8 @@ struct LoadedModule
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);
 
-/// The end of a sentence "… needs ": the name of the module, the fault of loadModule, and the
-/// command that builds the module.
+/// Returns the end of a sentence "… needs ": the name of the module, the fault of loadModule, and
+/// the command that builds the module.
 PALPATE_EXPORT std::string missingModule(const std::string& name, const std::string& fault);
 } // namespace palpate
 

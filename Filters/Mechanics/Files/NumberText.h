@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// Reads the whole text as one finite number; returns whether it is one. If not, `value` is
+/// Reads the whole text as one finite number. Returns false if it is not one; `value` is then
 /// undefined.
 template <class Number>
 bool readNumber(std::string_view text, Number& value)
@@ -27,7 +27,7 @@ bool readNumber(std::string_view text, Number& value)
   return isWhole;
 }
 
-/// The shortest decimals that are read back to the same bits.
+/// Returns the shortest decimal text from which the same bits are read back.
 template <class Number>
 std::string shortestDecimals(Number value)
 {
@@ -35,7 +35,7 @@ std::string shortestDecimals(Number value)
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
 }
 
-/// A number with three significant digits, for messages.
+/// Returns a number with three significant digits, for messages.
 inline std::string shortly(double value)
 {
   char buffer[32];
@@ -43,7 +43,7 @@ inline std::string shortly(double value)
   return buffer;
 }
 
-/// A fraction as "1.3 %", with two digits, or without decimals for 99.5 % and more.
+/// Returns a fraction as a percentage with two digits, "1.3 %", or without decimals from 99.5 %.
 inline std::string inPercent(double fraction)
 {
   char buffer[32];

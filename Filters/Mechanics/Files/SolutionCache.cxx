@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// The folder of the cache; "" if nothing is cached.
+/// Returns the folder of the cache; "" if nothing is cached.
 std::filesystem::path folder()
 {
   const auto variable = [](const char* name) { return std::getenv(name); };
@@ -42,7 +42,7 @@ std::filesystem::path fileOf(const std::string& kind, const std::string& key)
 }
 } // namespace
 
-/// FNV-1a. A file of the cache contains the key itself.
+/// The FNV-1a hash. Equal hashes do no harm, because a file of the cache also contains the key.
 std::string digest(std::string_view text)
 {
   std::uint64_t hash = 14695981039346656037U;

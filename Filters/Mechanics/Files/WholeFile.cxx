@@ -21,15 +21,15 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr mode_t UsualMode = 0666; // before the user's umask
+constexpr mode_t UsualMode = 0666; // permissions before the user's umask is applied
 
 std::string errorText(const std::string& path, int reason)
 {
   return "cannot write '" + path + "': " + std::strerror(reason);
 }
 
-/// The path of a file with links resolved. "" if the path exists but is not a file, or no longer
-/// has a name.
+/// Returns the path of a file with links resolved. Returns "" if the path exists but is not a file,
+/// or if the file no longer has a name.
 std::string targetOf(const std::string& path)
 {
   std::error_code failed;
@@ -113,7 +113,7 @@ std::string WholeFile::open()
   {
     return problem;
   }
-  // The user may have the right to write to such a target, but not the right to read it.
+  // The user may be allowed to write to a terminal or a pipe, but not to read from it.
   const int access = this->isFile() ? O_RDWR | O_CREAT : O_WRONLY;
   this->File = ::open(this->Unfinished.c_str(), access | O_TRUNC | O_CLOEXEC, UsualMode);
   return this->File >= 0 ? std::string() : this->error(errno);

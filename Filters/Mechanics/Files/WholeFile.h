@@ -12,17 +12,17 @@ namespace palpate
 {
 /**
  * A file that is written completely or not at all. The data are written to PATH.part in the same
- * folder, which replaces an old file as soon as all data are on the disk. Until then, and after any
- * failure, the old file is unchanged. Links are followed. A terminal, a pipe or /dev/null is
+ * folder. This file replaces an old file as soon as all data are on the disk. Until then, and after
+ * any failure, the old file is unchanged. Links are followed. A terminal, a pipe or /dev/null is
  * written directly.
  *
- * Errors are "cannot write 'PATH': ", then the system's reason.
+ * Errors have the form "cannot write 'PATH': " with the system's reason.
  */
 class PALPATE_EXPORT WholeFile
 {
 public:
-  /// The reason why such a file cannot be written: its folder is missing or not writable, or the
-  /// path is a folder. "" if the file can be written. Changes nothing.
+  /// Returns the reason why a file cannot be written: its folder is missing or not writable, or the
+  /// path is a folder. Returns "" if the file can be written. Changes nothing.
   static std::string obstacle(const std::string& path);
 
   explicit WholeFile(std::string path);
@@ -50,8 +50,8 @@ public:
 private:
   std::string error(int reason) const;
 
-  std::string Path;       ///< as it was given
-  std::string Target;     ///< with links resolved
+  std::string Path;       ///< the path as given by the caller
+  std::string Target;     ///< the path with links resolved
   std::string Unfinished; ///< equal to Path if the target is written to directly
   int File = -1;
   int Reason = 0; ///< errno of the first failure

@@ -21,19 +21,20 @@ using HalfSpaceTable = double[Ratios][Roots];
 // Written by Testing/Studies/finite_strain/tables.cxx.
 #include "Mechanics/FiniteStrain/NeoHookeTables.inc"
 
-constexpr double SphereDeepest = 1.0; // radii
-constexpr double FlatDeepest = 1.3;   // radii
-constexpr double LayerDeepest = 0.5;  // thicknesses
+constexpr double SphereDeepest = 1.0; // largest depth, in radii
+constexpr double FlatDeepest = 1.3;   // largest depth, in radii
+constexpr double LayerDeepest = 0.5;  // largest depth, in thicknesses
 // Largest depth relative to the thinnest layer. Beyond the end of the table c is extrapolated
-// (StrainTable.h), and its error grows.
+// (StrainTable.h) and its error grows.
 constexpr double LayerLimit = 0.7;
 // A table is used up to this multiple of its largest depth, with a growing error.
 constexpr double HalfSpaceExtension = 1.8;
 constexpr double LayerExtension = 2.25;
-constexpr double TableError = 0.003; // due to mesh, far field and interpolation
-// Error for a sharp flat end, because the flat end of the table has a rounded rim.
+constexpr double TableError = 0.003; // caused by mesh, far field and interpolation
+// Error for a flat end with a sharp rim, because the rim is rounded in the table.
 constexpr double FlatError = 0.015;
-constexpr double FlatLayerError = 0.022; // difference from another code's result for a sharp flat
+// Difference from the result of another program for a sharp rim.
+constexpr double FlatLayerError = 0.022;
 constexpr double ConeError = 0.005;
 
 std::vector<double> ratios()
@@ -56,7 +57,7 @@ std::vector<double> flattened(const HalfSpaceTable& table)
   return values;
 }
 
-/// The table for layers of the thicknesses `heights`, in radii.
+/// Makes the table for layers with the thicknesses `heights`, in radii.
 template <std::size_t Heights>
 std::unique_ptr<StrainTable> layerTable(const double (&heights)[Heights],
   const HalfSpaceTable (&tables)[Heights], double radius, const StrainReach& reach, double error)
@@ -84,7 +85,7 @@ bool isTool(const AxisymmetricTool& tool, ToolShape shape, ToolSpecification& fo
   return parseTool(tool.specification(), found, fault) && found.Shape == shape;
 }
 
-/// Interpolates linearly between the angles in cot α, to which the pressure is proportional.
+/// Interpolates linearly over cot α between the angles. The pressure is proportional to cot α.
 std::vector<double> coneFactors(double halfAngle)
 {
   const auto slope = [](double degrees)

@@ -11,21 +11,24 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// c of a Neo-Hooke body for a sphere, a flat or a cone of 45° to 75° on a half-space, for depths
-/// up to `deepest` (mm), scaled to the size of the tool. Null for other tools, and if `deepest` is
-/// more than 1.8 times the depth at which the table ends. The tables end at one radius for a sphere
-/// and at 1.3 radii for a flat; beyond the end the error grows.
+/// Returns the factor c (StrainCorrection.h) of a Neo-Hooke half-space for a sphere, a flat or a
+/// cone of 45° to 75°, for depths up to `deepest` (mm), scaled to the size of the tool. Null for
+/// other tools, and if `deepest` is more than 1.8 times the depth at which the table ends. The
+/// tables end at a depth of one radius for a sphere and of 1.3 radii for a flat. Beyond that depth
+/// the error grows.
 std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, double deepest);
 
-/// c of a Neo-Hooke body for a tool on bonded layers. Thin layers: a sphere on layers of half to
-/// four radii, to a depth of half the thickness; null if `deepest` is more than 0.7 of the
-/// thinnest. Thick layers: a sphere or a flat on layers of at least two radii, to the depth of
-/// thickLayerReach, and with a growing error to 2.25 times that depth for the thinnest layer. For
-/// thicknesses above sixteen radii c is that of sixteen radii.
+/// Returns the factor c of Neo-Hooke layers that are bonded to their base. Null for other tools.
+/// - Thin layers: a sphere on layers of half to four radii, to a depth of half the thickness; null
+///   if `deepest` is more than 0.7 of the thinnest.
+/// - Thick layers: a sphere or a flat on layers of at least two radii, to the depth of
+///   thickLayerReach, and with a growing error to 2.25 times that depth for the thinnest layer. For
+///   thicknesses above sixteen radii c is that of sixteen radii.
 std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
 
-/// Largest depth of the tables of thick layers, for a sphere or a flat of the radius `radius`, mm.
+/// Returns the largest depth of the tables of thick layers, for a sphere or a flat with a radius in
+/// mm.
 StrainReach thickLayerReach(ToolShape shape, double radius);
 } // namespace palpate
 

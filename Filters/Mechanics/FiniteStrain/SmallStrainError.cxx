@@ -9,7 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// The quadratic through values at ν = 0.3, 0.45 and 0.495; constant below and above.
+/// Returns the value at `ratio` of the quadratic through values at ν = 0.3, 0.45 and 0.495;
+/// constant below and above.
 double overRatio(const std::array<double, 3>& value, double ratio)
 {
   constexpr std::array<double, 3> node = { 0.3, 0.45, 0.495 };
@@ -28,12 +29,12 @@ double overRatio(const std::array<double, 3>& value, double ratio)
 double smallStrainError(
   double pressure, double poissonRatio, double depthOverThickness, double radiusOverThickness)
 {
-  // A measure of compressibility; 0 at ν = ½.
+  // A measure of compressibility, which is 0 at ν = ½.
   const double n = (1.0 - 2.0 * poissonRatio) / (1.0 - poissonRatio);
   if (!(depthOverThickness > 0.0))
   {
-    // The residual is of second order: 0.009 at s = 0.3, 0.033 at 0.55. For ν below 0.3 the slope
-    // is that of the sphere's table at ν = 0.
+    // The residual of the estimate is of second order: 0.009 at s = 0.3, 0.033 at 0.55. For ν below
+    // 0.3 the slope is that of the sphere's table at ν = 0.
     constexpr double atLeast = 4.0 / 7.0;
     const double slope = -0.148 + 0.61 * n + 0.8 * std::max(0.0, n - atLeast);
     return std::abs(slope) * pressure +

@@ -34,10 +34,10 @@ struct StrainBodies
 };
 
 /**
- * The effect of finite strain on the force of one tool at the same depth: the exact force at small
+ * The effect of finite strain on the force of one tool at a given depth. The exact force at small
  * strain is multiplied by c = F_finite/F_small. The stiffness is c k_small + F_small dc/dδ.
  *
- * Stored tables of the solver cover a Neo-Hooke body
+ * Stored results of the solver cover a Neo-Hooke body
  * - on a half-space: below a sphere (to δ = R), a flat end (its rim rounded by a tenth of the
  *   radius, to δ = 1.3 R) and a cone (45° to 75°);
  * - on a bonded layer of half to four radii: below a sphere (to δ = h/2);
@@ -45,35 +45,35 @@ struct StrainBodies
  *
  * At larger depths the error grows (NeoHookeTables.h).
  *
- * All other cases are solved at four Poisson's ratios (or the single one), at thicknesses in a
- * ratio of 2 or less (in a stack, of its first two layers), and at eight depths: to 0.7 of the
- * total thickness on a rigid base, beyond which the error grows. A curve takes 3 s to a minute on
- * all threads; it is bit for bit the same for any number of threads. Results are cached by content
- * in $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate. If PALPATE_CACHE is
- * empty, nothing is cached.
+ * All other cases are solved at four Poisson's ratios (or the single one), at thicknesses with
+ * ratios of at most 2 between them (in a stack, for its first two layers), and at eight depths. On
+ * a rigid base the depths end at 0.7 of the total thickness, beyond which the error grows. A curve
+ * takes 3 s to a minute on all threads; it is bit for bit the same for any number of threads.
+ * Results are cached by content in $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else
+ * ~/.cache/palpate. If PALPATE_CACHE is set to an empty text, nothing is cached.
  *
  * All layers of a stack have the same strain law, each with its own modulus and Poisson's ratio.
  * They are bonded to each other; the rigid base may slip. Layers that slide on each other are
  * rejected: the two sides of the interface move apart, which the solver's mesh cannot represent.
  *
- * For Poisson's ratios above 0.495 c is that of 0.495, with an error for the difference. A tool
- * with a corner is solved with a fillet of a tenth of the contact radius, and of a larger fraction
- * at larger depths (FiniteOverSmall.h). An error of 1 % is added for the fillet (half the fillet
- * changes c by up to 0.5 %). Safe to use from any number of threads.
+ * For Poisson's ratios above 0.495, c is the value at 0.495, with an additional error. A tool with
+ * a corner is solved with a fillet of a tenth of the contact radius, and of a larger fraction at
+ * larger depths (FiniteOverSmall.h). An error of 1 % is added for the fillet, because half the
+ * fillet changes c by up to 0.5 %. Safe to use from any number of threads.
  */
 class PALPATE_EXPORT StrainCorrection
 {
 public:
   using Value = StrainFactor;
 
-  /// `depth` (mm) is that of the tool at small strain. `thickness` (mm) is 0 for a half-space;
+  /// `depth` (mm) is the depth of the tool at small strain. `thickness` (mm) is 0 for a half-space;
   /// `second` (mm) is the thickness of a stack's second layer. Takes less than 1 µs.
   Value at(double depth, double poissonRatio, double thickness, double second = 0.0) const
   {
     return this->course(poissonRatio, thickness, second).at(depth);
   }
 
-  /// The correction on one body, which is cheaper for many depths.
+  /// The correction on one body. It is faster than at() if many depths are evaluated.
   class Course
   {
   public:
@@ -83,7 +83,7 @@ public:
     friend class StrainCorrection;
     StrainTable::Course Table;
     bool HasTable = false;
-    double More = 0.0; ///< error for a Poisson's ratio beyond the tables
+    double More = 0.0; ///< error for a Poisson's ratio larger than those of the table
   };
   Course course(double poissonRatio, double thickness, double second = 0.0) const;
 
@@ -102,7 +102,7 @@ PALPATE_EXPORT std::string makeStrainCorrection(const AxisymmetricTool& tool, co
   const StrainBodies& bodies, double deepest, const std::function<bool(double)>& goOn,
   std::unique_ptr<StrainCorrection>& made);
 
-/// Whether makeStrainCorrection of a Neo-Hooke body works without the solver.
+/// Whether makeStrainCorrection can correct a Neo-Hooke body without the solver.
 PALPATE_EXPORT bool isStrainTabulated(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest);
 } // namespace palpate

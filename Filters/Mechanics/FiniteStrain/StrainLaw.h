@@ -13,13 +13,14 @@ enum class StrainModel
 {
   Linear,   ///< small strain
   NeoHooke, ///< W = μ/2 (Ī₁-3)
-  Ogden, ///< one term: W = 2μ/α² (Σ λ̄^α - 3); α = 2 is Neo-Hooke; large α > 0 stiffens in tension,
-         ///< α < 0 in compression
+  /// One term: W = 2μ/α² (Σ λ̄^α - 3). α = 2 is Neo-Hooke. Large α > 0 stiffens in tension, α < 0 in
+  /// compression.
+  Ogden,
   Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as for skin and arteries
 };
 
-/// Names the parameter of the model that is out of its range, or returns "". Ranges: α not 0 and
-/// |α| ≤ 50, 0 < b ≤ 50.
+/// Returns a message that names the parameter of the model if it is out of its range, else "".
+/// Ranges: α not 0 and |α| ≤ 50, 0 < b ≤ 50.
 PALPATE_EXPORT std::string checkStrainEnergy(StrainModel model, double parameter);
 
 /// The strain law of a body: a model and its parameter (α of Ogden, b of Demiray).
@@ -29,7 +30,7 @@ struct StrainLaw
   double parameter = 0.0;
 };
 
-/// The law of a model that is given by its number, with the parameter that belongs to it.
+/// Returns the law of a model that is given by its number, with the parameter of that model.
 inline StrainLaw strainLawOf(int model, double ogden, double demiray)
 {
   const auto law = static_cast<StrainModel>(model);

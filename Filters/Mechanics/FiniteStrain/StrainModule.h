@@ -13,17 +13,17 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A tool and bodies that no stored table of finite strain covers.
+/// A tool and bodies for which no table of finite strain is stored.
 struct SolvedStrain
 {
   const AxisymmetricTool& tool;
   StrainLaw law;
   const StrainBodies& bodies;
   double deepest;      ///< mm
-  std::size_t threads; ///< for the solver
+  std::size_t threads; ///< number of threads of the solver
 };
 
-/// The largest Poisson's ratio that is solved, and the error of c from that ratio to 0.5 at δ = R.
+/// The largest Poisson's ratio that is solved, and the change of c from that ratio to 0.5 at δ = R.
 constexpr double LargestSolvedRatio = 0.495;
 constexpr double BeyondSolvedRatio = 0.006;
 

@@ -19,12 +19,12 @@ struct StrainFactor
 };
 
 /// The largest depth of a table for layers of total thickness H: 1/δ_max = 1/endless + 1/(fraction
-/// H), which is as smooth a function of H as c.
+/// H). It is as smooth a function of H as c.
 struct StrainReach
 {
-  double endless;        ///< on infinitely thick layers, mm; may be infinite
+  double endless;        ///< largest depth on infinitely thick layers, mm; may be infinite
   double fraction = 0.0; ///< fraction of H; 0: independent of the thickness
-  double below = 0.0;    ///< thickness of the layers below the two that vary, mm; included in H
+  double below = 0.0;    ///< thickness of the layers below the two layers that vary, mm; part of H
 
   double at(double thickness, double second) const noexcept
   {
@@ -34,15 +34,15 @@ struct StrainReach
 };
 
 /**
- * c of one tool as a function of Poisson's ratio, thickness of the layer (in a stack, of its first
- * two layers) and depth. It is interpolated by cubic polynomials through four nodes (or all, if
- * there are fewer) over ν, ln h and √(δ/δ_max), in which c is smooth: for a sphere c - 1 is nearly
- * proportional to √δ. The depth 0 is an additional node, where c is 1 or, for a tool without a
- * length (cone), the same as at every depth.
+ * The factor c of one tool as a function of Poisson's ratio, thickness of the layer (in a stack, of
+ * its first two layers) and depth. It is interpolated by cubic polynomials through four nodes (or
+ * all, if there are fewer) over ν, ln h and √(δ/δ_max). c is smooth in these variables: for a
+ * sphere c - 1 is nearly proportional to √δ. The depth 0 is an additional node. There c is 1 or,
+ * for a tool without a length (cone), the same as at every depth.
  *
- * Beyond the last root c is extrapolated linearly for a quarter of that root, and is constant after
- * that. A row may end early if no equilibrium was found; beyond its end c is constant immediately.
- * The error grows with the distance from the end.
+ * Beyond the last root c is extrapolated linearly for a quarter of that root; at larger depths it
+ * is constant. If no equilibrium was found at a depth, the row ends before that depth. Beyond the
+ * end of such a row c is constant immediately. The error grows with the distance from the end.
  */
 class PALPATE_EXPORT StrainTable
 {
@@ -50,15 +50,15 @@ public:
   /// The nodes, all ascending. `thicknesses` is empty for a half-space.
   struct Axes
   {
-    std::vector<double> ratios;       ///< Poisson's ratios
-    std::vector<double> thicknesses;  ///< mm
-    std::vector<double> roots;        ///< √(δ/δ_max), 0 < root <= 1; at most MostRoots
-    std::vector<double> seconds = {}; ///< thicknesses of a stack's second layer, mm; empty: no
-                                      ///< second layer
+    std::vector<double> ratios;      ///< Poisson's ratios
+    std::vector<double> thicknesses; ///< mm
+    std::vector<double> roots;       ///< √(δ/δ_max), 0 < root <= 1; at most MostRoots
+    /// Thicknesses of a stack's second layer, mm; empty: no second layer.
+    std::vector<double> seconds = {};
   };
 
   /// `factors` are ordered by ratio, then thickness, then second, then root. An unknown factor is
-  /// 0, and so are all following factors of its row. `constant`: c does not depend on depth.
+  /// 0; all following factors of its row are then also 0. `constant`: c does not depend on depth.
   /// `error`: relative error at the nodes.
   StrainTable(
     Axes axes, std::vector<double> factors, const StrainReach& reach, bool constant, double error);
@@ -76,7 +76,7 @@ public:
     const StrainTable* Table = nullptr;
     double Deepest = 1.0; ///< depth at which the table ends for this body, mm
     double Known = 1.0;   ///< last known root
-    std::array<double, MostRoots + 1> Factors{}; ///< at depth 0 and at the roots
+    std::array<double, MostRoots + 1> Factors{}; ///< c at depth 0 and at the roots
   };
 
   /// These functions do not allocate. A course takes 0.2 µs, and each of its depths 30 ns.

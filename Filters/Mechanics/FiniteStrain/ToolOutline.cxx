@@ -15,19 +15,22 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr int PiecesPerSmooth = 24;   // biarcs of a smooth part: an error of 1e-6 of its size
-constexpr double SteepestSlope = 6.0; // straight beyond this slope: no contact is steeper
-constexpr double CornerAngle = 0.02;  // radians; a smaller angle is a sampled curve, not a corner
-constexpr double LargestCut = 0.35;  // fraction of a part that the fillet at either end may replace
-constexpr double TangentStep = 1e-6; // fraction of a part's length, for differences of profiles
-                                     // with six digits
+constexpr int PiecesPerSmooth = 24; // biarcs of a smooth part; the error is 1e-6 of its size
+// The outline is straight beyond this slope; no contact is steeper.
+constexpr double SteepestSlope = 6.0;
+// radians; smaller angles are those of a sampled curve, not corners
+constexpr double CornerAngle = 0.02;
+// Largest fraction of a part that the fillet at either end may replace.
+constexpr double LargestCut = 0.35;
+// Step of differences as a fraction of a part's length, suitable for profiles with six digits.
+constexpr double TangentStep = 1e-6;
 
 double cross(const Vector2d& a, const Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// The direction rotated by 90° to the left, into the tool.
+/// Returns the direction rotated by 90° to the left, which is into the tool.
 Vector2d leftOf(const Vector2d& direction)
 {
   return { -direction.y(), direction.x() };
@@ -57,7 +60,7 @@ public:
 
   double from() const { return this->From; }
   double length() const { return this->To - this->From; }
-  /// Radius where the part becomes too steep, like the sides of a sphere, or where it ends.
+  /// Radius at which the part becomes too steep, like the sides of a sphere, or at which it ends.
   double end() const { return this->End; }
   bool isSteep() const { return this->End < this->To; }
 
@@ -69,7 +72,7 @@ public:
 private:
   bool isSteepAt(double r) const { return this->slopeAt(r) > SteepestSlope; }
 
-  /// Slope by second-order differences within the part, one-sided at its ends.
+  /// Slope by differences of second order within the part, one-sided at its ends.
   double slopeAt(double r) const
   {
     const double step = TangentStep * (this->To - this->From);
@@ -125,7 +128,7 @@ ToolOutline::Node ToolOutline::addCorner(
     return isApex ? first : last;
   }
   const double longest = LargestCut * part.length();
-  if (isApex) // the sphere that is tangent to the flank
+  if (isApex) // the fillet is the sphere that is tangent to the flank
   {
     const double r = std::min(fillet * std::sin(turn), longest);
     Node flank = part.at(part.from() + r);
@@ -161,7 +164,7 @@ ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
   }
   for (int i = 1; i <= PiecesPerSmooth; ++i)
   {
-    // Points are denser near the axis, where the curvature of a power law is largest.
+    // Points are denser near the axis, because the curvature of a power law is largest there.
     const double t = static_cast<double>(i) / PiecesPerSmooth;
     goTo(start + (part.end() - start) * t * t);
   }
@@ -180,7 +183,7 @@ ToolOutline::Node ToolOutline::addWall(const Part& part, double fillet, const No
   return up;
 }
 
-/// Shortens the last arcs to the start of the fillet.
+/// Shortens the last arcs so that they end at the start of the fillet.
 void ToolOutline::addFillet(const Node& before, const Node& after)
 {
   while (!this->Arcs.empty())
@@ -198,12 +201,12 @@ void ToolOutline::addFillet(const Node& before, const Node& after)
   this->join(before, after);
 }
 
-/// A biarc: two arcs with the same tangent where they meet.
+/// Adds a biarc: two arcs with a common tangent at the point where they meet.
 void ToolOutline::join(const Node& from, const Node& to)
 {
   const Vector2d v = to.point - from.point;
   const Vector2d t = from.direction + to.direction;
-  // Equal tangent lengths d: |v - d t|² = 4d² [Bolton 1975].
+  // Both tangent lengths are d: |v - d t|² = 4d² [Bolton 1975].
   const double a = 2.0 * (1.0 - from.direction.dot(to.direction));
   const double b = v.dot(t);
   const double c = v.squaredNorm();
@@ -214,7 +217,7 @@ void ToolOutline::join(const Node& from, const Node& to)
   const double d = c / (b + std::sqrt(std::max(0.0, b * b + a * c)));
   const Vector2d middle = 0.5 * (from.point + to.point + d * (from.direction - to.direction));
   this->addArc(from, middle);
-  // The second arc begins in the direction in which the first one ends.
+  // The second arc begins in the direction in which the first arc ends.
   const Vector2d chord = (middle - from.point).normalized();
   const Vector2d direction = 2.0 * chord.dot(from.direction) * chord - from.direction;
   this->addArc({ middle, direction }, to.point);

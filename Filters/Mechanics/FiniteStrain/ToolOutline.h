@@ -13,10 +13,10 @@ namespace palpate
 {
 /**
  * A tool's outline in the half plane (r, z); z is 0 at the tip and increases into the tool. The
- * outline consists of circular arcs joined without corners, so that the distance is smooth enough
- * for Newton's method. At a corner of the tool (the apex of a cone, the rim of a flat) the outline
- * has a fillet, which changes the result: a fillet of a tenth of its radius reduces the force of a
- * flat end by 8 %.
+ * outline consists of circular arcs that are joined without corners. Therefore the distance is
+ * smooth enough for Newton's method. At a corner of the tool (the apex of a cone, the rim of a
+ * flat) the outline has a fillet. The fillet changes the result: a fillet of a tenth of its radius
+ * reduces the force of a flat end by 8 %.
  *
  * Points of the profile are joined by biarcs, which are exact for circles and straight lines.
  */
@@ -24,8 +24,8 @@ class PALPATE_EXPORT ToolOutline
 {
 public:
   /// The outline of `tool` up to the radius `reach`, and straight beyond it (both mm, > 0). A
-  /// corner is replaced by a fillet of radius `fillet`, or of a smaller radius if its sides are
-  /// shorter.
+  /// corner is replaced by a fillet of radius `fillet`. The radius is smaller if the sides of the
+  /// corner are too short.
   ToolOutline(const AxisymmetricTool& tool, double reach, double fillet);
 
   /// A signed distance, > 0 outside the tool, and its derivatives with respect to (r, z).
@@ -37,7 +37,7 @@ public:
   };
   Distance distance(const Eigen::Vector2d& point) const;
 
-  /// z of the outline at r; +inf beyond the tool's wall.
+  /// z of the outline at r, mm; +inf beyond the tool's wall.
   double height(double r) const;
 
   /// Ranges of radii (from, to) of the fillets, mm, for which a mesh must be fine. Empty if there
@@ -62,7 +62,7 @@ private:
 
   /// A smooth part of the profile.
   class Part;
-  /// Each function continues from `last`, the end of the outline so far, and returns the new end.
+  /// Each function adds to the outline from its present end `last`, and returns the new end.
   Node addCorner(const Part& part, double fillet, const Node& last, bool isApex);
   Node addPart(const Part& part, const Node& last);
   Node addWall(const Part& part, double fillet, const Node& last);

@@ -10,8 +10,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double DepthTolerance =
-  1e-13; // relative; the force is stationary in a, so its error is smaller
+// Relative error of the depth. The error of the force is smaller, because the force is stationary
+// in a.
+constexpr double DepthTolerance = 1e-13;
 } // namespace
 
 LayerContact::LayerContact(
@@ -25,7 +26,8 @@ LayerContact::LayerContact(
   const double answered = LayerKernel::LargestRatio * thickness;
   const double wall = tool.largestContactRadius();
   this->LargestRadius = std::min(wall, answered);
-  // At the wall itself g may be infinite.
+  // At the wall itself g may be infinite. Therefore the largest depth is that of a slightly smaller
+  // radius.
   this->LargestDepth = wall <= this->SmallestRadius ? 0.0
     : wall <= answered ? this->contactAt(std::nextafter(wall, 0.0)).depth
                        : this->contactAt(answered).depth;
@@ -63,7 +65,7 @@ LayerContact::Contact LayerContact::contactAt(double a) const
     profile };
 }
 
-/// The contact radius for δ > 0; NaN beyond the validity.
+/// Returns the contact radius for δ > 0; NaN beyond the validity.
 double LayerContact::solveRadius(double deflection, Contact& contact) const
 {
   if (deflection >= this->LargestDepth)
@@ -71,8 +73,8 @@ double LayerContact::solveRadius(double deflection, Contact& contact) const
     contact = this->contactAt(std::nextafter(this->LargestRadius, 0.0));
     return deflection <= this->Deepest ? this->LargestRadius : NotANumber;
   }
-  // Secant steps of log δ as a function of log a, which is nearly linear for every tool. A bracket
-  // limits the steps.
+  // Secant steps for log δ as a function of log a, which is nearly linear for every tool. Two
+  // bounds limit the steps.
   double below = this->SmallestRadius;
   double above = this->LargestRadius;
   const auto inside = [&](double a) {

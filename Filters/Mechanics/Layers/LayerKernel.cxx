@@ -22,10 +22,11 @@ namespace
 {
 constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at this ω
 constexpr int OmegaPanels = 20;
-constexpr double LeastOmega = 1.0 / 4096; // for a stack: deep layers have an effect at small ω
+// Least ω for a stack, in which deep layers have an effect at small ω.
+constexpr double LeastOmega = 1.0 / 4096;
 
-// Ranges of a/h, narrow enough for a polynomial of degree 15 through Chebyshev points to
-// approximate the solution to 1e-10 even for a nearly incompressible layer.
+// Ranges of a/h. In each range a polynomial of degree 15 through Chebyshev points approximates the
+// solution to 1e-10, even for a nearly incompressible layer.
 constexpr std::array<double, 9> RatioEnds = { 0.0, 0.25, 0.6, 1.1, 1.8, 2.8, 4.3, 6.5,
   LayerKernel::LargestRatio };
 constexpr int RatioPoints = 16;
@@ -36,25 +37,25 @@ struct Transform
   double radial; ///< V - V(∞)
 };
 
-/// Both transforms fall as e^(-2ω). The formulas use e = e^(-2ω), so that nothing overflows or
-/// cancels.
+/// Both transforms decrease as e^(-2ω). The formulas use e = e^(-2ω), so that there is no overflow
+/// and no cancellation.
 Transform transformAt(double omega, double nu, LayerBase base)
 {
   const double e = std::exp(-2.0 * omega);
   const double w2 = 4.0 * omega * omega;
   if (base == LayerBase::Slip)
   {
-    const double d = -std::expm1(-4.0 * omega) + 4.0 * omega * e; // 2 e D
+    const double d = -std::expm1(-4.0 * omega) + 4.0 * omega * e; // D multiplied by 2 e
     return { 2.0 * e * (std::expm1(-2.0 * omega) - 2.0 * omega) / d, -4.0 * omega * e / d };
   }
   const double k = 3.0 - 4.0 * nu;
-  const double d = k * (1.0 + e * e) + (w2 + 1.0 + k * k) * e; // e D
+  const double d = k * (1.0 + e * e) + (w2 + 1.0 + k * k) * e; // D multiplied by e
   const double step = 1.0 + 2.0 * omega;
   return { -e * (2.0 * k * e + step * step + k * k) / d,
     -e * ((1.0 - 2.0 * nu) * ((1.0 + k) * (1.0 + k) + w2) + w2) / (2.0 * (1.0 - nu) * d) };
 }
 
-/// The transform on a rule that resolves sin ωs for s up to 4 LargestRatio.
+/// The transform at the nodes of a rule that resolves sin ωs for s up to 4 LargestRatio.
 struct SampledTransform
 {
   std::vector<double> omega;
@@ -167,8 +168,8 @@ std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonRatio, Laye
 template <class SampledTransform>
 void LayerKernel::tabulate(const SampledTransform& transform)
 {
-  // M and L are analytic within |Im s| < 2, so that the pieces have length 1. M and L decrease only
-  // as 1/s² and 1/s, and LayerSurface needs them up to this end.
+  // M and L are analytic within |Im s| < 2. Therefore the pieces have length 1. M and L decrease
+  // only as 1/s² and 1/s, and LayerSurface needs them up to this end.
   const double end = 4.0 * LargestRatio;
   this->Normal = { end, static_cast<int>(end), [&](double s) { return transform.cosine(s); } };
   this->Radial = { end, static_cast<int>(end), [&](double s) { return transform.sine(s); } };
@@ -189,8 +190,8 @@ void LayerKernel::tabulate(const SampledTransform& transform)
 
 LayerKernel::Matrix LayerKernel::scaledSystem(double ratio) const
 {
-  // Scaled by the square roots of the weights, I + K is symmetric. It is positive definite because
-  // the elastic energy is positive.
+  // After scaling by the square roots of the weights, I + K is symmetric. It is positive definite,
+  // because the elastic energy is positive.
   const Samples x = ratio * nodes();
   const Samples root = weights().sqrt();
   Matrix system;

@@ -37,10 +37,10 @@ enum class LayerBase
  *   M(s) = ∫_0^∞ (W-1) cos ωs dω,   F = 2E* ∫_0^a y dt.
  *
  * The equation is solved by Nyström's method at 48 Gauss nodes for two right-hand sides. The
- * solutions depend only on a/h and are tabulated when the kernel is built, which takes about 20 ms.
- * 0 <= ν <= 0.5, a/h <= LargestRatio. The table agrees with the direct solution to 1e-10. For a
- * stack of layers W and V differ, but the equation is the same. Immutable and safe to use from any
- * number of threads.
+ * solutions depend only on a/h. They are tabulated when the kernel is built, which takes about 20
+ * ms. Limits: 0 <= ν <= 0.5, a/h <= LargestRatio. The table agrees with the direct solution to
+ * 1e-10. For a stack of layers W and V differ, but the equation is the same. Immutable and safe to
+ * use from any number of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {
@@ -57,10 +57,10 @@ public:
   };
 
   LayerKernel(double poissonRatio, LayerBase base);
-  /// Returns a kernel from a cache of the last 64 kernels of the process. Thread-safe.
+  /// Returns the kernel of a layer from a cache of the last 64 kernels of the process. Thread-safe.
   static std::shared_ptr<const LayerKernel> shared(double poissonRatio, LayerBase base);
-  /// The kernel of a stack without fault (LayerStack.h); h, ν and E* are those of the top layer.
-  /// Takes about 50 ms.
+  /// The kernel of a stack that has no fault (LayerStack.h); h, ν and E* are those of the top
+  /// layer. Takes about 50 ms.
   explicit LayerKernel(const LayerStack& stack);
 
   double poissonRatio() const noexcept { return this->PoissonsRatio; }
@@ -70,16 +70,16 @@ public:
 
   /// M(s), 0 <= s <= 4 LargestRatio.
   double normal(double s) const noexcept { return this->Normal.evaluate(s); }
-  /// L(s) = ∫_0^∞ (V - V(∞)) sin ωs dω, used for the radial displacement as M is for the normal
-  /// one.
+  /// L(s) = ∫_0^∞ (V - V(∞)) sin ωs dω. It is used for the radial displacement as M is used for the
+  /// normal displacement.
   double radial(double s) const noexcept { return this->Radial.evaluate(s); }
 
   /// The solution for a/h = ratio, 0 <= ratio <= LargestRatio, from the table.
   Solution at(double ratio) const;
   /// The solution for a/h = ratio, solved directly.
   Solution solve(double ratio) const;
-  /// The solution u of u(x) + ∫_0^1 K(x, t) u(t) dt = right(x), at the nodes, for a/h = ratio; K(x,
-  /// t) = (a/πh) [M((x+t) a/h) + M((x-t) a/h)].
+  /// Solves u(x) + ∫_0^1 K(x, t) u(t) dt = right(x) with K(x, t) = (a/πh) [M((x+t) a/h) + M((x-t)
+  /// a/h)] for a/h = ratio. Returns u at the nodes.
   Samples solve(double ratio, const Samples& right) const;
 
   /// Nodes and weights of the rule on [0, 1].

@@ -13,19 +13,20 @@ namespace palpate
 {
 namespace
 {
-// At small k the two fields of a thin layer are nearly equal. For kh < 1e-3 doubles would lose all
-// digits; long doubles keep seven.
+// At small k the two fields of a thin layer are nearly equal. For kh < 1e-3 double precision would
+// lose all digits; long double keeps seven.
 using Real = long double;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 using Matrix4 = Eigen::Matrix<Real, 4, 4>;
-constexpr double LeastWaveNumber = 1e-3; // for k times the thinnest layer; a parabola is used below
+// Least k times thickness of the thinnest layer. For smaller k a parabola is used.
+constexpr double LeastWaveNumber = 1e-3;
 
 Real shearModulus(const StackLayer& layer)
 {
   return static_cast<Real>(layer.youngsModulus) / (2.0L * (1.0L + layer.poissonRatio));
 }
 
-/// The two fields that decay from a face, at the distance Z from the face: displacements (A, B),
+/// The two fields that decay from a face, at the distance Z from that face. Displacements (A, B),
 /// and tractions (τ, σ) on a cut parallel to the face, divided by kμ.
 struct Fields
 {
@@ -37,7 +38,7 @@ Fields fieldsAt(Real z, double nu)
   const Real kappa = 3.0L - 4.0L * nu;
   const Real e = std::exp(-z);
   Fields fields;
-  // Columns: a = 1, b = 1.
+  // Columns: the field with a = 1, the field with b = 1.
   fields.displacement << e, z * e, e, (kappa + z) * e;
   const Real slopeA[2] = { -e, (1.0L - z) * e };
   const Real slopeB[2] = { -e, (1.0L - kappa - z) * e };
@@ -60,7 +61,7 @@ Matrix4 stiffness(const StackLayer& layer, Real k)
   Matrix4 displacement;
   displacement << near.displacement, mirror * far.displacement, far.displacement,
     mirror * near.displacement;
-  Matrix4 traction; // τ and σ on cuts whose normal points down
+  Matrix4 traction; // τ and σ on cuts with the normal pointing down
   traction << -near.traction, mirror * far.traction, far.traction, -(mirror * near.traction);
   return shearModulus(layer) * traction * displacement.inverse();
 }
@@ -71,7 +72,7 @@ Matrix2 halfSpaceStiffness(const StackLayer& halfSpace)
   return -shearModulus(halfSpace) * fields.traction * fields.displacement.inverse();
 }
 
-/// The stiffness of the top of the stack at k (1/mm), divided by k.
+/// Returns the stiffness of the top of the stack at k (1/mm), divided by k.
 Matrix2 topStiffness(const LayerStack& stack, Real k)
 {
   Matrix2 below = stack.hasHalfSpace ? halfSpaceStiffness(stack.halfSpace) : Matrix2::Zero();
@@ -108,7 +109,7 @@ Matrix2 topStiffness(const LayerStack& stack, Real k)
   return below;
 }
 
-/// W and V.
+/// The transforms W and V.
 struct TransformPair
 {
   double normal;

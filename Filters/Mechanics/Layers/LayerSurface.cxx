@@ -14,10 +14,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double ReachInLayers =
-  20.0; // the slowest decay is e^(-0.74 r/h), of an incompressible layer
+// The slowest decay is e^(-0.74 r/h), that of an incompressible layer.
+constexpr double ReachInLayers = 20.0;
 
-/// y dt at the nodes of a rule over the contact.
+/// y dt at one node of a rule over the contact.
 struct Source
 {
   double t;
@@ -36,8 +36,8 @@ double field(const std::vector<Source>& sources, double x, double h, Kernel&& ke
   return sum / (Pi * h);
 }
 
-/// ∫_begin^r f(x) dx/√(r²-x²) for an f that varies over a length h. x = r sin θ removes the root,
-/// and panels of 4 h resolve f.
+/// Returns ∫_begin^r f(x) dx/√(r²-x²) for an f that varies over a length h. The substitution x = r
+/// sin θ removes the root, and panels of 4 h resolve f.
 template <class Function>
 double abel(double begin, double r, double h, Function&& f)
 {
@@ -87,7 +87,7 @@ LayerSurface::LayerSurface(const LayerContact& contact, double deflection)
   const auto radial = [&kernel](double s)
   { return s < 0.0 ? -kernel.radial(-s) : kernel.radial(s); };
 
-  // y = (δ - g) - c with a smooth c: c + K c = K (δ - g).
+  // y = (δ - g) - c with a smooth c that satisfies c + K c = K (δ - g).
   const double a = contact.contactRadius(deflection);
   std::vector<Source> sources;
   overContact(contact, a, deflection,
@@ -136,7 +136,7 @@ double LayerSurface::loadInside(double r) const
   {
     return this->Integral;
   }
-  // t = √(r²+s²) removes the root of ∫_r^a y t dt/√(t²-r²).
+  // The substitution t = √(r²+s²) removes the root of ∫_r^a y t dt/√(t²-r²).
   const double end = std::sqrt((this->Radius - r) * (this->Radius + r));
   const double ring = GaussLegendre::standard().integrate(0.0, end,
     [&](double s)

@@ -32,8 +32,8 @@ class LayerContact;
 class PALPATE_EXPORT LayerSurface
 {
 public:
-  /// All displacements are zero except for 0 < deflection <= contact.deepest(). `contact` and its
-  /// tool must outlive this object.
+  /// `deflection` must be in the range 0 < deflection <= contact.deepest(); otherwise all
+  /// displacements are zero. `contact` and its tool must outlive this object.
   LayerSurface(const LayerContact& contact, double deflection);
 
   /// Displacement of the point that was at distance r >= 0 from the axis before contact, mm.

@@ -18,7 +18,8 @@ namespace palpate
 {
 namespace
 {
-/// The thinnest layer whose law is valid down to `depth`: a(depth) <= LargestRatio h.
+/// Returns the thinnest layer on which the law is valid down to `depth`: a(depth) <= LargestRatio
+/// h.
 double thinnestAnswered(
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel, double depth)
 {
@@ -38,8 +39,8 @@ double thinnestAnswered(
   return above;
 }
 
-/// The input of a table. Kernels of a stack are shared by content, so that their address identifies
-/// them.
+/// The input of a table. Equal stacks share their kernels. Therefore the address of the kernels
+/// identifies the stack.
 struct CurvesKey
 {
   std::string tool;

@@ -16,12 +16,12 @@
 
 namespace palpate
 {
-/// The properties in which the points of a layered body differ.
+/// The properties of a layered body that can vary from point to point.
 struct LayerPlace
 {
-  double thickness = 0.0;    ///< of the layer, or of a stack's first layer, mm
-  double second = 0.0;       ///< of the second layer of a stack, mm
-  double poissonRatio = 0.0; ///< of a single layer; unused for a stack
+  double thickness = 0.0;    ///< thickness of the layer, or of a stack's first layer, mm
+  double second = 0.0;       ///< thickness of the second layer of a stack, mm
+  double poissonRatio = 0.0; ///< ratio of a single layer; unused for a stack
 };
 
 /// One tool at fixed depths, for all layered points of a body. Safe to use from any number of
@@ -31,7 +31,7 @@ class PALPATE_EXPORT LayerCurves
 public:
   virtual ~LayerCurves() = default;
 
-  /// F/E* (mm²), (dF/dδ)/E* (mm) and contact radius (mm), one column each, one row per depth. E* is
+  /// One row per depth, with the columns F/E* (mm²), (dF/dδ)/E* (mm) and contact radius (mm). E* is
   /// that of the layer, or of the first layer of a stack.
   using Curve = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
@@ -53,25 +53,27 @@ protected:
 };
 
 /**
- * One tool at fixed depths on layers of many thicknesses: the exact solution at Chebyshev points of
- * x = c/(c + h), where c is the contact radius at the last depth, and polynomials between these
- * points. If Poisson's ratio varies continuously, it is interpolated in the same way.
+ * One tool at fixed depths on layers of many thicknesses. The exact solution is computed at
+ * Chebyshev points of x = c/(c + h), where c is the contact radius at the last depth. Between these
+ * points it is interpolated by polynomials. If Poisson's ratio varies continuously, it is
+ * interpolated in the same way.
  *
- * It is intended for a body with a different thickness at each point. The constructor takes about
- * 20 ms per Poisson's ratio, for any tool; then a point takes less than a microsecond. F and dF/dδ
- * agree with LayerContact to 1e-7. If Poisson's ratio has more than DistinctRatios values, they
- * agree to 1e-5 for a < 2h. Immutable and safe to use from any number of threads.
+ * The table is intended for a body with a different thickness at each point. The constructor takes
+ * about 20 ms per Poisson's ratio, for any tool. Then the curve of a point takes less than a
+ * microsecond. F and dF/dδ agree with LayerContact to 1e-7. If Poisson's ratio has more than
+ * DistinctRatios values, they agree to 1e-5 for a < 2h. Immutable and safe to use from any number
+ * of threads.
  */
 class PALPATE_EXPORT LayerTable final : public LayerCurves
 {
 public:
-  /// Up to this many values of Poisson's ratio are tabulated separately.
+  /// Largest number of values of Poisson's ratio that are tabulated separately.
   static constexpr int DistinctRatios = 32;
   /// Number of thicknesses for which the contact is solved.
   static constexpr int ThicknessPoints = 40;
 
-  /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed) and
-  /// the occurring values of Poisson's ratio, ascending. For a stack also its kernels.
+  /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed), the
+  /// occurring values of Poisson's ratio, ascending, and for a stack its kernels.
   struct Layers
   {
     LayerBase base = LayerBase::Bonded;
@@ -116,9 +118,9 @@ private:
   std::vector<Curves> Tables; ///< F, dF/dδ and a by depth; one per Poisson's ratio
 };
 
-/// Curves of the tool on these layers at these depths (mm, ascending): a LayerTable, or for a stack
-/// a StackTable. The last 64 tables are cached in the process and found by their input, because a
-/// law is prepared several times for one body. Thread-safe.
+/// Returns the curves of the tool on given layers at given depths (mm, ascending): a LayerTable, or
+/// for a stack a StackTable. The last 64 tables are cached in the process and found by their input,
+/// because a law is prepared several times for one body. Thread-safe.
 PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(const AxisymmetricTool& tool,
   const LayerTable::Layers& layers, const std::vector<double>& depths);
 } // namespace palpate

@@ -14,9 +14,9 @@ namespace palpate
 /**
  * Quadrature of smooth functions times the reduced profile g of a tool, over contacts [0, a].
  *
- * The interval is divided at the kinks of g. After a kink b, where g may start like √(x-b), the
- * panel [b, c] is mapped by x = b + (c-b) u², so that the integrand is smooth again. Panels that
- * are completely inside a contact are evaluated once, in the constructor.
+ * The interval is divided at the kinks of g. After a kink b, g may start like √(x-b). Therefore the
+ * panel [b, c] is mapped by x = b + (c-b) u², which makes the integrand smooth. Panels that are
+ * completely inside a contact are evaluated once, in the constructor.
  */
 class PALPATE_EXPORT ProfileQuadrature
 {
@@ -64,7 +64,7 @@ private:
   const AxisymmetricTool& Tool;
   std::vector<double> Kinks;
   GaussLegendre Rule;
-  std::vector<Node> Nodes; ///< of the panels between kinks, ascending
+  std::vector<Node> Nodes; ///< nodes of the panels between kinks, ascending
 };
 } // namespace palpate
 

@@ -25,7 +25,7 @@ Eigen::Index pointCount(const ThicknessSpan& span)
     : 1;
 }
 
-/// The input of kernels.
+/// The input from which kernels are made.
 struct StackKey
 {
   LayerStack stack;
@@ -90,7 +90,7 @@ std::shared_ptr<const StackKernels> StackKernels::shared(
   const LayerStack& stack, const ThicknessSpan& first, const ThicknessSpan& second)
 {
   constexpr std::size_t mostStacks = 16;
-  constexpr std::size_t mostKernels = 1000; // of 100 kB
+  constexpr std::size_t mostKernels = 1000; // a kernel has 100 kB
   static RecentValues<StackKey, StackKernels> recent(mostStacks, mostKernels);
   return recent.get({ stack, first, second },
     [&]

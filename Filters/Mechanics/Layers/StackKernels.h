@@ -34,14 +34,14 @@ struct ThicknessSpan
  *
  * Smooth functions of the thicknesses are interpolated between the nodes. For stacks with ratios of
  * moduli of 1 to 50 and of thicknesses of 1 to 20, the forces agree to 1e-3 with those of a
- * separate kernel (StackTableTest.cxx). A kernel takes about 50 ms, on all threads. The kernels are
- * independent of the tool.
+ * separate kernel (StackTableTest.cxx). A kernel takes about 50 ms on all threads. The kernels do
+ * not depend on the tool.
  */
 class PALPATE_EXPORT StackKernels
 {
 public:
-  /// `stack` must have no fault (LayerStack.h). The thicknesses of its first two layers come from
-  /// the spans. `second` is ignored for a single layer.
+  /// `stack` must have no fault (LayerStack.h). The spans replace the thicknesses of its first two
+  /// layers. `second` is ignored for a single layer.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
 
   /// Returns kernels from a cache of the process, which contains up to 1000 kernels. Thread-safe.
@@ -51,12 +51,13 @@ public:
   /// A stack at one node.
   struct Node
   {
-    double thickness; ///< of the first layer, mm
+    double thickness; ///< thickness of the first layer, mm
     std::shared_ptr<const LayerKernel> kernel;
   };
   const std::vector<Node>& nodes() const noexcept { return this->Nodes; }
 
-  /// The weight of each node at these thicknesses (mm, within the spans); the weights sum to 1.
+  /// The weight of each node at the given thicknesses (mm, within the spans); the sum of the
+  /// weights is 1.
   Eigen::VectorXd factorsAt(double first, double second) const;
 
   const LayerStack& stack() const noexcept { return this->Stack; }

@@ -15,13 +15,14 @@
 namespace palpate
 {
 /**
- * One tool at fixed depths on a stack whose first two layers vary in thickness: the exact solution
- * at the nodes of StackKernels, and polynomials of ln F, ln dF/dδ and ln a over ln h between the
- * nodes.
+ * One tool at fixed depths on a stack whose first two layers vary in thickness. The exact solution
+ * is computed at the nodes of StackKernels. Between the nodes ln F, ln dF/dδ and ln a are
+ * interpolated by polynomials of ln h.
  *
- * The constructor takes about 1 ms per node and 8 depths; then a point takes 1 to 2 µs. A point has
- * no curve if its first layer is so thin that the contact radius exceeds LayerKernel::LargestRatio
- * times the thickness; this limit is accurate to a tenth of that thickness.
+ * The constructor takes about 1 ms per node and 8 depths. Then the curve of a point takes 1 to 2
+ * µs. A point has no curve if its first layer is so thin that the contact radius exceeds
+ * LayerKernel::LargestRatio times the thickness. This limit is accurate to a tenth of that
+ * thickness.
  */
 class PALPATE_EXPORT StackTable final : public LayerCurves
 {
@@ -37,7 +38,8 @@ private:
   void leaveOutTheThinnest(const AxisymmetricTool& tool);
 
   std::shared_ptr<const StackKernels> Kernels; ///< null: no point has a curve
-  Eigen::MatrixXd Logarithms;                  ///< of F, dF/dδ and a by depth; one column per node
+  /// Logarithms of F, dF/dδ and a by depth; one column per node.
+  Eigen::MatrixXd Logarithms;
 };
 } // namespace palpate
 

@@ -29,7 +29,7 @@ public:
 
   const Values& points() const noexcept { return this->Points; }
 
-  /// The weight of each sample in the interpolant at t; the weights sum to 1.
+  /// The weight of each sample in the interpolant at t; the sum of the weights is 1.
   Values factorsAt(double t) const
   {
     const Values distance = t - this->Points;
@@ -64,8 +64,8 @@ private:
  * A function of one variable on [0, end], stored as Chebyshev series of 16 terms on pieces of equal
  * length.
  *
- * If the function is analytic in a neighbourhood of each piece of the size of the piece, it is
- * reproduced to about 1e-13 of its magnitude there.
+ * If the function is analytic around each piece within a distance of the size of the piece, the
+ * error is about 1e-13 of its magnitude there.
  */
 class PALPATE_EXPORT PiecewiseChebyshev
 {
@@ -75,12 +75,12 @@ public:
   PiecewiseChebyshev() = default;
   PiecewiseChebyshev(double end, int pieces, const std::function<double(double)>& function);
 
-  /// The function at x; 0 beyond the end, where functions stored in this way have decayed.
+  /// The function at x; 0 beyond the end. Functions that are stored in this way have decayed there.
   double evaluate(double x) const noexcept;
 
 private:
   double PieceLength = 1.0;
-  std::vector<double> Coefficients; ///< Terms per piece
+  std::vector<double> Coefficients; ///< `Terms` coefficients per piece
 };
 } // namespace palpate
 

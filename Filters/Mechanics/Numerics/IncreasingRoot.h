@@ -14,8 +14,9 @@ struct ValueAndSlope
 };
 
 /**
- * The root of an increasing function between `low` and `high`, to rounding. Newton's method from
- * `start`, with bisection if a step would leave the present bounds. f(t) returns f and f' at t.
+ * Returns the root of an increasing function between `low` and `high`, to rounding. Uses Newton's
+ * method from `start`, and bisection if a step would leave the present bounds. f(t) returns f and
+ * f' at t.
  */
 template <class Function>
 double increasingRoot(Function&& f, double low, double high, double start)
@@ -30,7 +31,7 @@ double increasingRoot(Function&& f, double low, double high, double start)
     {
       if (!(std::abs(next - t) > 1e-8 * t))
       {
-        return next; // the next step would be about the square of this step
+        return next; // the size of the next step would be about the square of this step
       }
     }
     else

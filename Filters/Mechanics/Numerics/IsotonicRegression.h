@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// The non-decreasing sequence closest to `values` in the least-squares sense, by pooling adjacent
-/// violators (Ayer et al. 1955). `weights` > 0 are the weights of the squares; without weights all
-/// squares have equal weight. Cost: O(n).
+/// Returns the non-decreasing sequence closest to `values` in the least-squares sense, by pooling
+/// adjacent violators (Ayer et al. 1955). `weights` > 0 are the weights of the squares; if empty,
+/// all squares have equal weight. Cost: O(n).
 PALPATE_EXPORT std::vector<double> isotonicRegression(
   const std::vector<double>& values, const std::vector<double>& weights = {});
 } // namespace palpate

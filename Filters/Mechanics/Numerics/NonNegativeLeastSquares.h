@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The x >= 0 that minimises |A x - b| (Lawson and Hanson 1974, chapter 23). A has at least as many
-/// rows as columns, and columns of similar length.
+/// Returns the x >= 0 that minimises |A x - b| (Lawson and Hanson 1974, chapter 23). A must have at
+/// least as many rows as columns, and columns of similar length.
 PALPATE_EXPORT Eigen::VectorXd nonNegativeLeastSquares(
   const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 } // namespace palpate

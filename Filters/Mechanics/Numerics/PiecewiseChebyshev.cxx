@@ -42,7 +42,7 @@ double PiecewiseChebyshev::evaluate(double x) const noexcept
     {
       return 0.0;
     }
-    --piece; // x is the end itself
+    --piece; // x is the end of the last piece
   }
   // Clenshaw's recurrence.
   const double t = 2.0 * (position - static_cast<double>(piece)) - 1.0;

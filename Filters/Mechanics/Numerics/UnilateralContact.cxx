@@ -7,7 +7,7 @@ namespace
 {
 constexpr int StepsAtOnce = 30;
 constexpr int MostSteps = 2000;
-/// Relative to the largest wanted displacement: a smaller value is a rounding error, not a gap.
+/// Relative to the largest wanted displacement. A smaller value is a rounding error, not a gap.
 constexpr double Rounding = 1e-9;
 } // namespace
 
@@ -35,7 +35,7 @@ bool UnilateralContact::solve(CompliantNodes& nodes, const Eigen::VectorXd& want
     {
       this->Touching[static_cast<std::size_t>(i)] = 1;
     }
-    // Forces are converted to displacements, to be comparable with gaps.
+    // Forces are converted to displacements, so that they can be compared with gaps.
     const double perForce =
       forces.cwiseAbs().maxCoeff() > 0.0 ? deepest / forces.cwiseAbs().maxCoeff() : 0.0;
     for (int i = 0; i < wanted.size(); ++i)

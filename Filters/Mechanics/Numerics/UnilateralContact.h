@@ -29,19 +29,19 @@ public:
  * Signorini's problem at nodes: forces p ≥ 0 under which the displacement of every node i is at
  * least b_i, and exactly b_i at each node with a force.
  *
- * Active sets: the nodes of an assumed contact are displaced by b. Then nodes with tensile forces
- * leave the set, and penetrated nodes join the set (primal–dual active set, Hintermüller, Ito and
- * Kunisch 2003). All nodes change at once; if the sets do not settle, they change one node at a
- * time.
+ * Method of active sets: the nodes of an assumed contact are displaced by b. Then nodes with
+ * tensile forces leave the set, and penetrated nodes join it (primal–dual active set, Hintermüller,
+ * Ito and Kunisch 2003). All nodes change at once. If the sets do not converge, they change by one
+ * node at a time.
  */
 class PALPATE_EXPORT UnilateralContact
 {
 public:
   /// `active` (ascending) contains the first guess on input and the nodes in contact on output.
-  /// Returns false if the sets did not settle.
+  /// Returns false if the sets did not converge.
   bool solve(CompliantNodes& nodes, const Eigen::VectorXd& wanted, std::vector<int>& active,
     Eigen::VectorXd& forces);
-  /// Number of sets that the last solution tried.
+  /// Number of active sets that the last solution tried.
   int steps() const { return this->Steps; }
 
 private:

@@ -20,8 +20,7 @@ double kummer(double m, double x)
   const double enough = std::numeric_limits<double>::epsilon();
   if (x > far)
   {
-    // m/x (1 - (m-1)/x (1 - (m-2)/x (1 - ...))): the series ends, or its terms become
-    // negligible.
+    // m/x (1 - (m-1)/x (1 - (m-2)/x (1 - ...))). The series ends, or its terms become negligible.
     double sum = 0.0;
     double term = m / x;
     for (int k = 1; std::abs(term) > enough * std::abs(sum) && k < far; ++k)
@@ -31,7 +30,7 @@ double kummer(double m, double x)
     }
     return sum;
   }
-  // e^-x M(m; m+1; x), all of whose terms are positive.
+  // e^-x M(m; m+1; x), whose terms are all positive.
   double sum = 0.0;
   double term = 1.0;
   for (int k = 0; k < x || term > enough * sum; ++k)

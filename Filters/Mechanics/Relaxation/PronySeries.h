@@ -11,8 +11,8 @@
 namespace palpate
 {
 /**
- * The relaxation of a material (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i); Poisson's
- * ratio is constant. p_i is relative to the slow modulus E_∞. The literature often gives a fraction
+ * The relaxation of a material (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i). Poisson's
+ * ratio is constant. p_i is relative to the slow modulus E_∞. The literature often gives fractions
  * g_i of the instantaneous modulus; then p_i = g_i/(1 - Σ g).
  */
 struct PronySeries
@@ -42,22 +42,23 @@ struct PronySeries
   }
 };
 
-/// The fault of a series, which names the branch and the number; "" if nothing is wrong. A series
-/// without branches is valid.
+/// Returns the fault of a series, which names the branch and the number, or "". A series without
+/// branches is valid.
 PALPATE_EXPORT std::string faultOfRelaxation(const PronySeries& series);
 
 /// ψ(t), t >= 0 in s.
 PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 
-/// Ratio of the force to the slow force at the end of a press of this duration at constant speed,
-/// for a slow curve f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1; -t/τ_i), with Kummer's
-/// function M = ₁F₁. A modulus measured in such a press is the slow modulus times this ratio.
+/// Returns the ratio of the force to the slow force at the end of a press at constant speed that
+/// takes the time `seconds`, for a slow curve f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1;
+/// -t/τ_i), with Kummer's function M = ₁F₁. A modulus measured in such a press is the slow modulus
+/// times this ratio.
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
-/// Reads "0.5:0.1,0.3:2": strength:seconds of each branch; "" means no branches. Returns a fault,
-/// or "". `series` is changed only if there is no fault.
+/// Reads text like "0.5:0.1,0.3:2": strength:seconds of each branch; "" means no branches. Returns
+/// a fault, or "". `series` is changed only if there is no fault.
 PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);
-/// Writes the series as text that is read back to the same bits.
+/// Returns the series as text from which the same bits are read back.
 PALPATE_EXPORT std::string textOf(const PronySeries& series);
 } // namespace palpate
 

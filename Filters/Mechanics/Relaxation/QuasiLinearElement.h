@@ -9,16 +9,16 @@
 namespace palpate
 {
 /**
- * A single relaxing element, a simpler form of RelaxationElements. It uses the force of the curve,
- * y = f(δ), instead of a depth (quasi-linear, Fung). It is exact for a flat-ended tool and during
+ * A single relaxing element, a simpler form of RelaxationElements. Instead of a depth it uses the
+ * force of the curve, y = f(δ) (quasi-linear, Fung). It is exact for a flat-ended tool and during
  * loading; otherwise the error is within 10 to 12 % of the largest force. It is intended for curves
- * that are not convex, and for cases in which speed is more important.
+ * that are not convex, and for cases in which speed is more important than accuracy.
  */
 class QuasiLinearElement
 {
 public:
   void reset() noexcept { *this = {}; }
-  /// Sets equilibrium at this force.
+  /// Sets the state of equilibrium at the force `force`, N.
   void rest(double force) noexcept
   {
     this->reset();
@@ -33,7 +33,7 @@ public:
       strain *= factor;
     }
   }
-  /// Makes a time step to the slow force f(δ), N; 0 without contact. Returns the force.
+  /// Makes a time step to the slow force f(δ), N; 0 without contact. Returns the force, N.
   double press(double slow, const RelaxationStep& step) noexcept
   {
     double free = step.stiffening * this->Slow;
@@ -52,8 +52,8 @@ public:
     this->Force = (1.0 + step.stiffening) * (now - free);
     return this->Force;
   }
-  /// Replaces press(): makes a step with an increment of either sign, without separation. Returns
-  /// the memory force.
+  /// To be used instead of press(): makes a step with an increment of either sign, without
+  /// separation. Returns the memory force.
   double follow(double increment, const RelaxationStep& step) noexcept
   {
     double sum = 0.0;
@@ -67,7 +67,7 @@ public:
     return sum;
   }
 
-  /// The result of follow(); the state is not changed.
+  /// Returns the result that follow() would have, without changing the state.
   double foresee(double increment, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
@@ -78,7 +78,7 @@ public:
     return sum;
   }
 
-  /// As in RelaxationElements, but multiplied by a stiffness: N².
+  /// As in RelaxationElements, but multiplied by a stiffness, N².
   double growthByExchange(const RelaxationStep& step, double share) const noexcept
   {
     double sum = 0.0;

@@ -18,18 +18,18 @@ namespace palpate
  * A foundation that relaxes: parallel elements, each of which begins at a gap g_j below the surface
  * and carries the force
  *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
- * where u is the depth of the element, δ - g_j during contact. An element carries no tensile force:
- * out of contact it recovers with q = 0.
+ * where u is the depth of the element, δ - g_j during contact. An element carries no tensile force.
+ * Out of contact it recovers with q = 0.
  *
- * The force of a slow curve f is F = Σ w_j q_j. The weights w_j are the increments in slope of the
+ * The force for a slow curve f is F = Σ w_j q_j. The weights w_j are the increments in slope of the
  * chords of f between the gaps. In the limit of close gaps this is exact for every body and tool
  * with nested contact areas (Lee and Radok 1960; Ting 1966), and for any history: presses, holds,
  * releases, new contacts in a dent that has not recovered. The state of an element depends only on
- * depth and time, not on f, so that blended curves share the elements.
+ * depth and time, not on f. Therefore blended curves share the elements.
  *
  * A step is exact for a depth that changes at constant speed. Elements are computed in blocks of
- * four, except those that were never touched: about 40 ns for 17 elements and two branches. No
- * function allocates or throws.
+ * four, except those that were never touched. A step takes about 40 ns for 17 elements and two
+ * branches. No function allocates or throws.
  */
 class RelaxationElements
 {
@@ -85,7 +85,7 @@ public:
     withBranches(step.count, [&](auto branches) { this->relaxAll<branches>(step); });
   }
 
-  /// Second part of a time step: the tool is at this depth, mm; -∞ without contact.
+  /// Second part of a time step. `depth` is the depth of the tool, mm; -∞ without contact.
   void press(double depth, const Gaps& gaps, const RelaxationStep& step) noexcept
   {
     while (this->Awake < gaps.count() && depth > gaps[this->Awake])
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  /// The Σ w_j q_j that press() would cause at this depth. To be called between relax() and
+  /// Returns the Σ w_j q_j that press() would cause at `depth`. To be called between relax() and
   /// press().
   double forceAt(double depth, const Gaps& gaps, const Values& weights,
     const RelaxationStep& step) const noexcept
@@ -117,7 +117,7 @@ public:
 
   /// Number of elements that may carry a force. The others are in their initial state.
   std::size_t awake() const noexcept { return this->Awake; }
-  /// Whether any element is in contact; the first one is in contact then.
+  /// Whether any element is in contact. If so, the first element is in contact.
   bool isTouched() const noexcept { return this->Touched > 0; }
 
   /// The force Σ w_j q_j.
@@ -153,8 +153,8 @@ public:
     return 0.5 * (head(weights, this->Awake) * strain.square()).sum();
   }
 
-  /// Derivative of storedEnergy() with respect to the fraction of new material under the tool, see
-  /// exchange(); N mm.
+  /// Derivative of storedEnergy() with respect to the fraction of new material under the tool
+  /// (exchange()), N mm.
   double growthByExchange(
     const Values& weights, const RelaxationStep& step, double share) const noexcept
   {
@@ -171,8 +171,8 @@ public:
     return sum;
   }
 
-  /// Replaces a fraction of the material, 0 to 1, by untouched material. In elements in contact the
-  /// new material counts as pressed instantly, in the other elements as at rest.
+  /// Replaces a fraction of the material, 0 to 1, by untouched material. The new material counts as
+  /// pressed instantly in elements in contact, and as at rest in the other elements.
   void exchange(double share, std::size_t branches) noexcept
   {
     for (std::size_t i = 0; i < branches; ++i)
@@ -217,8 +217,8 @@ private:
         return use(std::integral_constant<std::size_t, PronySeries::LargestCount>());
     }
   }
-  // Computes whole blocks. Depth, strains and free depth of elements that are not awake are and
-  // remain 0, because the tool does not reach their gaps.
+  // Computes whole blocks. Elements that are not awake have depths, strains and free depths of 0.
+  // These values remain 0, because the tool does not reach the gaps of these elements.
   template <std::size_t Branches>
   void relaxAll(const RelaxationStep& step) noexcept
   {
@@ -277,11 +277,12 @@ private:
     }
   }
 
-  std::size_t Awake = 0;   ///< elements that were touched and have not recovered
-  std::size_t Touched = 0; ///< elements in contact: the first ones, since contact areas are nested
-  Values Depth{};          ///< u_j
-  Values Force{};          ///< q_j
-  Values Free{};           ///< u_j that an element would have without contact
+  std::size_t Awake = 0; ///< elements that were touched and have not recovered
+  /// Number of elements in contact; these are the first ones, because contact areas are nested.
+  std::size_t Touched = 0;
+  Values Depth{}; ///< u_j
+  Values Force{}; ///< q_j
+  Values Free{};  ///< u_j that an element would have without contact
   std::array<Values, PronySeries::LargestCount> Strain{}; ///< s_i of each element
 };
 } // namespace palpate

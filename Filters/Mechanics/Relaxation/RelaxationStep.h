@@ -10,20 +10,21 @@
 
 namespace palpate
 {
-/// The change of a material's branches in a time step in which the depth changes at constant speed.
+/// Coefficients of a material's branches for a time step in which the depth changes at constant
+/// speed.
 struct RelaxationStep
 {
   using Branches = std::array<double, PronySeries::LargestCount>;
 
   std::size_t count = 0;
-  Branches decay{};        ///< e_i = e^(-T/τ_i)
-  Branches gain{};         ///< (τ_i/T)(1 - e_i): fraction of an increment that remains at the end
-  Branches strength{};     ///< p_i
-  double stiffening = 0.0; ///< Σ p_i gain_i: the stiffness for an increment is 1 + this times the
-                           ///< slow one
+  Branches decay{};    ///< e_i = e^(-T/τ_i)
+  Branches gain{};     ///< (τ_i/T)(1 - e_i): fraction of an increment that remains at the end
+  Branches strength{}; ///< p_i
+  /// Σ p_i gain_i; the stiffness for an increment is 1 + this number times the slow stiffness
+  double stiffening = 0.0;
 
   RelaxationStep() = default;
-  /// `seconds` >= 0; at 0 the whole increment remains.
+  /// `seconds` >= 0 is the length of the step. If it is 0, the whole increment remains.
   RelaxationStep(const PronySeries& series, double seconds) noexcept
     : count(series.count)
     , strength(series.strength)
@@ -45,7 +46,8 @@ struct RelaxationStep
 
   /// A servo loop with the period of the step is passive with a relaxing spring of slow stiffness K
   /// if it is passive with an elastic spring of stiffness K times this factor (Colgate and
-  /// Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i), which is 2 gain_i/(1 + e_i).
+  /// Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i). Here tanh(x_i)/x_i is computed as 2
+  /// gain_i/(1 + e_i).
   double sampledStiffening() const noexcept
   {
     double sum = 1.0;
@@ -63,7 +65,8 @@ struct RelaxationStep
     {
       return (1.0 - std::exp(-x)) / x;
     }
-    // Terms in groups of four, which are independent. The first omitted term, x^11/12!, is 5e-16.
+    // Terms in groups of four, which are independent of each other. The first omitted term,
+    // x^11/12!, is 5e-16.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x * (1.0 / 2)) + x2 * (1.0 / 6 - x * (1.0 / 24));

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The cubic over [0, 1] with the value 0 at the start, a given value at the end, and given slopes
-/// at both ends (Hermite).
+/// The cubic Hermite polynomial over [0, 1] with the value 0 at the start, a given value at the
+/// end, and given slopes at both ends.
 class CubicCell
 {
 public:
@@ -41,8 +41,9 @@ struct SplinePoint
   double bend;
 };
 
-/// The cubic spline through samples at four or more ascending positions. An end may have a given
-/// slope; otherwise a single cubic spans the last two cells. Linear beyond the ends.
+/// The cubic spline through samples at four or more ascending positions. The slope at an end may be
+/// given. Otherwise a single cubic spans the two cells at that end. The spline is linear beyond the
+/// ends.
 class CubicSpline
 {
 public:

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-/// Love's displacement is the sum of this term at four corners.
+/// Love's displacement is the sum of this term over four corners.
 double cornerTerm(double x, double y)
 {
   return (x == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x))) +
@@ -43,7 +43,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
     rows.imaginary.assign(whole * wide, 0.0);
   };
 
-  // Corners at half-integer positions, -1/2 to n + 1/2.
+  // The corners are at half-integer positions, from -1/2 to n + 1/2.
   const std::size_t corners = this->Count + 2;
   std::vector<double> terms(corners * corners);
   for (std::size_t j = 0; j < corners; ++j)
@@ -76,7 +76,7 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
   room(this->Along, this->Count / 2);
 }
 
-/// Fourier transform of each column. Order contains the order of the result.
+/// Fourier transform of each column. `Order` gives the order of the result.
 void RectangleLoads::transform(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;

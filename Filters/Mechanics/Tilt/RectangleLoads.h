@@ -11,8 +11,8 @@ namespace palpate
  * rectangles. Love's closed form for one rectangle (1929) is summed by a convolution in Fourier
  * space, zero-padded to twice the size.
  *
- * Not thread-safe: each object has buffers. Cost: 0.2 ms for 64 x 64. Eigen's transform, row by
- * row, takes 2.5 times as long. A tool's table needs about 10 000 calls.
+ * Not thread-safe: each object has buffers. Cost: 0.2 ms for 64 x 64. Eigen's transform, applied
+ * row by row, takes 2.5 times as long. A tool's table needs about 10 000 calls.
  */
 class RectangleLoads
 {
@@ -25,7 +25,7 @@ public:
   void displace(const std::vector<double>& pressures, std::vector<double>& depths);
 
 private:
-  /// Complex numbers, `width` in each of 2n rows.
+  /// Complex numbers: 2n rows of `width` numbers each.
   struct Rows
   {
     std::size_t width = 0;

@@ -16,12 +16,14 @@ class AxisymmetricTool;
 /// with a compliance in series.
 struct TiltBody
 {
-  double thickness = 0.0; ///< of the layer, or of a stack's first layer, mm; 0 for a half-space
-  std::shared_ptr<const LayerKernel> kernel; ///< of the layer or stack; null for a half-space
-  double yielding = 0.0;                     ///< compliance in series times E*, 1/mm
+  /// Thickness of the layer, or of a stack's first layer, mm; 0 for a half-space.
+  double thickness = 0.0;
+  /// Kernel of the layer or stack; null for a half-space.
+  std::shared_ptr<const LayerKernel> kernel;
+  double yielding = 0.0; ///< compliance in series times E*, 1/mm
 
   bool hasLayer() const { return this->thickness > 0.0 && this->kernel != nullptr; }
-  /// Description in words.
+  /// Returns a description in words.
   std::string describe() const;
 };
 

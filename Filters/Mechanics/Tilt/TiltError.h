@@ -9,16 +9,17 @@ namespace palpate
 /// A tilted contact on a layer, in dimensionless numbers.
 struct TiltedLayer
 {
-  double radius = 0.0;  ///< contact radius of the upright tool at the same depth in a half-space,
-                        ///< divided by the thickness of the layer; 0 on a half-space
+  /// Contact radius of the upright tool at the same depth in a half-space, divided by the thickness
+  /// of the layer; 0 on a half-space.
+  double radius = 0.0;
   double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
   double rim = 0.0;     ///< κ h/D for a tool with a flat end (TiltTerms::dropScale), else 0
 };
 
 /**
- * The relative error of the force of a tilted tool on a bonded layer that is computed from the
- * equivalent profile of revolution (TiltedTool.h). The error arises because the base acts
- * differently on a contact that is longer than wide, or on a rim.
+ * Returns the relative error of the force of a tilted tool on a bonded layer, if the force is
+ * computed from the equivalent profile of revolution (TiltedTool.h). The error arises because the
+ * base acts differently on a contact that is longer than wide, or on a rim.
  *
  * Let T be the stretch (at least 1), ρ the radius times √T, g = ρ³/(ρ³ + 0.22) and s the rim. The
  * error is the larger of
@@ -28,8 +29,8 @@ struct TiltedLayer
  * (Data/Reference/tilt/tilt_layer_nu0.45.csv).
  *
  * The result is at least the error of the table on a half-space, from boundary elements
- * (Data/Reference/tilt/tilt_bem.csv): 3 % for flat ends with s > 3, 2 % with s > 1, 0.6 % with
- * s <= 1, which touch as a whole, and 0.5 % for pointed ends. It is 0 for spherical ends and for
+ * (Data/Reference/tilt/tilt_bem.csv): 0.5 % for pointed ends; for flat ends 3 % for s > 3, 2 % for
+ * s > 1, and 0.6 % for s <= 1, where the whole end touches. It is 0 for spherical ends and for
  * upright tools.
  */
 PALPATE_EXPORT double tiltError(const TiltedLayer& contact) noexcept;

@@ -17,10 +17,12 @@ namespace palpate
 namespace
 {
 constexpr double Degree = Pi / 180.0;
-constexpr double Margin = 4.0 * Degree; // between the largest tilt and the tilt at which the flank
-                                        // touches the body along its length
+// Difference between the tilt at which the flank touches the body along its length and the largest
+// tilt.
+constexpr double Margin = 4.0 * Degree;
 constexpr double LargestTilt = 80.0 * Degree; // at larger tilts the body's surface is not a plane
-constexpr double FarRadius = 1e6;             // from the tip, where a flank has its final slope
+// Distance from the tip at which a flank has its final slope.
+constexpr double FarRadius = 1e6;
 
 /// A point of the profile.
 struct Place
@@ -36,8 +38,8 @@ DeepestPoint seenTilted(const Place& place, double angle)
   return { std::max(0.0, place.r * sine - place.f * cosine), place.r * cosine + place.f * sine };
 }
 
-/// The deepest point of a sampled profile: one of its points, because the profile is straight
-/// between points.
+/// Returns the deepest point of a sampled profile. It is one of the given points, because the
+/// profile is straight between points.
 Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
 {
   const double sine = std::sin(angle);
@@ -48,7 +50,8 @@ Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
   return { deepest.r, deepest.f };
 }
 
-/// The deepest point of a profile given as a function: the best sample, refined by golden section.
+/// Returns the deepest point of a profile given as a function: the best sample, refined by golden
+/// section.
 Place deepestOf(const AxisymmetricTool& tool, double angle)
 {
   const double sine = std::sin(angle);
@@ -121,8 +124,8 @@ Place deepestPlace(const AxisymmetricTool& tool, double angle)
   return { r, tool.profile(r) };
 }
 
-/// The tilt at which the steepest part of the flank is parallel to the body's surface, rad; a right
-/// angle if that never happens.
+/// Returns the tilt at which the steepest part of the flank is parallel to the body's surface, rad;
+/// a right angle if there is no such tilt.
 double flankAngle(const AxisymmetricTool& tool)
 {
   const std::optional<ToolSpecification> known = knownSpecification(tool);
@@ -140,7 +143,7 @@ double flankAngle(const AxisymmetricTool& tool)
   }
   if (std::isfinite(tool.largestContactRadius()))
   {
-    return 0.5 * Pi; // a sphere or a vertical wall
+    return 0.5 * Pi; // the tool is a sphere or has a vertical wall
   }
   double reach = std::max(1.0, tool.smallestContactRadius());
   reach = tool.kinks().empty() ? reach : std::max(reach, tool.kinks().back());

@@ -12,27 +12,28 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// The deepest point of a tool tilted by θ >= 0 (rad): h = max_r [r sin θ - f cos θ] below its tip,
-/// and x = dh/dθ = r cos θ + f sin θ to one side of it. In closed form, except for a profile given
-/// as a function.
+/// Returns the deepest point of a tool tilted by θ >= 0 (rad). It is h = max_r [r sin θ - f cos θ]
+/// below the tip, and x = dh/dθ = r cos θ + f sin θ to one side of the tip. In closed form, except
+/// for a profile given as a function.
 PALPATE_EXPORT DeepestPoint deepestPoint(const AxisymmetricTool& tool, double angle);
 
-/// The largest tilt (rad) for which a law exists. It is 4 degrees less than the tilt at which the
-/// steepest part of the flank is parallel to the body's surface; for a cone that tilt is 90 degrees
-/// minus its half angle. It is at most 80 degrees, which is the limit for tools without a flank and
-/// for flanks whose slope increases without bound.
+/// Returns the largest tilt (rad) for which a law exists. It is 4 degrees less than the tilt at
+/// which the steepest part of the flank is parallel to the body's surface; for a cone that tilt is
+/// 90 degrees minus its half angle. It is at most 80 degrees, which is the limit for tools without
+/// a flank and for flanks whose slope increases without bound.
 PALPATE_EXPORT double largestTilt(const AxisymmetricTool& tool);
 
-/// The reason why a tool cannot be tilted by an angle (rad), with both angles; "" if it can.
+/// Returns the reason why a tool cannot be tilted by an angle (rad), with both angles; "" if it
+/// can.
 PALPATE_EXPORT std::string checkTilt(const AxisymmetricTool& tool, double angle);
 
-/// κ of a tool: 3 if its deepest point jumps to a rim at the smallest tilt, 0 if it moves
-/// continuously. See TiltTerms::dropScale.
+/// Returns κ of a tool: 3 if its deepest point jumps to a rim at the smallest tilt, 0 if the point
+/// moves continuously. See TiltTerms::dropScale.
 PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
 
-/// The deepest point of one tool as a function of its tilt, as a TiltTable stores it: h and dh/dθ
-/// at evenly spaced angles up to the largest. Cubic between the angles, linear slightly beyond the
-/// largest.
+/// The deepest point of one tool as a function of its tilt, in the form that a TiltTable stores: h
+/// and dh/dθ at evenly spaced angles up to the largest. The interpolation is cubic between the
+/// angles, and linear slightly beyond the largest.
 class PALPATE_EXPORT ToolDrop
 {
 public:

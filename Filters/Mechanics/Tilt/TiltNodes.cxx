@@ -22,9 +22,9 @@ namespace
 constexpr int Depths = 9;
 constexpr int Angles = 13;
 constexpr double AngleStep = 0.01;     // step in y for differences
-constexpr double LeastFraction = 0.25; // fraction of the first x that replaces x = 0
-// The half-space is solved to this multiple of the range: its spline is inaccurate at the end, and
-// the contact on a layer is that of a half-space at a larger depth.
+constexpr double LeastFraction = 0.25; // fraction of the first x; used instead of x = 0
+// The half-space is solved to this multiple of the range. Its spline is inaccurate at the end, and
+// the contact on a layer corresponds to a larger depth on a half-space.
 constexpr double HalfSpaceFactor = 1.6;
 constexpr double LayerFactor = 4.0;
 
@@ -87,16 +87,16 @@ public:
   }
 
 private:
-  /// x of a node. At x = 0 there is no contact; a small x is used instead, and at() extrapolates to
-  /// 0.
+  /// x of a node. At x = 0 there is no contact. Therefore a small x is used instead, and at()
+  /// extrapolates to 0.
   static double placeAt(int depth)
   {
     return (depth > 0 ? static_cast<double>(depth) : LeastFraction) / (Depths - 1);
   }
   double depthAt(int depth) const { return this->Range * placeAt(depth) * placeAt(depth); }
 
-  /// Nodes at θ = 0, where η = 1. At a fixed depth of the tip W is even in θ, so that M = 0: F
-  /// dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
+  /// Nodes at θ = 0, where η = 1. At a fixed depth of the tip W is even in θ, and therefore M = 0:
+  /// F dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
   std::vector<Node> upright(int node) const
   {
     const double scale = this->HalfSpace.dropScale();
@@ -120,15 +120,17 @@ private:
     return nodes;
   }
 
-  /// Nodes at a tilt: the derivatives are differences in y, and in x follow from F = dW/dD.
+  /// Nodes at a tilt. The derivatives with respect to y are differences; those with respect to x
+  /// follow from F = dW/dD.
   std::vector<Node> tilted(int node, double y) const
   {
     const double depth = this->depthAt(node);
     const double depthByX = 2.0 * this->Range * placeAt(node);
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
     std::array<Ratio, 3> rim{};    // ρ
-    std::array<Ratio, 3> missed{}; // ratio of the half-space's work to the profile's
-    // At y and on both sides of it; at the largest tilt at y and two points below.
+    std::array<Ratio, 3> missed{}; // work on the half-space over work of the profile
+    // The differences use y and one position on each side; at the largest tilt y and two smaller
+    // positions.
     const bool isLast = y + AngleStep > 1.0;
     const std::array<double, 3> steps = { 0.0, isLast ? 2.0 : -1.0, 1.0 };
     const std::array<double, 3> slope = { isLast ? 3.0 : 0.0, 1.0, isLast ? -4.0 : -1.0 };
@@ -175,7 +177,8 @@ private:
   double Largest;
   const std::vector<TiltBody>& Bodies;
   const TiltedHalfSpace& HalfSpace;
-  std::vector<std::vector<TiltWork>> Uprights; ///< for each depth, each body
+  /// Results of the upright tool for each depth and each body.
+  std::vector<std::vector<TiltWork>> Uprights;
 };
 
 std::string countFault(const std::vector<TiltBody>& bodies)
@@ -185,8 +188,8 @@ std::string countFault(const std::vector<TiltBody>& bodies)
     : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", but is ", bodies.size());
 }
 
-/// The reason why a tool, upright or at the largest tilt, cannot be pressed to the depth `range`
-/// into a body; "" if it can.
+/// Returns the reason why a tool, upright or at the largest tilt, cannot be pressed to the depth
+/// `range` into a body; "" if it can.
 std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const TiltBody& body)
 {
@@ -214,7 +217,7 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
   return tool.checkDepth(range);
 }
 
-/// The largest tiltError at the depths of the nodes, at the largest tilt and half of it.
+/// Returns the largest tiltError at the depths of the nodes, at the largest tilt and at half of it.
 double largestError(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const std::vector<TiltBody>& bodies)
 {

@@ -28,32 +28,37 @@ struct MadeTilt
  * tool's equivalent profiles (TiltedHalfSpace.h).
  *
  * Accuracy of the force dW/dD of the interpolated table, compared with boundary elements between
- * all nodes on a half-space (TiltNodesTest.cxx): spheres are exact, flat ends follow their
- * universal law, cones and blunted cones are within 0.5 %, other flat ends within 3 % for depths of
- * at least 0.1 of their size and 1 % for at least 0.2; sampled profiles within 1 %, but 6 % shortly
- * before one of their facets is parallel to the body's surface. On layers tiltError is the error of
- * the force due to the equivalent profile; the error of the torque, relative to F a, may be four
- * times as large. For the upright tool |M| is at most 1e-3 F a.
+ * all nodes on a half-space (TiltNodesTest.cxx):
+ * - spheres are exact, and flat ends follow their universal law;
+ * - cones and blunted cones are within 0.5 %;
+ * - other flat ends are within 3 % for depths of at least 0.1 of their size and 1 % for at least
+ *   0.2;
+ * - sampled profiles are within 1 %, but 6 % shortly before one of their facets is parallel to the
+ *   body's surface.
+ *
+ * On layers tiltError is the error of the force due to the equivalent profile. The error of the
+ * torque, relative to F a, may be four times as large. For the upright tool |M| is at most 1e-3 F
+ * a.
  *
  * A fault names the tilt that is too large for the tool, or the largest depth of a law. Cost: that
- * of TiltedHalfSpace, plus 0.2 s per layer, on all threads. The result is bit for bit the same for
+ * of TiltedHalfSpace, plus 0.2 s per layer on all threads. The result is bit for bit the same for
  * any number of threads.
  */
 PALPATE_EXPORT MadeTilt makeTiltTable(
   const AxisymmetricTool& tool, double range, double largest, const std::vector<TiltBody>& bodies);
 
-/// The reason why a tool cannot be pressed to the depth `range` (mm) at tilts up to `largest`
-/// (rad), or "".
+/// Returns the reason why a tool cannot be pressed to the depth `range` (mm) at tilts up to
+/// `largest` (rad), or "".
 PALPATE_EXPORT std::string checkTiltDemand(
   const AxisymmetricTool& tool, double range, double largest);
 
-/// Makes the table of a tool that has been solved already, at least to depthToSolve, and up to its
-/// largest tilt.
+/// Makes the table of a tool that has already been solved, at least to the depth depthToSolve() and
+/// up to its largest tilt.
 PALPATE_EXPORT MadeTilt makeTiltTable(
   const TiltedHalfSpace& halfSpace, double range, const std::vector<TiltBody>& bodies);
 
-/// The depth (mm) to which a half-space must be solved for tables up to `range`; `isLayered`: the
-/// tables are for layers.
+/// Returns the depth (mm) to which a half-space must be solved for tables up to `range` (mm).
+/// `isLayered`: whether the tables are for layers.
 PALPATE_EXPORT double depthToSolve(const AxisymmetricTool& tool, double range, bool isLayered);
 } // namespace palpate
 

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Position among evenly spaced nodes of [0, 1].
+/// A position among evenly spaced nodes of [0, 1].
 struct Cell
 {
   std::size_t lower;
@@ -57,8 +57,8 @@ struct PlaneValue
   double byXTwice = 0.0;
 };
 
-/// Adds `weight` times the η, η_x, η_y, η_xy of a node. `x`, `y`: 0 for the lower, 2 for the upper
-/// end of the cell.
+/// Adds `weight` times the η, η_x, η_y, η_xy of a node. `x`, `y`: 0 for the lower end and 2 for the
+/// upper end of the cell.
 void add(PlaneValue& sum, const double* node, double weight, const Basis& alongX, std::size_t x,
   const Basis& alongY, std::size_t y) noexcept
 {

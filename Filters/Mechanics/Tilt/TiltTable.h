@@ -14,11 +14,12 @@ namespace palpate
 /// The deepest point of a tilted tool, relative to its tip.
 struct DeepestPoint
 {
-  double drop = 0.0;   ///< h, its depth below the tip, mm, >= 0
-  double offset = 0.0; ///< x = dh/dθ, its lateral distance from the tip, mm, >= 0
+  double drop = 0.0;   ///< h, depth below the tip, mm, >= 0
+  double offset = 0.0; ///< x = dh/dθ, lateral distance from the tip, mm, >= 0
 };
 
-/// τ and its derivatives, by the depth D at fixed tilt and by the tilt θ at fixed depth.
+/// τ and its derivatives: with respect to the depth D at fixed tilt, and to the tilt θ at fixed
+/// depth.
 struct TiltFactor
 {
   double value = 1.0;
@@ -32,8 +33,8 @@ struct TiltTerms
 {
   double range = 0.0;   ///< D_m, mm, > 0
   double largest = 0.0; ///< largest tilt, rad, > 0 and less than a right angle
-  /// κ >= 0. κ is 3 for a tool with a flat end, which touches with its rim, so that its force
-  /// depends on the ratio of depth and drop.
+  /// κ >= 0. κ is 3 for a tool with a flat end. Such a tool touches with its rim. Therefore its
+  /// force depends on the ratio of depth and drop.
   double dropScale = 0.0;
   int depths = 0; ///< nodes x_i = i/(depths - 1), 2 or more
   int angles = 0; ///< nodes y_j = j/(angles - 1), 2 or more
@@ -41,7 +42,7 @@ struct TiltTerms
   int laws = 0;   ///< 1 to MostLaws
 
   static constexpr int MostLaws = 16;
-  static constexpr int MostNodes = 256; ///< of depths, of angles and of drops
+  static constexpr int MostNodes = 256; ///< largest number of depths, of angles and of drops
 
   bool areFelt() const noexcept { return this->laws > 0; }
 };
@@ -59,23 +60,23 @@ PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
  * F is along the body's normal. M is about the tip, towards the upright position. τ(D, 0) = 1.
  *
  * τ = ρ η. η is the bicubic Hermite interpolant of nodes in x = √(D/D_m) and y = θ/θ_m. ρ is 1,
- * except for a tool with a flat end, whose force falls fast with the tilt: then ρ is that of a flat
- * end on a half-space (tiltedFlatWork) at s = κ h(θ)/D, so that η is smooth. Beyond D_m, η is
+ * except for a tool with a flat end, whose force falls fast with the tilt. Then ρ is that of a flat
+ * end on a half-space (tiltedFlatWork) at s = κ h(θ)/D, which makes η smooth. Beyond D_m, η is
  * constant; a tilt beyond θ_m counts as θ_m. h is the cubic Hermite interpolant of drops and
  * offsets.
  *
- * A body whose points differ in more than their modulus has several laws, and each point has
- * weights with the sum 1. Immutable; no function allocates or throws after construction.
+ * A body whose points differ in more than their modulus has several laws. Each point then has one
+ * weight per law, with the sum 1. Immutable; no function allocates or throws after construction.
  */
 class PALPATE_EXPORT TiltTable
 {
 public:
   TiltTable() = default;
-  /// `drops`: h and dh/dθ at each θ_k. `nodes`: η and its derivatives by x, by y and by both, for
-  /// each law, each x, each y. The numbers must pass faultOf.
+  /// `drops`: h and dh/dθ at each θ_k. `nodes`: η and its derivatives with respect to x, to y and
+  /// to both, for each law, each x, each y. The numbers must pass faultOf.
   TiltTable(const TiltTerms& terms, const double* drops, const double* nodes);
 
-  /// The fault of the data, with the number, or "".
+  /// Returns the fault of the data, with the number, or "".
   static std::string faultOf(const TiltTerms& terms, const double* drops, const double* nodes);
   static std::size_t dropCount(const TiltTerms& terms) noexcept
   {
@@ -91,7 +92,7 @@ public:
   const std::vector<double>& drops() const noexcept { return this->Drops; }
   const std::vector<double>& nodes() const noexcept { return this->Nodes; }
 
-  /// Whether a tilt exceeds the largest by more than rounding.
+  /// Whether a tilt exceeds the largest tilt by more than rounding.
   bool isBeyond(double angle) const noexcept
   {
     constexpr double rounding = 1e-9;
@@ -99,7 +100,7 @@ public:
   }
   /// The deepest point at the tilt θ >= 0, rad.
   DeepestPoint deepest(double angle) const noexcept;
-  /// τ at D > 0, mm, and θ >= 0, rad; one weight per law.
+  /// τ at D > 0, mm, and θ >= 0, rad. `weights` has one weight per law.
   TiltFactor at(double depth, double angle, const double* weights) const noexcept;
   /// The factor of a table with one law.
   TiltFactor at(double depth, double angle) const noexcept

@@ -14,9 +14,9 @@ namespace palpate
 {
 namespace
 {
-constexpr int CoarsePixels = 32; // for locating the contact
+constexpr int CoarsePixels = 32; // number of pixels along each side for the search of the contact
 constexpr int MostIterations = 400;
-constexpr double Tolerance = 1e-5; // of the gap under the pressure, relative to the depth
+constexpr double Tolerance = 1e-5; // largest gap under the pressure, relative to the depth
 
 /// A grid of pixels on a box.
 struct Grid
@@ -30,7 +30,7 @@ struct Grid
   std::size_t row() const { return static_cast<std::size_t>(this->pixels); }
 };
 
-/// Heights of the tool over the centres of the pixels.
+/// Returns the heights of the tool over the centres of the pixels.
 std::vector<double> heightsOn(const TiltedSurface& surface, const Grid& grid, double limit)
 {
   std::vector<double> heights(grid.size());
@@ -48,7 +48,7 @@ std::vector<double> heightsOn(const TiltedSurface& surface, const Grid& grid, do
   return heights;
 }
 
-/// Pressures >= 0 with which the surface follows the tool.
+/// Returns the pressures >= 0 with which the surface follows the tool.
 std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& heights, double depth)
 {
   RectangleLoads loads(grid.pixels, grid.width(), grid.height());
@@ -122,7 +122,7 @@ std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& hei
   return pressure;
 }
 
-/// The box around the loaded pixels, with two more pixels on each side.
+/// Returns the box around the loaded pixels, with two more pixels on each side.
 SurfaceBox aroundContact(const Grid& grid, const std::vector<double>& pressures)
 {
   const std::size_t n = grid.row();

@@ -16,7 +16,7 @@ struct TiltedFlatTerm
 
 /**
  * A flat end of radius a on a half-space, tilted by θ. Its deepest point, on the rim, is at the
- * depth D. By similarity there is one law, a function of q = D/(a sin θ),
+ * depth D. By similarity one law, a function of q = D/(a sin θ), is valid for all radii and tilts:
  *   F = 2 a² E* sin θ f(q),   W/W_0 = ρ,  f = d(q² ρ/2)/dq.
  * For q >= 3 the whole end touches, and f = q - 1 and ρ = 1 - 2/q + 5/(3q²) are exact. For smaller
  * q, ρ is a polynomial of √(q/3), fitted to boundary elements with f, f' and f'' continuous at q =

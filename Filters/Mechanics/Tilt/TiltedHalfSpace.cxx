@@ -22,18 +22,18 @@ namespace palpate
 namespace
 {
 constexpr double Shallowest = 256.0; // ratio of the largest to the smallest depth of the rows
-constexpr int RowCells = 13;         // about two per factor e of the depth
+constexpr int RowCells = 13;         // number of intervals, about two per factor e of the depth
 constexpr int AngleCells = 11;
 constexpr double Power = -1.2; // exponent of τ that makes it nearly linear in sin² θ
 constexpr int SamplesPerRow = 4;
-constexpr std::size_t OfRows =
-  SamplesPerRow * RowCells + 2;          // samples over the depths of the rows, and two more
-constexpr std::size_t MostSamples = 200; // down to 1e-7 of the least depth, for small tilts
-constexpr double Smallest = 1e-9; // contact radius over depth, a lower bound for the solver's
-                                  // result
+// Number of samples over the depths of the rows, and two more.
+constexpr std::size_t OfRows = SamplesPerRow * RowCells + 2;
+constexpr std::size_t MostSamples = 200; // samples at small tilts, down to 1e-7 of the least depth
+// Lower bound of contact radius over depth for the result of the solver.
+constexpr double Smallest = 1e-9;
 
-/// Makes the contact radii increase with the depth. If the solver's error makes them decrease, they
-/// are replaced by their mean over the depth, which preserves the force.
+/// Makes the contact radii increase with the depth. If they decrease because of the solver's error,
+/// they are replaced by their mean over the depth. This preserves the force.
 void makeMonotone(std::vector<TiltedTool::Sample>& samples)
 {
   std::vector<double> radii;
@@ -52,7 +52,7 @@ void makeMonotone(std::vector<TiltedTool::Sample>& samples)
   }
 }
 
-/// d ln a/d ln D by central differences.
+/// Computes d ln a/d ln D by central differences.
 void setExponents(std::vector<TiltedTool::Sample>& samples)
 {
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -64,7 +64,7 @@ void setExponents(std::vector<TiltedTool::Sample>& samples)
   }
 }
 
-/// Whether only the spherical tip of a blunted cone touches; then T = 1 at any tilt.
+/// Whether only the spherical tip of a blunted cone touches. If so, τ = 1 at any tilt.
 bool touchesWithTipOnly(const std::optional<ToolSpecification>& tool, double radius, double angle)
 {
   return tool && tool->Shape == ToolShape::BluntedCone && radius < tool->Radius &&
@@ -95,7 +95,7 @@ TiltedHalfSpace::TiltedHalfSpace(const AxisymmetricTool& tool, double depth, dou
   }
 }
 
-/// s of tiltedFlatWork; 0 for a tool without a flat end.
+/// Returns s of tiltedFlatWork; 0 for a tool without a flat end.
 double TiltedHalfSpace::rimRatio(double depth, double angle) const
 {
   return this->DropScale > 0.0 ? this->DropScale * this->Drop.at(angle).drop / depth : 0.0;
@@ -136,8 +136,8 @@ void TiltedHalfSpace::solveRows(double depth)
     std::vector<double> works;
     for (std::size_t column = 0; column < columns; ++column)
     {
-      // Divided by the result of the same grid for the upright tool, which cancels most of its
-      // error.
+      // The work is divided by the result of the same grid for the upright tool. This cancels most
+      // of the error of the grid.
       const TiltedForce& tilted = solved[row * columns + column];
       const double tau = tilted.work > 0.0 ? tilted.work / solved[row * columns].work : 1.0;
       works.push_back(this->DropScale > 0.0
@@ -148,11 +148,12 @@ void TiltedHalfSpace::solveRows(double depth)
     std::optional<double> slope;
     if (!(this->DropScale > 0.0))
     {
-      slope = 0.0; // even in θ
+      slope = 0.0; // τ is even in θ
     }
     else if (this->rimRatio(at, angles[1]) < 1.0)
     {
-      // At a very small tilt only the depth of the tip has an effect: W(D, θ) = W(D - h, 0).
+      // At a very small tilt only the change of the depth of the tip has an effect: W(D, θ) = W(D -
+      // h, 0).
       const TiltWork upright = pressedInto(this->Tool, {}, at);
       slope = this->Drop.at(0.0).offset * (2.0 / at - upright.force / upright.work);
     }
@@ -170,18 +171,19 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle
 {
   if (!(angle > 0.0) || this->Is == Kind::Sphere)
   {
-    return { std::shared_ptr<void>(), &this->Tool }; // not owned by the result
+    return { std::shared_ptr<void>(), &this->Tool }; // the result does not own the tool
   }
   return this->Is == Kind::Flat ? this->flat(angle) : this->fromRows(angle);
 }
 
-/// a(D) = R f'(q).
+/// Returns the equivalent profile of a flat end: a(D) = R f'(q).
 std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) const
 {
   constexpr double Least = 1e-4;
-  constexpr double Whole = 3.0; // full contact of the end
-  constexpr int Lower = 60;     // points from the least q to 1
-  constexpr int Upper = 40;     // points from q = 1 to full contact, increasingly dense
+  constexpr double Whole = 3.0; // q of full contact of the end
+  constexpr int Lower = 60;     // number of points from the least q to 1
+  // Number of points from q = 1 to full contact, with decreasing distances.
+  constexpr int Upper = 40;
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;
   std::vector<TiltedTool::Sample> samples;
@@ -209,7 +211,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
   const Row& first = this->Rows.front();
   if (this->Is == Kind::ScaleFree)
   {
-    // W ∝ D³, a ∝ D.
+    // For a cone W ∝ D³ and a ∝ D.
     const double radius =
       this->Tool.contactRadius(first.depth) * std::pow(first.works.at(angle).value, 1.0 / Power);
     return std::make_shared<const TiltedTool>(name,
@@ -218,10 +220,10 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
       false);
   }
   const CubicSpline stored = this->over(angle);
-  // For a flat end the samples begin at a depth at which only its rim touches; for others at the
-  // first row.
+  // For a flat end the samples begin at a depth at which only its rim touches; for other tools they
+  // begin at the first row.
   const double drop = this->DropScale > 0.0 ? this->Drop.at(angle).drop : 0.0;
-  constexpr double OnRim = 0.02; // D/h up to which the force is nearly a power of the depth
+  constexpr double OnRim = 0.02; // largest D/h at which the force is nearly a power of the depth
   const double begin = drop > 0.0 ? std::min(first.depth, OnRim * drop) : first.depth;
   std::vector<TiltedTool::Sample> samples;
   for (std::size_t i = this->Uprights.size(); i-- > 0;)
@@ -247,14 +249,15 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
   return tool;
 }
 
-/// W = W_0 ρ η and its derivatives. Slopes and bends are with respect to ln D.
+/// Returns W = W_0 ρ η and its derivatives. Slopes and second derivatives (bends) are with respect
+/// to ln D.
 TiltWork TiltedHalfSpace::workOf(
   const Upright& upright, const CubicSpline& stored, double angle) const
 {
   const double depth = upright.depth;
   const TiltWork& at = upright.at;
   const SplinePoint eta = stored.at(std::log(depth));
-  double logarithm = eta.value; // of η; its derivatives follow from it
+  double logarithm = eta.value; // logarithm of η; its derivatives are computed from those of η
   double logarithmSlope = eta.slope;
   double logarithmBend = eta.bend;
   if (!this->IsFaceted)

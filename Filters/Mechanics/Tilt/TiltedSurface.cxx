@@ -16,12 +16,13 @@ TiltedSurface::TiltedSurface(const AxisymmetricTool& tool, double angle)
   , Cosine(std::cos(angle))
   , Drop(deepestPoint(tool, angle).drop)
 {
-  // x = r cos θ + f sin θ and -h = f cos θ - r sin θ, rotated back.
+  // Coordinates of the deepest point: x = r cos θ + f sin θ and -h = f cos θ - r sin θ. They are
+  // rotated back to obtain r.
   const DeepestPoint deepest = deepestPoint(tool, angle);
   this->Deepest = deepest.offset * this->Cosine + deepest.drop * this->Sine;
 }
 
-/// Height of a point above the profile along the tool's axis; < 0 outside the tool.
+/// Height of a point above the profile, measured along the tool's axis; < 0 outside the tool.
 double TiltedSurface::insideAt(double x, double y, double z) const
 {
   return x * this->Sine + z * this->Cosine -
@@ -36,8 +37,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
     const double height = this->Tool.profile(std::hypot(x, y));
     return height < limit ? height : Infinity;
   }
-  // Steps upwards until the point is inside the tool. The flank of a convex tool may end above, so
-  // that a higher point may again be outside.
+  // Steps upwards until the point is inside the tool. The flank of a convex tool may end above.
+  // Therefore a higher point may again be outside.
   constexpr int Steps = 16;
   double low = bottom;
   double lowValue = this->insideAt(x, y, low);
@@ -54,7 +55,7 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
   {
     return Infinity;
   }
-  // Regula falsi with halved end values (Illinois), or bisection at a wall.
+  // Regula falsi with halved end values (Illinois), or bisection if the point is at a wall.
   double z = high;
   for (int i = 0; i < 60 && high - low > 1e-13 * (limit + this->Drop); ++i)
   {
@@ -83,8 +84,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
 
 SurfaceBox TiltedSurface::below(double limit) const
 {
-  // Searches the radii whose lowest point is below the limit, starting at the deepest point in
-  // steps that are finer near it.
+  // Searches the radii whose lowest point is below the limit. The search starts at the deepest
+  // point, with smaller steps near it.
   const double wall = this->Tool.largestContactRadius();
   const auto isLow = [&](double r)
   { return this->Tool.profile(r) * this->Cosine - r * this->Sine + this->Drop < limit; };

@@ -15,7 +15,7 @@ struct SurfaceBox
   double halfWidth;
 };
 
-/// The lower side of a tool tilted by θ about y, above the plane through its deepest point.
+/// The lower side of a tool tilted by θ about y, relative to the plane through its deepest point.
 class TiltedSurface
 {
 public:

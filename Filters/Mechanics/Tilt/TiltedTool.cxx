@@ -16,7 +16,8 @@ namespace
 {
 const GaussLegendre& cellRule()
 {
-  static const GaussLegendre rule(8); // for the exponential of a cubic over a cell: 1e-12
+  // For the exponential of a cubic over a cell the error is 1e-12.
+  static const GaussLegendre rule(8);
   return rule;
 }
 } // namespace
@@ -28,7 +29,7 @@ TiltedTool::TiltedTool(
   , HasWall(hasWall)
   , Kinks(std::move(kinks))
 {
-  // Slopes with which the cubics do not overshoot (Fritsch and Carlson 1980).
+  // Limits the slopes so that the cubics do not overshoot (Fritsch and Carlson 1980).
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
   {
     Sample& lower = this->Samples[i];
@@ -61,7 +62,7 @@ TiltedTool::Logarithm TiltedTool::radiusIn(std::size_t cell, double t) const
   return { std::log(lower.radius) + logarithm.value(t), logarithm.slope(t) };
 }
 
-/// ∫ a dD from the start of a cell.
+/// Returns ∫ a dD from the start of a cell to `deflection`.
 double TiltedTool::workInside(std::size_t cell, double deflection) const
 {
   const double begin = this->Samples[cell].depth;

@@ -36,7 +36,7 @@ public:
     std::string name, std::vector<Sample> samples, bool hasWall, std::vector<double> kinks = {});
 
   std::string specification() const override { return this->Name; }
-  /// Computed by Abel's integral of g.
+  /// Computed as Abel's integral of g.
   double profile(double r) const override;
   double forceExponent() const override { return 1.0 + this->Samples.front().exponent; }
   double depthAtStrain(double ratio) const override; ///< the strain measure is δ/a

@@ -68,7 +68,7 @@ double AxisymmetricTool::pressure(double r, double deflection, double reducedMod
   {
     return 0.0;
   }
-  if (this->isStillFlat(a)) // a and g(a) were rounded to those of the flat end
+  if (this->isStillFlat(a)) // the contact is that of the flat end, up to rounding
   {
     return reducedModulus * deflection / (Pi * std::sqrt((a - r) * (a + r)));
   }
@@ -93,8 +93,8 @@ SurfaceDisplacement AxisymmetricTool::surfaceDisplacement(
   {
     return { 0.0, normal };
   }
-  // A circular load displaces the surface inward in proportion to its load within the radius r
-  // (Johnson 1985, eq. 3.18).
+  // A circular load displaces the surface inward. The displacement is proportional to the load
+  // within the radius r (Johnson 1985, eq. 3.18).
   const double load = r >= a ? this->forcePerModulus(a, deflection)
     : this->isStillFlat(a)   ? 2.0 * deflection * r * r / (a + std::sqrt((a - r) * (a + r)))
                              : this->loadInside(r, a, deflection);

@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// Displacement of a point of the body's surface, mm: radial (> 0 away from the axis of the tool)
-/// and normal (> 0 into the body).
+/// Displacement of a point of the body's surface, mm. `radial` is > 0 away from the axis of the
+/// tool, `normal` is > 0 into the body.
 struct SurfaceDisplacement
 {
   double radial;
@@ -38,15 +38,15 @@ struct SurfaceDisplacement
 class PALPATE_EXPORT AxisymmetricTool : public IndentationLaw
 {
 public:
-  /// The tool as written on a command line, "sphere:6.35". The text is lossless; parseTool reads
-  /// it.
+  /// The tool in the form used on a command line, "sphere:6.35". The text is lossless; parseTool
+  /// reads it.
   virtual std::string specification() const = 0;
 
   /// f(r), mm: height of the tool's surface above its tip. +inf beyond its outer wall.
   virtual double profile(double r) const = 0;
 
-  /// Leading exponent m of F ∝ δ^m at small depth. For a sampled profile, whose tip is a straight
-  /// segment, the exponent half way to its wall.
+  /// Exponent m of F ∝ δ^m at small depth. For a sampled profile, whose tip is a straight segment,
+  /// the exponent half way to its wall.
   virtual double forceExponent() const = 0;
 
   /// Depth (mm) above which the strain measure a/R exceeds `ratio`; a/R is the contact radius
@@ -54,8 +54,8 @@ public:
   /// for a paraboloid. 0 if the measure exceeds `ratio` at first contact, +inf if it never does.
   virtual double depthAtStrain(double ratio) const = 0;
 
-  /// Depth (mm) at which the contact radius is a: g(a), or 0 (+inf) if the contact radius is larger
-  /// (smaller) than a at every depth.
+  /// Depth (mm) at which the contact radius is a: g(a). 0 if the contact radius exceeds a at every
+  /// depth, +inf if it is less than a at every depth.
   virtual double depthAtContactRadius(double a) const = 0;
 
   /// g(x), mm, for smallestContactRadius <= x < largestContactRadius; 0 below.
@@ -82,7 +82,8 @@ public:
   /// Contact pressure at distance r from the axis, MPa; 0 outside the contact, +inf at a sharp rim
   /// or apex.
   double pressure(double r, double deflection, double reducedModulus) const;
-  /// Displacement of the surface point that was at distance r from the axis before contact.
+  /// Displacement of the surface point that was at the distance r (mm) from the axis before
+  /// contact.
   SurfaceDisplacement surfaceDisplacement(double r, double deflection, double poissonRatio) const;
 
 protected:
@@ -100,7 +101,7 @@ protected:
   /// g'(x), for the defaults; 0 <= x < the largest contact radius.
   virtual double reducedSlope(double x) const = 0;
 
-  /// The step at a wall beyond the smooth contact: δ - g(a), 0 under a smooth rim.
+  /// The step at a wall that ends the smooth contact: δ - g(a); 0 for a smooth rim.
   double rimStep(double a, double deflection) const;
 
 private:

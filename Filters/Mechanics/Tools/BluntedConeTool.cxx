@@ -36,7 +36,8 @@ double BluntedConeTool::depthAtStrain(double ratio) const
   return this->depthAtContactRadius(ratio * this->Radius);
 }
 
-/// L = ln[(R+x)/(R sin α+q)], accurate also where L is small: R - R sin α = b²/(R + R sin α).
+/// L = ln[(R+x)/(R sin α+q)]. Also accurate if L is small, because R - R sin α is computed as b²/(R
+/// + R sin α).
 double BluntedConeTool::logarithm(double x, double q) const
 {
   const double b = this->Tangent;
@@ -82,8 +83,8 @@ double BluntedConeTool::radiusAt(double deflection) const
   {
     return this->Tip.contactRadius(deflection);
   }
-  // The unknown is q. g increases at least as fast as the g of the cone with its apex at (b, g(b)):
-  // g >= (π/2) c (x-b).
+  // The unknown is q. g increases at least as fast as the g of a cone whose apex is at (b, g(b)): g
+  // >= (π/2) c (x-b).
   const double slope = this->Cosine / this->Sine;
   const double high = b + 2.0 * deflection / (Pi * slope);
   const double q = increasingRoot(
@@ -111,8 +112,8 @@ double BluntedConeTool::forcePerModulus(double a, double deflection) const
       this->Cosine / this->Sine * a * a * std::atan2(q, b));
   if (integral < 1e-3 * R * a)
   {
-    // The terms cancel if the tip is much wider than the contact. Then quadrature is used, with x =
-    // b + (a-b) u².
+    // The terms cancel if the tip is much wider than the contact. Then quadrature over u is used,
+    // with x = b + (a-b) u².
     const double whole = this->Tip.reducedProfile(b);
     integral = b * whole - 0.5 * this->Tip.force(whole, 1.0) +
       GaussLegendre::standard().integrate(0.0, 1.0,

@@ -15,7 +15,8 @@ namespace palpate
  * ln[(R+a)/(R sin α+q)]
  *   δ = g(a) = a L + c a A,
  *   F = 2E* (a δ - G),  G = ∫_0^a g dx = ½ [(a²-R²) L + R a - q R/sin α + c a² A]
- * (g: Popov and Hess 2015; G by parts). The strain measure is a/R, with R the radius of the tip.
+ * (g: Popov and Hess 2015; G by integration by parts). The strain measure is a/R, with R the radius
+ * of the tip.
  */
 class BluntedConeTool final : public AxisymmetricTool
 {

@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 constexpr double Tolerance = 1e-3;          // relative to the depth, see the header
-constexpr std::size_t LeastSamples = 512;   // of g, in total
-constexpr double SamplesPerFactor = 12.0;   // per factor e of the radius
-constexpr std::size_t MostCandidates = 512; // radii at which the gap is computed
+constexpr std::size_t LeastSamples = 512;   // number of samples of g, in total
+constexpr double SamplesPerFactor = 12.0;   // number of samples per factor e of the radius
+constexpr std::size_t MostCandidates = 512; // number of radii at which the gap is computed
 
 struct Sample
 {
@@ -21,9 +21,9 @@ struct Sample
   double g;
 };
 
-/// Samples of g between the kinks, evenly spaced before the first kink. After a kink r the samples
-/// are denser, because g may start like a square root. At larger x their distance is proportional
-/// to x, because g changes over lengths of r, however far away the next kink is.
+/// Samples of g between the kinks. They are evenly spaced before the first kink. Next to a kink r
+/// the samples are denser, because g may start like a square root. At larger x their distance is
+/// proportional to x, because g changes over lengths of r, even if the next kink is far away.
 std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
   const std::vector<double>& kinks, double outer)
 {
@@ -56,8 +56,8 @@ std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedPr
   return samples;
 }
 
-/// Radii at which the gap may close: after each maximum of g, up to twice the distance to the end
-/// of the dip.
+/// Returns the radii at which the gap may close. After a maximum of g, there is a dip in which g is
+/// smaller. The radii extend to twice the distance from the maximum to the end of the dip.
 std::vector<double> candidates(const std::vector<Sample>& samples)
 {
   std::vector<double> radii;
@@ -71,7 +71,7 @@ std::vector<double> candidates(const std::vector<Sample>& samples)
       lowest = std::min(lowest, samples[end].g);
       ++end;
     }
-    // The gap is at most as negative as the dip of g: (2/π) ∫ dx/√(r²-x²) <= 1.
+    // The gap cannot be more negative than the dip of g, because (2/π) ∫ dx/√(r²-x²) <= 1.
     if (level - lowest > Tolerance * level)
     {
       const double dipEnd = samples[std::min(end, samples.size() - 1)].x;
@@ -92,8 +92,8 @@ std::vector<double> candidates(const std::vector<Sample>& samples)
   return thinned;
 }
 
-/// Depth at which the gap at r closes while the contact grows over the samples: the first depth at
-/// which δ - f(r) - u_z(r) exceeds the tolerance.
+/// Returns the depth at which the gap at r closes while the contact grows over the samples. It is
+/// the first depth at which δ - f(r) - u_z(r) exceeds the tolerance.
 double closingDepth(const std::vector<Sample>& samples, double r, double height)
 {
   double integral = 0.0; // ∫_0^x g dx/√(r²-x²), g linear between samples

@@ -11,7 +11,7 @@
 namespace palpate
 {
 /// The end of a half-space law: at depths beyond `depth`, the tool would also touch the body at
-/// `radius`, outside the circle of contact. mm; +inf and NaN if this never happens.
+/// `radius`, outside the circle of contact. Both in mm; +inf and NaN if there is no such depth.
 struct DepthLimit
 {
   double depth = std::numeric_limits<double>::infinity();
@@ -26,11 +26,11 @@ struct DepthLimit
  * which is never negative if g increases everywhere. If g decreases (at a shoulder, a groove, a
  * second ring), the gap closes at some r and δ; the function returns that pair.
  *
- * A gap may be negative by a thousandth of the depth. If the profile is raised by ε where the gap
- * is negative, the law is exact, so that the true force is between F(δ) and F(δ+ε): the tolerance
- * causes an error of at most two thousandths. Without the tolerance every concave corner of a
- * sampled profile would end the law, because g decreases beyond the corner by as little as the
- * square of the spacing.
+ * The gap may be negative by up to a thousandth of the depth. If the profile is raised by ε where
+ * the gap is negative, the law is exact. Therefore the true force is between F(δ) and F(δ+ε), and
+ * the tolerance causes an error of at most two thousandths. Without the tolerance every concave
+ * corner of a sampled profile would end the law, because beyond the corner g decreases by an amount
+ * of the order of the squared spacing.
  *
  * `kinks`: radii, ascending, at which g is not analytic. g is sampled between the kinks at 500
  * points or more. The resulting depth is accurate to about 1e-3.

@@ -18,7 +18,7 @@ const GaussLegendre& startRule()
   return rule;
 }
 
-/// Calls piece(p, q) for each interval between neighbouring kinks of lower..upper.
+/// Calls piece(p, q) for each interval between neighbouring kinks from `lower` to `upper`.
 template <class Piece>
 void forEachPiece(double lower, double upper, const Radii& kinks, Piece&& piece)
 {
@@ -37,8 +37,9 @@ void forEachPiece(double lower, double upper, const Radii& kinks, Piece&& piece)
   }
 }
 
-/// ∫_p^q f dv for an f that is a power at p. v - p = (m-p) u⁴ in the first half turns square roots
-/// into polynomials, and any power above -3/4 into a function that Gauss's rule resolves.
+/// Returns ∫_p^q f dv for an f that is a power at p. In the first half the substitution v - p =
+/// (m-p) u⁴ turns square roots into polynomials, and any power above -3/4 into a function that
+/// Gauss's rule resolves.
 template <class Integrand>
 double fromBranchPoint(double p, double q, Integrand&& f)
 {
@@ -52,15 +53,15 @@ double fromBranchPoint(double p, double q, Integrand&& f)
   return half * first + GaussLegendre::standard().integrate(p + half, q, f);
 }
 
-/// ∫_p^q f(x, x-p) dx for an f with square roots at p and at s < p, however close they are. x =
-/// (p+s)/2 + (p-s)/2 cosh φ removes both roots in the first half.
+/// Returns ∫_p^q f(x, x-p) dx for an f with square roots at p and at s < p, which may be very close
+/// to each other. In the first half x = (p+s)/2 + (p-s)/2 cosh φ removes both roots.
 template <class Integrand>
 double betweenBranchPoints(double s, double p, double q, Integrand&& f)
 {
   const double width = p - s;
   const double half = 0.5 * (q - p);
   const double end = 2.0 * std::asinh(std::sqrt(half / width));
-  const int panels = static_cast<int>(std::ceil(end / 12.0)); // 32 points resolve cosh over 12
+  const int panels = static_cast<int>(std::ceil(end / 12.0)); // 32 points resolve cosh φ over 12
   double sum =
     GaussLegendre::standard().integrate(p + half, q, [&](double x) { return f(x, x - p); });
   for (int i = 0; i < panels; ++i)
@@ -76,7 +77,7 @@ double betweenBranchPoints(double s, double p, double q, Integrand&& f)
   return sum;
 }
 
-/// ∫_r^a of an integrand f(x, x-r) with square roots at r and after the kinks.
+/// Returns ∫_r^a of an integrand f(x, x-r) with square roots at r and after the kinks.
 template <class Integrand>
 double fromRadius(double r, double a, const Radii& kinks, Integrand&& f)
 {
@@ -97,13 +98,13 @@ double fromRadius(double r, double a, const Radii& kinks, Integrand&& f)
   return sum;
 }
 
-/// Angle θ of x = r sin θ, x <= r, accurate as x → r.
+/// Returns the angle θ of x = r sin θ, x <= r. Accurate as x → r.
 double angleOf(double x, double r)
 {
   return std::atan2(x, std::sqrt(r - x) * std::sqrt(r + x));
 }
 
-/// ∫_0^a f(x) dx/√(r²-x²), r >= a: over the angle of x.
+/// Returns ∫_0^a f(x) dx/√(r²-x²), r >= a, as an integral over the angle θ of x.
 template <class Integrand>
 double overAngles(double a, double r, const Radii& kinks, Integrand&& f)
 {

@@ -13,10 +13,10 @@
  * for a tool that touches smoothly, δ for a flat end.
  *
  * `kinks` are the radii, ascending, at which g is not analytic. After a kink g may start like a
- * square root, and at the axis like any power above 0. The integrals are computed from kink to kink
- * and transformed so that these starts are analytic too, with 32 Gauss points next to the start and
- * 64 on the rest. Accuracy: about 1e-11 if g has no singularity within 1 % of a beyond a, for r/a
- * down to 1e-10 and for r as near as 1e-7 to a kink.
+ * square root, and at the axis like any positive power. The integrals are computed from kink to
+ * kink. They are transformed so that the integrand is analytic at these starts too, with 32 Gauss
+ * points next to the start and 64 on the rest. Accuracy: about 1e-11 if g has no singularity within
+ * 1 % of a beyond a, for r/a down to 1e-10 and for r as near as 1e-7 to a kink.
  */
 namespace palpate::reduction
 {

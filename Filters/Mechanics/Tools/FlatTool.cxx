@@ -55,7 +55,7 @@ double FlatTool::normalDisplacementOutside(double r, double a, double deflection
 
 double FlatTool::loadInside(double r, double a, double deflection) const
 {
-  // F (1 - √(1-q)) with q = (r/a)², written without cancellation at small r.
+  // F (1 - √(1-q)) with q = (r/a)², written so that there is no cancellation at small r.
   const double q = (r / a) * (r / a);
   return this->forcePerModulus(a, deflection) * q / (1.0 + std::sqrt(1.0 - q));
 }

@@ -65,7 +65,7 @@ double ParaboloidTool::normalDisplacementOutside(double r, double a, double) con
 
 double ParaboloidTool::loadInside(double r, double a, double deflection) const
 {
-  // F [1 - (1-q)^1.5] with q = (r/a)², without cancellation at small r.
+  // F [1 - (1-q)^1.5] with q = (r/a)², written so that there is no cancellation at small r.
   const double q = (r / a) * (r / a);
   return -this->forcePerModulus(a, deflection) * std::expm1(1.5 * std::log1p(-q));
 }

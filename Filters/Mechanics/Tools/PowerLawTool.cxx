@@ -59,7 +59,7 @@ double PowerLawTool::pressurePerModulus(double r, double a, double deflection) c
 {
   if (r == 0.0 && this->Exponent > 1.0)
   {
-    // ∫_0^a g'(x)/x dx in closed form; quadrature resolves it only for n above 5/4.
+    // ∫_0^a g'(x)/x dx in closed form. Quadrature is accurate only for n above 5/4.
     return this->Exponent / (this->Exponent - 1.0) * deflection / (Pi * a);
   }
   return AxisymmetricTool::pressurePerModulus(r, a, deflection);

@@ -14,8 +14,8 @@ namespace palpate
  * (Galin; Sneddon 1965; Popov and Hess 2015). n = 1 is the cone, n = 2 the paraboloid B = 1/2R.
  *
  * 1 <= n <= 100. For n < 1 the tip would be a cusp of infinite slope, for which a theory of small
- * slopes is not valid. For n > 100 the profile is a flat punch to within a few per cent of its
- * radius, which RoundedFlatTool describes better.
+ * slopes is not valid. For n > 100 the profile differs from a flat punch by a few per cent of its
+ * radius. RoundedFlatTool describes it better.
  *
  * There is no tip radius: the strain measure is δ/a = κ B a^(n-1), which for n = 1 is the same at
  * every depth.

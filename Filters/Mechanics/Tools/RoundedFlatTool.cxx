@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// t - arctan t, without cancellation.
+/// Returns t - arctan t, without cancellation.
 double tangentExcess(double t)
 {
   if (!(t < 0.3))
@@ -26,7 +26,7 @@ double tangentExcess(double t)
   return t * t * t * sum;
 }
 
-/// 3 (t - arctan t) (1+t²) - t³, without cancellation.
+/// Returns 3 (t - arctan t) (1+t²) - t³, without cancellation.
 double integralOfExcess(double t)
 {
   if (!(t < 0.3))
@@ -41,7 +41,7 @@ double integralOfExcess(double t)
   return 6.0 * t * t * t * t * t * sum;
 }
 
-/// tan A for a contact radius a >= b.
+/// Returns tan A for a contact radius a >= b.
 double tangent(double a, double b)
 {
   return std::sqrt((a - b) * (a + b)) / b;
@@ -71,7 +71,8 @@ double RoundedFlatTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // δ/a = (b/R_e) (t - arctan t), between t - π/2 and t; like t³/3 for small t.
+  // δ/a = (b/R_e) (t - arctan t). The term in parentheses is between t - π/2 and t; for small t it
+  // is like t³/3.
   const double excess = ratio * this->EdgeRadius / this->Radius;
   const double t = increasingRoot(
     [excess](double at) {
@@ -118,7 +119,7 @@ double RoundedFlatTool::radiusAt(double deflection) const
 
 double RoundedFlatTool::forcePerModulus(double a, double deflection) const
 {
-  // 2 (a δ - ∫ g dx): the integral is small if a was rounded to b.
+  // The result is 2 (a δ - ∫ g dx). The integral is small if a was rounded to b.
   const double b = this->Radius;
   return 2.0 * a * deflection -
     b * (b * (b / (3.0 * this->EdgeRadius))) * integralOfExcess(tangent(a, b));

@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// The solution w > 0 of w tanh w = depth, by Newton's method. The start is the series of w² in the
-/// depth or, at large depths, tanh w ≈ 1.
+/// Returns the solution w > 0 of w tanh w = depth, by Newton's method. The initial value is the
+/// series of w² in the depth. At large depths it follows from tanh w ≈ 1.
 double solveDepth(double depth)
 {
   double w = depth < 1.0 ? std::sqrt(depth * (1.0 + depth * (1.0 / 3.0 + depth * (4.0 / 45.0))))
@@ -24,7 +24,7 @@ double solveDepth(double depth)
     w -= step;
     if (!(std::abs(step) > 1e-8 * w))
     {
-      break; // the next step would be about the square of this step
+      break; // the size of the next step would be about the square of this step
     }
   }
   return w;
@@ -71,8 +71,8 @@ double SphereTool::forcePerModulus(double a, double deflection) const
   double bracket = (t * t + 1.0) * w - t;
   if (t < 0.1)
   {
-    // The terms in the bracket cancel to 4/3 t³; its series Σ [1/(2k+1) + 1/(2k-1)] t^(2k+1) is
-    // summed instead.
+    // The terms in the bracket cancel to 4/3 t³. Therefore the series Σ [1/(2k+1) + 1/(2k-1)]
+    // t^(2k+1) is summed instead.
     bracket = 0.0;
     for (int k = 9; k >= 1; --k)
     {

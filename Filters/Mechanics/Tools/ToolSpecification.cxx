@@ -52,7 +52,7 @@ bool isLength(double value)
   return std::isfinite(value) && value > 0.0;
 }
 
-/// The fault of one parameter of a shape; empty if nothing is wrong.
+/// Returns the fault of one parameter of a shape, or "".
 std::string checkParameter(const ToolSpecification& tool, Parameter parameter)
 {
   const double value = tool.*parameter;
@@ -82,7 +82,7 @@ std::string checkParameter(const ToolSpecification& tool, Parameter parameter)
     " must be positive and finite (mm)" + but;
 }
 
-/// Reads the whole text as numbers separated by commas, one into each target.
+/// Reads the whole text as numbers separated by commas. Each number is written to one target.
 bool readNumbers(const char* begin, const char* end, const std::vector<double*>& targets)
 {
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -220,7 +220,7 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
     }
     if (!error.empty())
     {
-      constexpr std::size_t Shown = 60; // a profile may have thousands of points
+      constexpr std::size_t Shown = 60; // number of letters; a profile may have thousands of points
       error.insert(0, "tool '" + text.substr(0, Shown) + (text.size() > Shown ? "…" : "") + "': ");
       return false;
     }

@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// The shapes of parseTool and makeTool, in the order of vtkContactTool's Shape.
+/// The shapes that parseTool and makeTool know, in the order of vtkContactTool's Shape.
 enum class ToolShape
 {
   Flat,
@@ -44,11 +44,10 @@ struct ToolSpecification
 /// The texts that parseTool accepts, for the help of programs: "flat:R, sphere:R, …".
 PALPATE_EXPORT const char* toolSyntax();
 
-/// The fault of the specification, which names the parameter and its value; empty if nothing is
-/// wrong.
+/// Returns the fault of the specification, which names the parameter and its value, or "".
 PALPATE_EXPORT std::string checkTool(const ToolSpecification& specification);
 
-/// The tool, or null if checkTool reports a fault.
+/// Returns the tool, or null if checkTool reports a fault.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
 
 /**
@@ -63,20 +62,20 @@ PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecificatio
 PALPATE_EXPORT bool parseTool(
   const std::string& text, ToolSpecification& specification, std::string& error);
 
-/// The specification of a tool, parsed; empty if it cannot be parsed.
+/// Returns the parsed specification of a tool; empty if it cannot be parsed.
 PALPATE_EXPORT std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool);
 
-/// The same tool with all lengths multiplied by `factor` > 0: its force law is F(δ) → factor²
+/// Returns the tool with all lengths multiplied by `factor` > 0. Its force law is F(δ) → factor²
 /// F(δ/factor). A cone, and a power law of exponent 1, have no length: their tan α is multiplied by
-/// the factor instead. Null if the tool's specification cannot be parsed, or the scaled one is
-/// invalid.
+/// the factor instead. Null if the tool's specification cannot be parsed, or the scaled
+/// specification is invalid.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
   const AxisymmetricTool& tool, double factor);
 
-/// Formats "name:v1,v2" with the shortest decimals.
+/// Returns "name:v1,v2" with the shortest decimals.
 PALPATE_EXPORT std::string formatTool(
   const std::string& name, std::initializer_list<double> values);
-/// Formats "profile:r1,f1;r2,f2;…" with the shortest decimals.
+/// Returns "profile:r1,f1;r2,f2;…" with the shortest decimals.
 PALPATE_EXPORT std::string formatProfile(const std::vector<ProfilePoint>& points);
 } // namespace palpate
 

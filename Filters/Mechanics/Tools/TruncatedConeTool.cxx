@@ -46,7 +46,7 @@ double TruncatedConeTool::reducedSlope(double x) const
 
 double TruncatedConeTool::radiusAt(double deflection) const
 {
-  // With t = tan A: δ tan α/b = √(1+t²) arctan t, convex and never below t.
+  // With t = tan A: δ tan α/b = √(1+t²) arctan t, which is convex and never less than t.
   const double b = this->Edge.radius();
   const double depth = deflection / (this->Slope * b);
   const double t = increasingRoot(
@@ -62,7 +62,8 @@ double TruncatedConeTool::radiusAt(double deflection) const
 
 double TruncatedConeTool::forcePerModulus(double a, double deflection) const
 {
-  // With a A cot α = δ, the angle computed from δ remains accurate if a was rounded to b.
+  // The angle is computed from δ by a A cot α = δ. Therefore it remains accurate if a was rounded
+  // to b.
   return a *
     (deflection + this->Slope * this->Edge.radius() * std::sin(deflection / (this->Slope * a)));
 }
