@@ -13,8 +13,8 @@ constexpr int MostCouplingModes = 16;
 
 /**
  * Compliance of a body: motion at one place of its surface under a force at another place, both
- * along the normals of their places, without the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and
- * positive semi-definite.
+ * along the normals of their places, without the local dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric
+ * and positive semi-definite.
  *
  * The modes follow from the fields of landmarks (RegularField) by Nyström's method, as in
  * GlobalModes, but only from the normal parts and with positive eigenvalues, so that the sum is an

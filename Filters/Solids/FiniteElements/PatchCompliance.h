@@ -20,7 +20,7 @@
 
 namespace palpate
 {
-/// The numbers are those of the response's status.
+/// The values are those of ResponseStatus.
 enum class PatchStatus : std::uint8_t
 {
   Valid = 0,
@@ -41,8 +41,8 @@ struct PatchCompliances
  * NaN and Degenerate. `radius` (mm) of the smaller patch; 0: PatchSpacings (PatchSite) times the
  * spacing at each point. The larger patch has twice the radius.
  *
- * Local parts are computed by threadCount() threads; the bits do not depend on their number. The
- * result is empty if the observer stopped the work.
+ * Local parts are computed by threadCount() threads; the result is bit-identical for any number of
+ * them. The result is empty if the observer stopped the work.
  */
 PALPATE_EXPORT PatchCompliances patchCompliances(const ElasticBody& body,
   const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);

@@ -46,7 +46,7 @@ Place wholePlace(const Eigen::Vector3d& x, double grain)
   return { std::llround(x[0] / grain), std::llround(x[1] / grain), std::llround(x[2] / grain) };
 }
 
-/// Sorts indices by the position of what they number.
+/// Sorts indices by the positions that `placeOf` returns for them.
 template <class PlaceOf>
 void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
 {

@@ -66,7 +66,7 @@ std::vector<double> contactRadii(double smallest, double largest, Touch touch, i
   return radii;
 }
 
-/// End of a curve that is not limited otherwise.
+/// Reason for the end of a curve that did not end before for another reason.
 CurveEnd endOf(const KernelSite& site, bool reachesWall)
 {
   if (reachesWall)

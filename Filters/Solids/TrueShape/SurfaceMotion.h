@@ -26,7 +26,8 @@ struct SurfaceMotion
  * known H around each source.
  *
  * Costs one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
- * it, the result is incomplete and has no points. The bits do not depend on the number of threads.
+ * the work, the result is incomplete and has no points. The result is bit-identical for any number
+ * of threads.
  */
 PALPATE_EXPORT SurfaceMotion surfaceMotion(
   const RegularGreen& green, int modes, const WorkObserver& observer);
