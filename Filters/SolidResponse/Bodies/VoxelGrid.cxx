@@ -37,7 +37,8 @@ void forAllIndices(const Index& size, const Visit& visit)
   }
 }
 
-/// The number of parts that the corners with this state form when joined along the cube's edges.
+/// Returns the number of parts that the corners with the state `wanted` form when joined along the
+/// cube's edges.
 int partsOf(const std::array<bool, 8>& state, bool wanted)
 {
   std::array<int, 8> part{};

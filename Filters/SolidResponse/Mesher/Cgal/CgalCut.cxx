@@ -37,7 +37,7 @@ CgalKernel::Plane_3 convertPlane(const CutPlane& plane)
   return { normal.x(), normal.y(), normal.z(), -sign * plane.at };
 }
 
-/// Moves points to the plane if they are off it only by rounding.
+/// Moves points to the plane if their distance from it is only a rounding error.
 void roundTo(const CutPlane& plane, MeshedSurface& surface)
 {
   const double size =
