@@ -147,7 +147,7 @@ void summarize(const DepthVerdicts& all, RegimeStatement& statement)
   }
 }
 
-/// "0.97" or "0.97 to 1.00".
+/// Returns the range of a value over all tools as text, such as "0.97" or "0.97 to 1.00".
 template <class Value>
 std::string rangeInWords(const std::vector<ToolRegime>& tools, const Value& value)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRegimeMap
- * @brief shows on a body where the shape of the tool has an effect, with a legend, in a renderer
+ * @brief colours of a body that show where the shape of the tool has an effect, with a legend, in a
+ * renderer
  *
  * The inputs are a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
  * - Index, λ: orange if the deformation is global (1), white if it is local (0), violet if a base
@@ -81,7 +82,7 @@ public:
   ///@}
 
   ///@{
-  /** The parts, to restyle or place them; the legend is at the right edge. */
+  /** The parts of the display, for changes of style and place; the legend is at the right edge. */
   vtkActor* GetBodyActor();
   vtkScalarBarActor* GetLegend();
   ///@}

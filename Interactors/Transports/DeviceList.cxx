@@ -81,7 +81,7 @@ DeviceList listDevices(HidBus& bus)
     ListedDevice device;
     const bool listed = std::any_of(list.devices.begin(), list.devices.end(),
       [&entry](const ListedDevice& other) { return other.entry.path == entry.path; });
-    if (!listed && isKnown(entry, device.kind)) // a device has an entry per usage
+    if (!listed && isKnown(entry, device.kind)) // a device has one entry per usage
     {
       device.address = "hid:" + entry.path;
       device.obstacle = bus.obstacle(entry.path);

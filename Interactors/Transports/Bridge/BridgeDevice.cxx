@@ -22,7 +22,7 @@ std::uint64_t microseconds() noexcept
     std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch()).count());
 }
 
-/// Whether both describe the same device; the nonce is ignored.
+/// Whether both descriptions are of the same device; the nonce is ignored.
 bool same(DescriptionReport a, DescriptionReport b) noexcept
 {
   a.nonce = b.nonce = 0;
@@ -85,7 +85,7 @@ bool BridgeDevice::greetFirst(double patience)
   }
   if (this->Known)
   {
-    this->Now = Stage::Described; // an earlier state has no time of the loop
+    this->Now = Stage::Described; // a state that arrived before has no time of the servo loop
     this->Limits = specificationOf(this->Description, &this->Remark);
     this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
@@ -101,7 +101,7 @@ DeviceSample BridgeDevice::read(double time) noexcept
   }
   this->Fresh = false;
   this->receiveAll(time);
-  // Both conditions are written so that a time that is NaN or decreases counts as too late.
+  // Both conditions are written such that a time that is NaN or decreases counts as too late.
   if (this->Now == Stage::Alive && !(std::abs(time - this->NewsAt) <= this->Limits.sampleTimeOut))
   {
     this->lose();

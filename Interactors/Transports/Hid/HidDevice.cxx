@@ -19,7 +19,7 @@ struct NumberedState
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 
-/// The feature report with the description; its bytes are zero if there is no such report.
+/// Reads the feature report with the description; all bytes are zero if there is no such report.
 HapticReportBytes describe(HidPort& port)
 {
   HapticReportBytes bytes{};
