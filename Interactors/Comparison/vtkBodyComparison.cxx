@@ -29,8 +29,8 @@ namespace
 constexpr double LegendShare = 0.28;
 constexpr double CaptionShare = -0.10;
 constexpr double Zoom = 1.2;
-constexpr double ArrowRoom = 42.0; // length of the longest arrow, mm, see
-                                   // vtkContactScene::SetLargestForce
+// Length of the longest arrow, mm, see vtkContactScene::SetLargestForce.
+constexpr double ArrowRoom = 42.0;
 } // namespace
 
 struct vtkBodyComparison::Columns
@@ -61,8 +61,8 @@ vtkBodyComparison::~vtkBodyComparison() = default;
 
 void vtkBodyComparison::SetRenderWindow(vtkRenderWindow* window)
 {
-  constexpr double Gap = 0.0004; // half of the width of the line between the columns, as a fraction
-                                 // of the window's width
+  // Half of the width of the line between the columns, as a fraction of the window's width.
+  constexpr double Gap = 0.0004;
   this->Parts->column[0].addTo(window, 0.0, 0.5 - Gap);
   this->Parts->column[1].addTo(window, 0.5 + Gap, 1.0);
 }

@@ -18,9 +18,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastShare = 1e-6; ///< a corner with a smaller weight is ignored: the weight is a
-                                    ///< rounding error
-}
+/// A corner with a smaller weight is ignored: the weight is a rounding error.
+constexpr double LeastShare = 1e-6;
+} // namespace
 
 HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld)
   : Surface(surface)

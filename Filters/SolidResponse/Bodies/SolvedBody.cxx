@@ -71,8 +71,8 @@ struct SolvedBody::Kept
   double Radius = 0.0;       ///< solved contact radius, mm; 0: nothing is solved yet
   double FactorMemory = 0.0; ///< MiB
   double GreenMemory = 0.0;  ///< MiB
-  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< a copy that keeps the arrays alive, so that no new
-                                             ///< array can have the address of a freed one
+  /// A copy that keeps the arrays alive, so that no new array can have the address of a freed one.
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkMTimeType GridTime = 0;
   FactorRequest Factor;
 

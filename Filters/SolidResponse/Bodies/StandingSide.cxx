@@ -14,16 +14,16 @@ namespace palpate
 {
 namespace
 {
-constexpr double HeldDepth = 0.03; // held depth, as a fraction of the extent along the axis; also
-                                   // the step by which it increases
+// Held depth, as a fraction of the extent along the axis; also the step by which it increases.
+constexpr double HeldDepth = 0.03;
 constexpr int MostSteps = 5;
-constexpr double Support = 0.25;     // smallest held area, as a fraction of that of the bounding
-                                     // box, both along the axis
-constexpr double FlatDepth = 0.0005; // depth of a face that counts as flat, as a fraction of the
-                                     // extent along the axis
-constexpr double FlatShare = 0.9;    // smallest flat area of a flat side, as a fraction of its held
-                                     // area
-constexpr double Equal = 1e-6;       // relative difference below which areas count as equal
+// Smallest held area, as a fraction of that of the bounding box, both along the axis.
+constexpr double Support = 0.25;
+// Depth of a face that counts as flat, as a fraction of the extent along the axis.
+constexpr double FlatDepth = 0.0005;
+// Smallest flat area of a flat side, as a fraction of its held area.
+constexpr double FlatShare = 0.9;
+constexpr double Equal = 1e-6;           // relative difference below which areas count as equal
 constexpr double UpperShare = 1.0 / 1.5; // factor on the area of an upper side
 
 struct Side

@@ -22,10 +22,10 @@ struct TissueScan
   vtkImageData* image = nullptr;
   vtkDataArray* values = nullptr; ///< one component per point of the image
   TissueMap map;                  ///< not empty
-  bool hasLabels = true;          ///< whether values are labels; otherwise they are quantities on a
-                                  ///< continuous scale
-  ElasticMaterial outside;        ///< material outside the image
-  int subdivisions = 4;           ///< number of sample points along each side of a cell
+  /// Whether values are labels; otherwise they are quantities on a continuous scale.
+  bool hasLabels = true;
+  ElasticMaterial outside; ///< material outside the image
+  int subdivisions = 4;    ///< number of sample points along each side of a cell
 };
 
 /// Copies the grid to `output` and adds the cell arrays YoungsModulus and PoissonRatio. Returns "",

@@ -33,14 +33,14 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeastCells = 100;         ///< smallest number of cells of a request
-constexpr double LeastOfContact = 0.25; // smallest spacing of the cells, relative to the contact
-                                        // radius
-constexpr double LeastOfSpacing = 0.5;  // distance of the solved points, in spacings of the cells;
-                                        // mid-edge nodes are included
-constexpr double PointsPerCell = 0.15;  // number of solved points per cell
-constexpr double CoarserRatio = 2.0;    // ratio of the cell lengths of the second mesh to those of
-                                        // the first
+constexpr int LeastCells = 100; ///< smallest number of cells of a request
+// Smallest spacing of the cells, relative to the contact radius.
+constexpr double LeastOfContact = 0.25;
+// Distance of the solved points, in spacings of the cells; mid-edge nodes are included.
+constexpr double LeastOfSpacing = 0.5;
+constexpr double PointsPerCell = 0.15; // number of solved points per cell
+// Ratio of the cell lengths of the second mesh to those of the first.
+constexpr double CoarserRatio = 2.0;
 /// A surface with more triangles, or one that cannot be filled, is replaced by a coarse surface.
 /// Its voxels have this fraction of the cells' spacing.
 constexpr vtkIdType MostTriangles = 300000;

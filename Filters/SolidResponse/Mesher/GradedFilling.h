@@ -16,8 +16,8 @@ namespace palpate
 /// The cells that fill a closed surface, as the properties of vtkGradedBody describe them.
 struct GradedCells
 {
-  double spacing = 0.0;         ///< spacing at the surface, mm; 0: the spacing is chosen by
-                                ///< chosenSpacing()
+  /// Spacing at the surface, mm; 0: the spacing is chosen by chosenSpacing().
+  double spacing = 0.0;
   double interiorSpacing = 0.0; ///< mm; 0: four times `spacing`
   double growth = 0.5;
   double deviation = 0.0; ///< mm; 0: a twentieth of `spacing`

@@ -24,8 +24,8 @@ struct DirectTerms
   double depth = 1.0;                       ///< depth at the end of the curves, mm
   double errorTolerance = 0.05;             ///< error that limits Validity, > 0
   const StrainCorrection* strain = nullptr; ///< the correction for half-spaces; null: small strain
-  bool solvesFiniteStrain = false; ///< whether the contact is solved at finite strain, with the
-                                   ///< Neo-Hookean law
+  /// Whether the contact is solved at finite strain, with the Neo-Hookean law.
+  bool solvesFiniteStrain = false;
 };
 
 /// A contact on one mesh: the solution at finite strain, or the solution at small strain, which is

@@ -25,8 +25,8 @@ constexpr auto ValidPoint = static_cast<unsigned char>(ResponseStatus::Valid);
 constexpr double Exponent = 1.0;
 constexpr double TiltErrorFactor = 0.2;
 constexpr double LeastRange = 1e-3; // fraction of the requested range; shorter curves are discarded
-constexpr double FirstSampleFraction = 1e-3; // depth of the additional sample, as a fraction of the
-                                             // first sample's depth
+// Depth of the additional sample, as a fraction of the first sample's depth.
+constexpr double FirstSampleFraction = 1e-3;
 
 using KernelsAt = std::function<std::unique_ptr<ContactKernels>(std::size_t)>;
 

@@ -164,8 +164,8 @@ std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topo
   std::size_t nodeTotal)
 {
   std::vector<CutNode> marks(nodeTotal, CutNode::Outside);
-  for (const bool prescribing : { false, true }) // the second pass sets Prescribed, which has
-                                                 // priority
+  // The second pass sets Prescribed, which has priority.
+  for (const bool prescribing : { false, true })
   {
     for (std::size_t i = 0; i < patch.elements.size(); ++i)
     {

@@ -23,8 +23,8 @@ struct PALPATE_EXPORT ContactSample
   double strain = 0.0;     ///< error of small strain, or of its correction
   double mesh = 0.0;       ///< error expected from the element size
 
-  double beside = 0.0; ///< element size divided by the distance to the limit of contacts
-                       ///< (KernelSite::limit), at most 1
+  /// Element size divided by the distance to the limit of contacts (KernelSite::limit), at most 1.
+  double beside = 0.0;
 
   /// Error of the elements and of the kernels made from them, as a fraction of the force. The first
   /// part (`mesh`) is due to the cells, the second (`truncation`) to the finite number of solved

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int ReadLimit = 50; ///< ms; also the longest delay until the thread ends
+constexpr int ReadLimit = 50; ///< ms; longest wait for a report, and for the end of the thread
 constexpr std::chrono::milliseconds SearchPause(250);
 constexpr std::chrono::milliseconds ReaderPatience(1000);
 /// Below the servo's priority, so that many reports do not delay a tick.
@@ -87,8 +87,8 @@ struct HidReader::Shared
     }
     else if (count < 0)
     {
-      this->Listener->lost(); // called before the loss is counted, so that a new count implies this
-                              // call
+      // Called before the loss is counted, so that a new count implies this call.
+      this->Listener->lost();
       this->Connected = false;
       this->Disconnections.fetch_add(1);
       this->Port.reset();

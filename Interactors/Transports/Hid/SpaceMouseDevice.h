@@ -19,17 +19,17 @@ enum class SpaceMouseMode : std::uint8_t
 {
   /// The displacement of the cap sets the velocity of the tip. After release the tip stops.
   Rate,
-  Position ///< the displacement of the cap sets the position of the tip; after release the tip
-           ///< returns to 0
+  /// The displacement of the cap sets the position of the tip; after release the tip returns to 0.
+  Position
 };
 
 /// How the cap of a SpaceMouse moves the tip.
 struct SpaceMouseSettings
 {
-  double fullSpeed = 0.05;  ///< speed at full deflection in rate mode, m/s
-  double halfExtent = 0.05; ///< limit of the tip's coordinates, reached at full deflection in
-                            ///< position mode, m
-  double deadZone = 0.05;   ///< fraction of full deflection within which the cap counts as at rest
+  double fullSpeed = 0.05; ///< speed at full deflection in rate mode, m/s
+  /// Limit of the tip's coordinates, reached at full deflection in position mode, m.
+  double halfExtent = 0.05;
+  double deadZone = 0.05; ///< fraction of full deflection within which the cap counts as at rest
   /// Time constant of the low-pass filter between reports, s. Reports arrive at 60 to 125 Hz.
   double filterTime = 0.02;
   /// In rate mode the tip stops if there is no report for this time, s. A pushed cap reports

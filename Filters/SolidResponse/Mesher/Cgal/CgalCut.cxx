@@ -20,8 +20,8 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double OnPlane = 1e-9; ///< fraction of the body's size; allows for rounding errors of
-                                 ///< constructed points
+/// Fraction of the body's size; allows for rounding errors of constructed points.
+constexpr double OnPlane = 1e-9;
 constexpr const char* NothingLeft = "nothing of the body would be left";
 
 std::string nameOf(const CutPlane& plane)

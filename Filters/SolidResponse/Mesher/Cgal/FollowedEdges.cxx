@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double OwnEdge = 3.0; ///< smallest length of an edge that counts as an edge of the body,
-                                ///< in spacings
+/// Smallest length of an edge that counts as an edge of the body, in spacings.
+constexpr double OwnEdge = 3.0;
 /// Points of lines within this distance are one node, in spacings.
 constexpr double SameNode = 1e-6;
 
