@@ -48,6 +48,7 @@ struct ShapedTerms
  * - Curvature: uncertainty of the surface's shape, and of the compliance along a force that is not
  *   normal to the surface.
  * - Edge: a fifth of the effect of the tilt next to an edge. This residual was found by finite
+ *   elements.
  * - Elements: the error of the elements, the error due to the order of the kernel, and the error
  *   near held points, which a second mesh may share.
  * - Storage.

@@ -30,9 +30,9 @@ struct CouplingModes
   double neglected = 0.0;
 };
 
-/// The `count` largest modes of a factorised body, 1 to MostCouplingModes, from LandmarksPerMode
-/// times as many landmarks among the points with a valid compliance. Costs one solution per
-/// landmark.
+/// Computes the `count` largest modes (1 to MostCouplingModes) of a factorised body, from
+/// LandmarksPerMode times as many landmarks among the points with a valid compliance. Cost: one
+/// solution per landmark.
 PALPATE_EXPORT CouplingModes couplingModes(const ElasticBody& body,
   const PatchCompliances& compliances, double radius, int count, const WorkObserver& observer);
 } // namespace palpate

@@ -9,8 +9,8 @@
  * 3.
  *
  * E* is that of the point: the mean E and ν of the elements at it. Where the material changes, C_g
- * is the effect of the other material on a half-space of this one. It is accurate only if the
- * material is constant within a few elements of the point.
+ * is the effect that the other material has on a half-space of the point's material. It is accurate
+ * only if the material is constant within a few elements of the point.
  */
 #ifndef palpate_PatchCompliance_h
 #define palpate_PatchCompliance_h
@@ -47,8 +47,8 @@ struct PatchCompliances
 PALPATE_EXPORT PatchCompliances patchCompliances(const ElasticBody& body,
   const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
 
-/// The patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch extends
-/// over an edge, the whole force acts at the point.
+/// Returns the patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch
+/// extends over an edge, the whole force acts at the point.
 PALPATE_EXPORT Eigen::Matrix3Xd patchForces(
   const ElasticBody& body, std::int32_t point, double radius);
 

@@ -8,7 +8,6 @@
  * from the origin its height over the plane z = 0 grows with the square of the distance.
  * Boussinesq's tractions are then as weakly singular as on the smooth body that the facets
  * represent. On flat facets they would not be integrable.
- * integrable.
  */
 #ifndef palpate_FaceRule_h
 #define palpate_FaceRule_h

@@ -66,7 +66,7 @@ std::vector<double> contactRadii(double smallest, double largest, Touch touch, i
   return radii;
 }
 
-/// Reason for the end of a curve that did not end before for another reason.
+/// Returns the reason why a curve ends, if no earlier reason ended the curve.
 CurveEnd endOf(const KernelSite& site, bool reachesWall)
 {
   if (reachesWall)

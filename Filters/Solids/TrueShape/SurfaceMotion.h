@@ -25,7 +25,7 @@ struct SurfaceMotion
  * way as X (VisibleDent.h). The near fields are quadratic functions, fitted by least squares to the
  * known H around each source.
  *
- * Costs one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
+ * Cost: one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
  * the work, the result is incomplete and has no points. The result is bit-identical for any number
  * of threads.
  */
