@@ -69,7 +69,8 @@ public:
       within[i] = std::any_of(others.begin(), others.end(),
         [&x](const Eigen::AlignedBox3d& box) { return box.contains(x); });
     }
-    // Includes all triangles around those points, so that all edges at the points are known.
+    // Includes all triangles around the points in the boxes, so that all edges at the points are
+    // known.
     std::vector<std::int32_t> number(count, -1);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     {

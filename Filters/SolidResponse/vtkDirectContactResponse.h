@@ -42,8 +42,8 @@
  * threads. The mesher is CGAL's, as in vtkGradedBody: without it (PALPATE_USE_CGAL) running the
  * filter is an error.
  *
- * Errors, which name the fault: the response is missing or stores no error; a body without cells or
- * without `Fixed`; a property out of range; a Shape that cannot be closed.
+ * Error messages name the fault: the response is missing or stores no error; a body without cells
+ * or without `Fixed`; a property out of range; a Shape that cannot be closed.
  *
  * @code{.py}
  * direct = palpate.vtkDirectContactResponse()

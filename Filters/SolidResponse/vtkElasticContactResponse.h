@@ -46,9 +46,10 @@
  *
  * **Accuracy.** The force is within 1 % of the exact law on bonded layers up to contact radii of
  * 1.5 thicknesses with two hexahedra through the thickness, 0.35 % with four; within 1 % next to an
- * edge up to four fifths of its distance; 5 % on nodules on voxels of half their depth. Elements
- * may be larger than the contact, but should be no larger than half the distance to the source of
- * H: a base, an edge, the top of a nodule. Linear tetrahedra lock: do not use them beyond ν = 0.4.
+ * edge up to four fifths of its distance; within 5 % on nodules in voxels of half the nodule's
+ * depth. Elements may be larger than the contact, but should be no larger than half the distance to
+ * the source of H: a base, an edge, the top of a nodule. Linear tetrahedra lock: do not use them
+ * beyond ν = 0.4.
  *
  * **Cost.** One factorisation (8 s for 100 thousand unknowns) and one solution per point of the
  * surface, or per SourceSpacing, 10 to 50 ms of one thread each, on all threads. The body and its H

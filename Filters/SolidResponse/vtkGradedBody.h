@@ -18,16 +18,16 @@
  * Deviation: √(8 Deviation R) at a curvature of 1/R. Inside, their length increases by Growth per
  * mm of distance from the surface, up to InteriorSpacing. In FineBalls they are shorter. Edges at
  * which the surface turns by more than 45° are kept, unless most of them are shorter than three
- * SurfaceSpacings, as the noise of a scan is. Outer mid-edge nodes are on the true surface, or on
- * its sharp edges, except where the Jacobian of a tetrahedron would become too small: all Jacobians
- * are positive. Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces that face
- * that side, within half a SurfaceSpacing of the output's outermost point), 0 elsewhere. A face
- * with a given depth is cut off at that depth instead: the part that does not move is left out of
- * the output, and the points on the cut are held. Cells follow the rim of the cut, so that the held
- * region does not depend on the length of the cells. On a scan, whose edges are not kept, cells do
- * not follow the rim where it comes within a SurfaceSpacing of itself. If the surface cannot be
- * cut, because nothing would be left or the surface touches itself there, a warning is given and
- * all points within the depth are held.
+ * SurfaceSpacings, as on the noisy surface of a scan. Outer mid-edge nodes are on the true surface,
+ * or on its sharp edges, except where the Jacobian of a tetrahedron would become too small: all
+ * Jacobians are positive. Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces
+ * that face that side, within half a SurfaceSpacing of the output's outermost point), 0 elsewhere.
+ * A face with a given depth is cut off at that depth instead: the part that does not move is left
+ * out of the output, and the points on the cut are held. Cells follow the rim of the cut, so that
+ * the held region does not depend on the length of the cells. On a scan, whose edges are not kept,
+ * cells do not follow the rim where it comes within a SurfaceSpacing of itself. If the surface
+ * cannot be cut, because nothing would be left or the surface touches itself there, a warning is
+ * given and all points within the depth are held.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
  * the filter is an error. The result is bit-identical on every run. Cost: on one thread 60 µs and 2

@@ -60,9 +60,9 @@ public:
   ///@{
   /**
    * Sides of the bounding box that hold the body: any of "x-", "x+", "y-", "y+", "z-", "z+",
-   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+"; without a depth
-   * only a small part of a round bottom is held. Without a depth the outer faces that face the side
-   * are held, within half a Spacing of the outermost point. Default "z-"; empty: none.
+   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+". Without a depth
+   * the outer faces that face the side are held, within half a Spacing of the outermost point; this
+   * is only a small part of a round bottom. Default "z-"; empty: none.
    */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);

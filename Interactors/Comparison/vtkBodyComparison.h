@@ -84,7 +84,7 @@ public:
   /** The window; the renderers are added. Call once. Laid out for 1280 x 960. */
   void SetRenderWindow(vtkRenderWindow* window);
 
-  /** A body with the responses of all tools, and its name in the picture. */
+  /** Sets a body with the responses of all tools, and its name in the picture. */
   void SetBody(int side, vtkPolyData* body, const std::string& title);
   vtkPolyData* GetBody(int side);
 

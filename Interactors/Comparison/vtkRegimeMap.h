@@ -11,8 +11,8 @@
  *   above);
  * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices.
  *
- * Grey: there is no stable contact. A colour represents the same number in every picture, because
- * the ranges do not depend on the data. The colours of sensitivity and verdicts differ in
+ * Grey means that there is no stable contact. A colour represents the same number in every picture,
+ * because the ranges do not depend on the data. The colours of sensitivity and verdicts differ in
  * lightness, so that they can be distinguished in grey and by colour-blind people. The index is in
  * violet and orange (ColorBrewer's PuOr).
  *

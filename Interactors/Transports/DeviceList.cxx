@@ -20,8 +20,8 @@ constexpr std::uint16_t Connexion = 0x256F;
 constexpr std::uint16_t GenericDesktopPage = 0x01;
 constexpr std::uint16_t MultiAxisController = 0x08;
 
-/// Both manufacturers also have other products. Their devices with six axes have this usage and
-/// product numbers 0xC6xx.
+/// Both manufacturers also have other products. Devices with six axes have this usage and product
+/// numbers 0xC6xx.
 bool isSpaceMouse(const HidEntry& entry) noexcept
 {
   const bool axes = (entry.usagePage == GenericDesktopPage && entry.usage == MultiAxisController) ||

@@ -23,7 +23,7 @@ double upperTail(int successes, int trials, double p)
   return sum;
 }
 
-/// The root of an increasing function.
+/// Returns the root of an increasing function.
 template <class Function>
 double rootBetween(double low, double high, const Function& function)
 {

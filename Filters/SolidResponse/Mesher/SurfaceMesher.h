@@ -26,8 +26,8 @@ struct TetrahedralMesh
 };
 
 /// Whether the module Mesher (MesherModule.h) can be loaded. If not, missingMesher() gives the
-/// reason, and the functions below, of SurfaceCut.h and of SurfaceRepair.h return it. The exception
-/// is mendSurface, which then does nothing and returns "".
+/// reason. The functions below and the functions of SurfaceCut.h and SurfaceRepair.h then return
+/// this reason, except mendSurface, which does nothing and returns "".
 bool hasSurfaceMesher();
 const std::string& missingMesher();
 

@@ -40,8 +40,8 @@ public:
   virtual int feature(std::uint8_t* bytes, std::size_t size) noexcept = 0;
 };
 
-/// Lists and opens HID devices: those of the system, by hidapi, or simulated ones for a test. For
-/// any thread except a servo thread.
+/// Lists and opens HID devices: the devices of the system (through hidapi), or simulated devices
+/// for a test. For any thread except a servo thread.
 class PALPATE_EXPORT HidBus
 {
 public:
