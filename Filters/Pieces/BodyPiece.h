@@ -76,7 +76,7 @@ private:
   double LongestEdge = 0.0;
   vtkSmartPointer<vtkPolyData> Used; ///< the points that triangles use
   std::vector<std::int32_t> UsedIds;
-  vtkNew<vtkStaticPointLocator> Locator; ///< searches Used
+  vtkNew<vtkStaticPointLocator> Locator; ///< locator for the points of Used
 };
 } // namespace palpate
 

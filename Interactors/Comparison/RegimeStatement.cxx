@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Depths = 160; // between 0 and the range, closer together near 0
+constexpr int Depths = 160; // number of depths between 0 and the range, denser near 0
 constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
 /// The depths at which a point is evaluated, and the most cautious verdict of the tools so far.

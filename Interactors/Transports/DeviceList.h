@@ -33,7 +33,7 @@ struct ListedDevice
 /// The connected HID devices.
 struct PALPATE_EXPORT DeviceList
 {
-  std::vector<ListedDevice> devices; ///< by path
+  std::vector<ListedDevice> devices; ///< sorted by path
   /// The reason why devices may be missing, such as "built without hidapi"; empty if none are
   /// missing.
   std::string complaint;

@@ -27,8 +27,8 @@ struct TrialHead
   /// Whether the answer with the larger intensity is right. If not, there is no right answer.
   bool hasRightAnswer = false;
   std::uint64_t seed = 0;
-  double forceFactor = 1.0; ///< common to all alternatives
-  std::string device;       ///< one line, in words
+  double forceFactor = 1.0; ///< factor on the forces of all alternatives
+  std::string device;       ///< description of the device, one line
   std::string started;      ///< date and time
 };
 

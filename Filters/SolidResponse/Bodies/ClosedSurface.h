@@ -16,7 +16,7 @@ namespace palpate
 /// A surface that can be filled: its merged points, its volume and its area.
 struct ClosedSurface
 {
-  vtkSmartPointer<vtkPolyData> surface; ///< without arrays; points at the same place are merged
+  vtkSmartPointer<vtkPolyData> surface; ///< has no arrays; points at the same place are merged
   double volume = 0.0;                  ///< mm³
   double area = 0.0;                    ///< mm²
   /// Whether the surface is open or touches itself; `surface` is then set but cannot be filled.

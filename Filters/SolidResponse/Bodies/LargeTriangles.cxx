@@ -21,7 +21,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double LargeSide = 2.0; // in contact radii
+constexpr double LargeSide = 2.0; // smallest side of a large triangle, in contact radii
 
 /// The sampled places inside a triangle, as area coordinates.
 const std::array<Vector3d, 4> Places = { Vector3d::Constant(1.0 / 3.0),

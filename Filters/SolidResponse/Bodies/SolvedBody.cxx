@@ -28,8 +28,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double FactorisedShare = 0.17;    // fraction of the progress
-constexpr double FittedShare = 0.5;         // fraction for a response on a finer surface
+constexpr double FactorisedShare = 0.17; // fraction of the progress for the factorisation
+constexpr double FittedShare = 0.5; // fraction of the progress for the fits, on a finer surface
 constexpr double WiderThanHalfSpace = 1.42; // √2 on a thin layer that can expand sideways
 
 /// Finds the points of the surface that are pressed: all points, or those where the grid's point

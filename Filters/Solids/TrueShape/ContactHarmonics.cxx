@@ -81,7 +81,7 @@ struct Unevenness
 void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing, double modulus,
   UnevenContact& uneven, std::vector<Unevenness>& shape)
 {
-  std::size_t before = 0; // the last contact that was solved
+  std::size_t before = 0; // index of the last contact that was solved
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     const ContactSample& s = samples[i];

@@ -105,7 +105,7 @@ private:
   double Radius = 0.0;
   double Spacing = 0.0;
   bool IsEven = false;
-  std::vector<std::int32_t> Points;                       ///< given to solve(), ascending
+  std::vector<std::int32_t> Points;                       ///< points given to solve(), ascending
   std::vector<SurfaceDisc> Discs;                         ///< one per point of Points
   SourceErrors Errors;                                    ///< one per point of Points
   std::vector<std::int32_t> Sources;                      ///< ascending

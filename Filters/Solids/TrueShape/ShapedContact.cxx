@@ -273,7 +273,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   course.touch = touch.touch;
   const bool isPunch = isFlat(this->Tool);
   bool grows = true;
-  bool isTaken = true; // the last sample
+  bool isTaken = true; // whether the last sample was added
   const auto take = [&](double radius, std::optional<double> deflection, double open)
   {
     const std::size_t before = course.samples.size();

@@ -108,7 +108,7 @@ DeviceSample BridgeDevice::read(double time) noexcept
   }
   if (this->Now != Stage::Alive && !(std::abs(time - this->GreetedAt) < GreetingPause))
   {
-    this->Now = Stage::Greeting; // also if a description but no state has arrived
+    this->Now = Stage::Greeting; // also if a description has arrived but no state
     this->GreetedAt = time;
     ++this->Nonce;
     this->greet();
@@ -172,7 +172,7 @@ void BridgeDevice::takeState(const StateReport& state, double time) noexcept
 {
   if (this->Now == Stage::Greeting)
   {
-    return; // from a program without a description, or without a new one
+    return; // the program has sent no description, or no new one
   }
   const ReportSequence::Verdict verdict = this->Sequence.judge(state.sequence);
   this->Stale.store(this->Sequence.stale(), std::memory_order_relaxed);
@@ -202,7 +202,7 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
   this->Stranger = this->Known && !same(description, this->Description);
   if (this->Stranger || this->Now != Stage::Greeting)
   {
-    return; // another device, or the answer to a second greeting
+    return; // it is another device, or the answer to a second greeting
   }
   this->Description = description;
   this->Known = true;

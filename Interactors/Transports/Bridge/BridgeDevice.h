@@ -96,7 +96,7 @@ private:
   std::uint32_t ForceSequence = 0;
 
   std::atomic<Stage> Now{ Stage::Greeting };
-  std::atomic<bool> Stranger{ false }; ///< another device is described at the program's address
+  std::atomic<bool> Stranger{ false }; ///< whether the program now describes another device
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };

@@ -45,7 +45,7 @@ extern "C"
     float maximum_stiffness;  /* N/m, of a spring rendered at `rate`: damping times `rate` */
     float maximum_force_rate; /* N/s, may be infinite */
     float maximum_damping;    /* N s/m */
-    float half_extents[3];    /* of the workspace about 0, m */
+    float half_extents[3];    /* half extents of the workspace about 0, m */
     float rate;               /* states per second, Hz */
     float sample_time_out;    /* s; longest time without a state before the device counts as lost */
     /* UTF-8, padded with zeros; with outputs_torque only 3 bytes are sent */
