@@ -28,11 +28,11 @@ struct TipBall
 };
 
 /**
- * The piece of a body on this rank. The triangles around given tips can be cut from it.
+ * The piece of a body on this rank. The triangles around given tips can be cut from the piece.
  *
- * Points and triangles with a coordinate that is not finite are ignored. Built in O(n). Not
- * collective, because the seam is given. The body must not change during the lifetime of this
- * object.
+ * Points and triangles with a coordinate that is not finite are ignored. Construction takes O(n)
+ * and is not collective, because the seam is given. The body must not change during the lifetime of
+ * this object.
  */
 class BodyPiece
 {
@@ -51,9 +51,9 @@ public:
   const Eigen::AlignedBox3d& box() const noexcept { return this->Box; }
 
   /**
-   * The triangles that have a corner in one of the balls, enlarged by `margin`. In addition, for
-   * each face of `whole` (the box of all pieces) that this piece reaches, one triangle that reaches
-   * this face. Therefore the cuts of all ranks together have the box `whole`. The cut has the
+   * Returns the triangles that have a corner in one of the balls, enlarged by `margin`. For each
+   * face of `whole` (the box of all pieces) that this piece reaches, a triangle that reaches this
+   * face is added. The cuts of all ranks together therefore have the box `whole`. The cut has the
    * arrays of the response `name`, SeamArray and CellArray.
    */
   vtkSmartPointer<vtkPolyData> cut(const std::vector<TipBall>& balls, double margin,
@@ -76,7 +76,7 @@ private:
   double LongestEdge = 0.0;
   vtkSmartPointer<vtkPolyData> Used; ///< the points that triangles use
   std::vector<std::int32_t> UsedIds;
-  vtkNew<vtkStaticPointLocator> Locator; ///< searches Used
+  vtkNew<vtkStaticPointLocator> Locator; ///< locator for the points of Used
 };
 } // namespace palpate
 

@@ -19,14 +19,14 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-// In longest edges: one from a triangle to its nearest corner, three that a contact crosses between
-// searches, and one for the ring of neighbours.
+// Margins, in longest edges. FacetRings consists of one edge from a triangle to its nearest corner,
+// three that a contact crosses between searches, and one for the ring of neighbours.
 constexpr double FacetRings = 5.0;
 constexpr double SmoothRings = 10.0;
 constexpr double Growth = 1.5;
-constexpr int MostRounds = 12; // after that the whole body is gathered
+constexpr int MostRounds = 12; // after these rounds the whole body is gathered
 
-/// The points of each polyline.
+/// Calls visit(points, size) for each polyline.
 template <class Visit>
 void forLines(vtkPolyData* tips, const Visit& visit)
 {
@@ -62,8 +62,8 @@ PieceProbe::PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::st
   this->LongestEdge = ranks.largest(piece.longestEdge());
 }
 
-/// Balls that are large enough if the nearest point is touched, and for following a contact that
-/// began at that point.
+/// Returns balls that are large enough if the tip touches the nearest point, or if a contact that
+/// began at that point is followed.
 std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentation) const
 {
   std::vector<std::array<double, 3>> own;

@@ -22,10 +22,10 @@ namespace palpate
 {
 namespace
 {
-// Per component of unit normals, which may have been rounded in a file.
+// Tolerance per component of unit normals, which may have been rounded in a file.
 constexpr double NormalTolerance = 1e-4;
 
-/// A point of a border, as sent to the other ranks.
+/// A point on the border of a piece, as sent to the other ranks.
 struct BorderPoint
 {
   std::array<double, 3> at;
@@ -46,7 +46,7 @@ struct BorderPoint
   }
 };
 
-/// An edge, directed as in its triangle.
+/// An edge with the direction that it has in its triangle.
 struct Edge
 {
   std::int32_t from;
@@ -69,7 +69,8 @@ public:
       within[i] = std::any_of(others.begin(), others.end(),
         [&x](const Eigen::AlignedBox3d& box) { return box.contains(x); });
     }
-    // Includes all triangles around those points, so that all edges at the points are known.
+    // Includes all triangles around the points in the boxes, so that all edges at the points are
+    // known.
     std::vector<std::int32_t> number(count, -1);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     {
@@ -155,7 +156,7 @@ public:
     , Size(8.0 * tolerance)
   {
   }
-  /// The group of the point: that of an earlier point at the same position, or a new group.
+  /// Returns the group of the point: that of an earlier point at the same position, or a new group.
   std::int32_t groupOf(const BorderPoint& point)
   {
     std::array<std::int64_t, 3> low{};
@@ -201,8 +202,8 @@ private:
   {
     return static_cast<std::int64_t>(std::floor(x / this->Size));
   }
-  /// The key of a cell. Several cells may have the same key; the comparison of the points
-  /// distinguishes them.
+  /// Returns the key of a cell. Several cells may have the same key; their points are distinguished
+  /// by a comparison.
   static std::uint64_t keyOf(const std::array<std::int64_t, 3>& cell)
   {
     std::uint64_t key = 0;
@@ -244,7 +245,8 @@ std::vector<BorderPoint> describe(vtkPolyData* body, const std::vector<std::int3
   return described;
 }
 
-/// The boxes of the other ranks' pieces, enlarged by the tolerance, which is the same on all ranks.
+/// Returns the boxes of the other ranks' pieces, enlarged by `tolerance`, which is the same on all
+/// ranks.
 std::vector<Eigen::AlignedBox3d> findOthers(
   const Ranks& ranks, vtkPolyData* body, double& tolerance)
 {
@@ -275,7 +277,7 @@ std::vector<Eigen::AlignedBox3d> findOthers(
   return others;
 }
 
-/// The group of each border point of each rank.
+/// Returns the group of each border point of each rank.
 std::vector<std::vector<std::int32_t>> findGroups(
   const std::vector<std::vector<BorderPoint>>& points, double tolerance)
 {
@@ -291,7 +293,7 @@ std::vector<std::vector<std::int32_t>> findGroups(
   return groups;
 }
 
-/// The index of each group as a seam point; -1 if the group is on one rank only.
+/// Returns the index of each group as a seam point; -1 if the group is on one rank only.
 std::vector<std::int32_t> numberSeams(const std::vector<std::vector<std::int32_t>>& groups)
 {
   constexpr int unseen = -1;

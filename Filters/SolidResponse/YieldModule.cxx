@@ -17,7 +17,7 @@ std::string find(vtkPolyData* body, const YieldRequest& request,
   {
     return fault;
   }
-  // The steps report to a filter, which stands for the caller.
+  // The steps report their progress to this filter, which passes it to `goOn`.
   vtkNew<vtkPolyDataAlgorithm> caller;
   vtkNew<vtkCallbackCommand> forward;
   forward->SetClientData(const_cast<std::function<bool(double)>*>(&goOn));

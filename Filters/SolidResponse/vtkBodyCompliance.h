@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkBodyCompliance
- * @brief how far a closed body gives way as a whole at each point of its surface, within seconds
+ * @brief global compliance of a closed body at each point of its surface, computed within seconds
  *
  * Input: a closed vtkPolyData of triangles, mm, as in vtkGradedBody: the surface of a solid body of
  * one material. Empty input gives empty output.
  *
  * Output: the same surface with its arrays and
  * - `GlobalCompliance` (double, mm/N): C in series with the law of a tool on a half-space, δ =
- *   δ_local(F) + C F; array to process 2 of vtkToolContactResponse. C is negative where a near
- *   support stiffens the contact, and positive near edges and on thin parts;
+ *   δ_local(F) + C F; it is array to process 2 of vtkToolContactResponse. C is negative where a
+ *   near support stiffens the contact, and positive near edges and on thin parts;
  * - `GlobalComplianceError` (double, mm/N, >= 0): error of C. vtkToolContactResponse finds it by
  *   its name and includes it in the error of the force;
  * - `ComplianceStatus` (uint8): 0 Valid; 4 OutOfReach: the point is held; 5 Edge and 1 Degenerate:
@@ -17,7 +17,8 @@
  *   ContactRadius on a half-space.
  * - `GlobalMode0`... `GlobalMode5` (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
  *   (int8): the motion of the whole body under a force at any point, as in vtkElasticCompliance.
- *   vtkContactDeflection and vtkToolTouch bend the body by them; no force depends on them.
+ *   vtkContactDeflection and vtkToolTouch use the modes to bend the body; no force depends on the
+ *   modes.
  *
  * **Method.** The surface is filled with quadratic tetrahedra (vtkGradedBody), NumberOfCells or
  * fewer, and held at FixedFaces. The elements solve for the regular part H of the Green function at
@@ -29,22 +30,22 @@
  * ContactRadius and a small contact.
  *
  * The compliance is that of a held body, but the surface does not show where it is held. By default
- * the body stands on the side of its bounding box with the largest area (GetHeldAt). C includes
- * neither the shape of the tool nor large strain: both are part of the local law.
+ * it is held at the side of its bounding box with the largest supporting area (GetHeldAt). C
+ * includes neither the shape of the tool nor large strain: both are part of the local law.
  *
- * **Cost.** About ten seconds on two cores for 10⁵ triangles, mostly for the solutions.
+ * **Cost.** About ten seconds on two cores for 10⁵ triangles; the solutions take most of this time.
  * Later runs on the same surface read the solutions from the cache (SolutionCache.h), also for
- * contacts down to an eighth as wide. Uses as many threads as vtkSMPTools; the bits do not depend
- * on their number. Abort is checked between steps and solutions. The filter needs the modules
- * Solids and Mesher.
+ * contact radii down to an eighth of the first one. Uses as many threads as vtkSMPTools; the result
+ * is bit-identical for any number of them. Abort is checked between steps and solutions. The filter
+ * needs the modules Solids and Mesher.
  *
  * **Limits.** The error is valid only where the series of the kernel converges. It is not valid
- * where the contact is wider than its distance from an edge, a crease or the held part. At 77
- * random places of a bunny the error of the force held at 74, compared with direct contact
- * (validation.md). Parts that nothing holds are an error.
+ * where the contact is wider than its distance from an edge, a crease or the held part. Compared
+ * with direct contact, the force was within its stated error at 74 of 77 random places of a bunny
+ * (validation.md). A part of the body that is not held is an error.
  *
- * Errors name the property or the input: a surface that is open, inside out or too thin for its
- * cells, an unknown side, a Poisson's ratio above 0.499.
+ * Error messages name the property or the input: a surface that is open, inside out or too thin for
+ * its cells, an unknown side, a Poisson's ratio above 0.499.
  *
  * @code{.py}
  * compliance = palpate.vtkBodyCompliance()
@@ -92,15 +93,15 @@ public:
   ///@}
 
   ///@{
-  /** Sides of the bounding box that hold the body, as in vtkGradedBody. "" (default): the side on
-   * which the body stands best, see GetHeldAt. */
+  /** Sides of the bounding box that hold the body, as in vtkGradedBody. "" (default): the side with
+   * the largest supporting area, see GetHeldAt. */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
   ///@{
   /** Approximate upper limit of the number of cells, >= 100. More cells give a smaller error; the
-   * cost grows with their number to the power of 1.5. Default 12000. */
+   * cost is proportional to their number to the power of 1.5. Default 12000. */
   vtkSetMacro(NumberOfCells, int);
   vtkGetMacro(NumberOfCells, int);
   ///@}

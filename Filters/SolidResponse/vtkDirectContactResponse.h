@@ -13,7 +13,7 @@
  * Output: the same surface. A point gets the curve of direct contact, to MaximumDeflection, if the
  * error of that curve is smaller than the former error, or smaller than the difference of the two
  * curves. Its `Force`, `Stiffness`, `Range`, `Status`, `Error`, `Validity` and `Limit` are then as
- * in vtkElasticContactResponse. The other points stay unchanged, bit by bit. The point array
+ * in vtkElasticContactResponse. The values of the other points stay bit-identical. The point array
  * `<name>Direct` (uint8) holds the outcome: 0 not pressed; 1 replaced; 2 pressed, but the former
  * curve has the smaller error; 3 failed (the part could not be cut out or filled, the tool reaches
  * held points, or no contact converged). A warning gives the first reason of a failure.
@@ -38,12 +38,12 @@
  *
  * **Cost.** 4 to 10 s per point on one thread, 20 s at finite strain, a minute in hollows. Points
  * are shared among all threads, and each thread needs 100 to 300 MB. Each of the two bodies is
- * factorised once. Abort is checked between points. The bits do not depend on the number of
+ * factorised once. Abort is checked between points. The result is bit-identical for any number of
  * threads. The mesher is CGAL's, as in vtkGradedBody: without it (PALPATE_USE_CGAL) running the
  * filter is an error.
  *
- * Errors, which name the fault: the response is missing or stores no error; a body without cells or
- * without `Fixed`; a property out of range; a Shape that cannot be closed.
+ * Error messages name the fault: the response is missing or stores no error; a body without cells
+ * or without `Fixed`; a property out of range; a Shape that cannot be closed.
  *
  * @code{.py}
  * direct = palpate.vtkDirectContactResponse()

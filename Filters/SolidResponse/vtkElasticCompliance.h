@@ -12,8 +12,8 @@
  * Output: the body's outer surface, including inner cavities, as triangles (quadrilaterals split in
  * two, quadratic faces in four) with the input's point arrays and
  * - `GlobalCompliance` (double, mm/N): C_g, in series with the law of a tool on a half-space, δ =
- *   δ_local(F) + C_g F; array to process 2 of vtkToolContactResponse. It is negative where a near
- *   support stiffens the contact;
+ *   δ_local(F) + C_g F; it is array to process 2 of vtkToolContactResponse. It is negative where a
+ *   near support stiffens the contact;
  * - `ComplianceStatus` (uint8): 0 Valid; 5 Edge: the surface turns by more than 30° under the
  *   patch; 4 OutOfReach: the patch covers fixed points; 1 Degenerate. Where the status is not 0,
  *   the compliance is interpolated from the six nearest valid points along the surface, weighted by
@@ -23,66 +23,69 @@
  *   vtkToolContactResponse finds it by its name, on the same points as the compliance, and includes
  *   it in the error of the force. The array is absent if none of the ten points can be pressed;
  * - `OriginalPointIds` (vtkIdType): the points of the input;
- * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`
- *   s_k (int, 1 or -1), NumberOfModes of them: They describe the motion of the whole body, see
- *   below;
+ * - `GlobalMode0`, `GlobalMode1`... φ_k (float 3, sqrt(mm/N); NumberOfModes arrays) and the field
+ *   array `GlobalModeSign` s_k (int, 1 or -1): the motion of the whole body, see below;
  * - `CouplingModes` φ (float, NumberOfCouplingModes of them, sqrt(mm/N)): the inward motion along
- *   the normal at each point. A force F pressed in at j lowers i by F Σ φ(i) φ(j) in addition to
- *   the dent (palpate/CouplingModes.h), and raises a finger on the other side of a plate. With
- *   vtkToolContactResponse::CouplingOn and the compliance they are part of its response;
+ *   the normal at each point. A force F pressed in at point j lowers point i by F Σ φ(i) φ(j) in
+ *   addition to the dent (palpate/CouplingModes.h), and raises the opposite side of a plate. With
+ *   CouplingOn, vtkToolContactResponse adds the modes to its response;
  * - `LoadedDisplacement` (double 3, mm), if LoadedPoint is set: the motion of the whole surface
- *   under LoadForce on the patch of that point, towards the body. Within about a patch radius of
- *   the point, the motion is that under the patch, not under a tool.
+ *   under LoadForce on the patch of that point, pressed into the body. Within about a patch radius
+ *   of the point, the motion is that under the patch, not under a tool.
  *
  * **Method.** By Castigliano's theorem the mean displacement of a uniform patch of normal load is
  * twice its energy, bᵀK⁻¹b. The displacement of the same patch on a half-space of the same elements
  * is subtracted, so that the errors of the elements under the patch cancel
- * (palpate::patchCompliances, PatchSelfTerm). The rest is C_g with a bias in the square of the
- * patch radius, which two radii eliminate. E* of the half-space is that of the point: the mean E
- * and ν of the cells at it. If E changes within a few cells under the point, the tool's law with
- * that E* no longer describes the local part, and C_g depends on the mesh.
+ * (palpate::patchCompliances, PatchSelfTerm). The remainder is C_g with a bias proportional to the
+ * square of the patch radius. The bias is eliminated by the use of two radii. E* of the half-space
+ * is that of the point: the mean E and ν of the cells at it. If E changes within a few cells under
+ * the point, the tool's law with that E* no longer describes the local part, and C_g depends on the
+ * mesh.
  *
- * **Accuracy.** Layers and plates with six or more hexahedra (three or more quadratic tetrahedra)
- * through the thickness: within 2 %, second order in the size of the cells. The hexahedron has
- * incompatible modes (Wilson et al. 1973, Taylor et al. 1976). It locks neither in bending nor near
- * ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4 or in bending. Quadratic
- * tetrahedra lose a few per cent beyond ν = 0.47, in the half-space term.
+ * **Accuracy.** The error is within 2 % on layers and plates with six or more hexahedra (three or
+ * more quadratic tetrahedra) through the thickness, and of second order in the size of the cells.
+ * The hexahedron has incompatible modes (Wilson et al. 1973, Taylor et al. 1976). It locks neither
+ * in bending nor near ν = 0.5. Linear tetrahedra lock: do not use them beyond ν = 0.4 or in
+ * bending. Beyond ν = 0.47 quadratic tetrahedra have an error of a few per cent, in the half-space
+ * term.
  *
  * **Modes.** A force F pressed into the body at X, outward normal n, moves its surface by
- *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X)) in mm, in addition to the dent of the tool. X itself
- * moves in by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For the surface to stay on a tool pressed by δ, the
- * dent must be the rest, δ - F Σ_k s_k (n·φ_k(X))². Within a triangle φ is linear. The modes come
- * from full solutions for eight forces per mode, spread over the points of status 0, without the
- * dent of each force on the surface that faces the same way (palpate::GlobalModes, RegularField).
- * So the modes are valid at points of any status, and where the body is fixed they cancel the
- * displacement of the dent. A mode moves only one part of a body of several parts. If there are
- * fewer forces than modes, the last modes are zero; all are zero if no point has status 0. Modes of
- * equal strength, as on a square bar, may come in any combination; sums over them do not change.
+ *     u(x) = -F Σ_k s_k φ_k(x) (n·φ_k(X)) in mm,
+ * in addition to the dent of the tool. X itself moves inwards by F Σ_k s_k (n·φ_k(X))² ≈ C_g F. For
+ * the surface to stay on a tool pressed by δ, the dent must be the remainder, δ - F Σ_k s_k
+ * (n·φ_k(X))². Within a triangle φ is linear. The modes come from full solutions for eight forces
+ * per mode, spread over the points of status 0, without the dent of each force on the surface that
+ * faces the same way (palpate::GlobalModes, RegularField). The modes are therefore valid at points
+ * of any status, and where the body is fixed they cancel the displacement of the dent. A mode moves
+ * only one part of a body of several parts. If there are fewer forces than modes, the last modes
+ * are zero; all are zero if no point has status 0. Modes of equal strength, as on a square bar, may
+ * come in any combination; sums over them do not change.
  *
- * **Neglected by the modes**: higher modes, which form the sharp bottom of the dish around the
+ * **Neglected by the modes**: higher modes, which form the sharp minimum of the deflection at the
  * force (their relative effect is largest near supports, where the deflection is small); forces
- * along the surface; the rest of a dent, where the display ends the dent before the surface turns
- * by 50°. Six modes against full solutions, largest error anywhere over the largest motion: a
- * cantilever of 40 × 4 × 4 mm 0.3 % under forces beyond two fifths of its length, 1 % at a quarter,
- * Σ s (n·φ)² within 0.2 % of C_g (r.m.s. over the surface); a circular plate of 60 × 4 mm clamped
- * at its rim 4 % under a force at the centre, 8 % half-way to the rim (r.m.s. over the plate 0.6
- * and 1.6 %), Σ s (n·φ)² 16 % below C_g: no six functions represent more than four fifths of the
- * compliance of a plate. A body bonded along a whole side deforms locally; few modes do not
- * describe it (40 % below C_g on a block of 20 × 20 × 5 mm). See GetNeglectedByModes().
+ * along the surface; the remainder of a dent, where the display ends the dent before the surface
+ * turns by 50°. Six modes were compared with full solutions; errors are the largest error anywhere
+ * relative to the largest motion. Cantilever of 40 × 4 × 4 mm: 0.3 % for forces beyond two fifths
+ * of its length, 1 % at a quarter; Σ s (n·φ)² is within 0.2 % of C_g (r.m.s. over the surface).
+ * Circular plate of 60 × 4 mm clamped at its rim: 4 % for a force at the centre, 8 % half-way to
+ * the rim (r.m.s. over the plate 0.6 and 1.6 %); Σ s (n·φ)² is 16 % below C_g, because no six
+ * functions represent more than four fifths of the compliance of a plate. A body bonded along a
+ * whole side deforms locally; few modes do not describe it (40 % below C_g on a block of 20 × 20 ×
+ * 5 mm). See GetNeglectedByModes().
  *
  * **Cost.** One Cholesky factorisation, on one thread (8 s for 100 thousand unknowns), and, for all
- * points and both radii, half as much again on two cores if cells form a regular grid. On irregular
- * meshes no two points are alike, and the half-space terms take about 8 ms per point and core
- * (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes about ten solutions
- * of the whole body, and 100 µs per cell for each. The solver is CHOLMOD with OpenBLAS if Palpate
- * was built with it, otherwise Eigen, which is about a hundred times slower. A body that needs more
- * than MemoryLimit is refused before it is solved. If the number of points
+ * points and both radii, half of this time on two cores if cells form a regular grid. On irregular
+ * meshes the cells around each point differ, and the half-space terms take about 8 ms per point and
+ * core (`./run bench filters --benchmark_filter=ElasticCompliance`). The error takes about ten
+ * solutions of the whole body, and 100 µs per cell for each. The solver is CHOLMOD with OpenBLAS if
+ * Palpate was built with it, otherwise Eigen, which is about a hundred times slower. A body that
+ * needs more than MemoryLimit is refused before it is solved. If the number of points
  * (palpate::MemoryForecast) shows this with certainty, it is refused before assembly; otherwise
  * after the analysis, which predicts the memory of the factor within a seventh. A cube of n³ points
  * takes about 0.9 n⁴ kB: 14 GiB for 64 points on a side, the most that CHOLMOD can index. Abort is
  * checked between steps, not during the factorisation. Uses as many threads as vtkSMPTools (one per
- * core if that is Sequential). The bits do not depend on their number, nor on the number of
- * OpenBLAS's threads.
+ * core if that is Sequential). The result is bit-identical for any number of them and of OpenBLAS's
+ * threads.
  *
  * @code{.py}
  * compliance = palpate.vtkElasticCompliance()
@@ -124,14 +127,14 @@ public:
   };
 
   ///@{
-  /** Young's modulus E, MPa, > 0, of cells without an array (array to process 0, cell data, one
+  /** Young's modulus E, MPa, > 0, used if there is no array (array to process 0, cell data, one
    * component). Default 0.1. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   ///@}
 
   ///@{
-  /** Poisson's ratio, 0 to 0.499, of cells without an array (array to process 1, cell data, one
+  /** Poisson's ratio, 0 to 0.499, used if there is no array (array to process 1, cell data, one
    * component). Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);

@@ -36,7 +36,7 @@ namespace
 {
 // Fractions of the work for the progress.
 constexpr double SolvedShare = 0.9;
-constexpr double BodyShare = 0.75; // used if a coarser body is solved, too
+constexpr double BodyShare = 0.75; // SolvedShare if a coarser body is solved, too
 constexpr double RespondedShare = 0.95;
 } // namespace
 

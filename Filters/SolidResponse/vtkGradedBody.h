@@ -7,33 +7,34 @@
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise as seen from outside, in mm.
  * Points at the same place count as one. Common defects of scans are repaired, with a warning.
  * Sheets that touch each other are separated, holes up to a fifth of the body are filled, and
- * triangles that cross each other are removed if they are fewer than a hundredth. Errors: a wider
- * hole, more crossings (the first are named), a surface that is inside out, and a surface that
- * loses a part because SurfaceSpacing is too coarse for it. The surface may have several parts and
- * cavities. If it was not closed, parts of less than a thousandth of the triangles are left out.
+ * triangles that cross each other are removed if they are fewer than a hundredth of all triangles.
+ * These are errors: a wider hole, more crossings (the first are named), a surface that is inside
+ * out, and a surface that loses a part because SurfaceSpacing is too coarse for it. The surface may
+ * have several parts and cavities. If it was not closed, parts of less than a thousandth of the
+ * triangles are left out.
  *
  * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells. Their edges are about SurfaceSpacing
  * long at the surface, shorter where the distance of a facet from the surface would exceed
- * Deviation: √(8 Deviation R) at a curvature of 1/R. Inside they grow by Growth per distance from
- * the surface, up to InteriorSpacing. In FineBalls they are shorter. Edges at which the surface
- * turns by more than 45° are kept, unless most of them are shorter than three SurfaceSpacings, as
- * the noise of a scan is. Outer mid-edge nodes are on the true surface, or on its sharp edges,
- * except where the Jacobian of a tetrahedron would become too small: all Jacobians are positive.
- * Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces that face that side,
- * within half a SurfaceSpacing of the output's outermost point), 0 elsewhere. A face with a given
- * depth is cut off at that depth instead: the part that does not move is left out of the output,
- * and the points on the cut are held. Cells follow the rim of the cut, so that the held region does
- * not depend on the length of the cells. On a scan, whose edges are not kept, cells do not follow
- * the rim where it comes within a SurfaceSpacing of itself. If the surface cannot be cut, because
- * nothing would be left or the surface touches itself there, a warning is given and all points
- * within the depth are held.
+ * Deviation: √(8 Deviation R) at a curvature of 1/R. Inside, their length increases by Growth per
+ * mm of distance from the surface, up to InteriorSpacing. In FineBalls they are shorter. Edges at
+ * which the surface turns by more than 45° are kept, unless most of them are shorter than three
+ * SurfaceSpacings, as on the noisy surface of a scan. Outer mid-edge nodes are on the true surface,
+ * or on its sharp edges, except where the Jacobian of a tetrahedron would become too small: all
+ * Jacobians are positive. Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces
+ * that face that side, within half a SurfaceSpacing of the output's outermost point), 0 elsewhere.
+ * A face with a given depth is cut off at that depth instead: the part that does not move is left
+ * out of the output, and the points on the cut are held. Cells follow the rim of the cut, so that
+ * the held region does not depend on the length of the cells. On a scan, whose edges are not kept,
+ * cells do not follow the rim where it comes within a SurfaceSpacing of itself. If the surface
+ * cannot be cut, because nothing would be left or the surface touches itself there, a warning is
+ * given and all points within the depth are held.
  *
  * The mesher is CGAL's Mesh_3, under the GPL: in a build without CGAL (PALPATE_USE_CGAL) running
- * the filter is an error. The bits are the same on every run. Cost: on one thread 60 µs and 2 kB
- * per cell; there are about 8.7 cells per SurfaceSpacing³ near the surface. If the cells need more
- * than the available memory, the filter reports an error before it starts. Progress is an estimate.
- * An abort takes effect within milliseconds during the refinement of the cells (nine tenths of the
- * work). During the removal of slivers it takes effect only at the end.
+ * the filter is an error. The result is bit-identical on every run. Cost: on one thread 60 µs and 2
+ * kB per cell; there are about 8.7 cells per SurfaceSpacing³ near the surface. If the cells need
+ * more than the available memory, the filter reports an error before it starts. Progress is an
+ * estimate. An abort takes effect within milliseconds during the refinement of the cells (nine
+ * tenths of the work). During the removal of slivers it takes effect only at the end.
  *
  * @code{.py}
  * solid = palpate.vtkGradedBody()
@@ -91,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Increase of the edge length per distance from the surface inwards: > 0, at most 2. Default
-   * 0.5.
+   * Increase of the edge length per mm of distance from the surface inwards: > 0, at most 2.
+   * Default 0.5.
    */
   vtkSetMacro(Growth, double);
   vtkGetMacro(Growth, double);
@@ -113,8 +114,8 @@ public:
   /** Largest distance of facets from the surface, mm. 0 (default): a twentieth of SurfaceSpacing,
    * which shortens edges where the surface's radius is below 2.5 SurfaceSpacings. If the surface is
    * so rough that several times as many cells would be needed, the deviation is increased up to
-   * nine times. There, and where sheets of the surface nearly touch, the outside may touch itself
-   * at a corner or an edge. */
+   * nine times. On such a surface, and where sheets of the surface nearly touch, the outside may
+   * touch itself at a corner or an edge. */
   vtkSetMacro(Deviation, double);
   vtkGetMacro(Deviation, double);
   ///@}
@@ -126,7 +127,7 @@ public:
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
-  /** The spacing at the surface of the last run, given or chosen, mm; 0: the surface was refused.
+  /** The spacing at the surface of the last run, given or chosen, mm; 0 if the surface was refused.
    */
   vtkGetMacro(UsedSpacing, double);
 

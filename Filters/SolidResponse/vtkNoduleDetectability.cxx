@@ -30,7 +30,7 @@
 
 namespace
 {
-constexpr double WithShare = 0.45; // fraction of the progress
+constexpr double WithShare = 0.45; // progress when the body with nodules is solved
 constexpr double BothShare = 0.9;
 
 /// The arrays of the changes of all tools.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNoduleDetectability
- * @brief where on a body, and by how much, nodules inside change the force on tools
+ * @brief change of the force on tools due to nodules inside a body, at each point of its surface
  *
  * Input: a vtkUnstructuredGrid as in vtkElasticContactResponse, with the cell arrays of
  * vtkNoduleMaterial: `YoungsModulus` and `PoissonRatio`, and `YoungsModulusWithout` and
@@ -20,25 +20,26 @@
  *   decreases; `StiffnessChange`, the relative change of dF/dδ at that depth; `ChangeDepth`, that
  *   depth, mm; `Felt`, 1 if |ForceChange| is at least Threshold, else 0;
  * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 for Tool; -1 if no
- *   change is known. That tool also detects the deepest nodules.
+ *   change is known. This tool also detects the deepest nodules.
  *
  * The force is compared from the first sample to PressDepth, or to the end of the shorter response
  * (Range; with WithinValidity also Validity). If one body has no response at a point, the changes
  * are NaN and Felt is 0.
  *
  * **Threshold.** The smallest change of a force that a hand can perceive is about 7 % of it (Pang,
- * Tan and Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); between 0.07 and 0.1
- * for most people. 0.1 is on the safe side. Forces below half a newton need a larger change.
+ * Tan and Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); it is between 0.07
+ * and 0.1 for most people. The default of 0.1 is conservative. Forces below half a newton need a
+ * larger change.
  *
  * **Accuracy.** The accuracy is that of vtkElasticContactResponse for either body. Errors that both
  * bodies share cancel, such as those of small strain and of elements far away. For the error due to
  * the mixed cells of a nodule see vtkNoduleMaterial.
  *
  * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, which are kept
- * for all tools until the input changes or a contact is wider; then a few milliseconds per point
- * and tool. Without nodules a coarser spacing is often enough: SourceSpacingWithout saves most of
- * the second body's solutions. Abort is checked between steps and solutions. The bits do not depend
- * on the number of threads.
+ * for all tools until the input changes or a tool has a wider contact. A tool then takes a few
+ * milliseconds per point. Without nodules a coarser spacing is often enough: SourceSpacingWithout
+ * saves most of the second body's solutions. Abort is checked between steps and solutions. The
+ * result is bit-identical for any number of threads.
  *
  * @code{.py}
  * felt = palpate.vtkNoduleDetectability()
@@ -80,7 +81,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The first tool; required. Its changes count in this filter's modification time. */
+  /**
+   * The first tool; required. A change of the tool also changes the modification time of this
+   * filter.
+   */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
@@ -137,7 +141,10 @@ public:
   ///@}
 
   ///@{
-  /** As in vtkElasticContactResponse, mm: the widest contact of all later tools. Default 0. */
+  /**
+   * As in vtkElasticContactResponse, mm: the radius of the widest contact of all later tools.
+   * Default 0.
+   */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}
@@ -170,7 +177,7 @@ public:
   ///@}
 
   ///@{
-  /** Sums over both bodies, as in vtkElasticContactResponse. */
+  /** Sums over both bodies of the values of vtkElasticContactResponse. */
   vtkGetMacro(MemoryEstimate, double);
   vtkGetMacro(NumberOfSolutions, vtkIdType);
   ///@}

@@ -15,15 +15,15 @@
  * In a cell that is cut by the surface of a sphere, the materials are mixed by their fractions of
  * the volume, counted at Subdivisions³ points of the cell. E is mixed by palpate::mixedModulus,
  * harmonically for a harder nodule and geometrically for a softer one; ν is mixed by volume. Where
- * spheres overlap, the sphere that was added last has effect.
+ * spheres overlap, the sphere that was added last determines the material.
  *
  * **Accuracy.** Error of the force on a nodule of 3 mm, ten times as hard, in cells of 1 mm: 1.5 %
  * at a depth of 2 mm or more, 4 % at 1 mm. Cells should be no larger than half the distance of a
  * nodule's top from the surface, and no larger than a third of its radius.
  *
- * Errors, without output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or a nodule
- * that fills no part of any cell, with its number; a wrong array or a wrong value in it; a cell of
- * another kind.
+ * These are errors without output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or
+ * a nodule that fills no part of any cell, with its number; a wrong array or a wrong value in it; a
+ * cell of another kind.
  *
  * Cost: Subdivisions³ distances for each cell whose box a sphere's surface cuts, milliseconds for
  * ten thousand cells.
@@ -61,13 +61,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** E around the nodules, MPa, of cells without an array. Default 0.1. */
+  /** E around the nodules, MPa, used if there is no array. Default 0.1. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   ///@}
 
   ///@{
-  /** ν around the nodules, 0 to 0.499, of cells without an array. Default 0.45. */
+  /** ν around the nodules, 0 to 0.499, used if there is no array. Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
@@ -85,7 +85,10 @@ public:
   int GetNumberOfNodules() { return static_cast<int>(this->Nodules.size()); }
 
   ///@{
-  /** Points along each side of a cell that a sphere's surface cuts, 1 to 64. Default 8. */
+  /**
+   * Number of sample points along each side of a cell that is cut by a sphere's surface, 1 to 64.
+   * Default 8.
+   */
   vtkSetMacro(Subdivisions, int);
   vtkGetMacro(Subdivisions, int);
   ///@}
@@ -113,7 +116,7 @@ private:
 
   std::string Check();
   /// Mixes the nodules, which fill `fractions` of a cell, into its material. Returns the fraction
-  /// that they fill together.
+  /// of the cell that all nodules fill together.
   double MixCell(const std::vector<double>& fractions, palpate::ElasticMaterial& material) const;
   std::string Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
 

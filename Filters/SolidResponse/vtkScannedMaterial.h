@@ -23,10 +23,10 @@
  * Labels off, log E and ν are averaged. The relative error of the force equals that of E, which for
  * any map is at least about ten per cent.
  *
- * Errors, without output: no map; a wrong row (E must be positive and finite, ν 0 to 0.499); a
- * value given twice; no image or array; a value that is not finite, or a label that is not in the
- * map, with its cell; a cell of another kind. Abort is checked every 4,096 cells. Cost: 0.1 µs per
- * point.
+ * These are errors without output: no map; a wrong row (E must be positive and finite, ν 0 to
+ * 0.499); a value given twice; no image or array; a value that is not finite, or a label that is
+ * not in the map, with its cell; a cell of another kind. Abort is checked every 4,096 cells. Cost:
+ * 0.1 µs per point.
  *
  * @code{.py}
  * tissues = palpate.vtkScannedMaterial()
@@ -73,14 +73,14 @@ public:
   ///@}
 
   ///@{
-  /** Whether values are labels of tissues (default) or points on a scale. */
+  /** Whether values are labels of tissues (default) or quantities on a continuous scale. */
   vtkSetMacro(Labels, bool);
   vtkGetMacro(Labels, bool);
   vtkBooleanMacro(Labels, bool);
   ///@}
 
   ///@{
-  /** E, MPa, and ν, 0 to 0.499, outside the image. Defaults 0.1 and 0.45. */
+  /** E, MPa, and ν, 0 to 0.499, of cells outside the image. Defaults 0.1 and 0.45. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   vtkSetMacro(PoissonRatio, double);
@@ -88,7 +88,7 @@ public:
   ///@}
 
   ///@{
-  /** Points along each side of a cell, 1 to 64. Default 4. */
+  /** Number of sample points along each side of a cell, 1 to 64. Default 4. */
   vtkSetMacro(Subdivisions, int);
   vtkGetMacro(Subdivisions, int);
   ///@}

@@ -38,9 +38,10 @@ constexpr double TakenShare = 0.05;
 constexpr double ContouredShare = 0.1;
 constexpr double FilledShare = 0.95;
 
-/// Number of cells that the surface, and that all enclosed regions together, should have.
+/// Desired number of cells at the surface, and largest number of cells that all enclosed regions
+/// together may add.
 constexpr double UsualCells = 10000.0;
-/// Side of the cavities that are filled, in spacings.
+/// Side of the largest cavities that are filled, in spacings.
 constexpr double LeastCavity = 2.0;
 /// The lattice of the contour may be coarser than the voxels, but not than this fraction of the
 /// spacing.
@@ -90,7 +91,7 @@ int vtkSegmentedBody::FillInputPortInformation(int, vtkInformation* info)
 int vtkSegmentedBody::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // The body is a property of the whole image.
+  // The whole image is requested, because the body depends on all of it.
   vtkInformation* info = input[0]->GetInformationObject(0);
   std::array<int, 6> whole{};
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
@@ -109,7 +110,7 @@ int vtkSegmentedBody::RequestData(
   const int piece = outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER());
   if (!image || image->GetNumberOfPoints() == 0 || piece > 0)
   {
-    return 1; // the first piece has the whole body
+    return 1; // only the first piece contains the body, as a whole
   }
   const std::string fault = palpate::firstFault([this] { return this->CheckTissues(); },
     [&] { return this->Make(image, this->GetInputArrayToProcess(0, inputVector), output); });

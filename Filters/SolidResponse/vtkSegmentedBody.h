@@ -4,33 +4,35 @@
  * @brief a labelled image as a body of tissues for vtkElasticContactResponse
  *
  * Input: a vtkImageData in mm whose point scalars (or array to process 0, one component) are labels
- * of tissues. Its direction matrix is used. A table (AddTissue) assigns E and ν to labels. All
- * other labels are empty, outside the body: 0 needs no row. Empty input gives empty output.
+ * of tissues. Its direction matrix is used. A table (AddTissue) assigns E and ν to labels. Voxels
+ * with other labels are empty and outside the body; 0 therefore needs no row. Empty input gives
+ * empty output.
  *
  * The body consists of the voxels with a label of the table that are connected, through faces, with
  * the largest region of such voxels. A warning names the fraction that is left out. The body is
  * closed where the image ends. Empty regions inside it remain, unless they are smaller than a cube
  * of two SurfaceSpacings. Its outside is the smoothed surface of these voxels.
  *
- * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells with the point array `Fixed`, as of
+ * Output: a vtkUnstructuredGrid of VTK_QUADRATIC_TETRA cells with the point array `Fixed`, as in
  * vtkGradedBody, and the cell arrays `YoungsModulus` (MPa) and `PoissonRatio` of
  * vtkScannedMaterial. Cells that hold several tissues are mixed by volume. Voxels outside the body
  * have no effect. The field array `SourceSpacing` (one double, mm) is that of
- * vtkElasticContactResponse: the length of the shortest cells at the surface, but no more than
- * 2,500 sources.
+ * vtkElasticContactResponse: the length of the shortest cells at the surface, or a larger value so
+ * that there are no more than about 2,500 sources.
  *
- * **Size of the cells.** At the surface it is SurfaceSpacing. Inside it grows by half the distance
- * from the surface, up to four times SurfaceSpacing. In the ball around a region of at least eight
- * voxels that other tissues enclose, such as a lump, and up to the surface above it, cells are half
- * as long as its depth and as its radius. These cells are longer if all these balls together would
- * add more than 10,000 cells. The stated error of a response includes the effect of the length of
- * the cells.
+ * **Size of the cells.** The length is SurfaceSpacing at the surface. Inside, half the distance
+ * from the surface is added to it, up to four times SurfaceSpacing. In the ball around a region of
+ * at least eight voxels that other tissues enclose, such as a lump, and up to the surface above it,
+ * the length is half of the region's depth or radius, whichever is smaller. It is increased if all
+ * such balls together would add more than 10,000 cells. The stated error of a response includes the
+ * effect of the length of the cells.
  *
- * Errors, without output: no row in the table; a wrong row (E must be positive and finite, ν 0 to
- * 0.499); a label that is given twice; a label that is not in the image, with those that are; an
- * image without such scalars or without three dimensions; the errors of vtkGradedBody, also that a
- * build has no mesher (IsAvailable). Abort is checked between steps and while cells are made. Cost:
- * 0.2 µs and 20 bytes per voxel of the box around the tissues, and that of vtkGradedBody.
+ * These are errors without output: no row in the table; a wrong row (E must be positive and finite,
+ * ν 0 to 0.499); a label that is given twice; a label that is not in the image (the message lists
+ * those that are); an image without such scalars or without three dimensions; the errors of
+ * vtkGradedBody, including a build without a mesher (IsAvailable). Abort is checked between steps
+ * and while cells are made. Cost: 0.2 µs and 20 bytes per voxel of the box around the tissues, and
+ * that of vtkGradedBody.
  *
  * @code{.py}
  * body = palpate.vtkSegmentedBody()
@@ -95,7 +97,7 @@ public:
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
-  /** SurfaceSpacing of the last run, mm, given or chosen; 0: there was none. */
+  /** SurfaceSpacing of the last run, mm, given or chosen; 0 before the first run. */
   vtkGetMacro(UsedSpacing, double);
   /** Number of enclosed regions with finer cells in the last run. */
   vtkGetMacro(NumberOfFineRegions, int);

@@ -4,20 +4,20 @@
  * @brief fills a closed surface with hexahedra, as a body for vtkElasticCompliance
  *
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise as seen from outside, in mm.
- * Points at the same place count as one. Errors: an open surface, an inverted one, and one that is
- * too small for any voxel.
+ * Points at the same place count as one. These are errors: an open surface, an inverted surface,
+ * and a surface that is too small for any voxel.
  *
  * Output: a vtkUnstructuredGrid of VTK_HEXAHEDRON cells. The core consists of voxels of a grid of
- * about Spacing (fitted to the bounding box) whose corners are all at least 0.4 Spacing inside. If
- * there are several parts only the largest is kept, and a warning gives the number of lost voxels.
- * With Conform on (default) a layer of hexahedra, one on each outer face of the core, extends from
- * there to the closest points of the surface, or to a sharp edge of it (45°). Where that would
- * spoil a hexahedron the layer stays a little below. The outside is then as smooth as the surface,
- * while a staircase of voxels has an edge at every step. Sharp edges across the grid are chamfered
- * by up to a Spacing. With Conform off the output is the voxels whose corners are inside. Point
- * array `Fixed` (uint8): 7 on each of the FixedFaces (the outer faces that look to that side,
- * within half a Spacing of the output's outermost point) and for all points within a given depth, 0
- * elsewhere.
+ * about Spacing (fitted to the bounding box) whose corners are all at least 0.4 Spacing below the
+ * surface. If there are several parts only the largest is kept, and a warning gives the number of
+ * lost voxels. With Conform on (default) a layer of hexahedra, one on each outer face of the core,
+ * extends from there to the closest points of the surface, or to a sharp edge of it (45°). Where
+ * this would distort a hexahedron too much, the layer ends slightly below the surface. The outside
+ * is then as smooth as the surface, whereas voxels alone would have an edge at every step. Sharp
+ * edges across the grid are chamfered by up to a Spacing. With Conform off the output is the voxels
+ * whose corners are inside. Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer
+ * faces that face that side, within half a Spacing of the output's outermost point) and for all
+ * points within a given depth, 0 elsewhere.
  *
  * Walls thinner than three Spacings are lost. Cost: about 20 µs per voxel of the bounding box, 40
  * bytes per point of it and 310 bytes per voxel inside. A Spacing that needs more than the
@@ -60,9 +60,9 @@ public:
   ///@{
   /**
    * Sides of the bounding box that hold the body: any of "x-", "x+", "y-", "y+", "z-", "z+",
-   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+" (a round bottom has
-   * little contact otherwise). Without one the outer faces that face the side are held, within half
-   * a Spacing of the outermost point. Default "z-"; empty: none.
+   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+". Without a depth
+   * the outer faces that face the side are held, within half a Spacing of the outermost point; this
+   * is only a small part of a round bottom. Default "z-"; empty: none.
    */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
@@ -75,7 +75,7 @@ public:
   vtkBooleanMacro(Conform, bool);
   ///@}
 
-  /** The side of the voxels of the last run, given or chosen, mm; 0: the surface was refused. */
+  /** The side of the voxels of the last run, given or chosen, mm; 0 if the surface was refused. */
   vtkGetMacro(UsedSpacing, double);
 
 protected:

@@ -32,14 +32,14 @@ namespace palpate
 {
 namespace
 {
-// Fractions of the height.
+// Heights of the parts, as fractions of the column's height.
 constexpr double PanelTop = 0.115;
 constexpr double ChartTop = 0.46;
 constexpr int TitleSize = 19;
 // The arrow's scale is unchanged while the force changes by less than this factor.
 constexpr double SameScale = 4.0;
 
-/// The corner of a cell that is nearest to `place`.
+/// Returns the corner of a cell that is nearest to `place`.
 vtkIdType nearestCorner(vtkPolyData* body, vtkIdType cell, const double place[3])
 {
   vtkNew<vtkIdList> corners;

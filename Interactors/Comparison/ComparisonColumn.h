@@ -47,7 +47,8 @@ public:
   std::string showSession(vtkHapticSession* session);
   /// Shows curves and verdict at the point of the body that is nearest to `place`, mm.
   std::string showPlace(const double place[3]);
-  /// -1: the displacement; otherwise a vtkRegimeMap::MapQuantity of the shown tool.
+  /// Colours the body by the displacement (`quantity` -1) or by a vtkRegimeMap::MapQuantity of the
+  /// shown tool.
   std::string colorBy(int quantity);
 
   vtkPolyData* body();

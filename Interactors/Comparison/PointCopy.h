@@ -9,8 +9,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A body with one point, the data of this point, and the field data of `body`, so that filters
-/// compute only this point. It has no cells.
+/// Returns a body with one point, the data of this point, and the field data of `body`. Filters
+/// then compute only this point. The result has no cells.
 vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
 } // namespace palpate
 

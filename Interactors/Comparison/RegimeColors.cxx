@@ -21,7 +21,7 @@ constexpr std::array<Color, 5> SensitivityColors = { { { 0.995, 0.909, 0.217 },
   { 0.737, 0.683, 0.431 }, { 0.487, 0.482, 0.470 }, { 0.259, 0.306, 0.424 },
   { 0.000, 0.135, 0.305 } } };
 
-/// A colour map with the colours evenly spaced from `low` to `high`.
+/// Makes a colour map with the colours evenly spaced from `low` to `high`.
 template <std::size_t Count>
 vtkSmartPointer<vtkScalarsToColors> blend(
   const std::array<Color, Count>& colors, double low, double high)

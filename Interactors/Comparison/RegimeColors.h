@@ -12,7 +12,8 @@ class vtkScalarsToColors;
 
 namespace palpate
 {
-/// Colours of the verdicts of vtkContactRegime, 0 to 2, by Okabe and Ito. Dark: shape matters.
+/// Colours of the verdicts of vtkContactRegime, 0 to 2, by Okabe and Ito. A dark colour means that
+/// shape matters.
 constexpr std::array<Color, 3> VerdictColors = { { { 0.00, 0.45, 0.70 }, { 0.90, 0.62, 0.00 },
   { 0.95, 0.90, 0.25 } } };
 

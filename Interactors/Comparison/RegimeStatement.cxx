@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Depths = 160; // between 0 and the range, closer together near 0
+constexpr int Depths = 160; // number of depths between 0 and the range, denser near 0
 constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
 /// The depths at which a point is evaluated, and the most cautious verdict of the tools so far.
@@ -147,7 +147,7 @@ void summarize(const DepthVerdicts& all, RegimeStatement& statement)
   }
 }
 
-/// "0.97" or "0.97 to 1.00".
+/// Returns the range of a value over all tools as text, such as "0.97" or "0.97 to 1.00".
 template <class Value>
 std::string rangeInWords(const std::vector<ToolRegime>& tools, const Value& value)
 {

@@ -35,7 +35,7 @@ struct ToolRegime
   double index = 0.0; ///< λ
   double sensitivity = 0.0;
   int verdict = 0;
-  double validity = 0.0; ///< of the response, mm
+  double validity = 0.0; ///< validity of the response, mm
 };
 
 /// The comparison of several tools pressed to the same depth at one point of a body.
@@ -44,14 +44,14 @@ struct RegimeStatement
   double deflection = 0.0;       ///< mm
   std::vector<ToolRegime> tools; ///< one per tool, in the order of the tools
   int verdict = 0;               ///< the most cautious verdict of all tools
-  double from = 0.0;             ///< least depth with the same verdict, mm
+  double from = 0.0;             ///< smallest depth with the same verdict, mm
   double to = 0.0;               ///< largest depth with the same verdict, mm, within the responses
   double spread = 0.0;           ///< (largest - smallest force)/mean
   double validity = 0.0;         ///< mm: the responses of all tools are valid down to this depth
 };
 
-/// Evaluates a point of a body; returns the error in words, or "". A `deflection` (mm) beyond the
-/// range of the responses counts as that range. Takes a few milliseconds.
+/// Evaluates a point of a body; returns an error message, or "". A `deflection` (mm) beyond the
+/// range of the responses is replaced by the range. Takes a few milliseconds.
 std::string judgePoint(vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools,
   const ComparedMaterial& material, double deflection, RegimeStatement& statement);
 

@@ -24,11 +24,13 @@
 
 namespace
 {
-// Offsets of the centre of the area without title, legend and caption, in halves of the picture.
+// Offset of the centre of the area without title, legend and caption from the centre of the
+// picture, as fractions of half the picture's size.
 constexpr double LegendShare = 0.28;
 constexpr double CaptionShare = -0.10;
 constexpr double Zoom = 1.2;
-constexpr double ArrowRoom = 42.0; // mm, see vtkContactScene::SetLargestForce
+// Length of the longest arrow, mm, see vtkContactScene::SetLargestForce.
+constexpr double ArrowRoom = 42.0;
 } // namespace
 
 struct vtkBodyComparison::Columns
@@ -59,7 +61,8 @@ vtkBodyComparison::~vtkBodyComparison() = default;
 
 void vtkBodyComparison::SetRenderWindow(vtkRenderWindow* window)
 {
-  constexpr double Gap = 0.0004; // of the width, half of the line between the columns
+  // Half of the width of the line between the columns, as a fraction of the window's width.
+  constexpr double Gap = 0.0004;
   this->Parts->column[0].addTo(window, 0.0, 0.5 - Gap);
   this->Parts->column[1].addTo(window, 0.5 + Gap, 1.0);
 }
@@ -112,7 +115,7 @@ void vtkBodyComparison::SetShownTool(int tool)
     }
     if (this->Color != Displacement)
     {
-      this->SetColor(this->Color); // the maps are those of the shown tool
+      this->SetColor(this->Color); // the maps show the shown tool
     }
     this->Modified();
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkBodyComparison
- * @brief two bodies side by side under the same tools and motion: does the shape of the tool have
- * an effect?
+ * @brief two bodies side by side under the same tools and motion, to show whether the shape of the
+ * tool has an effect
  *
  * The class illustrates Mahvash and Hayward (2002), section 2: on a body that deforms globally all
  * tools have the same force, on a body that deforms locally they do not.
@@ -84,19 +84,19 @@ public:
   /** The window; the renderers are added. Call once. Laid out for 1280 x 960. */
   void SetRenderWindow(vtkRenderWindow* window);
 
-  /** A body with the responses of all tools, and its name in the picture. */
+  /** Sets a body with the responses of all tools, and its name in the picture. */
   void SetBody(int side, vtkPolyData* body, const std::string& title);
   vtkPolyData* GetBody(int side);
 
   ///@{
-  /** A tool, and the prefix of its responses on both bodies. */
+  /** Adds a tool; `responseName` is the prefix of its responses on both bodies. */
   void AddTool(vtkContactTool* tool, const std::string& responseName);
   void RemoveAllTools();
   int GetNumberOfTools();
   ///@}
 
   ///@{
-  /** The tool that touches, by its number from 0. Default 0. */
+  /** Number of the tool that touches the bodies, from 0. Default 0. */
   void SetShownTool(int tool);
   vtkGetMacro(ShownTool, int);
   ///@}
@@ -131,16 +131,16 @@ public:
   /** Shows curves and verdicts at the points of the bodies nearest to (x, y, z), mm. */
   bool ShowPlace(double x, double y, double z);
 
-  /** Sets the camera so that it shows all of both bodies from `direction`; `up` points up. */
+  /** Sets the camera so that it shows both bodies completely from `direction`; `up` points up. */
   void LookAtBodies(const double direction[3], const double up[3]);
 
   ///@{
   /**
-   * The results at the last contact or point shown. For one tool: force (N), λ, sensitivity; NaN
-   * before the first. For all tools: the verdict (0 shape matters, 1 mixed, 2 a point force
-   * suffices; -1 before the first), (largest - smallest force)/mean, the depths (mm) from and to
-   * which the verdict is the same, the depth to which the responses are valid, and all of these in
-   * words.
+   * The results at the last contact or point shown. For one tool: force (N), λ, sensitivity; NaN if
+   * nothing was shown yet. For all tools: the verdict (0 shape matters, 1 mixed, 2 a point force
+   * suffices; -1 if nothing was shown yet), (largest - smallest force)/mean, the depths (mm) from
+   * and to which the verdict is the same, the depth to which the responses are valid, and all of
+   * these in words.
    */
   double GetForce(int side, int tool);
   double GetRegimeIndex(int side, int tool);
@@ -153,7 +153,7 @@ public:
   ///@}
 
   ///@{
-  /** The parts, to add to them or restyle them. */
+  /** The parts of the picture, for additions and changes of style. */
   vtkContactScene* GetScene(int side);
   vtkRenderer* GetRenderer(int side);
   vtkResponseChart* GetChart(int side);

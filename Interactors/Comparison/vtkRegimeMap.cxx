@@ -22,7 +22,8 @@ namespace
 {
 constexpr int TextSize = 15;
 constexpr double MapLegendWidth = 175.0; // pixels, as the legend of a contact scene
-constexpr double NamesShift = 0.6;       // of the legend's width
+// Shift of the legend as a fraction of its width, if it shows names.
+constexpr double NamesShift = 0.6;
 
 struct QuantityLook
 {

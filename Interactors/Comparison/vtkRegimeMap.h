@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRegimeMap
- * @brief shows on a body where the shape of the tool has an effect, with a legend, in a renderer
+ * @brief colours of a body that show where the shape of the tool has an effect, with a legend, in a
+ * renderer
  *
  * The inputs are a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
  * - Index, λ: orange if the deformation is global (1), white if it is local (0), violet if a base
@@ -10,8 +11,8 @@
  *   above);
  * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices.
  *
- * Grey: there is no stable contact. A colour represents the same number in every picture, because
- * the ranges do not depend on the data. The colours of sensitivity and verdicts differ in
+ * Grey means that there is no stable contact. A colour represents the same number in every picture,
+ * because the ranges do not depend on the data. The colours of sensitivity and verdicts differ in
  * lightness, so that they can be distinguished in grey and by colour-blind people. The index is in
  * violet and orange (ColorBrewer's PuOr).
  *
@@ -81,7 +82,7 @@ public:
   ///@}
 
   ///@{
-  /** The parts, to restyle or place them; the legend is at the right edge. */
+  /** The parts of the display, for changes of style and place; the legend is at the right edge. */
   vtkActor* GetBodyActor();
   vtkScalarBarActor* GetLegend();
   ///@}

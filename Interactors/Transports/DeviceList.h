@@ -18,7 +18,7 @@ enum class DeviceKind : std::uint8_t
   Force,     ///< uses the 64-byte force reports (HidDevice)
   SpaceMouse ///< a 3Dconnexion mouse with six axes: input only (SpaceMouseDevice)
 };
-/// "force" or "SpaceMouse".
+/// Returns "force" or "SpaceMouse".
 PALPATE_EXPORT const char* inWords(DeviceKind kind) noexcept;
 
 /// A connected device that Palpate can drive.
@@ -27,14 +27,14 @@ struct ListedDevice
   std::string address; ///< for vtkHapticDevice::Open and `palpate --device`: "hid:PATH"
   DeviceKind kind = DeviceKind::Force;
   HidEntry entry;       ///< path, manufacturer, name, serial number, ids
-  std::string obstacle; ///< the reason why the device cannot be opened; empty: it can be opened
+  std::string obstacle; ///< the reason why the device cannot be opened; empty if it can be opened
 };
 
 /// The connected HID devices.
 struct PALPATE_EXPORT DeviceList
 {
-  std::vector<ListedDevice> devices; ///< by path
-  /// The reason why devices may be missing, in words ("built without hidapi"); empty: none are
+  std::vector<ListedDevice> devices; ///< sorted by path
+  /// The reason why devices may be missing, such as "built without hidapi"; empty if none are
   /// missing.
   std::string complaint;
 
@@ -47,15 +47,16 @@ struct PALPATE_EXPORT DeviceList
 PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
 /// Opens the device at `path` ("/dev/hidraw0") as its kind requires: a HidDevice or a
-/// SpaceMouseDevice (in rate mode). Returns null, with the reason in words, if the device is
-/// neither or cannot be opened.
+/// SpaceMouseDevice (in rate mode). If the device is neither or cannot be opened, returns null and
+/// sets `error` to the reason.
 PALPATE_EXPORT std::unique_ptr<HapticDevice> openHidDevice(
   const std::string& path, std::string& error, HidBus& bus = systemHidBus());
 
 /// Whether Palpate can drive the device; sets its kind.
 PALPATE_EXPORT bool isKnown(const HidEntry& entry, DeviceKind& kind) noexcept;
-/// The entry of the bus for this path; if it has several usages, the entry of the one that Palpate
-/// uses. If the path is not listed, the entry contains only the path.
+/// Returns the entry of the bus for this path. If the path has several usages, returns the entry
+/// with the usage that Palpate supports. If the path is not listed, the entry contains only the
+/// path.
 PALPATE_EXPORT HidEntry entryAt(HidBus& bus, const std::string& path);
 } // namespace palpate
 

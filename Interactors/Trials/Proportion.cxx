@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Halvings = 60; // an interval of length 80 becomes shorter than 1e-16
+constexpr int Halvings = 60; // they shorten an interval of length 80 to less than 1e-16
 
 /// Probability of at least `successes` in `trials`, each with probability p of success in (0, 1).
 /// Terms are computed by logarithms, because the coefficients overflow for 1030 trials and more.
@@ -23,7 +23,7 @@ double upperTail(int successes, int trials, double p)
   return sum;
 }
 
-/// The root of an increasing function.
+/// Returns the root of an increasing function.
 template <class Function>
 double rootBetween(double low, double high, const Function& function)
 {

@@ -47,7 +47,7 @@ int chosenBy(const TrialAnswer& answer)
   return answer.choseX ? answer.trial.x : answer.trial.y;
 }
 
-/// The text of `correct` in a row; empty if no answer is right.
+/// Returns the text of `correct` in a row; empty if no answer is right.
 const char* correctText(const TrialHead& head, const TrialAnswer& answer)
 {
   const int right = isRight(head, answer);
@@ -217,7 +217,7 @@ std::string TrialLog::write(const std::string& text)
 std::string TrialLog::fail(int reason)
 {
   this->Fault = "cannot write the trial log '" + this->Path + "': " + std::strerror(reason);
-  this->File.close(); // tries once more to write
+  this->File.close(); // tries to write again
   std::error_code ignored;
   if (std::filesystem::is_regular_file(this->Path, ignored))
   {

@@ -16,7 +16,7 @@ namespace palpate
 struct TrialAlternative
 {
   std::string name;       ///< one line, as given: "sphere:6.35"
-  double intensity = 0.0; ///< N, of the compared quantity; 0: none
+  double intensity = 0.0; ///< intensity of the compared quantity, N; 0: none
 };
 
 /// The head of a log.
@@ -27,8 +27,8 @@ struct TrialHead
   /// Whether the answer with the larger intensity is right. If not, there is no right answer.
   bool hasRightAnswer = false;
   std::uint64_t seed = 0;
-  double forceFactor = 1.0; ///< common to all alternatives
-  std::string device;       ///< one line, in words
+  double forceFactor = 1.0; ///< factor on the forces of all alternatives
+  std::string device;       ///< description of the device, one line
   std::string started;      ///< date and time
 };
 
@@ -37,7 +37,7 @@ struct TrialAnswer
 {
   Trial trial;
   bool choseX = false;
-  double seconds = 0.0; ///< from the beginning of the trial to the answer
+  double seconds = 0.0; ///< time from the beginning of the trial to the answer
   int switches = 0;     ///< number of switches between X and Y before the answer
 };
 
@@ -85,7 +85,7 @@ private:
   std::string Fault;       ///< the first error; after it nothing more is written
 };
 
-/// 1: right, 0: wrong, -1: this trial has no right answer.
+/// Returns 1 if the answer is right, 0 if it is wrong, -1 if this trial has no right answer.
 PALPATE_EXPORT int isRight(const TrialHead& head, const TrialAnswer& answer);
 
 /// Reads a log. Returns "", or an error that names file and line; `record` is then unchanged.

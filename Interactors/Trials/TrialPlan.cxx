@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// A random number below `count`, uniformly distributed. The distributions and the shuffle of the
-/// standard library are not used, because they differ between implementations.
+/// Returns a random number below `count`, uniformly distributed. The distributions and the shuffle
+/// of the standard library are not used, because they differ between implementations.
 std::size_t drawBelow(std::mt19937_64& random, std::size_t count)
 {
   const std::uint64_t largest = std::mt19937_64::max();

@@ -15,8 +15,8 @@ namespace
 {
 constexpr double Criterion = 0.75; // half-way between guessing and certainty
 
-/// The difference recognised at the criterion, if `difference` is recognised in the fraction
-/// `share` of the trials.
+/// Returns the difference that is recognised at the criterion, if `difference` is recognised in the
+/// fraction `share` of the trials.
 double differenceAtCriterion(double difference, double share)
 {
   return share > 0.5 ? difference * normalQuantile(Criterion) / normalQuantile(share)

@@ -32,7 +32,7 @@ struct PairScore
 /// The result of a blind comparison.
 struct TrialScore
 {
-  Proportion xChosen; ///< its interval excludes 0.5 if there is a bias for the first of two
+  Proportion xChosen;           ///< the interval excludes 0.5 if X is preferred or avoided
   std::vector<PairScore> pairs; ///< the pairs that were asked
 };
 

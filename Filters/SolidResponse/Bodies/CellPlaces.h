@@ -11,8 +11,8 @@ class vtkCell;
 namespace palpate
 {
 /**
- * Sample points in a cell, n along each side, each with its fraction of the volume. The sides of
- * tetrahedra, including quadratic ones, are taken as straight.
+ * Sample points in a cell, n along each side, with the fraction of the volume that each point
+ * represents. The sides of tetrahedra, including quadratic ones, are taken as straight.
  */
 class CellPlaces
 {

@@ -14,20 +14,21 @@ namespace palpate
 /// Number of graded tetrahedra: this factor times the area, divided by the square of the spacing;
 /// measured on balls.
 inline constexpr double CellsPerSquare = 8.7;
-/// The solution of so many tetrahedra takes about two minutes on two cores.
+/// The solution of this number of tetrahedra takes about two minutes on two cores.
 inline constexpr double ChosenTetrahedra = 20000.0;
-/// Largest spacing relative to the cube root of the volume; the shape of a body needs it.
+/// Largest spacing relative to the cube root of the volume; a larger one does not represent the
+/// shape of the body.
 inline constexpr double LargestOfBody = 1.0 / 6.0;
 inline constexpr double ChosenVoxels = 10000.0;
 
-/// Spacing of about `cells` graded tetrahedra at the surface, mm, for an area (mm²) and a volume
-/// (mm³).
+/// Returns the spacing at the surface (mm) that gives about `cells` graded tetrahedra, for an area
+/// (mm²) and a volume (mm³).
 inline double chosenSpacing(double area, double volume, double cells = ChosenTetrahedra)
 {
   return std::min(std::sqrt(CellsPerSquare * area / cells), LargestOfBody * std::cbrt(volume));
 }
 
-/// Side of the voxels, mm, for a volume (mm³).
+/// Returns the side of the voxels, mm, for a volume (mm³).
 inline double chosenVoxel(double volume)
 {
   return std::cbrt(volume / ChosenVoxels);

@@ -16,11 +16,11 @@ namespace palpate
 /// A surface that can be filled: its merged points, its volume and its area.
 struct ClosedSurface
 {
-  vtkSmartPointer<vtkPolyData> surface; ///< without arrays; points at the same place are merged
+  vtkSmartPointer<vtkPolyData> surface; ///< has no arrays; points at the same place are merged
   double volume = 0.0;                  ///< mm³
   double area = 0.0;                    ///< mm²
-  bool isOpen = false; ///< whether the surface is open or touches itself; `surface` is then set but
-                       ///< cannot be filled
+  /// Whether the surface is open or touches itself; `surface` is then set but cannot be filled.
+  bool isOpen = false;
 };
 
 /// Makes a closed surface of a body. Returns "", or a message about the fault: the body has no

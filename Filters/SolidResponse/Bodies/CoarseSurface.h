@@ -8,7 +8,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Makes the outside of a body without detail below `voxel` (mm). The result is closed, has
+/// Makes a surface of the body without details smaller than `voxel` (mm). The result is closed, has
 /// triangles of similar size, and never intersects itself, whatever the input. A place counts as
 /// inside if a ray from it crosses the surface an odd number of times.
 vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData* body, double voxel);

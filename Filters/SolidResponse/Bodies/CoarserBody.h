@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// Checks that a grid can be the same body in coarser cells. Returns "", or a message that names
-/// the input.
+/// Checks that `coarser` can be the same body as `grid` in coarser cells. Returns "", or a message
+/// that names the input.
 std::string checkCoarser(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser);
 
 /// A body in coarser cells. It is solved in addition to the body in finer cells, to find the error

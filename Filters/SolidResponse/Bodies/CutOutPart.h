@@ -33,9 +33,9 @@ struct PartCells
 };
 
 /**
- * Cuts the part in a box with half side `half` (mm) around a place out of a mended and cut surface.
- * Returns "", or a message about the fault. This function and fillPart() are safe from any number
- * of threads. Cost: a few tenths of a second for 100 thousand triangles.
+ * Cuts out the part of a mended and cut surface that is inside a box with half side `half` (mm)
+ * around a place. Returns "", or a message about the fault. This function and fillPart() are safe
+ * from any number of threads. Cost: a few tenths of a second for 100 thousand triangles.
  */
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part);

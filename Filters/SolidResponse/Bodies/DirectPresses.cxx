@@ -15,12 +15,12 @@ namespace palpate
 namespace
 {
 // Lengths in contact radii.
-constexpr double BoxHalfSide = 5.0;      ///< half side of the part's box
-constexpr double FineBallRadius = 1.4;   ///< radius of the fine ball under the tool
-constexpr double FacetLength = 0.3;      ///< length of the facets in that ball, for an error of the
-                                         ///< force of 1 % at the pole of a sphere
-constexpr double RimBallRadius = 0.12;   ///< radius and facet length of the balls at the rim of a
-                                         ///< flat end, for an error of 2 %
+constexpr double BoxHalfSide = 5.0;    ///< half side of the part's box
+constexpr double FineBallRadius = 1.4; ///< radius of the fine ball under the tool
+/// Length of the facets in that ball, for an error of the force of 1 % at the pole of a sphere.
+constexpr double FacetLength = 0.3;
+/// Radius and facet length of the balls at the rim of a flat end, for an error of 2 %.
+constexpr double RimBallRadius = 0.12;
 constexpr double FarFacetLength = 0.8;   ///< length of the facets away from the tool
 constexpr double SecondMeshFactor = 1.5; ///< factor on the cell lengths for the second mesh
 constexpr int RimBalls = 32;

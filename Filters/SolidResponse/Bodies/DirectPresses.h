@@ -55,7 +55,7 @@ private:
   std::string make(const DirectPlace& place, const CutOutSurface& cut, const Lengths& lengths,
     const RestOfBody& rest, Part& part) const;
   /// Presses in a box that is `wider` times as large as the usual one, with as many cells, or in
-  /// the next larger box that can be cut. `isBeyond`: the tool reaches the cut.
+  /// the next larger box that can be cut. `isBeyond` is set to whether the tool reaches the cut.
   std::string pressIn(
     double wider, const DirectPlace& place, Contacts& contacts, bool& isBeyond) const;
   DirectPress press(const DirectPlace& place, const Part& part) const;

@@ -34,8 +34,9 @@ public:
   std::vector<std::pair<vtkIdType, double>> around(
     const double place[3], const Vector3& normal) const;
 
-  /// As around(), but for wanted points only (empty function: all points). Searches the 24 nearest
-  /// points. If these include fewer than three wanted points, the 192 nearest points are searched.
+  /// Like around(), but returns only wanted points (empty function: all points). Searches the 24
+  /// nearest points. If these include fewer than three wanted points, the 192 nearest points are
+  /// searched.
   std::vector<std::pair<vtkIdType, double>> nearBy(const double place[3], const Vector3& normal,
     const std::function<bool(vtkIdType)>& isWanted = {}) const;
 

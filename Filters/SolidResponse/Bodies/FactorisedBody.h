@@ -16,7 +16,7 @@ namespace palpate
 /// Material and solver of a filter for elastic bodies.
 struct FactorRequest
 {
-  ElasticMaterial material;        ///< material of cells without an array
+  ElasticMaterial material;        ///< constants, used where there is no array
   vtkDataArray* young = nullptr;   ///< Young's modulus per cell, MPa; null: the constant
   vtkDataArray* poisson = nullptr; ///< Poisson's ratio per cell; null: the constant
   int solver = 0;                  ///< a StiffnessFactor::Kind

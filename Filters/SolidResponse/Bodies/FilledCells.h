@@ -22,7 +22,7 @@ struct BodyBall
   double radius = 0.0;
 };
 
-/// The fraction of a cell's volume that each of several balls fills, counted at n³ points of the
+/// Computes the fraction of a cell's volume that each of several balls fills, from n³ points of the
 /// cell (CellPlaces). A point in several balls belongs to the last of them.
 class FilledCells
 {

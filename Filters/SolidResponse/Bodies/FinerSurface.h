@@ -24,7 +24,8 @@ public:
   FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
     const LandmarkKernels& landmarks, double a);
 
-  /// The view that a law needs. Valid as long as this object.
+  /// Returns the data of the surface that the response of true shape needs. Valid as long as this
+  /// object.
   LandmarkSurface view() const;
 
 private:

@@ -18,8 +18,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastShare = 1e-6; ///< a smaller weight of a corner is a rounding error
-}
+/// A corner with a smaller weight is ignored: the weight is a rounding error.
+constexpr double LeastShare = 1e-6;
+} // namespace
 
 HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld)
   : Surface(surface)
@@ -41,8 +42,8 @@ HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHe
   }
 }
 
-/// Whether a point of the surface is closer than the box of the held points. This quick check
-/// answers for most places.
+/// Whether a place is farther from the box of the held points than from some point of the surface;
+/// it then cannot be held. This quick check is sufficient for most places.
 bool HeldPlaces::isFar(const Eigen::Vector3d& place) const
 {
   if (!this->Held.IsValid())

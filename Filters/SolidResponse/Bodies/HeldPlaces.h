@@ -34,7 +34,7 @@ private:
   vtkSmartPointer<vtkPolyData> Surface;
   vtkSmartPointer<vtkStaticCellLocator> Locator;
   vtkSmartPointer<vtkStaticPointLocator> Points;
-  vtkBoundingBox Held; ///< of the held points
+  vtkBoundingBox Held; ///< bounding box of the held points
   std::function<bool(vtkIdType)> IsHeld;
 };
 } // namespace palpate

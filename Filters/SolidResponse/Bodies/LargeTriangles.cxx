@@ -21,9 +21,9 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double LargeSide = 2.0; // in contact radii
+constexpr double LargeSide = 2.0; // smallest side of a large triangle, in contact radii
 
-/// The places inside a triangle, as area coordinates.
+/// The sampled places inside a triangle, as area coordinates.
 const std::array<Vector3d, 4> Places = { Vector3d::Constant(1.0 / 3.0),
   Vector3d(4.0, 1.0, 1.0) / 6.0, Vector3d(1.0, 4.0, 1.0) / 6.0, Vector3d(1.0, 1.0, 4.0) / 6.0 };
 
@@ -71,7 +71,7 @@ std::vector<LargeTriangle> sampleTriangles(
   return found;
 }
 
-/// Compliances of one contact radius.
+/// Compliances for one contact radius.
 class RadiusYield
 {
 public:
@@ -120,7 +120,8 @@ public:
   }
 
 private:
-  /// The largest difference between the values inside and this share of the corners' blend.
+  /// Returns the largest difference between the compliances at the sampled places and the value
+  /// interpolated from the corners times `share`.
   double difference(const LargeTriangle& triangle, double share) const
   {
     double most = 0.0;

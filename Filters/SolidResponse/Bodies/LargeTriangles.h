@@ -12,11 +12,11 @@ class YieldField;
 struct SurfaceYield;
 
 /**
- * Compares the compliance inside large triangles with the value blended from the corners, which may
- * be far from it: the corners of a cube yield much, its faces little. A triangle is large if a side
- * is longer than twice the first of the radii. If 0 is closer to the values inside than the blend,
- * the compliance of the three corners is set to 0, so that the law is that of a half-space. The
- * largest remaining difference is added to the errors of the corners.
+ * Compares the compliance inside large triangles with the value interpolated from the corners. The
+ * two may differ much: a cube is compliant at its corners and stiff at its faces. A triangle is
+ * large if a side is longer than twice the first of the radii. If the values inside are closer to 0
+ * than to the interpolated value, the compliance of the three corners is set to 0, so that the law
+ * is that of a half-space. The largest remaining difference is added to the errors of the corners.
  */
 void includeLargeTriangles(vtkPolyData* surface, const YieldField& field,
   const std::vector<double>& radii, SurfaceYield& made);

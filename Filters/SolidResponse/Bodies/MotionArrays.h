@@ -13,12 +13,12 @@ namespace palpate
 /// `NearField`, in the form that BodyField reads.
 void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid);
 
-/// As above, for another surface of the body, which has these point `normals`. The values at each
-/// point are interpolated from nearby points of `solid` that face the same way.
+/// Like the function above, for another surface of the body with these point `normals`. The values
+/// at each point are interpolated from nearby points of `solid` that face the same way.
 void attachMotion(
   const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 
-/// Attaches the modes alone to such a surface. They are 0 where the body is held.
+/// Attaches only the modes to another surface of the body. They are 0 where the body is held.
 void attachModes(
   const GlobalModes& modes, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 } // namespace palpate

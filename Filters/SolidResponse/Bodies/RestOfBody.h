@@ -28,16 +28,17 @@ public:
 
   const ElasticBody& body() const { return this->Body; }
 
-  /// Mean distance of the surface's points, mm. This is half the length of quadratic cells.
+  /// Mean distance of neighbouring surface points, mm. This is half the length of quadratic cells.
   double spacing() const;
 
   /// The nearest point of the surface whose normal is within 90° of the given outward `normal`; -1
   /// if there is no such point.
   std::int32_t nearestPoint(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
-  /// Motion of `places` under unit loads at a place of the surface. Only places with `asked` set
-  /// are computed; the others do not move. `inward` (mm): a small step into the body at the place.
-  /// Empty if there is not enough memory. Safe from any number of threads.
+  /// Computes the motion of `places` under unit loads at a place of the surface. Only places with
+  /// `asked` set are computed; the motion of the others is 0. `inward` (mm): a small step into the
+  /// body at the place. The result is empty if there is not enough memory. Safe from any number of
+  /// threads.
   UnitMotion motionAt(const Eigen::Vector3d& place, const Eigen::Vector3d& inward,
     const Eigen::Matrix3Xd& places, const std::vector<unsigned char>& asked) const;
 

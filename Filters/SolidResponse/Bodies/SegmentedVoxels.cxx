@@ -139,7 +139,8 @@ void SegmentedVoxels::visitNeighbours(std::size_t voxel, const Use& use) const
   }
 }
 
-/// Returns the voxels that are connected with `seed` through voxels that belong, and marks them.
+/// Returns the voxels that are connected with `seed` through voxels for which `belongs` is true,
+/// and marks them.
 template <class Belongs>
 std::vector<std::size_t> SegmentedVoxels::takeRegion(
   std::size_t seed, std::vector<char>& isTaken, const Belongs& belongs) const
@@ -196,7 +197,7 @@ std::size_t SegmentedVoxels::fillCavities(double volume)
 {
   const auto isEmpty = [this](std::size_t voxel) { return this->Numbers[voxel] == Empty; };
   std::vector<char> isTaken(this->Numbers.size(), 0);
-  this->takeRegion(0, isTaken, isEmpty); // the outside, which the margin connects
+  this->takeRegion(0, isTaken, isEmpty); // the outside, which is connected through the margin
   std::vector<std::size_t> filled;
   std::size_t regions = 0;
   const double voxel = this->Spacing[0] * this->Spacing[1] * this->Spacing[2];
@@ -223,7 +224,8 @@ std::size_t SegmentedVoxels::fillCavities(double volume)
   return regions;
 }
 
-/// The tissue of each voxel; of an empty one the tissue that the fewest steps through faces reach.
+/// Returns the tissue of each voxel. An empty voxel gets the tissue that is reached by the fewest
+/// steps through faces.
 std::vector<std::int16_t> SegmentedVoxels::nearestTissues() const
 {
   std::vector<std::int16_t> nearest = this->Numbers;
@@ -273,7 +275,7 @@ double SegmentedVoxels::area() const
   std::size_t step = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // The margin is empty: each face of a tissue lies between two voxels of the box.
+    // The margin is empty, so each outer face of a tissue is between two voxels of the box.
     for (std::size_t i = step; i < this->Numbers.size(); ++i)
     {
       const bool isFace = (this->Numbers[i] == Empty) != (this->Numbers[i - step] == Empty);

@@ -30,8 +30,8 @@ struct Tissue
 struct EnclosedRegion
 {
   Eigen::Vector3d middle;
-  double radius = 0.0; ///< of the ball around `middle` that holds its voxels
-  double depth = 0.0;  ///< least distance from the outside of the body
+  double radius = 0.0; ///< radius of the ball around `middle` that contains the voxels
+  double depth = 0.0;  ///< smallest distance from the outside of the body
 };
 
 /**
@@ -42,8 +42,8 @@ struct EnclosedRegion
 class SegmentedVoxels
 {
 public:
-  /// Takes the voxels of the tissues. Returns "", or a message that names a label that no voxel
-  /// has.
+  /// Takes the voxels of the tissues. Returns "", or a message that names a label that is not in
+  /// the image.
   std::string take(vtkImageData* image, vtkDataArray* values, const std::vector<Tissue>& tissues);
 
   /// Empties the voxels that are not connected with the largest region of tissue. Returns their
@@ -55,8 +55,8 @@ public:
 
   /// Volume of the tissues, mm³.
   double volume() const;
-  /// Area of their outside without the steps of the voxels, mm²: two thirds of that of the voxels'
-  /// faces, which is the mean over all directions of a plane.
+  /// Area of the outer surface of the tissues without the steps of the voxels, mm²: two thirds of
+  /// the area of the voxels' faces, which is the mean ratio over all orientations of a plane.
   double area() const;
   /// The smallest side of a voxel, mm.
   double smallestSide() const;
@@ -64,10 +64,10 @@ public:
   /// The regions of at least eight voxels that other tissues enclose, the largest first.
   std::vector<EnclosedRegion> findEnclosedRegions() const;
 
-  /// 1 in tissue, 0 in empty voxels.
+  /// Returns a mask: 1 in tissue, 0 in empty voxels.
   SkinScan mask() const;
-  /// The box as an image whose point scalars (short) are numbers of tissues. Empty voxels have the
-  /// tissue next to them.
+  /// The box as an image whose point scalars (short) are numbers of tissues. Empty voxels get the
+  /// tissue that is nearest to them.
   vtkSmartPointer<vtkImageData> spreadTissues() const;
 
 private:

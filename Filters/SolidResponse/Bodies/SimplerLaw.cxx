@@ -35,7 +35,7 @@ vtkSmartPointer<vtkDoubleArray> pointValues(const char* name, vtkIdType count)
   return values;
 }
 
-/// The response of the law on the surface.
+/// Computes the response of the law on the surface.
 std::string respondByLaw(const ElasticBody& body, vtkPolyData* surface, const SimplerLaw& law,
   int samples, vtkPolyData* output)
 {

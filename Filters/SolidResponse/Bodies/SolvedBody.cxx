@@ -28,8 +28,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double FactorisedShare = 0.17;    // fraction of the progress
-constexpr double FittedShare = 0.5;         // fraction for a response on a finer surface
+constexpr double FactorisedShare = 0.17; // fraction of the progress for the factorisation
+constexpr double FittedShare = 0.5; // fraction of the progress for the fits, on a finer surface
 constexpr double WiderThanHalfSpace = 1.42; // √2 on a thin layer that can expand sideways
 
 /// Finds the points of the surface that are pressed: all points, or those where the grid's point
@@ -71,8 +71,8 @@ struct SolvedBody::Kept
   double Radius = 0.0;       ///< solved contact radius, mm; 0: nothing is solved yet
   double FactorMemory = 0.0; ///< MiB
   double GreenMemory = 0.0;  ///< MiB
-  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< a copy that keeps the arrays alive, so that no new
-                                             ///< array can have the address of a freed one
+  /// A copy that keeps the arrays alive, so that no new array can have the address of a freed one.
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkMTimeType GridTime = 0;
   FactorRequest Factor;
 

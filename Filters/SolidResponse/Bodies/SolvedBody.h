@@ -42,7 +42,7 @@ struct SolveCost
   bool ended = false;      ///< whether an abort ended the work
 };
 
-/// The contact radius for which a body must be solved, for a tool at a depth (mm).
+/// Returns the contact radius for which a body must be solved, for a tool at a depth (mm).
 double neededRadius(vtkContactTool* tool, double deflection);
 
 /// Checks the settings of a response of true shape, including tool and depth. Returns "", or a
@@ -84,8 +84,8 @@ public:
   std::string respond(vtkPolyData* surface, vtkContactTool* tool, const ShapedTerms& terms,
     const FilterStage& stage, ResponseStorage& storage, MadeResponse& made) const;
 
-  /// As respond(), at the points of another surface of the body. This surface must have passed
-  /// checkTriangles and may be finer (FinerSurface).
+  /// Like respond(), but at the points of another surface of the body. This surface must have
+  /// passed checkTriangles and may be finer (FinerSurface).
   std::string respondOn(vtkPolyData* finer, vtkUnstructuredGrid* grid, vtkContactTool* tool,
     const ShapedTerms& terms, const FilterStage& stage, ResponseStorage& storage,
     MadeResponse& made);
@@ -95,7 +95,7 @@ public:
   std::string findStrain(vtkContactTool* tool, const StrainLaw& law, double deflection,
     const FilterStage& stage, std::unique_ptr<StrainCorrection>& strain) const;
 
-  /// Attaches the motion of the body (MotionArrays.h) to its `surface`, or to a finer one with
+  /// Attaches the motion of the body (MotionArrays.h) to its `surface`, or to a finer surface with
   /// these normals. The motion is computed once for all tools. Nothing is attached after an abort.
   void attachMotionTo(vtkPolyData* surface, const FilterStage& stage);
   void attachMotionTo(vtkPolyData* finer, vtkFloatArray* normals, vtkUnstructuredGrid* grid,

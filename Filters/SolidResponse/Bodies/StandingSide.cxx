@@ -14,20 +14,24 @@ namespace palpate
 {
 namespace
 {
-constexpr double HeldDepth = 0.03; // of the extent along the axis; a step
+// Held depth, as a fraction of the extent along the axis; also the step by which it increases.
+constexpr double HeldDepth = 0.03;
 constexpr int MostSteps = 5;
-constexpr double Support = 0.25;     // held area over that of the bounding box, both along the axis
-constexpr double FlatDepth = 0.0005; // the same of a face that counts as flat
-constexpr double FlatShare = 0.9;    // of the area, for a flat side
-constexpr double Equal = 1e-6;       // relative difference of equal areas
-constexpr double UpperShare = 1.0 / 1.5; // of the area of an upper side that counts
+// Smallest held area, as a fraction of that of the bounding box, both along the axis.
+constexpr double Support = 0.25;
+// Depth of a face that counts as flat, as a fraction of the extent along the axis.
+constexpr double FlatDepth = 0.0005;
+// Smallest flat area of a flat side, as a fraction of its held area.
+constexpr double FlatShare = 0.9;
+constexpr double Equal = 1e-6;           // relative difference below which areas count as equal
+constexpr double UpperShare = 1.0 / 1.5; // factor on the area of an upper side
 
 struct Side
 {
   int axis;
   bool isUpper;
   double held = 0.0; ///< area within HeldDepth, seen along the axis, mm²
-  double flat = 0.0; ///< the same within FlatDepth
+  double flat = 0.0; ///< area within FlatDepth, seen along the axis, mm²
 
   double rank() const { return this->isUpper ? UpperShare * this->held : this->held; }
 };
@@ -54,7 +58,7 @@ void measure(const BodyMesh& mesh, const double* bounds, double heldDepth, Side&
   }
 }
 
-/// With two significant digits.
+/// Rounds a depth to two significant digits.
 double rounded(double depth)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(depth)) - 1.0);

@@ -21,15 +21,15 @@ namespace
 const Eigen::Vector4d UnderSphere(1.0, 2.0 / 5.0, 8.0 / 35.0, 16.0 / 105.0);
 const Eigen::Vector4d UnderFlat(1.0, 2.0 / 3.0, 8.0 / 15.0, 16.0 / 35.0);
 
-/// The least compliance over that of a contact on a half-space. A smaller one means that the
-/// contact meets the held part, where no series holds.
+/// Smallest compliance, as a fraction of that of a contact on a half-space. A smaller value means
+/// that the contact reaches the held part, where the series of the kernel does not converge.
 constexpr double LeastCompliance = -0.4;
 
-/// C(r) = C₀ + β r² instead of C(a): the largest error of the force at r < a, compared with the
-/// error at a of the same change.
+/// Error of the force if C(a) is used for all radii r < a although C(r) = C₀ + β r²: ratio of the
+/// largest error at r < a to the error that the difference C(a) - C₀ would cause at a.
 constexpr double OfGrowth = 2.0 / 3.0;
 
-/// C of one place.
+/// Compliance C at one place.
 class PlaceYield
 {
 public:

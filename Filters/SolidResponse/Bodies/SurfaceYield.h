@@ -16,7 +16,7 @@ class LandmarkKernels;
 class MeshDifference;
 
 /// Compliance of a body in addition to that of a half-space, at the points of its surface, mm/N.
-/// The values of one contact radius after those of the other.
+/// The values of all points for the first contact radius are followed by those for the next.
 struct SurfaceYield
 {
   std::vector<double> compliance;
@@ -24,7 +24,8 @@ struct SurfaceYield
   std::vector<unsigned char> status; ///< a PatchStatus per point
 };
 
-/// The same at one place, a value per contact radius.
+/// Compliance of a body in addition to that of a half-space at one place, mm/N; one value per
+/// contact radius.
 struct SpotYield
 {
   std::vector<double> compliance;
@@ -33,7 +34,8 @@ struct SpotYield
 };
 
 /// The compliance at any place of a surface. `solid`: the surface to which the landmarks' point
-/// numbers refer. `meshes`: null if there is no second mesh. All must outlive this object.
+/// numbers refer. `meshes`: null if there is no second mesh. All arguments must outlive this
+/// object.
 class YieldField
 {
 public:
@@ -53,14 +55,14 @@ private:
 };
 
 /**
- * The compliance in series with the law of a tool on a half-space: δ = δ_local(F) + C F. C is the
- * mean of H (RegularGreen) over both ends, weighted by the pressure of a round tool with one of
- * these contact radii.
+ * Computes the compliance C in series with the law of a tool on a half-space: δ = δ_local(F) + C F.
+ * C is the mean of H (RegularGreen) over both of its points, weighted by the pressure of a round
+ * tool with one of the contact radii.
  *
  * The error includes the elements, the interpolation between the sources of H, the order of the
  * kernel, the difference between a round tool and a flat end, and the change of C from the first
  * touch to this radius. At points whose status is not Valid, C is 0 and its error is that of a
- * contact on a half-space. Inside large triangles the corners say little (LargeTriangles.h).
+ * contact on a half-space. Large triangles are checked inside as well (LargeTriangles.h).
  *
  * `surface` must have passed checkTriangles; `normals`: three per point. `radii`: descending.
  */

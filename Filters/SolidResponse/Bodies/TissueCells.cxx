@@ -189,8 +189,8 @@ private:
   const TissueMap& Known;
   bool HasLabels;
   ElasticMaterial Outside;
-  std::map<double, double> Volumes; ///< volumes by label; the key infinity is for the volume
-                                    ///< outside the image
+  /// Volumes by label; the key infinity is for the volume outside the image.
+  std::map<double, double> Volumes;
   double LogModulus = 0.0;
   double Ratio = 0.0;
   double All = 0.0;

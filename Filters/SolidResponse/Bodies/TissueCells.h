@@ -22,13 +22,14 @@ struct TissueScan
   vtkImageData* image = nullptr;
   vtkDataArray* values = nullptr; ///< one component per point of the image
   TissueMap map;                  ///< not empty
-  bool hasLabels = true;          ///< whether values are labels, instead of points on a scale
-  ElasticMaterial outside;        ///< outside the image
-  int subdivisions = 4;           ///< points along each side of a cell
+  /// Whether values are labels; otherwise they are quantities on a continuous scale.
+  bool hasLabels = true;
+  ElasticMaterial outside; ///< material outside the image
+  int subdivisions = 4;    ///< number of sample points along each side of a cell
 };
 
-/// Makes `output` of the grid with the cell arrays YoungsModulus and PoissonRatio. Returns "", or a
-/// message about the fault. `output` is empty if the observer stopped the work.
+/// Copies the grid to `output` and adds the cell arrays YoungsModulus and PoissonRatio. Returns "",
+/// or a message about the fault. `output` is empty if the observer stopped the work.
 std::string mapTissues(vtkUnstructuredGrid* grid, const TissueScan& scan,
   const WorkObserver& observer, vtkUnstructuredGrid* output);
 } // namespace palpate

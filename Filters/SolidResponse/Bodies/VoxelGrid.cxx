@@ -15,7 +15,7 @@ namespace
 constexpr double SmallestShare = 0.05;
 /// Largest number of times that a node is moved back, each time by a quarter of the remaining way.
 constexpr int MostPullbacks = 12;
-constexpr double SmallestStep = 0.1; ///< fraction of the way to the surface
+constexpr double SmallestStep = 0.1; ///< smallest fraction of the way to the surface
 
 using Index = std::array<int, 3>;
 
@@ -37,7 +37,8 @@ void forAllIndices(const Index& size, const Visit& visit)
   }
 }
 
-/// The number of parts that the corners with this state form when joined along the cube's edges.
+/// Returns the number of parts that the corners with the state `wanted` form when joined along the
+/// cube's edges.
 int partsOf(const std::array<bool, 8>& state, bool wanted)
 {
   std::array<int, 8> part{};
@@ -236,7 +237,7 @@ void coverWithLayer(VolumeMesh& mesh, const VoxelGrid& grid,
   const std::int32_t core = mesh.nodeTotal();
   const std::size_t first = mesh.elements.size();
   std::vector<std::int32_t> farOf(static_cast<std::size_t>(core), -1);
-  std::vector<std::int32_t> nearOf; // one per far node
+  std::vector<std::int32_t> nearOf; // the near node of each far node
   Eigen::Matrix3Xd outward = Eigen::Matrix3Xd::Zero(3, core);
   for (const BoundaryFace& boundary : topology.boundary())
   {

@@ -30,7 +30,7 @@ struct VoxelGrid
 /// one value per node.
 void takeCore(VoxelGrid& grid, const std::vector<double>& depthOf, double depth);
 
-/// Removes voxels until no two voxels, and no two holes, touch only at an edge or a corner.
+/// Removes voxels until no two voxels and no two holes touch only at an edge or a corner.
 void openPinches(VoxelGrid& grid);
 
 /// Keeps the largest part connected by faces. Returns the number of removed voxels.

@@ -33,29 +33,33 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeastCells = 100;         ///< of a request
-constexpr double LeastOfContact = 0.25; // the least spacing over the contact radius
-constexpr double LeastOfSpacing = 0.5;  // distance of solved points: nodes, also mid-edge ones
-constexpr double PointsPerCell = 0.15;  // solved points
-constexpr double CoarserRatio = 2.0;    // of the second mesh's cells
-/// A surface with more triangles, or one that cannot be filled, is replaced by a coarse one with
-/// voxels of this fraction of the cells' spacing.
+constexpr int LeastCells = 100; ///< smallest number of cells of a request
+// Smallest spacing of the cells, relative to the contact radius.
+constexpr double LeastOfContact = 0.25;
+// Distance of the solved points, in spacings of the cells; mid-edge nodes are included.
+constexpr double LeastOfSpacing = 0.5;
+constexpr double PointsPerCell = 0.15; // number of solved points per cell
+// Ratio of the cell lengths of the second mesh to those of the first.
+constexpr double CoarserRatio = 2.0;
+/// A surface with more triangles, or one that cannot be filled, is replaced by a coarse surface.
+/// Its voxels have this fraction of the cells' spacing.
 constexpr vtkIdType MostTriangles = 300000;
 constexpr double VoxelRatio = 0.25;
-/// A solution holds for contact radii from the largest down to an eighth of it, and is found for
-/// radii up to this many powers of two above the one that is needed.
+/// Number of contact radii of a solution. Each is half of the previous one, so a solution is valid
+/// from its largest radius down to an eighth of it. The cache is searched for solutions whose
+/// largest radius is up to three powers of two above the needed radius.
 constexpr std::size_t RadiusCount = 4;
-// Fractions of the work.
+// Progress at the end of each step, as fractions of the work.
 constexpr double Filled = 0.25;
 constexpr double Solved = 0.85;
 constexpr double Compared = 0.9;
 constexpr double Fitted = 0.92;
 
-/// The modes are for displays: they are rounded to this fraction of the largest value, which keeps
-/// the files of the cache small.
+/// Modes are only used for display. They are rounded to this fraction of the largest value, which
+/// keeps the files of the cache small.
 constexpr double ModeStep = 1e-5;
 
-/// Must be increased when the same input gives other values.
+/// Must be increased if a change of the code gives other values for the same input.
 constexpr int Revision = 3;
 
 std::string bytesOf(vtkPolyData* body)
@@ -100,7 +104,8 @@ std::string keyOf(
     request.cells, ' ', shortestDecimals(largest));
 }
 
-/// Compliances of E = 1 MPa, errors, status. The modes follow.
+/// Returns the compliances for E = 1 MPa, the errors and the status as one array. The modes are
+/// appended later.
 std::vector<double> packed(const SurfaceYield& yield)
 {
   std::vector<double> values(yield.compliance);
@@ -109,8 +114,8 @@ std::vector<double> packed(const SurfaceYield& yield)
   return values;
 }
 
-/// Appends the modes of a body of E = 1 MPa at the points of `body`, and their signs. All modes are
-/// zero if there are none. Nothing is appended after an abort.
+/// Appends the modes of a body of E = 1 MPa at the points of `body`, and their signs. The values
+/// are zero if the body has no modes. Nothing is appended after an abort.
 void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* body,
   vtkFloatArray* normals, const FilterStage& stage, std::vector<double>& values)
 {
@@ -127,7 +132,7 @@ void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* bod
   {
     vtkDataArray* mode = bare->GetPointData()->GetArray(globalModeName(k).c_str());
     const double largest = mode ? mode->GetMaxNorm() : 0.0;
-    // A power of ten gives short decimals.
+    // A scale that is a power of ten gives short decimal numbers.
     const double scale =
       largest > 0.0 ? std::pow(10.0, std::ceil(-std::log10(ModeStep * largest))) : 1.0;
     for (vtkIdType i = 0; i < 3 * body->GetNumberOfPoints(); ++i)
@@ -142,13 +147,13 @@ void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* bod
   }
 }
 
-/// A body in tetrahedra, and in longer ones for the error of the first.
+/// A body in tetrahedra, and the same body in longer tetrahedra to find the error of the elements.
 struct FilledBody
 {
-  double area = 0.0;    ///< of the surface, mm²
-  double spacing = 0.0; ///< of the cells at the surface, mm
+  double area = 0.0;    ///< area of the surface, mm²
+  double spacing = 0.0; ///< spacing of the cells at the surface, mm
   vtkNew<vtkUnstructuredGrid> grid;
-  vtkNew<vtkUnstructuredGrid> coarser; ///< without cells: the body is too thin for longer cells
+  vtkNew<vtkUnstructuredGrid> coarser; ///< has no cells if the body is too thin for longer cells
 };
 
 double spacingOf(const ClosedSurface& closed, int cells, double radius)
@@ -158,7 +163,8 @@ double spacingOf(const ClosedSurface& closed, int cells, double radius)
   return std::min(wanted, LargestOfBody * std::cbrt(closed.volume));
 }
 
-/// Fills the body or, if it has too much detail or cannot be filled, a coarse surface of it.
+/// Fills the body. If it has too much detail or cannot be filled, a coarse surface of the body is
+/// filled instead.
 std::string fill(vtkPolyData* body, int cells, double radius, const FilterStage& stage,
   BodyYield& made, FilledBody& filled)
 {
@@ -200,8 +206,8 @@ std::string fill(vtkPolyData* body, int cells, double radius, const FilterStage&
   return fault;
 }
 
-/// Solves for a body of E = 1 MPa and contacts of up to this radius. Returns "", or a message about
-/// the fault; `values` stays empty after an abort.
+/// Solves a body of E = 1 MPa for contacts up to this radius. Returns "", or a message about the
+/// fault; `values` stays empty after an abort.
 std::string solve(vtkPolyData* body, const YieldRequest& request, double largest,
   vtkAlgorithm* filter, BodyYield& made, std::vector<double>& values)
 {
@@ -256,7 +262,8 @@ std::string solve(vtkPolyData* body, const YieldRequest& request, double largest
   return fault;
 }
 
-/// Values of a solution for one contact radius, linear in its square between those of the solution.
+/// Interpolates the values for one contact radius linearly in its square between the radii of the
+/// solution.
 void takeRadius(const std::vector<double>& values, std::size_t count, const YieldRequest& request,
   double largest, BodyYield& made)
 {
@@ -291,7 +298,7 @@ void takeRadius(const std::vector<double>& values, std::size_t count, const Yiel
   made.signs.assign(signs, signs + MostGlobalModes);
 }
 
-/// Numbers of a solution for a body of `count` points.
+/// Number of values of a solution for a body of `count` points.
 std::size_t numbersFor(std::size_t count)
 {
   return (2 * RadiusCount + 1 + 3 * MostGlobalModes) * count + MostGlobalModes;
@@ -324,7 +331,7 @@ std::string solveYield(
   const std::string content = joined(body->GetNumberOfPoints(), ' ', digest(bytesOf(body)));
   const auto count = static_cast<std::size_t>(body->GetNumberOfPoints());
   const double least = powerOfTwoFrom(request.radius);
-  // A solution for wider contacts may hold, too.
+  // A stored solution for wider contacts may be valid, too.
   double largest = least;
   std::vector<double> values;
   for (std::size_t k = 0; values.empty() && k < RadiusCount; ++k)

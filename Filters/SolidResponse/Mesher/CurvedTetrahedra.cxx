@@ -149,8 +149,8 @@ CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& r
     }
     made.cells.push_back(ids);
   }
-  // Straightening an edge can spoil a neighbour that needs the curved edge, so the loop is repeated
-  // until nothing changes.
+  // A straightened edge can make the Jacobian of a neighbouring cell too small, so the loop is
+  // repeated until nothing changes.
   for (bool isChanged = true; isChanged;)
   {
     isChanged = false;

@@ -16,7 +16,8 @@ struct CurvedTetrahedra
   std::size_t straightened = 0; ///< number of outer edges that are left straight
 };
 
-/// Moves a place to the true surface or, if the edge is sharp, to the true edge.
+/// Returns the point of the true surface to which a mid-edge node is moved. If the edge is sharp,
+/// it is a point of the true edge.
 using EdgeReach = std::function<Eigen::Vector3d(const Eigen::Vector3d& middle, bool isSharp)>;
 
 /**

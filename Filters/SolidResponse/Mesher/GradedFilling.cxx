@@ -31,7 +31,7 @@ constexpr double BytesPerCell = 2000.0;
 /// Cells have ten nodes each, numbered by 32 bits.
 constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 
-constexpr double MeshedShare = 0.9; // fraction of the work
+constexpr double MeshedShare = 0.9; // fraction of the work for meshing
 
 /// Expected cells of a body of given volume and area whose spacing grows from s to l inwards.
 double expectedCells(const ClosedSurface& closed, double s, double l, double growth)

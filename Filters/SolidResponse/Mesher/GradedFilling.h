@@ -16,7 +16,8 @@ namespace palpate
 /// The cells that fill a closed surface, as the properties of vtkGradedBody describe them.
 struct GradedCells
 {
-  double spacing = 0.0;         ///< spacing at the surface, mm; 0: chosenSpacing()
+  /// Spacing at the surface, mm; 0: the spacing is chosen by chosenSpacing().
+  double spacing = 0.0;
   double interiorSpacing = 0.0; ///< mm; 0: four times `spacing`
   double growth = 0.5;
   double deviation = 0.0; ///< mm; 0: a twentieth of `spacing`
@@ -24,7 +25,8 @@ struct GradedCells
   std::string fixedFaces = "z-";
 };
 
-/// Expected number of cells, also set if they are too many, and the repairs of the surface.
+/// Spacing and expected number of cells, also set if there would be too many cells, and warnings
+/// about repairs of the surface.
 struct GradedReport
 {
   double spacing = 0.0; ///< the spacing at the surface, given or chosen, mm
@@ -32,8 +34,9 @@ struct GradedReport
   std::vector<std::string> warnings;
 };
 
-/// Expected number of cells that a finer ball adds to cells of `spacing` (mm) at the surface that
-/// grow by `growth`.
+/// Returns the number of cells that a ball with finer cells is expected to add. `spacing`: that of
+/// the cells at the surface, mm. `growth`: increase of the spacing per mm of distance from the
+/// surface.
 double expectedBallCells(const FineBall& ball, double spacing, double growth);
 
 /// Fills the surface with quadratic tetrahedra and the point array `Fixed`. Returns "", or a

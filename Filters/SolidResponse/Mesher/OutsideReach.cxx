@@ -18,8 +18,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double OnCut = 1e-9; ///< tolerance relative to the coordinates, for the rounding of nodes
-                               ///< on a cut
+/// Tolerance relative to the coordinates, for the rounding of nodes on a cut.
+constexpr double OnCut = 1e-9;
 
 /// A locator for lines or triangles; null without cells.
 vtkSmartPointer<vtkStaticCellLocator> locatorOf(vtkPolyData* data)

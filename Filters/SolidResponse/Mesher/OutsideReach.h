@@ -9,9 +9,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Moves places to a surface. The middle of a sharp edge is moved to an edge instead: to a rim of
-/// `wanted` if it is on a cut, else to the nearest edge at which the surface turns by more than the
-/// sharp angle.
+/// Returns a function that moves places to a surface. The middle of a sharp edge is moved to an
+/// edge instead: to a rim of `wanted` if it is on a cut, else to the nearest edge at which the
+/// surface turns by more than the sharp angle.
 EdgeReach outsideReach(
   vtkPolyData* surface, const MeshedSurface& wanted, const std::vector<CutPlane>& cuts);
 } // namespace palpate

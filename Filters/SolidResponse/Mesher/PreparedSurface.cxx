@@ -25,7 +25,7 @@ constexpr double LostVolume = 0.1;
 /// Parts that remain after a cut are removed if their volume is below that of a cube of this side
 /// length, in spacings.
 constexpr double LeastLeft = 0.5;
-constexpr double NearCut = 1e-6;  // in spacings
+constexpr double NearCut = 1e-6;  // depth of a face after it was cut off, in spacings
 constexpr double RoughStep = 3.0; // factor on the deviation if a surface is too rough
 
 double volumeOf(const TetrahedralMesh& mesh)

@@ -28,10 +28,11 @@ struct MeshedSurface
   std::vector<double> spacing;  ///< spacing of the cells at each point
   std::vector<FineBall> balls;  ///< balls with finer cells, anywhere
   double interiorSpacing = 0.0; ///< the largest spacing
-  double growth = 0.0;          ///< increase of the spacing per distance from the surface inwards
-  double deviation = 0.0;       ///< largest distance of a facet from the surface
-  double sharpAngle = 45.0;     ///< edges at which the surface turns by a larger angle are kept,
-                                ///< degrees
+  /// Increase of the spacing per mm of distance from the surface inwards.
+  double growth = 0.0;
+  double deviation = 0.0; ///< largest distance of a facet from the surface
+  /// Edges at which the surface turns by a larger angle are kept, degrees.
+  double sharpAngle = 45.0;
   /// Whether the outside must be a manifold. Where the surface nearly touches itself, a manifold
   /// may need an unlimited number of cells.
   bool isManifold = true;
@@ -44,7 +45,7 @@ struct MeshedSurface
  * interpolated linearly between nodes. Distances are measured along the grid's sides and diagonals;
  * they are up to a tenth too long, and one step of the grid is subtracted.
  *
- * Cost: two sweeps, one second and 16 MiB for the largest grid of two million nodes. A lookup takes
+ * Cost: two sweeps; one second and 16 MiB for the largest grid of two million nodes. A lookup takes
  * a few tens of nanoseconds. Finding the closest point of a surface of 20 thousand triangles
  * instead takes a thousand times as long from the centre of a ball.
  */

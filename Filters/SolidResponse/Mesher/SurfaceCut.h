@@ -13,7 +13,7 @@ struct CutPlane
 {
   Eigen::Index axis = 0;
   bool isUpper = false; ///< true: the part above the plane is cut off, else the part below
-  double at = 0.0;      ///< mm
+  double at = 0.0;      ///< coordinate of the plane along the axis, mm
 };
 
 /**

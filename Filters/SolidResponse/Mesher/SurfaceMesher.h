@@ -26,18 +26,18 @@ struct TetrahedralMesh
 };
 
 /// Whether the module Mesher (MesherModule.h) can be loaded. If not, missingMesher() gives the
-/// reason, and the functions below, of SurfaceCut.h and of SurfaceRepair.h return it. The exception
-/// is mendSurface, which then does nothing and returns "".
+/// reason. The functions below and the functions of SurfaceCut.h and SurfaceRepair.h then return
+/// this reason, except mendSurface, which does nothing and returns "".
 bool hasSurfaceMesher();
 const std::string& missingMesher();
 
 /**
  * Delaunay refinement, then removal of slivers below 10° where possible (CGAL Mesh_3: Rineau and
  * Yvinec 2007; sharp edges: Cheng, Dey and Ramos 2007; perturbation: Tournois et al. 2009). Runs on
- * one thread and gives the same bits on every run. The observer receives the progress, estimated
- * from the expected number of `cells`. If it returns false, refinement ends within milliseconds
- * with an empty result. It is not called during the removal of slivers. Returns "", or a message
- * about the faults of the surface with the triangles.
+ * one thread; the result is bit-identical on every run. The observer receives the progress,
+ * estimated from the expected number of `cells`. If it returns false, refinement ends within
+ * milliseconds with an empty result. It is not called during the removal of slivers. Returns "", or
+ * a message about the faults of the surface with the triangles.
  */
 std::string fillSurface(
   const MeshedSurface& surface, double cells, const WorkObserver& observer, TetrahedralMesh& mesh);

@@ -11,9 +11,9 @@ namespace palpate
 /**
  * Repairs a closed surface that intersects itself, as scans do at some triangles. Crossing
  * triangles are smoothed, or removed and the resulting holes closed (CGAL's Polygon Mesh
- * Processing). `mended` is set to the number of crossing pairs; if it is 0 the surface is unchanged
- * bit for bit. Returns "", or a message with the triangles if more than a hundredth of them cross
- * or the repair failed.
+ * Processing). `mended` is set to the number of crossing pairs; if it is 0, the surface is
+ * bit-identical to the given one. Returns "", or a message with the triangles if more than a
+ * hundredth of them cross or the repair failed.
  *
  * Cost: 1 s per 100 thousand triangles, and 2 s more if triangles cross.
  */

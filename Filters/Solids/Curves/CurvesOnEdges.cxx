@@ -18,8 +18,8 @@ namespace
 constexpr std::size_t CurvesAround = 6;
 constexpr double RelativeStep = 1e-3; ///< step for dF/dδ, as a fraction of the depth
 
-/// Largest angle between the triangles at a point if the surface is convex there, rad; 0 in a
-/// hollow.
+/// Returns the largest angle between the triangles at a point if the surface is convex there, rad;
+/// 0 in a hollow.
 double turnAt(const BodySurface& surface, std::int32_t point)
 {
   Eigen::Vector3d around = Eigen::Vector3d::Zero();

@@ -12,14 +12,14 @@
 
 namespace palpate
 {
-/// The points from whose curves the curve of a point on an edge is averaged.
+/// The points whose curves are averaged to give the curve of a point on an edge.
 struct EdgeSurroundings
 {
   std::vector<AlongSurface> found; ///< points with a curve, and their distances
   double turn = 0.0;               ///< angle by which the surface turns away at the edge, rad
 };
 
-/// A surface with edges whose points have no curves of their own. Thread-safe.
+/// A surface on which points at edges get their curves from other points. Thread-safe.
 struct EdgedSurface
 {
   std::size_t points = 0;
@@ -29,8 +29,8 @@ struct EdgedSurface
     around;
 };
 
-/// The outer surface of a body; the points around a point are the nearest ones along the surface.
-/// The body must outlive the result.
+/// Returns the outer surface of a body. Its function `around` finds the nearest points along the
+/// surface. The body must outlive the result.
 EdgedSurface edgesOf(const ElasticBody& body);
 
 /**
@@ -40,9 +40,9 @@ EdgedSurface edgesOf(const ElasticBody& body);
  * Φ(0)/Φ(d/a) (edgeFactor), with its distance d and its contact radius a = K/2E*. The range is the
  * mean of the ranges, the error 1, the validity 0.
  *
- * Near a right-angled edge the curve is that of a tool along the face's normal within about 15 %.
- * Points without a valid point around them keep the range 0 and have no curve. `sampling`: sampling
- * of the spans.
+ * Near a right-angled edge the force differs by at most about 15 % from that of a tool that presses
+ * along the face's normal. Points without a valid point around them keep the range 0 and have no
+ * curve. `sampling`: the sampling of the curves in `spans`.
  */
 void fillEdges(
   const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans);

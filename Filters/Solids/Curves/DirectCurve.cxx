@@ -31,7 +31,7 @@ struct DirectSample
   double error = 1.0;
 };
 
-/// Mean of the two contacts of Pushed, corrected for finite strain.
+/// Mean of the contacts with the two directions of pressure (Pushed), corrected for finite strain.
 struct MeanOfPushes
 {
   MeanOfPushes(const DirectContact& contact, const DirectTerms& terms, double depth)

@@ -24,8 +24,8 @@ struct DirectTerms
   double depth = 1.0;                       ///< depth at the end of the curves, mm
   double errorTolerance = 0.05;             ///< error that limits Validity, > 0
   const StrainCorrection* strain = nullptr; ///< the correction for half-spaces; null: small strain
-  bool solvesFiniteStrain = false; ///< whether the contact is solved at finite strain, with the
-                                   ///< Neo-Hookean law
+  /// Whether the contact is solved at finite strain, with the Neo-Hookean law.
+  bool solvesFiniteStrain = false;
 };
 
 /// A contact on one mesh: the solution at finite strain, or the solution at small strain, which is
@@ -36,8 +36,8 @@ struct DirectPress
   std::unique_ptr<DirectContact> small;
 };
 
-/// Whether the forces on two meshes agree at the depth `terms.depth`, within the tolerance or, if
-/// that is larger, the error of a single mesh.
+/// Whether the forces on two meshes agree at the depth `terms.depth`. Their relative difference
+/// must not exceed the tolerance or, if that is larger, the error of a single mesh.
 PALPATE_EXPORT bool meshesAgree(
   const DirectPress& finer, const DirectPress& coarser, const DirectTerms& terms);
 
@@ -51,13 +51,13 @@ enum class DirectOutcome : unsigned char
 };
 
 /**
- * Replaces a point's curve by the curve of direct contact if the estimated error of the latter at
- * `terms.depth` is smaller than the error of the former curve, or smaller than the difference of
- * the two. The spans hold the former curve with its errors.
+ * Replaces a point's curve by the curve of direct contact if the estimated error of the new curve
+ * at `terms.depth` is smaller than the error of the former curve, or smaller than the difference of
+ * the two curves. The spans hold the former curve with its errors.
  *
- * If finite strain is solved for, the force is that of the finer mesh. Its error is the root of the
- * sum of the squares of: the difference of the two meshes and 0.01 (Elements); the small-strain
- * motion of the surrounding body (Strain, pressAtFiniteStrain); storage.
+ * If finite strain is solved for, the force is that of the finer mesh. The error is the root of the
+ * sum of the squares of three parts: the difference of the two meshes and 0.01 (Elements); the
+ * error of small strain in the surrounding body (Strain, see pressAtFiniteStrain); the storage.
  *
  * Otherwise the force is the mean of two forces, corrected for finite strain: one for pressures
  * along the mean normal, and one for each pressure along its own normal. Its error has these parts:

@@ -200,7 +200,7 @@ private:
     const double flat = area[0] * at[0][2] + area[1] * at[1][2] + area[2] * at[2][2];
     const double height = std::isfinite(smooth) ? smooth : flat;
     double& known = this->Found.surface(k, j);
-    if (!(known <= height)) // in a fold the outermost part is used
+    if (!(known <= height)) // the outermost part of a fold is used
     {
       known = height;
       this->Found.facets(k, j) = flat;

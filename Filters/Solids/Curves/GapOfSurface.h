@@ -11,10 +11,10 @@
 namespace palpate
 {
 /**
- * Finds the shape of a surface around one of its points, up to a radius (mm). Only the part counts
- * that is connected to the point and whose normals are within 60° of the point's normal. The
- * surface is smooth between its points (SmoothTriangle), except at creases, where the facets are
- * used. `normals`: three floats per point, unit length.
+ * Finds the shape of a surface around one of its points, up to a radius (mm). Includes only the
+ * part of the surface that is connected to the point and whose normals are within 60° of the
+ * point's normal. The surface is smooth between its points (SmoothTriangle), except at creases,
+ * where the facets are used. `normals`: three floats per point, unit length.
  *
  * At a border or an edge a ring is incomplete; the shape is then not known beyond that ring. Safe
  * from any number of threads. Cost: 50 µs, plus 1 µs per triangle within the radius.

@@ -20,11 +20,13 @@ namespace palpate
 namespace
 {
 constexpr auto ValidPoint = static_cast<unsigned char>(ResponseStatus::Valid);
-// The exponent is not the tool's: the shape of the body may stiffen or soften the law of any tool.
+// The exponent is 1 for all tools, because the shape of the body may stiffen or soften the law of
+// any tool.
 constexpr double Exponent = 1.0;
 constexpr double TiltErrorFactor = 0.2;
-constexpr double LeastRange = 1e-3; // fraction of the requested range; a shorter curve is discarded
-constexpr double FirstSampleFraction = 1e-3; // fraction of the depth of the first sample
+constexpr double LeastRange = 1e-3; // fraction of the requested range; shorter curves are discarded
+// Depth of the additional sample, as a fraction of the first sample's depth.
+constexpr double FirstSampleFraction = 1e-3;
 
 using KernelsAt = std::function<std::unique_ptr<ContactKernels>(std::size_t)>;
 
@@ -122,7 +124,7 @@ private:
         TiltErrorFactor * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = errors.elements();
       parts[ResponseLimit::None] = k > 0 ? this->storageError(i, k - 1, curve) : 0.0;
-      double error = parts.norm(); // each part is a bound in 19 of 20 cases
+      double error = parts.norm(); // each part is a bound in 95 of 100 cases
       error = std::isfinite(error) ? error : 1.0;
       if (k > 0 && this->Spans.error)
       {

@@ -34,8 +34,8 @@ struct ShapedTerms
 
 /**
  * Computes the response of `tool` at all points of the surface of a body of finite elements
- * (ShapedContact) and fills the spans. They have one value per point of the surface; their status
- * must be allocated.
+ * (ShapedContact) and fills the spans. The spans have one value per point of the surface; their
+ * status must be allocated.
  *
  * A point that cannot be pressed gets its PatchStatus as status. A point with an edge, a held point
  * or another material inside the smallest contact gets the status Edge. Points with the status Edge
@@ -49,12 +49,13 @@ struct ShapedTerms
  *   normal to the surface.
  * - Edge: a fifth of the effect of the tilt next to an edge. This residual was found by finite
  *   elements.
- * - Elements: elements, order of the kernel, and the error that both share near held points.
+ * - Elements: the error of the elements, the error due to the order of the kernel, and the error
+ *   near held points, which a second mesh may share.
  * - Storage.
  *
- * `goOn(fraction)` receives the fraction done and stops the work by returning false. The bits do
- * not depend on the number of threads. Cost: 24 to 96 small fits per point, a few milliseconds of
- * one thread.
+ * `goOn(fraction)` receives the fraction done and stops the work by returning false. The result is
+ * bit-identical for any number of threads. Cost: 24 to 96 small fits per point, a few milliseconds
+ * of one thread.
  */
 PALPATE_EXPORT MadeResponse shapedResponse(const AxisymmetricTool& tool, const RegularGreen& green,
   const ShapedTerms& terms, const ResponseSpans& spans,
@@ -76,10 +77,10 @@ struct LandmarkSurface
 };
 
 /**
- * As above, at the points of another surface of the body, between landmarks. The shape under the
- * contact is that of the other surface (SurfaceGap, UnevenContact). The error of the interpolation
- * of H between landmarks is part of Elements. Cost: about 0.3 ms per point, 2 ms if the surface is
- * uneven under the tool.
+ * Computes the response at the points of another surface of the body, which are between landmarks.
+ * The shape under the contact is that of the other surface (SurfaceGap, UnevenContact). The error
+ * of the interpolation of H between landmarks is part of the error Elements. Cost: about 0.3 ms per
+ * point, 2 ms if the surface is uneven under the tool.
  */
 PALPATE_EXPORT MadeResponse shapedResponse(const AxisymmetricTool& tool,
   const LandmarkKernels& landmarks, const LandmarkSurface& surface, const ShapedTerms& terms,

@@ -13,8 +13,8 @@ constexpr int MostCouplingModes = 16;
 
 /**
  * Compliance of a body: motion at one place of its surface under a force at another place, both
- * along the normals of their places, without the dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric and
- * positive semi-definite.
+ * along the normals of their places, without the local dent: C_ij ≈ Σ_m φ_m(i) φ_m(j), symmetric
+ * and positive semi-definite.
  *
  * The modes follow from the fields of landmarks (RegularField) by Nyström's method, as in
  * GlobalModes, but only from the normal parts and with positive eigenvalues, so that the sum is an
@@ -30,9 +30,9 @@ struct CouplingModes
   double neglected = 0.0;
 };
 
-/// The `count` largest modes of a factorised body, 1 to MostCouplingModes, from LandmarksPerMode
-/// times as many landmarks among the points with a valid compliance. Costs one solution per
-/// landmark.
+/// Computes the `count` largest modes (1 to MostCouplingModes) of a factorised body, from
+/// LandmarksPerMode times as many landmarks among the points with a valid compliance. Cost: one
+/// solution per landmark.
 PALPATE_EXPORT CouplingModes couplingModes(const ElasticBody& body,
   const PatchCompliances& compliances, double radius, int count, const WorkObserver& observer);
 } // namespace palpate

@@ -133,7 +133,7 @@ ElasticMaterial ElasticBody::materialAt(std::int32_t node) const
     equal = equal &&
       material.poissonRatio == this->Input.materials[static_cast<std::size_t>(*begin)].poissonRatio;
   }
-  if (equal && begin != end) // bit-identical, so that equal cut-outs are recognised
+  if (equal && begin != end) // bit-identical, because the hashes of equal cut-outs must be equal
   {
     sum.poissonRatio = this->Input.materials[static_cast<std::size_t>(*begin)].poissonRatio;
   }

@@ -11,7 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// Moduli within this ratio count as one material with continuous stress at its nodes.
+/// Elements whose moduli are within this ratio are treated as one material, whose stress is
+/// continuous at common nodes.
 constexpr double SameModulus = 1.25;
 
 /// Stress components xx, yy, zz, yz, xz, xy, at one point or at an element's nodes.
@@ -132,7 +133,7 @@ private:
   Eigen::Matrix<double, 9, 24> Modes;
 };
 
-/// Groups the elements of nearly one modulus at each node, because stress is continuous within a
+/// Groups the elements of nearly equal modulus at each node, because stress is continuous within a
 /// group. Stores the number of the group for each node of each element.
 class SharedNodes
 {

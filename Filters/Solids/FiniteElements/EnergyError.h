@@ -8,11 +8,11 @@
 namespace palpate
 {
 /**
- * Difference between the elements' stresses σ and smooth ones, for each displacement of all nodes
- * (3 × nodes, mm): ∫ (σ* - σ) : D⁻¹ : (σ* - σ) dV, N mm. σ* is interpolated from the mean at each
- * node over elements of nearly one modulus (Zienkiewicz and Zhu 1987). The integral estimates the
- * square of the error in the energy norm. Under a force of 1 N this is the error of the compliance
- * in mm/N.
+ * Difference between the elements' stresses σ and smoothed stresses σ*, for each displacement of
+ * all nodes (3 × nodes, mm): ∫ (σ* - σ) : D⁻¹ : (σ* - σ) dV, N mm. σ* is interpolated from the mean
+ * stress at each node over elements of nearly equal modulus (Zienkiewicz and Zhu 1987). The
+ * integral estimates the square of the error in the energy norm. Under a force of 1 N this is the
+ * error of the compliance in mm/N.
  *
  * Cost: 20 µs per element, plus 2 µs per displacement. Safe from any number of threads.
  */

@@ -49,16 +49,16 @@ struct GlobalModes
 std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
   const std::vector<std::int32_t>& points, std::int32_t first, std::size_t wanted);
 
-/// The `count` largest modes of the fields g_j of landmarks, 3 × surface points each. Does not set
-/// `neglected`.
+/// Computes the `count` largest modes from the fields g_j of the landmarks (3 × surface points
+/// each). Does not set `neglected`.
 GlobalModes modesOf(const ElasticBody& body, const std::vector<std::int32_t>& landmarks,
   const std::vector<Eigen::Matrix3Xd>& pulled, int count);
 
 /**
- * The `count` largest modes of a factorised body, from LandmarksPerMode times as many landmarks
- * among the points with a valid compliance. Without such points every mode is zero. `radius` as in
- * patchCompliances(). Costs one solution per landmark. The result has no fields if the observer
- * stopped the work.
+ * Computes the `count` largest modes of a factorised body, from LandmarksPerMode times as many
+ * landmarks among the points with a valid compliance. Without such points every mode is zero.
+ * `radius` as in patchCompliances(). Cost: one solution per landmark. The result has no fields if
+ * the observer stopped the work.
  */
 PALPATE_EXPORT GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& compliances,
   double radius, int count, const WorkObserver& observer);

@@ -7,7 +7,7 @@
 namespace palpate
 {
 /**
- * Memory of a body's finite elements, bytes, from its numbers of nodes before anything is
+ * Memory of a body's finite elements, bytes, from the number of its nodes before anything is
  * assembled. Accurate to a factor of ForecastError.
  *
  * With nested dissection the number of entries in a column of the factor is proportional to the

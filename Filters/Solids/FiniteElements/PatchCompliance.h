@@ -9,8 +9,8 @@
  * 3.
  *
  * E* is that of the point: the mean E and ν of the elements at it. Where the material changes, C_g
- * is the effect of the other material on a half-space of this one. It is accurate only if the
- * material is constant within a few elements of the point.
+ * is the effect that the other material has on a half-space of the point's material. It is accurate
+ * only if the material is constant within a few elements of the point.
  */
 #ifndef palpate_PatchCompliance_h
 #define palpate_PatchCompliance_h
@@ -20,7 +20,7 @@
 
 namespace palpate
 {
-/// The numbers are those of the response's status.
+/// The values are those of ResponseStatus.
 enum class PatchStatus : std::uint8_t
 {
   Valid = 0,
@@ -41,14 +41,14 @@ struct PatchCompliances
  * NaN and Degenerate. `radius` (mm) of the smaller patch; 0: PatchSpacings (PatchSite) times the
  * spacing at each point. The larger patch has twice the radius.
  *
- * Local parts are computed by threadCount() threads; the bits do not depend on their number. The
- * result is empty if the observer stopped the work.
+ * Local parts are computed by threadCount() threads; the result is bit-identical for any number of
+ * them. The result is empty if the observer stopped the work.
  */
 PALPATE_EXPORT PatchCompliances patchCompliances(const ElasticBody& body,
   const std::vector<std::int32_t>& points, double radius, const WorkObserver& observer);
 
-/// The patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch extends
-/// over an edge, the whole force acts at the point.
+/// Returns the patch of 1 N at a surface point as forces on the nodes (3 × nodes). If the patch
+/// extends over an edge, the whole force acts at the point.
 PALPATE_EXPORT Eigen::Matrix3Xd patchForces(
   const ElasticBody& body, std::int32_t point, double radius);
 

@@ -22,7 +22,7 @@ enum class CutNode : std::uint8_t
 /// The elements around a point and the loads on them: the complete input of a self-term.
 struct LocalPatch
 {
-  VolumeMesh mesh;                           ///< in the tangent frame of the point, flattened
+  VolumeMesh mesh;                           ///< flattened mesh, in the tangent frame of the point
   std::vector<unsigned char> inner;          ///< per element: 1 if it is also in the inner cut
   std::array<std::vector<CutNode>, 2> nodes; ///< role per node, for the inner and the outer cut
   std::array<PatchLoad, 2> loads;            ///< loads on the nodes, in the frame of this mesh

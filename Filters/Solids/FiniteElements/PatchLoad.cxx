@@ -131,8 +131,8 @@ PatchLoad makePatchLoad(
   const DiscRule& rule = DiscRule::standard();
   for (std::size_t q = 0; q < DiscRule::Count; ++q)
   {
-    // Finds the triangle that contains the point. For a point on a common edge, the triangle is
-    // chosen in which the smallest coordinate is largest.
+    // Finds the triangle that contains the point. If the point is on a common edge, the triangle
+    // with the largest smallest coordinate is chosen.
     double deepest = -1e-9;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::int32_t in = -1;

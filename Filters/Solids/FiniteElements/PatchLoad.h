@@ -5,9 +5,8 @@
  * The disc is in the tangent plane at the point; its total force is 1 N along -n. It is represented
  * by the 24 points of a quadrature rule (three rings of eight; moments exact to the fifth degree).
  * Each point is projected along n onto the surface and distributed to the nodes of its face by the
- * face's shape functions. Only that part of the surface is used that is connected to the point by
- * triangles with normals within 30° of n. A disc that reaches beyond this part extends over an
- * edge.
+ * face's shape functions. Only the part of the surface that is connected to the point by triangles
+ * with normals within 30° of n is used. A disc that reaches beyond this part extends over an edge.
  */
 #ifndef palpate_PatchLoad_h
 #define palpate_PatchLoad_h

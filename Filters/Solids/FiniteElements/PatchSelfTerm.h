@@ -3,14 +3,14 @@
  * Compliance of a patch load on a half-space of the same elements.
  *
  * The energy of a patch on a body is that of the patch on a half-space (16/(3π²E*c) for a disc of
- * radius c) plus the effect of the body's shape and supports. The first part is large; the second
- * part is the one that is needed. With elements of the size of the patch, the error of the first
- * part is a few per cent, which is more than the second part. The first part is therefore computed
- * with the same elements. The elements within `reach` of the point are cut out and flattened so
- * that their free surface is the plane z = 0 (the effect of curvature stays in the body's energy).
- * All get the same material, and the nodal forces are those of the body. At the cut, and where the
- * body ends, the nodes have the exact displacement of the half-space (Boussinesq 1885, summed over
- * the load). The discretisation error of the energy is then the same in both computations and
+ * radius c) plus the effect of the body's shape and supports. The first part is large; only the
+ * second part is needed. With elements of the size of the patch, the error of the first part is a
+ * few per cent, which is more than the second part. The first part is therefore computed with the
+ * same elements. The elements within `reach` of the point are cut out and flattened so that their
+ * free surface is the plane z = 0 (the effect of curvature stays in the body's energy). All these
+ * elements get the same material, and the nodal forces are those of the body. At the cut, and where
+ * the body ends, the nodes have the exact displacement of the half-space (Boussinesq 1885, summed
+ * over the load). The discretisation error of the energy is then the same in both computations and
  * cancels.
  *
  * The error of linear elements beyond the cut is proportional to h² ∫ r⁻⁶ dV (the square of the

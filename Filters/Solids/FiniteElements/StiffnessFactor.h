@@ -12,9 +12,9 @@
  * With blocks of the same size it takes 2.9 times as long for one load and 6.6 times as long for
  * the 900 loads of a face (Testing/Benchmarks/StiffnessFactorBenchmark.cxx). Simplicial: Eigen's
  * factor, ordered by minimum degree. It needs no other library and is about a hundred times slower
- * on large bodies. Both agree within 1e-9. The bits do not depend on the number of threads. If BLAS
- * is OpenBLAS, it is limited to one thread during the work, because several threads would sum in
- * another order.
+ * on large bodies. Both agree within 1e-9. The result is bit-identical for any number of threads.
+ * If BLAS is OpenBLAS, it is limited to one thread during the work, because several threads would
+ * sum in another order.
  */
 #ifndef palpate_StiffnessFactor_h
 #define palpate_StiffnessFactor_h
@@ -61,7 +61,7 @@ public:
   /// Returns x = K⁻¹ b.
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& load) const = 0;
   /// Returns x = K⁻¹ b for each column; empty if there is not enough memory. Safe from any number
-  /// of threads. The bits of a column depend on the number of columns but not on the number of
+  /// of threads. The rounding of a column depends on the number of columns but not on the number of
   /// threads.
   virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const = 0;
   /// The compliances of all loads, in their order. Empty if the observer stopped the work.

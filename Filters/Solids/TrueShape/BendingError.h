@@ -25,7 +25,8 @@ namespace palpate
 class BendingError
 {
 public:
-  /// The value without any measurement, and the smallest and the largest value that are returned.
+  /// The value that is used without any measurement; the smallest and the largest value that are
+  /// returned.
   static constexpr double Assumed = 0.1;
   static constexpr double Least = 0.005;
   static constexpr double Most = 0.5;

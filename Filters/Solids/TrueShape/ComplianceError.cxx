@@ -65,7 +65,7 @@ std::vector<double> complianceErrors(
     const Eigen::MatrixXd smooth = body.factor().solveAll(right);
     if (smooth.size() == 0)
     {
-      return; // without enough memory there is no estimate
+      return; // there is not enough memory for an estimate
     }
     std::vector<Eigen::Matrix3Xd> moved;
     for (std::size_t s = first; s < last; ++s)

@@ -23,7 +23,8 @@ struct PALPATE_EXPORT ContactSample
   double strain = 0.0;     ///< error of small strain, or of its correction
   double mesh = 0.0;       ///< error expected from the element size
 
-  double beside = 0.0; ///< element size over the distance to the limit of contacts, at most 1
+  /// Element size divided by the distance to the limit of contacts (KernelSite::limit), at most 1.
+  double beside = 0.0;
 
   /// Error of the elements and of the kernels made from them, as a fraction of the force. The first
   /// part (`mesh`) is due to the cells, the second (`truncation`) to the finite number of solved
@@ -35,7 +36,7 @@ struct PALPATE_EXPORT ContactSample
 /// Reason why a curve ends.
 enum class CurveEnd : unsigned char
 {
-  Patch,    ///< the contact reaches the radius that was solved for
+  Patch,    ///< the contact reaches the largest radius that was solved for
   Edge,     ///< the contact reaches an edge or another material
   Held,     ///< the contact reaches held points
   Unstable, ///< with this kernel the contact cannot grow further: δ does not rise

@@ -34,14 +34,14 @@ constexpr double CellError = 0.002;
 /// square slope. A ball's contact with a/R = 0.4 has a mean square slope of 0.08; its error is up
 /// to 1 % (ShapedContactTest).
 constexpr double SlopeErrorFactor = 0.25;
-/// Of the growing contacts, one in this number is solved.
+/// One in this many growing contacts is solved.
 constexpr std::size_t ContactsPerSolution = 3;
 /// Ratio of the distance between the smooth patches and the true body to the geometric mean of two
 /// lengths: the distance of the facets from the patches and the unevenness of the facets' edges.
 /// Measured on bumps that the points resolve and on bumps that they do not (GapOfSurfaceTest), and
 /// on scans of a bunny and a dragon thinned to a third, a tenth or a twentieth of the points.
 constexpr double FacetErrorFactor = 1.0 / 3.0;
-/// Ratio of g² of the residual of a gap to the mean square of the residual.
+/// Ratio of the square of the residual's g (SurfaceGap) to the mean square of the residual itself.
 constexpr double RoughnessFactor = 30.0;
 /// Mean square slope of the angle mean of the surface under a contact.
 double meanSlope(const Eigen::Vector4d& drop, double radius)
@@ -81,7 +81,7 @@ struct Unevenness
 void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing, double modulus,
   UnevenContact& uneven, std::vector<Unevenness>& shape)
 {
-  std::size_t before = 0; // the last contact that was solved
+  std::size_t before = 0; // index of the last contact that was solved
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     const ContactSample& s = samples[i];

@@ -10,11 +10,11 @@ namespace
 {
 /// Factor on the second-order estimate. With it, 2 of 100 errors exceed the estimate.
 constexpr double MissedFactor = 1.5;
-constexpr double LinearMissedFactor = 7.5; ///< the same factor for linear tetrahedra, which lock
+constexpr double LinearMissedFactor = 7.5; ///< factor for linear tetrahedra, which lock
 /// Reduction at held faces, where elements have the exact displacement.
 constexpr double HeldFactor = 0.5;
-constexpr double QuadraticGain = 1.25; ///< the spacing of quadratic tetrahedra is divided by this
-                                       ///< factor
+/// The spacing of quadratic tetrahedra is divided by this factor.
+constexpr double QuadraticGain = 1.25;
 
 double gainOf(ElementKind kind)
 {

@@ -2,12 +2,12 @@
 /** @file
  * Quadrature over one face of an element of a field that is singular at the origin.
  *
- * On a face that does not contain the origin, Gauss points are used, more of them the nearer the
- * face is. A face with a node at the origin is cut into triangles with that corner, and the surface
- * between its nodes is assumed to be smooth: along each ray from the origin its height over the
- * plane z = 0 grows with the square of the distance. Boussinesq's tractions are then as weakly
- * singular as on the smooth body that the facets represent. On flat facets they would not be
- * integrable.
+ * A face that does not contain the origin is integrated with Gauss points; their number increases
+ * as the distance decreases. A face with a node at the origin is divided into triangles that have
+ * the origin as a corner, and the surface between its nodes is assumed to be smooth: along each ray
+ * from the origin its height over the plane z = 0 grows with the square of the distance.
+ * Boussinesq's tractions are then as weakly singular as on the smooth body that the facets
+ * represent. On flat facets they would not be integrable.
  */
 #ifndef palpate_FaceRule_h
 #define palpate_FaceRule_h

@@ -30,13 +30,14 @@ constexpr double LongestApproachStep = 0.2;
 constexpr int MostFailed = 4;      ///< failed steps in depth; each halves the step
 constexpr int MostIterations = 40; ///< largest number of iterations of Newton's method
 constexpr int MostHalvings = 8;    ///< largest number of halvings of one Newton step
-/// Fraction of the stiffness at rest that is added to a tangent that is not positive definite.
+/// Fractions of the stiffness at rest. They are added in turn to a tangent that is not positive
+/// definite.
 constexpr std::array<double, 5> AddedStiffness = { 0.0, 0.05, 0.3, 2.0, 10.0 };
 /// The iteration ends when the relative decrease of the energy is below this value: the next
 /// decrease would be about its square.
 constexpr double LastDecrease = 1e-7;
 constexpr double Fillet = 0.05; ///< radius of the fillet of the tool's apex, in contact radii
-constexpr double ReachOfOutline = 3.0; ///< contact radii
+constexpr double ReachOfOutline = 3.0; ///< radius of the outline, in contact radii
 
 /// Ratio of the relative error of the force to the square of the angle by which the motion of the
 /// surrounding body rotates the place.

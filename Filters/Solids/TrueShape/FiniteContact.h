@@ -23,12 +23,12 @@ inline bool isForFiniteStrain(const AxisymmetricTool& tool)
  * several sides, and for bodies that turn away as they bend. Contact of the body with itself is not
  * modelled.
  *
- * Newton's method on the potential of FinitePart, at a few depths. The solution starts where the
- * tool first touches, up to three contact radii before the place, and continues to `deepest` (mm),
- * or to the last depth with an equilibrium. If the body is unstable, such as a flap that snaps
- * aside, the solution follows the equilibrium of lower energy. The curve is empty if no equilibrium
- * is found, for other kinds of elements, for several materials and for tools with a flat end.
- * Contact radii refer to the undeformed area.
+ * The potential of FinitePart is minimised by Newton's method at a few depths. The solution starts
+ * where the tool first touches, up to three contact radii before the place, and continues to
+ * `deepest` (mm), or to the last depth with an equilibrium. If the body is unstable, such as a flap
+ * that snaps aside, the solution follows the equilibrium of lower energy. The curve is empty if no
+ * equilibrium is found, for other kinds of elements, for several materials and for tools with a
+ * flat end. Contact radii refer to the undeformed area.
  *
  * `rest` is used as in DirectContact: the surrounding body moves as at small strain. If the motion
  * of the surrounding body rotates the place by θ, small strain gives wrong length changes of θ²/2.

@@ -61,9 +61,9 @@ public:
     double force = 0.0;  ///< force on the tool, along the direction of the press, N
     double radius = 0.0; ///< radius of the circle with the same undeformed area as the contact, mm
     double penetration = 0.0; ///< penetration due to the penalty, mean weighted by pressure, mm
-    double turned = 0.0; ///< angle by which the motion of the surrounding body rotates the place,
-                         ///< rad
-    Vector gradient;     ///< derivative of the potential's gradient with respect to depth
+    /// Angle by which the motion of the surrounding body rotates the place, rad.
+    double turned = 0.0;
+    Vector gradient; ///< derivative of the potential's gradient with respect to depth
   };
   Pressed pressed(const Vector& u, double depth) const;
 

@@ -24,8 +24,8 @@ constexpr double FarLimit = 2.0;
 /// and the largest sum of the absolute weights. If a limit is violated, the mean is used.
 constexpr double LeastSpreadOfPlane = 0.02;
 constexpr double LargestWeights = 3.0;
-constexpr double NearLandmark = 1e-3; ///< added to the square of the distance relative to the mean
-                                      ///< distance
+/// Added to the square of the distance relative to the mean distance.
+constexpr double NearLandmark = 1e-3;
 
 /// Converts coefficients of powers of r/from to coefficients of powers of r/to.
 Eigen::Matrix4d rescaled(const Eigen::Matrix4d& c, double from, double to)

@@ -40,9 +40,9 @@ private:
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
-    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< tilt of the kernel, along the axes of the
-                                                      ///< body
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `full`
+    /// Tilt of the kernel, along the axes of the body.
+    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< ContactKernel::normal of `full`
     Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `coarse`
     int order = 0;
   };

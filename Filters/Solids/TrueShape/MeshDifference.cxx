@@ -18,8 +18,8 @@ constexpr double FacingCosine = 0.5; ///< facing the same way: within 60°
 
 /// Radius around a place for landmarks of the coarser mesh, in spacings of its nodes.
 constexpr double ReachOfMean = 2.0;
-constexpr std::size_t LeastOfMean = 6; ///< a larger radius is used if there are fewer landmarks
-                                       ///< within it
+/// Smallest number of landmarks; if fewer are within the radius, a larger radius is used.
+constexpr std::size_t LeastOfMean = 6;
 /// Factor on the squared distance of the last of these landmarks, so that its weight is not zero.
 constexpr double LastDistanceFactor = 2.0;
 /// Smallest ratio k of the spacings. A smaller one makes the difference of the meshes unreliable.

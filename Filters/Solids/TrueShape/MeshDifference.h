@@ -24,8 +24,9 @@ namespace palpate
 class PALPATE_EXPORT MeshDifference
 {
 public:
-  /// Both must be complete and solved for the same contact radius. The object keeps no reference to
-  /// them. Cost: one BlendedKernels per landmark of the coarser mesh, on threadCount() threads.
+  /// Both arguments must be complete and solved for the same contact radius. The object keeps no
+  /// reference to them. Cost: one BlendedKernels per landmark of the coarser mesh, on threadCount()
+  /// threads.
   MeshDifference(const LandmarkKernels& body, const LandmarkKernels& coarser);
 
   /// The estimate at a place of the surface with this outward normal. It is unknown if no landmark

@@ -58,7 +58,8 @@ Loads storedInPart(const ElasticBody& part, const Eigen::MatrixXd& motion)
   return stored;
 }
 
-/// Returns, as columns, the loads under which the motion of the place is large enough.
+/// Returns, as columns, the combinations of loads under which the motion of the place is large
+/// enough.
 Eigen::Matrix<double, 6, Eigen::Dynamic> loadsThatMove(
   const Loads& place, const ElasticMaterial& material, double radius)
 {

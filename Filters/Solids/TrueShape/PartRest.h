@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A piece of a body's surface. Its motion is the weighted mean of those of six nodes.
+/// A piece of a body's surface. Its motion is the weighted mean of the motions of six nodes.
 struct SurfacePiece
 {
   std::array<std::int32_t, 6> nodes;
@@ -34,10 +34,10 @@ struct PartRest
 
 /**
  * Computes the data of the surrounding body. `part`: the part, of one material, at small strain.
- * `moved`: its motions under forces and moments. `place`: the pieces of the place. Of the six kinds
- * of load only those are used that move the place by more than 1/200 of the indentation of a
- * half-space by a contact of `radius` (mm). On coarse cells the stored energy of the other loads is
- * not reliable and may be negative.
+ * `moved`: its motions under forces and moments. `place`: the pieces of the place. A combination of
+ * the six loads is used only if it moves the place by more than 1/200 of the indentation of a
+ * half-space by a contact of `radius` (mm). On coarse cells the stored energy of the other
+ * combinations is not reliable and may be negative.
  */
 PartRest restAround(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const UnitMotion& moved, double radius);

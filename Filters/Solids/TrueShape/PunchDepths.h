@@ -20,8 +20,8 @@ struct PunchClosing
 struct PunchDepth
 {
   double depth = 0.0; ///< mm
-  double open = 0.0;  ///< error of the force due to the unknown shape of the contact below this
-                      ///< depth, as a fraction
+  /// Error of the force due to the unknown shape of the contact below this depth, as a fraction.
+  double open = 0.0;
 };
 
 /// The depths of a flat punch's curve, ascending. `radius`: that of the punch, mm.

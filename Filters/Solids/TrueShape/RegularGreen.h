@@ -12,7 +12,7 @@
  * κ/(πE*) with the mean curvature κ remains, since 1/|x-X| uses the length of the chord.
  *
  * Sources are solved in blocks of 32 with the one factor of the body. The blocks are shared among
- * threadCount() threads; the bits of the result do not depend on their number.
+ * threadCount() threads; the result is bit-identical for any number of them.
  */
 #ifndef palpate_RegularGreen_h
 #define palpate_RegularGreen_h
@@ -105,7 +105,7 @@ private:
   double Radius = 0.0;
   double Spacing = 0.0;
   bool IsEven = false;
-  std::vector<std::int32_t> Points;                       ///< given to solve(), ascending
+  std::vector<std::int32_t> Points;                       ///< points given to solve(), ascending
   std::vector<SurfaceDisc> Discs;                         ///< one per point of Points
   SourceErrors Errors;                                    ///< one per point of Points
   std::vector<std::int32_t> Sources;                      ///< ascending

@@ -66,7 +66,7 @@ std::vector<double> contactRadii(double smallest, double largest, Touch touch, i
   return radii;
 }
 
-/// End of a curve that is not limited otherwise.
+/// Returns the reason why a curve ends, if no earlier reason ended the curve.
 CurveEnd endOf(const KernelSite& site, bool reachesWall)
 {
   if (reachesWall)
@@ -273,7 +273,7 @@ ContactCurve ShapedContact::curve(const ContactKernels& kernels, int largestOrde
   course.touch = touch.touch;
   const bool isPunch = isFlat(this->Tool);
   bool grows = true;
-  bool isTaken = true; // the last sample
+  bool isTaken = true; // whether the last sample was added
   const auto take = [&](double radius, std::optional<double> deflection, double open)
   {
     const std::size_t before = course.samples.size();

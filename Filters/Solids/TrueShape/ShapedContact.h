@@ -15,8 +15,9 @@
  * (SurfaceGap), and next to an edge the force tilts it by βF. To second order U*(F) decreases by
  *   ½ E* ∫_0^a (|2x(s + βF)|² + Σ g_m²) dx
  * and δ decreases by
- *   ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T, T = (4/3) E* a³. If the second order is not
- * enough, the effect of the shape is computed by solving the uneven contact (UnevenContact).
+ *   ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T, T = (4/3) E* a³.
+ * If the second order is not enough, the effect of the shape is computed by solving the uneven
+ * contact (UnevenContact).
  *
  * The equations are those of linear elasticity at small strain. Finite strain multiplies the local
  * part of a contact, as on a half-space under the same force (StrainCorrection). The remaining

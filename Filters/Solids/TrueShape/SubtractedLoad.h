@@ -34,8 +34,9 @@ struct SingularSource
  * singular field is subtracted: u = u_B + w, where u_B is Boussinesq's field at X along the inward
  * normal, with the material at X.
  *
- * The remaining field w is smooth and solves K w = b, with b(v) = -∮ v·(σ_B n) dA - ∫ ε(v) : (D -
- *   D₀) : ε_B dV, w = -u_B where the body is held.
+ * The remaining field w is smooth and solves K w = b with
+ *   b(v) = -∮ v·(σ_B n) dA - ∫ ε(v) : (D - D₀) : ε_B dV,
+ *   w = -u_B where the body is held.
  * The first integral is over the outer faces (zero on the plane through X), the second over the
  * elements of another material. The incompatible modes of hexahedra contribute to the second
  * integral and are condensed as in the stiffness; they have no part in the first.

@@ -76,8 +76,8 @@ public:
         {
           continue;
         }
-        if (this->isHeld(*t)) // the held triangle begins at its edge, which may be nearer than its
-                              // corners
+        // The held triangle begins at its edge, which may be nearer than its corners.
+        if (this->isHeld(*t))
         {
           limit(disc, away, PatchStatus::OutOfReach);
           continue;

@@ -16,7 +16,7 @@ namespace palpate
 /// contact on an edge has no normal.
 constexpr double ContactTurn = 0.76604444311897803520;
 
-/// A surface point near another one, in the tangent plane at the latter.
+/// A surface point near the middle point of a disc, in the tangent plane at the middle point.
 struct DiscPoint
 {
   std::int32_t point = 0;

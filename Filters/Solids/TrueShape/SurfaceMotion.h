@@ -25,8 +25,9 @@ struct SurfaceMotion
  * way as X (VisibleDent.h). The near fields are quadratic functions, fitted by least squares to the
  * known H around each source.
  *
- * Costs one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
- * it, the result is incomplete and has no points. The bits do not depend on the number of threads.
+ * Cost: one more solution for each of LandmarksPerMode × `modes` sources. If the observer stopped
+ * the work, the result is incomplete and has no points. The result is bit-identical for any number
+ * of threads.
  */
 PALPATE_EXPORT SurfaceMotion surfaceMotion(
   const RegularGreen& green, int modes, const WorkObserver& observer);

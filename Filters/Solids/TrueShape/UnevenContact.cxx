@@ -22,7 +22,8 @@ constexpr int MostAttempts = 5;
 constexpr double WideningFactor = 1.4;
 
 constexpr int MostSteps = 60;
-constexpr float LoadTolerance = 1e-4F; ///< fraction of the load that the last step redistributes
+/// The iteration ends if a step moves a smaller fraction of the load.
+constexpr float LoadTolerance = 1e-4F;
 
 /// Gap where no contact is possible: beyond the tool's wall or where the surface is not known.
 constexpr float NoContactGap = 1e6F;

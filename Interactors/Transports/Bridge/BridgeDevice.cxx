@@ -22,7 +22,7 @@ std::uint64_t microseconds() noexcept
     std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch()).count());
 }
 
-/// Whether both describe the same device; the nonce is ignored.
+/// Whether both descriptions are of the same device; the nonce is ignored.
 bool same(DescriptionReport a, DescriptionReport b) noexcept
 {
   a.nonce = b.nonce = 0;
@@ -85,7 +85,7 @@ bool BridgeDevice::greetFirst(double patience)
   }
   if (this->Known)
   {
-    this->Now = Stage::Described; // an earlier state has no time of the loop
+    this->Now = Stage::Described; // a state that arrived before has no time of the servo loop
     this->Limits = specificationOf(this->Description, &this->Remark);
     this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
@@ -101,14 +101,14 @@ DeviceSample BridgeDevice::read(double time) noexcept
   }
   this->Fresh = false;
   this->receiveAll(time);
-  // Both conditions are written so that a time that is NaN or decreases counts as too late.
+  // Both conditions are written such that a time that is NaN or decreases counts as too late.
   if (this->Now == Stage::Alive && !(std::abs(time - this->NewsAt) <= this->Limits.sampleTimeOut))
   {
     this->lose();
   }
   if (this->Now != Stage::Alive && !(std::abs(time - this->GreetedAt) < GreetingPause))
   {
-    this->Now = Stage::Greeting; // also if a description but no state has arrived
+    this->Now = Stage::Greeting; // also if a description has arrived but no state
     this->GreetedAt = time;
     ++this->Nonce;
     this->greet();
@@ -172,7 +172,7 @@ void BridgeDevice::takeState(const StateReport& state, double time) noexcept
 {
   if (this->Now == Stage::Greeting)
   {
-    return; // from a program without a description, or without a new one
+    return; // the program has sent no description, or no new one
   }
   const ReportSequence::Verdict verdict = this->Sequence.judge(state.sequence);
   this->Stale.store(this->Sequence.stale(), std::memory_order_relaxed);
@@ -202,7 +202,7 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
   this->Stranger = this->Known && !same(description, this->Description);
   if (this->Stranger || this->Now != Stage::Greeting)
   {
-    return; // another device, or the answer to a second greeting
+    return; // it is another device, or the answer to a second greeting
   }
   this->Description = description;
   this->Known = true;

@@ -22,11 +22,11 @@ namespace palpate
  *
  * There are no threads: read receives the datagrams that have arrived, at most ReadsPerTick, and
  * uses the newest state; write sends a force. Each takes a few system calls and never waits. Only
- * datagrams from the program's address are used. The program is lost if there is no new state for
- * longer than the specification's sampleTimeOut (by the time passed to read), or if it has
- * restarted. Then read is not valid, and write sends no force and returns false. A greeting is sent
- * to a lost program four times a second. The program is used again when its description is the same
- * as before and a valid state has arrived.
+ * datagrams from the program's address are used. The program counts as lost if there is no new
+ * state for longer than the specification's sampleTimeOut (by the time passed to read), or if it
+ * has restarted. Then read is not valid, and write sends no force and returns false. A greeting is
+ * sent to a lost program four times a second. The program is used again when its description is the
+ * same as before and a valid state has arrived.
  *
  * The destructor sends "amplifiers off, zero force". read and write are for one thread; another
  * thread may call status and the counters.
@@ -37,8 +37,8 @@ public:
   static constexpr int ReadsPerTick = 64;
 
   /// Sends greetings to the program at `address` ("unix:/PATH", "udp:PORT") until its description
-  /// arrives, for at most `patience` seconds. Returns null, with the reason in words, if there is
-  /// no description.
+  /// arrives, for at most `patience` seconds. If there is no description, returns null and sets
+  /// `error` to the reason.
   static std::unique_ptr<BridgeDevice> open(
     const std::string& address, std::string& error, double patience = 2.0);
   ~BridgeDevice() override;
@@ -87,16 +87,16 @@ private:
   bool Known = false;         ///< whether the description has arrived at least once
 
   std::uint32_t Nonce;
-  bool Started = false;   ///< read has been called
+  bool Started = false;   ///< whether read has been called
   double GreetedAt = 0.0; ///< s
   ReportSequence Sequence;
   StateReport Newest;
-  double NewsAt = 0.0; ///< s, time of Newest
+  double NewsAt = 0.0; ///< time of Newest, s
   bool Fresh = false;
   std::uint32_t ForceSequence = 0;
 
   std::atomic<Stage> Now{ Stage::Greeting };
-  std::atomic<bool> Stranger{ false }; ///< another device is described at the program's address
+  std::atomic<bool> Stranger{ false }; ///< whether the program now describes another device
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };

@@ -27,8 +27,8 @@ namespace palpate
 class PALPATE_EXPORT BridgeSocket
 {
 public:
-  /// Opens a socket. Returns null, with the reason in words, if the address is wrong or the system
-  /// refuses.
+  /// Opens a socket. If the address is wrong or the system refuses, returns null and sets `error`
+  /// to the reason.
   static std::unique_ptr<BridgeSocket> open(const std::string& address, std::string& error);
   ~BridgeSocket();
   BridgeSocket(const BridgeSocket&) = delete;

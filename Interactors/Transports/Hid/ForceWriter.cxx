@@ -66,7 +66,8 @@ struct ForceWriter::Shared
       {
         // interrupted by a signal
       }
-      this->Waiting.store(false); // before the order is read: a later order wakes the thread again
+      // Cleared before the order is read, so that a later order wakes the thread again.
+      this->Waiting.store(false);
       if (this->Stopping)
       {
         break;
@@ -91,7 +92,8 @@ struct ForceWriter::Shared
 
   bool report(const Order& order, bool enable)
   {
-    std::shared_ptr<HidPort> port; // kept while the device is busy, even if the device is lost
+    // Keeps the port while the device is busy, even if the device is lost.
+    std::shared_ptr<HidPort> port;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       port = this->Port;

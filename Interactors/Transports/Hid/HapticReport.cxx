@@ -99,7 +99,7 @@ constexpr std::size_t TorqueOffset = 36;
 constexpr std::size_t TorqueLimitsOffset = 44;
 constexpr std::size_t ShortName = 3; ///< bytes of the name if the torque limits follow
 
-/// Offset of component `i` of w, x, y, z; the largest component is omitted.
+/// Returns the offset of component `i` of w, x, y, z; the largest component is omitted.
 std::size_t placeOf(int i, int largest) noexcept
 {
   return OrientationOffset + 4 * static_cast<std::size_t>(i < largest ? i : i - 1);

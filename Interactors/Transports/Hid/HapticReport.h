@@ -44,8 +44,8 @@ struct StateReport
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< m; finite
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s; finite
   std::uint32_t buttons = 0;
-  std::uint32_t forceSequence = 0;                    ///< of the last applied force
-  ToolOrientation orientation = orientationNotTold(); ///< unit
+  std::uint32_t forceSequence = 0;                    ///< number of the last applied force report
+  ToolOrientation orientation = orientationNotTold(); ///< unit quaternion
 };
 
 /// A report from the host to the device.
@@ -57,7 +57,7 @@ struct ForceReport
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; finite
   /// The device sets zero force if no force report arrives for this time, µs.
   std::uint32_t watchdog = 20000;
-  std::uint32_t stateSequence = 0;                  ///< of the newest received state
+  std::uint32_t stateSequence = 0;                  ///< number of the newest received state
   Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< N m, about the tip; finite
 };
 
@@ -90,8 +90,8 @@ struct HelloReport
   std::uint32_t nonce = 0;
 };
 
-/// The watchdog of a force report, µs, for a hold time (s). It is at most the device's time-out,
-/// which is also the value for NaN.
+/// Returns the watchdog of a force report, µs, for a hold time `seconds`. The result is at most the
+/// device's time-out; if `seconds` is NaN, it is the time-out.
 PALPATE_EXPORT std::uint32_t watchdogOf(
   double seconds, const DeviceSpecification& specification) noexcept;
 
@@ -106,7 +106,7 @@ enum class ReportDefect : std::uint8_t
   Kind,     ///< another kind than expected
   Content   ///< a position, velocity, force or torque that is not finite, or an invalid rotation
 };
-/// A text such as "wrong check sum".
+/// Returns a text such as "wrong check sum".
 PALPATE_EXPORT const char* inWords(ReportDefect defect) noexcept;
 
 PALPATE_EXPORT void pack(const StateReport& report, HapticReportBytes& bytes) noexcept;
@@ -130,12 +130,12 @@ PALPATE_EXPORT ReportDefect checkReport(const std::uint8_t* bytes, std::size_t s
 PALPATE_EXPORT std::uint32_t reportCheckSum(const std::uint8_t* bytes, std::size_t size) noexcept;
 
 /**
- * The specification of a device from its description. A conservative value replaces each value that
- * is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0 < force
- * rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out ≤ 0.1
- * s; for a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N m/rad, 0
- * < torque rate). `replaced`, unless null, receives the names of the replaced values. Not for the
- * tick, because it allocates.
+ * Returns the specification of a device from its description. A conservative value replaces each
+ * value that is missing or not credible (credible: 0 < force ≤ 100 N, 0 < stiffness ≤ 20000 N/m, 0
+ * < force rate, 0 < damping ≤ 200 N s/m, 0 < half extents ≤ 2 m, 10 ≤ rate ≤ 20000 Hz, 0 < time-out
+ * ≤ 0.1 s; for a device that outputs torque 0 < torque ≤ 5 N m, 0 < torsional stiffness ≤ 100 N
+ * m/rad, 0 < torque rate). `replaced`, unless null, receives the names of the replaced values. Not
+ * for the tick, because it allocates.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(
   const DescriptionReport& description, std::string* replaced = nullptr);

@@ -21,7 +21,7 @@ struct HidEntry
   std::uint16_t usagePage = 0;
   std::uint16_t usage = 0;
   std::string maker;
-  std::string name; ///< of the product
+  std::string name; ///< name of the product
   std::string serial;
 };
 
@@ -40,18 +40,18 @@ public:
   virtual int feature(std::uint8_t* bytes, std::size_t size) noexcept = 0;
 };
 
-/// Lists and opens HID devices: those of the system, by hidapi, or simulated ones for a test. For
-/// any thread except a servo thread.
+/// Lists and opens HID devices: the devices of the system (through hidapi), or simulated devices
+/// for a test. For any thread except a servo thread.
 class PALPATE_EXPORT HidBus
 {
 public:
   virtual ~HidBus() = default;
   virtual std::vector<HidEntry> entries() = 0;
-  /// Opens a device. Returns null, with the reason in words, if the device cannot be opened.
+  /// Opens a device. If the device cannot be opened, returns null and sets `error` to the reason.
   virtual std::unique_ptr<HidPort> open(const std::string& path, std::string& error) = 0;
-  /// The reason why the device cannot be opened, in words; empty: no reason is known.
+  /// Returns the reason why the device cannot be opened; empty if no reason is known.
   virtual std::string obstacle(const std::string& path) = 0;
-  /// The reason why the list is necessarily empty, in words; empty: there is no such reason.
+  /// Returns the reason why the list cannot have entries; empty if there is no such reason.
   virtual std::string complaint() const { return {}; }
 };
 

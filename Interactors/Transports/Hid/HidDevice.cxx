@@ -19,7 +19,7 @@ struct NumberedState
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 
-/// The feature report with the description; its bytes are zero if there is no such report.
+/// Reads the feature report with the description; all bytes are zero if there is no such report.
 HapticReportBytes describe(HidPort& port)
 {
   HapticReportBytes bytes{};
@@ -80,7 +80,7 @@ public:
     this->States.write({ state, ++this->Number });
     this->Faulty.store(state.fault, std::memory_order_relaxed);
     this->Amplified.store(state.amplifiersOn, std::memory_order_relaxed);
-    this->Alive.store(true, std::memory_order_release); // after the first state is stored
+    this->Alive.store(true, std::memory_order_release); // set after the first state has been stored
   }
 
   void lost() noexcept override
@@ -144,7 +144,7 @@ HidDevice::HidDevice(HidBus& bus, const HidEntry& entry, std::unique_ptr<HidPort
 
 HidDevice::~HidDevice()
 {
-  this->Connection->Writer.stop(); // while the device is still connected
+  this->Connection->Writer.stop(); // called while the device is still connected
 }
 
 DeviceSample HidDevice::read(double) noexcept

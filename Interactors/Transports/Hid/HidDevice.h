@@ -36,8 +36,8 @@ namespace palpate
 class PALPATE_EXPORT HidDevice final : public HapticDevice
 {
 public:
-  /// Opens the device at `path`, such as "/dev/hidraw0". Returns null, with the reason in words, on
-  /// failure.
+  /// Opens the device at `path`, such as "/dev/hidraw0". On failure, returns null and sets `error`
+  /// to the reason.
   static std::unique_ptr<HidDevice> open(
     const std::string& path, std::string& error, HidBus& bus = systemHidBus());
   ~HidDevice() override;
@@ -70,7 +70,7 @@ private:
   std::shared_ptr<Link> Connection;
   std::unique_ptr<HidReader> Reader;
   std::uint64_t Seen = 0;          ///< number of the last state read
-  std::uint32_t StateSequence = 0; ///< of the last state read
+  std::uint32_t StateSequence = 0; ///< sequence number of the last state read
 };
 } // namespace palpate
 

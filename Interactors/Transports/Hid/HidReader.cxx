@@ -14,10 +14,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int ReadLimit = 50; ///< ms; the longest delay of the end
+constexpr int ReadLimit = 50; ///< ms; longest wait for a report, and for the end of the thread
 constexpr std::chrono::milliseconds SearchPause(250);
 constexpr std::chrono::milliseconds ReaderPatience(1000);
-/// below the servo's priority, so that many reports do not delay a tick
+/// Below the servo's priority, so that many reports do not delay a tick.
 constexpr int ReaderPriority = 79;
 } // namespace
 
@@ -35,7 +35,7 @@ struct HidReader::Shared
   mutable std::mutex Mutex;
   std::condition_variable Stop;
   bool Stopping = false; ///< protected by Mutex
-  /// protected by Mutex: the reason why a device that has returned is not used
+  /// The reason why a device that has returned is not used. Protected by Mutex.
   std::string Words;
 
   Shared(HidBus& bus, HidEntry entry, std::unique_ptr<HidPort> port,
@@ -87,7 +87,8 @@ struct HidReader::Shared
     }
     else if (count < 0)
     {
-      this->Listener->lost(); // before the loss is counted, so that the count implies it
+      // Called before the loss is counted, so that a new count implies this call.
+      this->Listener->lost();
       this->Connected = false;
       this->Disconnections.fetch_add(1);
       this->Port.reset();

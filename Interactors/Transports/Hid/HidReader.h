@@ -19,7 +19,7 @@ class PALPATE_EXPORT HidListener
 public:
   virtual ~HidListener() = default;
   /// Called when a device has returned and is open on `port`. Returns the reason why it must not be
-  /// used, in words; empty: it may be used.
+  /// used; empty if it may be used.
   virtual std::string returned(HidPort& port, const HidEntry& entry) = 0;
   virtual void received(const std::uint8_t* report, std::size_t size) noexcept = 0;
   virtual void lost() noexcept = 0;
@@ -44,8 +44,8 @@ public:
 
   bool connected() const noexcept;
   std::uint64_t disconnections() const noexcept;
-  /// The state as text: "connected", "unplugged, waiting for it to return", or the reason why it is
-  /// not used again.
+  /// The state as text: "connected", "unplugged, waiting for it to return", or the reason why the
+  /// returned device is not used again.
   std::string status() const;
 
 private:

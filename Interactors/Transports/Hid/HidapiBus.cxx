@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The system's HID devices: the only file that uses hidapi.
+// The HID devices of the system. Only this file uses hidapi.
 #include "Transports/Hid/HidBus.h"
 
 #include <hidapi.h>
@@ -16,14 +16,15 @@ namespace palpate
 {
 namespace
 {
-/// hidapi has one error text for all calls without a device, and each of these calls frees it.
+/// Returns the mutex for calls of hidapi that use no device. hidapi has one error text for all of
+/// these calls, and each of them frees it.
 std::mutex& oneAtATime()
 {
   static std::mutex mutex;
   return mutex;
 }
 
-/// hidapi's text as UTF-8, independent of the program's locale.
+/// Converts a text of hidapi to UTF-8, independent of the program's locale.
 std::string narrow(const wchar_t* text)
 {
   std::string bytes;
@@ -67,7 +68,7 @@ public:
   {
     errno = 0;
     const int count = hid_read_timeout(this->Device, bytes, size, milliseconds);
-    // a signal does not mean that the device is unplugged
+    // A signal does not mean that the device is unplugged.
     return count < 0 && errno == EINTR ? 0 : count;
   }
 

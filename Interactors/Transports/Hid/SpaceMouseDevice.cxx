@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 constexpr std::size_t LongestReport = 64;
-/// s; longer steps are pauses of the loop, during which the tip does not move.
+/// Longest time step, s. A longer step is a pause of the loop, during which the tip does not move.
 constexpr double LongestStep = 0.02;
 
 struct NumberedAxes
@@ -23,7 +23,7 @@ struct NumberedAxes
   std::uint64_t number = 0; ///< 1, 2, 3, …
 };
 
-/// 0 within the dead zone, then linear up to ±1.
+/// Returns 0 within the dead zone; beyond it the result grows linearly up to ±1.
 double beyondDeadZone(double value, double deadZone) noexcept
 {
   const double beyond = std::max(0.0, std::abs(value) - deadZone) / (1.0 - deadZone);
@@ -48,7 +48,7 @@ class SpaceMouseDevice::Link final : public HidListener
 public:
   std::string returned(HidPort&, const HidEntry&) override
   {
-    this->State = {}; // at rest until a report arrives
+    this->State = {}; // the cap counts as at rest until a report arrives
     this->publish();
     return {};
   }

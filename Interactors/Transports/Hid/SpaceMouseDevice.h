@@ -17,28 +17,29 @@ namespace palpate
 {
 enum class SpaceMouseMode : std::uint8_t
 {
-  /// pushing the cap moves the tip, with a speed that grows with the push; after release the tip
-  /// stops
+  /// The displacement of the cap sets the velocity of the tip. After release the tip stops.
   Rate,
-  Position ///< the tip is at the cap's position; after release it returns to 0
+  /// The displacement of the cap sets the position of the tip; after release the tip returns to 0.
+  Position
 };
 
 /// How the cap of a SpaceMouse moves the tip.
 struct SpaceMouseSettings
 {
-  double fullSpeed = 0.05;  ///< m/s at full deflection, in rate mode
-  double halfExtent = 0.05; ///< m: limit of the tip, reached at full deflection in position mode
-  double deadZone = 0.05;   ///< fraction of full deflection within which the cap counts as at rest
-  /// s, time constant of the low-pass filter between reports, which arrive at 60 to 125 Hz.
+  double fullSpeed = 0.05; ///< speed at full deflection in rate mode, m/s
+  /// Limit of the tip's coordinates, reached at full deflection in position mode, m.
+  double halfExtent = 0.05;
+  double deadZone = 0.05; ///< fraction of full deflection within which the cap counts as at rest
+  /// Time constant of the low-pass filter between reports, s. Reports arrive at 60 to 125 Hz.
   double filterTime = 0.02;
-  /// s; in rate mode the tip stops if there is no report for this time. A pushed cap reports
+  /// In rate mode the tip stops if there is no report for this time, s. A pushed cap reports
   /// continuously; at rest the device sends no reports.
   double longestSilence = 0.25;
 };
 
 /**
- * A 3Dconnexion SpaceMouse: input only. Classic and wireless report layouts; see
- * SpaceMouseReport.h.
+ * A 3Dconnexion SpaceMouse, an input device without force output. Supports the classic and the
+ * wireless report layouts (SpaceMouseReport.h).
  *
  * The device's frame: x right, y up, z towards the user. A reader thread decouples the tick from
  * the driver. Missing reports are not a fault: sampleTimeOut is infinite, and every reading counts
@@ -48,8 +49,8 @@ struct SpaceMouseSettings
 class PALPATE_EXPORT SpaceMouseDevice final : public HapticDevice
 {
 public:
-  /// Opens the device at `path`, such as "/dev/hidraw0". Returns null, with the reason in words, on
-  /// failure.
+  /// Opens the device at `path`, such as "/dev/hidraw0". On failure, returns null and sets `error`
+  /// to the reason.
   static std::unique_ptr<SpaceMouseDevice> open(const std::string& path, SpaceMouseMode mode,
     std::string& error, HidBus& bus = systemHidBus(), const SpaceMouseSettings& settings = {});
   ~SpaceMouseDevice() override;
@@ -75,8 +76,8 @@ private:
   std::shared_ptr<Link> Connection;
   std::unique_ptr<HidReader> Reader;
 
-  std::uint64_t Seen = 0; ///< number of the last report read
-  double SeenTime = 0.0;  ///< time of that reading, s
+  std::uint64_t Seen = 0; ///< number of the last report that was used
+  double SeenTime = 0.0;  ///< time at which that report was used, s
   double LastTime = std::numeric_limits<double>::quiet_NaN();
   Eigen::Vector3d Position = Eigen::Vector3d::Zero();
   Eigen::Vector3d Velocity = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@ double axis(const std::uint8_t* bytes) noexcept
   return static_cast<std::int16_t>(bits) / FullDeflection;
 }
 
-/// Converts right, towards the user, down (the report) to right, up, towards the user.
+/// Converts the axes of a report (right, towards the user, down) to right, up, towards the user.
 Eigen::Vector3d axes(const std::uint8_t* bytes) noexcept
 {
   return { axis(bytes), -axis(bytes + 4), axis(bytes + 2) };

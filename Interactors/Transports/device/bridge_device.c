@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes any vendor's device a device of Palpate: put its SDK into the two functions at the top.
+/* Makes any vendor's device a device of Palpate: call its SDK in the two functions at the top.
  *   cc bridge_device.c palpate_hid.c -lm -o bridge_device && ./bridge_device /tmp/d
  * Its address is then bridge:unix:/tmp/d. */
 #define _POSIX_C_SOURCE 200809L

@@ -163,7 +163,8 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
   return true;
 }
 
-/* A vector from the host, limited to the length `most`; zeros while the amplifiers are off. */
+/* Copies a vector from the host, limited to the length `most`. Returns false, with zeros, while the
+ * amplifiers are off. */
 static bool applied(palpate_hid* hid, uint64_t now_us, const float from[3], float most, float to[3])
 {
   float length;

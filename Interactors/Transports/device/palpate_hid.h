@@ -36,21 +36,21 @@ extern "C"
   /* Vendor page 0xFF00, usage 0x50; input, output and feature report of 64 bytes, unnumbered. */
   extern const uint8_t palpate_hid_report_descriptor[PALPATE_HID_DESCRIPTOR_SIZE];
 
-  /* The device's specification by its manufacturer. SI units. */
+  /* The device's specification, as given by its manufacturer. SI units. */
   typedef struct palpate_hid_description
   {
     bool outputs_force;
-    bool planar;              /* moves in its xy plane only */
+    bool planar;              /* moves only in its xy plane */
     float maximum_force;      /* N */
-    float maximum_stiffness;  /* N/m, of a spring rendered at `rate`: the damping times `rate` */
+    float maximum_stiffness;  /* N/m, of a spring rendered at `rate`: damping times `rate` */
     float maximum_force_rate; /* N/s, may be infinite */
     float maximum_damping;    /* N s/m */
-    float half_extents[3];    /* of the workspace about 0, m */
+    float half_extents[3];    /* half extents of the workspace about 0, m */
     float rate;               /* states per second, Hz */
-    float sample_time_out;    /* s; without a state for longer, the host takes the device as lost */
+    float sample_time_out;    /* s; longest time without a state before the device counts as lost */
     /* UTF-8, padded with zeros; with outputs_torque only 3 bytes are sent */
     char name[16];
-    bool outputs_torque;  /* about the tip of the tool; false, with zeros below: no torque */
+    bool outputs_torque;  /* torque about the tool's tip; if false, the values below are 0 */
     float maximum_torque; /* N m */
     float maximum_torsional_stiffness; /* N m/rad, of a torsion spring rendered at `rate` */
     float maximum_torque_rate;         /* N m/s, may be infinite */
@@ -73,16 +73,16 @@ extern "C"
   {
     float maximum_force;       /* N: a stronger force is scaled down to it */
     uint32_t longest_watchdog; /* us: the longest watchdog that a host may request */
-    uint32_t sequence;         /* of the last state sent */
-    uint32_t force_sequence;   /* of the last force received */
+    uint32_t sequence;         /* number of the last state sent */
+    uint32_t force_sequence;   /* number of the last force received */
     uint32_t watchdog;         /* us */
     uint64_t force_time;       /* us, when this force was received */
     float force[3];            /* N */
     float torque[3];           /* N m */
     /* N m: a larger torque is scaled down to this value; 0 (no torque) after start */
     float maximum_torque;
-    bool alive;       /* forces are arriving; set by a force, cleared by the watchdog */
-    bool enabled;     /* the host wants the amplifiers on */
+    bool alive;       /* whether forces arrive; set by a force, cleared by the watchdog */
+    bool enabled;     /* whether the host requests the amplifiers to be on */
     uint32_t refused; /* number of reports that were invalid or old */
     uint32_t expired; /* number of times that the watchdog ended the force */
   } palpate_hid;

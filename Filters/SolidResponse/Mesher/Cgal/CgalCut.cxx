@@ -20,8 +20,8 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double OnPlane = 1e-9; ///< fraction of the body's size; allows for rounding errors of
-                                 ///< constructed points
+/// Fraction of the body's size; allows for rounding errors of constructed points.
+constexpr double OnPlane = 1e-9;
 constexpr const char* NothingLeft = "nothing of the body would be left";
 
 std::string nameOf(const CutPlane& plane)
@@ -37,7 +37,7 @@ CgalKernel::Plane_3 convertPlane(const CutPlane& plane)
   return { normal.x(), normal.y(), normal.z(), -sign * plane.at };
 }
 
-/// Moves points to the plane if they are off it only by rounding.
+/// Moves points to the plane if their distance from it is only a rounding error.
 void roundTo(const CutPlane& plane, MeshedSurface& surface)
 {
   const double size =

@@ -56,8 +56,8 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 constexpr double FacetRadius = 0.72; ///< largest radius of the circle around a facet, in spacings
 constexpr double CellRadius = 0.80;  ///< largest radius of the ball around a cell, in spacings
 constexpr double FacetAngle = 25.0;  ///< smallest angle of a facet, degrees: at most 30 (CGAL)
-constexpr double RadiusEdge = 2.0; ///< largest ratio of the radius of a cell's ball to its shortest
-                                   ///< edge
+/// Largest ratio of the radius of a cell's ball to its shortest edge.
+constexpr double RadiusEdge = 2.0;
 constexpr double SliverAngle = 10.0; ///< target for the smallest dihedral angle, degrees
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;

@@ -31,9 +31,10 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-constexpr double WidestHole = 0.2; ///< largest width of a filled hole, relative to the diagonal of
-                                   ///< the body's bounding box
-constexpr double LeastFragment = 0.001; ///< fraction of all triangles
+/// Largest width of a filled hole, relative to the diagonal of the body's bounding box.
+constexpr double WidestHole = 0.2;
+/// Largest size of a fragment that is removed, as a fraction of all triangles.
+constexpr double LeastFragment = 0.001;
 /// Largest fraction of crossing triangles. A larger fraction is not a defect of scanning.
 constexpr double MostCrossing = 0.01;
 

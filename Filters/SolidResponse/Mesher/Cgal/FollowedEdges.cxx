@@ -17,8 +17,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double OwnEdge = 3.0; ///< smallest length of an edge of the body, in spacings
-/// Distance of points that are one node of a line, in spacings.
+/// Smallest length of an edge that counts as an edge of the body, in spacings.
+constexpr double OwnEdge = 3.0;
+/// Points of lines within this distance are one node, in spacings.
 constexpr double SameNode = 1e-6;
 
 using Edges = std::vector<CgalSurface::Edge_index>;
@@ -45,8 +46,8 @@ Edges sharpEdges(const CgalSurface& surface, double angle, const Edges& besides)
   return found;
 }
 
-/// Whether the sharp edges of a surface are edges of the body, which are lines several spacings
-/// long. The noise of a scan has many short ones.
+/// Whether the sharp edges of a surface are edges of the body. Such edges form lines several
+/// spacings long, whereas the noise of a scan gives many short ones.
 bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSurface& wanted)
 {
   std::vector<CgalSurface::Vertex_index> root(surface.vertices().begin(), surface.vertices().end());
@@ -127,8 +128,8 @@ struct IsCorner
   }
 };
 
-/// The nodes of lines. Points that differ by rounding only are one node: where two cuts meet, a
-/// surface may have several, and a line between them would have no length.
+/// The nodes of lines. Points that differ only by rounding become one node: where two cuts meet, a
+/// surface may have several such points, and a line between them would have no length.
 class LineNodes
 {
 public:

@@ -166,8 +166,8 @@ private:
   std::vector<Line> Lines;
   std::vector<double> Totals; ///< length of each line
   std::vector<Place> Places;
-  std::vector<std::vector<bool>> IsNear; ///< per line and side: whether the side is too near
-                                         ///< another one
+  /// Per line and side: whether the side is too near another one.
+  std::vector<std::vector<bool>> IsNear;
 };
 } // namespace
 
