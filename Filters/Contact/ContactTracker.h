@@ -107,8 +107,8 @@ public:
   /// Triangle of the last contact, -1 if there was none.
   std::int32_t triangle() const noexcept { return this->Last.triangle; }
 
-  /// The triangle of the contact that is likely when the tip is at `tip`, found by a short walk
-  /// over faces without any check; -1 without a contact.
+  /// Returns the triangle on which the contact probably is when the tip is at `tip`, found by a
+  /// short walk over faces without any check; -1 without a contact.
   std::int32_t triangleAhead(const Vector3& tip) const noexcept;
 
   /// Local minimum of the distance reached from a triangle, in the mesh's local frame. The triangle

@@ -65,7 +65,7 @@ public:
     Pressed at = this->find(pose);
     return this->feel(at, 0.0);
   }
-  /// Computes the response `elapsed` s after the last update of this kind. If the first such update
+  /// Computes the response `elapsed` s after the last update with a time. If the first such update
   /// finds the tip inside the body, the tip is assumed to have rested there.
   Contact update(const ToolPose& pose, double elapsed) noexcept
   {
@@ -80,9 +80,9 @@ public:
   /// surface by `lowering` mm. To be called once after each find().
   Contact feel(Pressed& at, double lowering) noexcept;
 
-  /// Finds how deep the tool presses if nothing lowers the surface, for tools that lower the
-  /// surface under one another; to be called between find() and feel(). Returns false if it does
-  /// not press.
+  /// Computes the depth of the tool on a surface that nothing lowers, for tools that lower the
+  /// surface under one another. To be called between find() and feel(). Returns false if the tool
+  /// does not press.
   bool press(Pressed& at) noexcept;
   /// The slow response of the tool at a depth (mm) at that contact, in its present tilt.
   ResponseValue slowResponse(const Pressed& at, double depth) const noexcept;
@@ -126,7 +126,7 @@ private:
       place.projection.weights };
   }
 
-  /// Sets how deep the tool presses, and the factor of its work that edges or a border leave.
+  /// Sets the depth of the tool, and the factor by which edges or a border change its work.
   void reach(Pressed& at, double lowering) noexcept;
   /// Moves the contact to the face across a blunt edge as long as that face is nearer.
   void crossEdges(Pressed& at, double lowering) noexcept;

@@ -214,7 +214,8 @@ extern "C"
     double maximum_stiffness;  /* N/m, of a sampled spring that comes to rest at the rate below */
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
-    double sample_time_out;    /* s; a device that is silent for longer is lost. May be infinite */
+    double
+      sample_time_out; /* s; without a reading for longer the device is lost; may be infinite */
     double
       delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
     /* since version 4. N m, about the tip; 0: the device outputs no torque. And N m/rad, of a
@@ -282,9 +283,9 @@ extern "C"
   {
     double position[3];   /* m */
     double velocity[3];   /* m/s; zero if the device does not measure it */
-    unsigned int buttons; /* bit i: button i is down */
-    int valid;            /* 0: there is nothing to report; the force is then zero */
-    int fresh;            /* 0: nothing new, the last reading is repeated */
+    unsigned int buttons; /* bit i: button i is pressed */
+    int valid;            /* 0: the device has no reading; the force is then zero */
+    int fresh;            /* 0: no new reading, the last one is repeated */
     /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into
      * the device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown.
      * And rad/s, or zeros. */
@@ -306,10 +307,10 @@ extern "C"
     double force_factor;     /* ratio of applied to ideal force, by PALPATE_FIT */
     double
       scene_share; /* fraction of the newest scene in the ideal force; 1 except while changing */
-    unsigned int scene; /* number of the newest scene: how many came before */
+    unsigned int scene; /* index of the newest scene: number of preceding changes */
     unsigned int acted; /* sum of enum palpate_safety_link */
     int valid;          /* the sample was valid and finite */
-    int clutched;       /* the tip stays while the hand moves */
+    int clutched;       /* the tip does not move while the hand moves */
     /* since version 2. s: how long device_force may be held if no tick follows. A device that
      * ends its force after this time returns no more energy than was put in. May be infinite. */
     double hold_time;

@@ -22,8 +22,8 @@ struct EdgeTerms
   /// Depth (mm) at which the body is fixed, by the base of a layer or by its own opposite side. An
   /// edge farther away than 1.5 times this depth has no effect. 0: a half-space.
   double extent = 0.0;
-  /// The curves already contain the effect of the edge, as curves from finite elements do. Then
-  /// only the effect beyond the edge is added.
+  /// Whether the curves already contain the effect of the edge, as curves from finite elements do.
+  /// Then only the effect beyond the edge is added.
   bool isInCurves = false;
 
   bool areFelt() const noexcept { return this->exponent > 0.0 && this->radius > 0.0; }

@@ -24,15 +24,16 @@ namespace palpate
  *   the hand enters it. The search takes part of a tick, for some ticks; meanwhile the hand lifts
  *   off, or rests.
  *
- * Therefore a tip that does not press has no contact, also if a goal follows in the middle of a
+ * Therefore a tip that does not press has no contact, even if a new goal arrives in the middle of a
  * way, and on hollow and thin bodies. This holds for the facets; the smooth contact surface is
- * higher by up to its patches' bulge.
+ * higher by up to the bulge of its patches.
  *
  * A tip that presses slides to a goal that presses nearby. Its foot moves over the surface towards
  * the goal, and the tip is held under the foot along the blended normal, at a depth between the
- * present one and the goal's. The depth of contact in each tick is found as the contact finds it
- * (ContactTracker) and is never above that; the tip is lifted if it would be. If the foot
- * does not come nearer, such as at a ridge, the hand lifts off and comes down at the goal.
+ * present one and the goal's. In each tick the depth of the contact is computed as in the servo
+ * step (ContactTracker). If it would exceed the larger of these two depths, the tip is lifted. If
+ * the foot does not come nearer to the goal, for example at a ridge, the hand lifts off and comes
+ * down at the goal.
  *
  * If no way exists, such as between the inside and the outside of a hollow body, the tip is put at
  * the top of the goal's column in one tick (`jumps`).
@@ -98,8 +99,9 @@ private:
   bool isBehind() const noexcept;
   bool canRise() const noexcept;
   void addTop(const Vector3& foot, const Vector3& normal) noexcept;
-  /// At least the number of points of the retreat from a path. A hand whose path has too many
-  /// continues until it has passed some; the last ones are over the goal.
+  /// An upper bound of the number of points of the retreat from Path. If there are too many points
+  /// for a retreat, the hand continues until it has passed enough of them; the last points are over
+  /// the goal.
   std::size_t pointsToLeave() const noexcept;
   void leaveColumn() noexcept;
   void leavePath() noexcept;
@@ -108,13 +110,14 @@ private:
 
   Vector3 Tip = Vector3::Zero();
   Phase Now = Phase::Lost;
-  bool IsSearching = false; ///< for a way to Search.goal(); Path is then the begin of the retreat
+  bool IsSearching = false; ///< a way to Search.goal() is being searched; Path is then the
+                            ///< beginning of the retreat
   TouchGoal Goal;           ///< where Path or the slide ends
-  TouchGoal Wanted;         ///< the newest
+  TouchGoal Wanted;         ///< the newest goal
 
   RouteSearch::Route Path;
   std::size_t Leg = 0;       ///< the tip is between points Leg and Leg + 1 of Path
-  std::size_t GoalSteps = 0; ///< how many points of Goal.way the path uses, before its end
+  std::size_t GoalSteps = 0; ///< number of points of Goal.way in the path, before its end
 
   RouteSearch::Retreat Retreat;
   std::size_t Known = 0; ///< points of the retreat with free legs between them

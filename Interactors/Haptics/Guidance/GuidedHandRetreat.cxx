@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a guided hand leaves the place at which a new goal finds it.
+// The part of GuidedHand that leaves the present place when a new goal arrives.
 #include "Haptics/Guidance/GuidedHand.h"
 
 #include <algorithm>

@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-/// A goal that is farther away from the surface is moved onto it, mm. A picked place is off by
-/// rounding.
+/// mm. A goal farther away from the surface is moved onto the surface; a smaller distance is only
+/// the rounding of a picked point.
 constexpr double OffSurface = 0.05;
 
 /// Largest distance of a corner from the centre of the body's box, mm.
@@ -140,7 +140,7 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
   {
     return false;
   }
-  // Points at distances that grow in proportion: a hand may leave the way at each of them.
+  // The distances of the points grow geometrically. A hand may leave the way at each point.
   const std::size_t more = TouchGoal::MostSteps - goal.steps;
   const double first = std::min(Approach, length);
   for (std::size_t i = 1; i <= more; ++i)

@@ -17,7 +17,8 @@ namespace palpate
  * a straight way from the top of the column to a sphere around the body. It tries the normal first,
  * then directions farther and farther from the normal. In a hollow from which no direction leads
  * out, it tries again from the middle of the hollow. A goal without such a way (`leadsOut` is
- * false) can be reached only from places that see it. Cost: 20 to some thousand closest points.
+ * false) can be reached only from places with a free straight line to it. Cost: 20 to some thousand
+ * closest points.
  *
  * The planner keeps the bodies of its goals until release().
  */

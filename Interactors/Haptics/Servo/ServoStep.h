@@ -73,8 +73,8 @@ public:
   /// `scene` must not be null.
   ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& mapping,
     const SafetySettings& safety, std::uint32_t clutchButtons = 0);
-  /// 1 to Most hands; further hands are ignored. A `scene` for another number of hands is made
-  /// again.
+  /// `hands` has 1 to Most elements; further ones are ignored. If `scene` is made for another
+  /// number of hands, it is made again for this number.
   ServoStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>& hands);
 
   std::size_t count() const noexcept { return this->Devices.size(); }
@@ -109,7 +109,7 @@ public:
   /// Ends the forces from the next step until start().
   void stop() noexcept;
   void start() noexcept;
-  /// The same for one hand.
+  /// Ends the force of one hand from the next step until its start().
   void stop(std::size_t hand) noexcept;
   void start(std::size_t hand) noexcept { this->Devices[hand].end.start(); }
   /// Resets contacts, ramp, clutches and the history of the safety chains. A stopped hand remains

@@ -87,8 +87,8 @@ public:
   /// must not change after the first reading. The device keeps the body while it is in use.
   void setBody(std::shared_ptr<const ContactBody> body, const WorkspaceMapping& mapping);
   /// Moves a steered hand around the body to `height` (mm, negative: pressed) above a point of its
-  /// surface with an outward unit normal, in the body's frame: see GuidedHand. A hand whose first
-  /// reading follows starts there, or at its free height if it presses. Takes 20 to some thousand
+  /// surface with an outward unit normal, in the body's frame: see GuidedHand. Before the first
+  /// reading, the hand starts there, or at the free height if it presses. Takes 20 to some thousand
   /// searches of a closest point (TouchPlanner). No effect on a hand with a path, without a body,
   /// or if a number is not finite.
   void touch(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double height);

@@ -197,7 +197,7 @@ bool LiveTouchSession::change(const PreparedLiveTouch& made)
   return true;
 }
 
-/// Starts the session with the hand above the place, and moves the hand to the place.
+/// Starts the session with the hand above the target, and then moves the hand to the target.
 void LiveTouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
