@@ -50,7 +50,7 @@ StudyScene plateScene(const StudyEffort& effort)
   }
   scene.tips = [plate, effort](const StudyTool& tool)
   {
-    // Most of the deflection is bending of the plate, so the contact is narrower than on a
+    // Most of the deflection is bending of the plate, so that the contact is narrower than on a
     // half-space.
     const double half = std::min(4.0, plate->reach(0.5 * tool.shape->contactRadius(tool.range)));
     return flatTips(half, tool.range, effort.sites, effort.path);

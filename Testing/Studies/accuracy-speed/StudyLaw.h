@@ -49,7 +49,7 @@ struct SampledCurves
 };
 
 /// Force on a tool, exact within linear elasticity: closed forms on a half-space, the exact layer,
-/// and either in series with a compliance. Not thread-safe.
+/// or either of them in series with a compliance. Not thread-safe.
 class StudyLaw
 {
 public:

@@ -24,7 +24,7 @@ double underCircle(double a, double r)
   return 0.5 * a * a * (share * std::sqrt(1.0 - share * share) + std::asin(share));
 }
 
-/// Largest force of all circles about x, F/E*.
+/// Largest force of all circles with the centre at x, over E*.
 double forceAbout(const TiltedSurface& surface, double x, double depth, double reach)
 {
   const double limit = depth + 2.0 * reach;

@@ -80,7 +80,7 @@ SharedPlate halfSpaceOf(const StudyTool& tool)
     tool, std::vector<Spot>(pointCount()), BodyMaterial::Values{});
 }
 
-/// 4 to 12 mm thick along x.
+/// A plate with a thickness of 4 to 12 mm along x.
 SharedPlate wedgeOf(const StudyTool& tool)
 {
   std::vector<Spot> spots;
@@ -95,7 +95,7 @@ SharedPlate wedgeOf(const StudyTool& tool)
   return std::make_shared<LeaningPlate>(tool, std::move(spots), std::move(values));
 }
 
-/// Orientation of the tool that the tick gets.
+/// Orientation of the tool that is given to the tick.
 enum class Told
 {
   NoAxis,
@@ -104,7 +104,7 @@ enum class Told
   Axis
 };
 
-/// Palpate's whole tick.
+/// The complete tick of Palpate.
 class LeaningTick final : public TiltMethod
 {
 public:

@@ -95,8 +95,8 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
     for (std::size_t k = 0; k < Columns; ++k)
     {
       const double c = all[2 * k];
-      // A jump of c means an equilibrium on another branch than that of the row. A deep flat on a
-      // thin layer finds some.
+      // A jump of c means an equilibrium on another branch than that of the row. This occurs for a
+      // deep flat on a thin layer.
       isKnown = isKnown && c > 0.0 &&
         (k < 2 || std::abs(c - 2.0 * factors[k - 1] + factors[k - 2]) < LargestBend);
       factors.push_back(isKnown ? c : 0.0);

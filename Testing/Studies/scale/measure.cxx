@@ -72,8 +72,8 @@ double secondsOf(const Work& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The median of several passes, whose number keeps the total time about equal for every size; or a
-/// single pass.
+/// The median of several passes. The number of passes keeps the total time about equal for every
+/// size. With `once` there is a single pass.
 class Passes
 {
 public:

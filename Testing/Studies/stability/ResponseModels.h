@@ -42,7 +42,7 @@ std::shared_ptr<const ContactBody> bodyOf(
   const Surface& surface, const ResponseStore& store, const ResponseModel& model);
 /// A plate in z = 0, centred at the origin, with this response.
 std::shared_ptr<const ContactBody> plateOf(const ResponseModel& model);
-/// The same on a half-space of this reduced modulus (MPa), which couples the tools.
+/// The plate of plateOf() on a half-space of this reduced modulus (MPa), which couples the tools.
 std::shared_ptr<const ContactBody> coupledPlate(const ResponseModel& model, double modulus);
 } // namespace palpate::testing
 

@@ -99,8 +99,9 @@ double generated(const std::shared_ptr<const ContactBody>& body, const ContactSe
   return 1e3 * loop.audit().mostGenerated();
 }
 
-/// The tip goes down at the softest place of a varying response, at constant depth to the stiffest,
-/// up, and back outside. Energy put in at one place is returned at the other.
+/// The tip goes down at the softest place of a varying response, moves at constant depth to the
+/// stiffest place, and goes up and back outside. Energy put in at one place is returned at the
+/// other.
 std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
 {
   Vector3 softest = Vector3::UnitX();

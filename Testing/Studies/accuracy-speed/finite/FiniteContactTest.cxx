@@ -31,7 +31,7 @@ ToolPointer tool(const char* text)
   return ToolPointer(makeTool(specification));
 }
 
-/// Made once; such a small mesh takes some tenths of a second.
+/// The plate is made once, because its mesh takes some tenths of a second.
 const FiniteBodyPointer& plate()
 {
   static const FiniteBodyPointer body = FiniteBody::make(finitePlate(), { 1.0, 4.0, 2.0 });
@@ -72,7 +72,8 @@ std::vector<std::pair<double, double>> fromCalculix(const std::string& name, dou
 }
 } // namespace
 
-// The solution is unique: it is the one subset with only compressive forces and no penetrated node.
+// The solution is unique: only one subset of the nodes has compressive forces alone and no
+// penetrated node.
 TEST(UnilateralContact, FindsTheOnlySubsetThatPushesAndHolds)
 {
   constexpr int nodes = 9;
