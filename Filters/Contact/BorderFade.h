@@ -34,7 +34,7 @@ namespace palpate
 struct BorderFade
 {
   double depth = 0.0;    ///< h, mm, >= 0
-  double fraction = 0.0; ///< of the force at that depth, 0 to 1
+  double fraction = 0.0; ///< remaining fraction of the force at that depth, 0 to 1
 
   /// Evaluates the fade for a point on the border of a triangle. `weights` are its area
   /// coordinates: one is zero on an edge, two at a corner. `offset` is the vector from that point

@@ -32,7 +32,7 @@ struct ToolPose
 
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
 
-  Eigen::Vector3d tip; ///< on the tool's axis
+  Eigen::Vector3d tip; ///< position of the tip, on the tool's axis
   /// Unit, from the tip up the shaft; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
@@ -89,7 +89,7 @@ struct Contact
   /// For a body that relaxes: the part of normalForce that relaxation adds to the slow force.
   double memory = 0.0;
   double stiffness = 0.0;           ///< Σ n_i dF_i/dδ
-  double deflection = 0.0;          ///< of the deepest point of the tool, mm
+  double deflection = 0.0;          ///< δ, depth of the tool's deepest point, mm
   double tilt = 0.0;                ///< angle between the tool's axis and the normal, rad
   Vector3 normal = Vector3::Zero(); ///< unit, outward; normalForce acts along it
   Vector3 contactPoint = Vector3::Zero();

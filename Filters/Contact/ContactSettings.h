@@ -15,7 +15,7 @@ enum class ForceForm : int
   /// have an energy.
   NormalizedDirection,
   /// -∇ of the energy Σ n_i e_i, e_i = ∫f_i: Σ n_i f_i n - Σ e_i ∇n_i, where n is the normal of the
-  /// surface. Closed loops within one contact neither gain nor lose energy, whatever the responses.
+  /// surface. Closed loops within one contact neither gain nor lose energy for any responses.
   /// An exception are facets with different responses: the energy itself jumps from facet to facet.
   EnergyConsistent
 };

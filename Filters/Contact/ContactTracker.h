@@ -158,7 +158,7 @@ private:
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
-  TriangleSearch Search;               ///< of the whole body; the cache only saves time
+  TriangleSearch Search;               ///< search of the whole body; its cache only saves time
   std::optional<SmoothContact> Smooth; ///< empty: contacts are on the facets
   ContactPlace Last;                   ///< triangle -1: no contact
   Vector3 Tip = Vector3::Zero();       ///< tip at the last contact; used only on the smooth surface

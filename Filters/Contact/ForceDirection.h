@@ -41,7 +41,7 @@ private:
   /// A direction without its part against `out`; `out` if nothing remains.
   static Vector3 outward(const Vector3& direction, const Vector3& out) noexcept
   {
-    constexpr double rounding = 1e-12; // of the squared length
+    constexpr double rounding = 1e-12; // fraction of the squared length
     const Vector3 part = outwardPart(direction, out);
     const bool isAgainst =
       direction.dot(out) < 0.0 && !(part.squaredNorm() > rounding * direction.squaredNorm());

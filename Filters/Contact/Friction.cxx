@@ -24,7 +24,7 @@ bool isValid(const FrictionSettings& settings)
 }
 
 constexpr int MostPieces = 40;
-constexpr double LongestPiece = 1.0 / 8.0; ///< of z_max
+constexpr double LongestPiece = 1.0 / 8.0; ///< fraction of z_max
 constexpr double LastBit = 0.005; ///< largest distance from the limit, as a fraction of z_max
 constexpr double Ahead = 0.1;     ///< largest ratio of the parts of z across and along the path
 constexpr double AtLimit = 1.0 - 1e-9;

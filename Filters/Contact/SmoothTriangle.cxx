@@ -50,7 +50,7 @@ struct Blend
     const double sum = a + b;
     if (std::abs(sum) < 1e-30)
     {
-      return; // at the corner: value and slopes are 0; the second derivatives have no limit and
+      return; // at the corner value and slopes are 0; the second derivatives have no limit and
               // count as 0
     }
     const double p = a / sum;

@@ -17,7 +17,7 @@ namespace palpate
 /// A term, with its arrays and the check of its numbers.
 struct TermRow
 {
-  ContractArray::Use use; ///< of its arrays
+  ContractArray::Use use; ///< use of the term's arrays
   const char* isWrong;    ///< continues "the file ...": "has edges that cannot be used: "
   /// Checks the numbers, which the servo tick requires to be valid. Returns "" or a message; "" for
   /// a response without the term.

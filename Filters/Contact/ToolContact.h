@@ -171,11 +171,11 @@ private:
   ContactTracker Tracker;
   Friction Resistance;
   Vector3 LastTip = Vector3::Zero();  ///< the tip, or the followed point of a tilted tool
-  Vector3 LastStep = Vector3::Zero(); ///< from the preceding tip to LastTip
+  Vector3 LastStep = Vector3::Zero(); ///< vector from the preceding tip to LastTip
   EdgeMode Edges = EdgeMode::Active;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
-  ResponseValue Slow; ///< at the last contact, without the effect of edges and borders
+  ResponseValue Slow; ///< slow response at the last contact, without edges and borders
   ContactTilt Tilt;
   ContactRelaxation Relaxation; ///< last member, because most bodies do not relax
 };

@@ -214,8 +214,7 @@ extern "C"
     double maximum_stiffness;  /* N/m, of a sampled spring that comes to rest at the rate below */
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
-    double
-      sample_time_out; /* s; without a reading for longer the device is lost; may be infinite */
+    double sample_time_out;    /* s without a reading until the device is lost; may be infinite */
     double
       delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
     /* since version 4. N m, about the tip; 0: the device outputs no torque. And N m/rad, of a

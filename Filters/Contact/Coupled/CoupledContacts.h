@@ -179,7 +179,7 @@ private:
   std::vector<Contact> Felt;
   std::vector<double> Compliance; ///< C_ij, row by row
   std::vector<double> Work;
-  double Stiffening = 0.0; ///< of the last update; 0: not computed yet
+  double Stiffening = 0.0; ///< stiffening() of the last update; 0: not computed yet
 };
 } // namespace palpate
 

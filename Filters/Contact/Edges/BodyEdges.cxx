@@ -139,7 +139,7 @@ private:
   };
 
   const Face& own() const noexcept { return this->Known[0]; }
-  /// (δ_own/δ)^4, and its gradient by the tip; a depth decreases along the normal of its face.
+  /// Returns (δ_own/δ)^4. ratioChange() is its gradient by the tip: -∇δ is the normal of the face.
   double ratio(const Face& face) const noexcept
   {
     const double x = this->own().depth / face.depth;
@@ -169,7 +169,7 @@ private:
       const Vector3 toEdge = place.point - this->Tip;
       if (!(segment.normal.dot(toEdge) > 0.0))
       {
-        continue; // on the far side of a groove
+        continue; // the face is on the far side of a groove
       }
       Face face;
       face.triangle = segment.across;

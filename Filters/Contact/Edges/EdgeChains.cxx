@@ -17,7 +17,7 @@ namespace palpate
 namespace
 {
 constexpr double CornerCosine = 0.8660254037844386; // 30°
-constexpr std::size_t MostSteps = 32;               // in a search along a chain in a tick
+constexpr std::size_t MostSteps = 32;               // of a search along a chain
 constexpr int MostAround = 64;                      // triangles around a point
 
 Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)

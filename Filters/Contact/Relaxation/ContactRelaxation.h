@@ -205,15 +205,15 @@ private:
   double StepTime = -1.0; ///< time step of Step, s
   RelaxationStep Step;
   RelaxationElements Elements;
-  QuasiLinearElement Rest; ///< of f - f_N
+  QuasiLinearElement Rest; ///< the element of f - f_N
   QuasiLinearElement One;
   double OneDepth = 0.0; ///< depth of the last press with the one element
   double OneSlow = 0.0;  ///< slow force at OneDepth
 
-  Place Last; ///< of the last press
+  Place Last; ///< place of the last press
   bool HasBegun = false;
   bool WasTouched = false;
-  double Compliance = 0.0; ///< in series, mm/N
+  double Compliance = 0.0; ///< elastic compliance in series, mm/N
   double Depth = 0.0;      ///< local
   double Slow = 0.0;       ///< f at Depth
   double Stiffness = 0.0;  ///< df/dδ at Depth

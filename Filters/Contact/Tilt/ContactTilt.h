@@ -46,8 +46,8 @@ public:
   /// effect.
   Vector3 follow(const ToolPose& pose, bool isFollowed) noexcept;
 
-  /// Sets the tilt from the smooth normal at the contact. Returns by how much the followed point is
-  /// deeper than the deepest point of the tool, mm.
+  /// Sets the tilt from the smooth normal at the contact. Returns the depth of the
+  /// followed point minus that of the tool's deepest point, mm.
   double lean(
     const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept
   {

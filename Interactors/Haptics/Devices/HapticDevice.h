@@ -108,8 +108,8 @@ public:
   virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
   /// Applies a force and a torque. A device without torque output applies only the force.
   virtual bool writeWrench(const Wrench& wrench) noexcept { return this->write(wrench.force); }
-  /// Sets for how long (s) the following forces are held if no other force follows. No effect on a
-  /// device that cannot end its force itself.
+  /// Sets the time (s) for which the following forces are held if no other force follows. No effect
+  /// on a device that cannot end its force itself.
   virtual void holdFor(double seconds) noexcept { static_cast<void>(seconds); }
 
   /// The state as readable text: "connected", "unplugged, waiting for it to return".

@@ -281,8 +281,8 @@ void GuidedHand::slide(double share, double most) noexcept
 {
   constexpr double near = 1e-3; // mm, from where the tip moves on a straight line
   constexpr int patience = 8;   // ticks without progress
-  constexpr double least = 0.1; // of a step that counts as progress
-  constexpr int halvings = 4;   // of a step over a sharp edge, where the tip turns around the foot
+  constexpr double least = 0.1; // smallest part of a step that counts as progress
+  constexpr int halvings = 4;   // largest number of halvings of a step over a sharp edge
   const double far = (this->Goal.point - this->Foot).norm();
   if (far < near)
   {

@@ -67,13 +67,13 @@ public:
 
 private:
   static constexpr int SearchQueries = 16;
-  static constexpr double SlideReach = 20.0; ///< mm, of a goal to which the tip slides
+  static constexpr double SlideReach = 20.0; ///< mm, largest distance of a slide
 
   enum class Phase : std::uint8_t
   {
-    Lost,   ///< at any point
-    Moving, ///< on Path, to Goal
-    Sliding ///< over the surface, to Goal
+    Lost,   ///< the tip is at any point
+    Moving, ///< the tip moves on Path to Goal
+    Sliding ///< the tip slides over the surface to Goal
   };
 
   void react() noexcept;
@@ -112,7 +112,7 @@ private:
   Phase Now = Phase::Lost;
   bool IsSearching = false; ///< a way to Search.goal() is being searched; Path is then the
                             ///< beginning of the retreat
-  TouchGoal Goal;           ///< where Path or the slide ends
+  TouchGoal Goal;           ///< the goal at the end of Path or of the slide
   TouchGoal Wanted;         ///< the newest goal
 
   RouteSearch::Route Path;
@@ -124,15 +124,15 @@ private:
   std::size_t First = 0; ///< first point of the retreat from which a line may begin
   RouteSearch Search;
 
-  Vector3 Foot = Vector3::Zero(); ///< of a slide
+  Vector3 Foot = Vector3::Zero(); ///< foot of the tip during a slide
   Vector3 FootNormal = Vector3::Zero();
   std::int32_t FootTriangle = -1;
-  double Height = 0.0; ///< of the tip over the foot, mm
+  double Height = 0.0; ///< height of the tip over the foot, mm
   int Stuck = 0;       ///< ticks in which the foot did not come nearer
 
   std::optional<ContactTracker>
-    Tracker;          ///< of Goal.body; follows the contact as the servo step does
-  double Depth = 0.0; ///< of the contact, mm; 0: none
+    Tracker;          ///< tracks the contact with Goal.body as the servo step does
+  double Depth = 0.0; ///< depth of the contact, mm; 0: no contact
   Vector3 ContactPoint = Vector3::Zero();
   Vector3 ContactNormal = Vector3::Zero();
 

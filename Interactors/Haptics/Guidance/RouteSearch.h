@@ -80,10 +80,10 @@ private:
   static constexpr std::size_t MostArc = 8;
   enum class Stage : std::uint8_t
   {
-    Choose, ///< the next line
-    Extend, ///< the retreat by one leg
+    Choose, ///< choose the next line
+    Extend, ///< extend the retreat by one leg
     Line,
-    Escape, ///< from the retreat's known end to the sphere
+    Escape, ///< search from the retreat's known end to the sphere
     Arc,
     Done
   };
@@ -107,9 +107,9 @@ private:
   std::size_t First = 0;
   double Margin = 0.0;
   std::array<std::uint32_t, MostRetreat> Tried{}; ///< bit j: the line to step j of the goal's way
-  std::size_t From = 0;                           ///< the present line
+  std::size_t From = 0;                           ///< start of the present line, in the retreat
   std::size_t To = 0;
-  int Direction = 0;        ///< the next one of an escape
+  int Direction = 0;        ///< the next direction of an escape
   BoundedPath<MostArc> Arc; ///< points between the ends of retreat and way
   std::size_t ArcLeg = 0;
   FreeLine Line;

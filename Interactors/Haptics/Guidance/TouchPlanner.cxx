@@ -72,7 +72,7 @@ void TouchPlanner::release(std::uint64_t oldest)
 
 TouchGoal TouchPlanner::plan(const Vector3& point, const Vector3& normal, double height)
 {
-  constexpr double marginShare = 0.25; // of the height of the column
+  constexpr double marginShare = 0.25; // fraction of the height of the column
   const Body& newest = this->Bodies.back();
   const ContactBody& body = *newest.kernel;
   // A tilted tool reaches lower than its tip.

@@ -89,7 +89,7 @@ inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
 /// The force of a scene on one tip, or the blend of two scenes during a change. Body frame; mm, N.
 struct SceneForce
 {
-  Contact contact;                        ///< of the newest scene
+  Contact contact;                        ///< contact of the newest scene
   Vector3 idealForce = Vector3::Zero();   ///< blended; contact.force outside a change
   Vector3 cappedForce = Vector3::Zero();  ///< blended, with each stiffness capped
   Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm; blended

@@ -41,8 +41,8 @@ namespace palpate
  * no effect on the others in that tick. A tool whose gate is closed, or whose hand is decoupled by
  * the clutch, is still in the body and affects the others.
  *
- * The stiffness cap of each device takes into account how much stiffer all contacts are together:
- * no motion of all hands, in or out, is stiffer than the device's limit. On a body with coupling
+ * The stiffness cap of each device takes the joint stiffness of all contacts into account: no
+ * motion of all hands, in or out, is stiffer than the device's limit. On a body with coupling
  * the passivity controls share one account of energy, because the energy that one hand has put in
  * is returned to another hand when the first one unloads. In each tick, the energy that no force
  * needs is transferred to the hands at which the scene stores it. All hands together receive no
@@ -155,7 +155,7 @@ private:
 
   std::vector<Device> Devices;
   std::vector<Device> Rehearsed;              ///< copies
-  std::vector<std::optional<ToolPose>> Poses; ///< of the present tick
+  std::vector<std::optional<ToolPose>> Poses; ///< poses of the present tick
   SceneSwitch Scenes;
   double LastTime; ///< NaN: there was no step yet
 };

@@ -21,7 +21,7 @@ namespace palpate
  * depends only on its settings, the times of the readings and the written forces. FaultyDevice adds
  * faults.
  *
- * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever the force: the
+ * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), and ignores the force: the
  * sample depends only on the path or target and on the time.
  *
  * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant). It is
@@ -106,7 +106,7 @@ private:
   SteeredTarget* steered() noexcept;
 
   DeviceSpecification Limits;
-  TimedPath Path;                          ///< of a stiff hand
+  TimedPath Path;                          ///< path of a stiff hand
   std::unique_ptr<SteeredTarget> Target;   ///< target of a stiff hand without a path
   TouchPlanner Planner;                    ///< for the thread that steers
   SteeredAxis Shaft;                       ///< axis of a stiff hand without a path

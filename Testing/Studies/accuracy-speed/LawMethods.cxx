@@ -38,7 +38,7 @@ protected:
   std::size_t modelBytes() const override { return sizeof(float) * this->Modulus.size(); }
 
 private:
-  std::vector<float> Modulus; ///< of each point
+  std::vector<float> Modulus; ///< modulus at each point
   double Factor;
   double Exponent;
 };

@@ -11,7 +11,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double HalfTop = 20.0;                        // of the meshed face, mm
+constexpr double HalfTop = 20.0;                        // half side of the meshed face, mm
 constexpr std::array<double, 3> Edges{ 1.0, 2.0, 4.0 }; // mm
 constexpr double Deepest = 3.0; // mm, the largest depth of the finite-element curves
 

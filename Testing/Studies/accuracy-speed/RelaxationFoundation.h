@@ -31,7 +31,7 @@ private:
   {
     double gap = 0.0;                                     ///< mm
     double weight = 0.0;                                  ///< N/mm
-    double depth = 0.0;                                   ///< of this element, mm
+    double depth = 0.0;                                   ///< depth of this element, mm
     std::array<double, PronySeries::LargestCount> over{}; ///< h_i, mm
   };
 

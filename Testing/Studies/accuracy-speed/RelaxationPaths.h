@@ -14,10 +14,10 @@ namespace palpate::testing
 struct RelaxationPath
 {
   std::string name;
-  std::string source; ///< of the exact forces
+  std::string source; ///< source of the exact forces
   double exponent = 1.0;
   PronySeries series;
-  std::vector<double> depths; ///< at each tick, <= 1 mm; the tick before the first is outside
+  std::vector<double> depths; ///< depth at each tick, <= 1 mm; the tick before the first is outside
   /// Ticks to compare, counted from 0, and the exact forces there.
   std::vector<std::size_t> ticks;
   std::vector<double> forces;

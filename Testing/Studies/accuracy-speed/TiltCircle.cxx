@@ -14,7 +14,7 @@ namespace palpate::testing
 namespace
 {
 constexpr std::size_t Radii = 64;
-constexpr int Angles = 24; // of half a circle; the other half is symmetric
+constexpr int Angles = 24; // number of angles of half a circle; the other half is symmetric
 constexpr int Places = 30;
 
 /// ∫_0^r √(a² - r²) dr.

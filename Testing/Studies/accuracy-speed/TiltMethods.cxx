@@ -17,7 +17,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double PlateHalf = 6.0; // of the plate, mm
+constexpr double PlateHalf = 6.0; // half side of the plate, mm
 constexpr double PlateEdge = 0.5;
 constexpr double Ratio = 0.45;
 constexpr double Modulus = 1.0 - Ratio * Ratio; // MPa; gives E* = 1

@@ -19,7 +19,7 @@ public:
 };
 using TiltMethodList = std::vector<std::unique_ptr<TiltMethod>>;
 
-constexpr double LargestTilt = 25.0 / 180.0 * 3.14159265358979323846; ///< in the study, rad
+constexpr double LargestTilt = 25.0 / 180.0 * 3.14159265358979323846; ///< of the study, rad
 
 /// Methods whose force is evaluated, for a tool on a half-space: an upright tool at the depth of
 /// the tip or of the deepest point; the table in the tick; circles; boundary elements.

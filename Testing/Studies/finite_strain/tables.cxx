@@ -31,7 +31,7 @@ namespace
 {
 constexpr double Roots[] = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
 constexpr std::size_t Columns = std::size(Roots);
-constexpr double LargestBend = 0.025; // of c, second difference between columns
+constexpr double LargestBend = 0.025; // largest second difference of c between columns
 constexpr double Ratios[] = { 0.0, 0.15, 0.3, 0.4, 0.45, 0.48, 0.495 };
 
 struct Case

@@ -48,7 +48,7 @@ public:
     this->Next = (this->Next + 1) % this->Pending.size();
   }
 
-  double work() const noexcept { return this->Work; } ///< on the mass, J
+  double work() const noexcept { return this->Work; } ///< work on the mass, J
   /// Largest energy gained since a free moment, J; since the beginning if there was none.
   double mostGenerated() const noexcept { return this->Most; }
 

@@ -20,7 +20,7 @@ constexpr double LeastPush = 1e-3; // N
 
 enum class Start
 {
-  Held,   ///< at rest near its depth, off by a thousandth of it
+  Held,   ///< at rest, a thousandth of the depth from the rest depth
   Dropped ///< released 1 mm above the surface
 };
 

@@ -19,7 +19,7 @@ struct ResponseModel
   std::string name;
   std::function<IndentationPoint(double deflection)> law;
   double exponent = 1.0; ///< m of its stored form (ResponseSampling)
-  double range = 2.0;    ///< of its stored form, mm
+  double range = 2.0;    ///< range of its stored form, mm
 
   /// The depth at which the law has this force, at most the range.
   double depthOf(double force) const;

@@ -35,7 +35,7 @@ const char* nameOf(ForceForm form)
 struct Lap
 {
   double jump = 0.0;        ///< largest |ΔF| of a step, over the force before it
-  double contactJump = 0.0; ///< of the contact point, mm, while in contact
+  double contactJump = 0.0; ///< jump of the contact point, mm, while in contact
   double gain = 0.0;        ///< ∮F·dx, the energy gained by the hand, mJ
   double scale = 0.0;       ///< ∮|F||dx|, mJ
 };

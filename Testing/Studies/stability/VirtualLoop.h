@@ -78,7 +78,7 @@ public:
   /// Runs the loop and returns max z - min z, m.
   double swing(int ticks);
 
-  double time() const noexcept { return this->Time; } ///< of the next tick, s
+  double time() const noexcept { return this->Time; } ///< time of the next tick, s
   Eigen::Vector3d position() const noexcept { return this->Device->truePosition(); } ///< m
   Eigen::Vector3d velocity() const noexcept { return this->Device->trueVelocity(); } ///< m/s
   const Eigen::Vector3d& force() const noexcept { return this->Force; } ///< sent to the device, N

@@ -40,7 +40,7 @@ FiniteScene finiteLayer(double thickness = 10.0);
 /// Element sizes of a body, mm.
 struct FiniteMesh
 {
-  double spacing = 0.5; ///< of the elements in the window and on the top; divides the window
+  double spacing = 0.5; ///< size of the elements in the window and on the top; divides the window
   double window = 8.0;  ///< a tool may press at |x|, |y| <= window
   double largest = 2.0; ///< element of a plate, which bends as a whole
 

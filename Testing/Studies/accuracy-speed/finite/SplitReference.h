@@ -44,8 +44,8 @@ private:
   ToolPointer Tool;
   int Across;
   UnilateralContact Contact;
-  std::vector<Eigen::Vector2d> Middles; ///< of the squares, relative to the axis
-  Eigen::MatrixXd Local;                ///< of the squares on a half-space, mm/N
+  std::vector<Eigen::Vector2d> Middles; ///< middles of the squares, relative to the axis
+  Eigen::MatrixXd Local;                ///< compliance of the squares on a half-space, mm/N
   Eigen::MatrixXd Whole;                ///< Local plus H
   const Eigen::MatrixXd* Matrix = nullptr;
   std::vector<int> Active;
