@@ -33,7 +33,7 @@ struct ToolPose
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
 
   Eigen::Vector3d tip; ///< position of the tip, on the tool's axis
-  /// Unit, from the tip up the shaft; zero: unknown.
+  /// Unit vector from the tip up the shaft; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
@@ -47,8 +47,8 @@ struct SurfacePoint
   double signedDistance = 0.0;
   /// The closest point is on an open border, where inside and outside are not defined.
   bool onBorder = false;
-  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease). The
-  /// face of this triangle alone then decides on which side of the surface the tip is.
+  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease). Then
+  /// only the face of this triangle determines on which side of the surface the tip is.
   bool onCrease = false;
 };
 

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// How the curves of a triangle's three vertices are combined into one force.
+/// The combination of the curves of a triangle's three vertices into one force.
 enum class ForceForm : int
 {
   /// Σ n_i f_i U_i (Mahvash and Hayward 2002, eq. 3). The sum of unit normals is shorter than 1, so

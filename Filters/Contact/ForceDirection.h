@@ -73,7 +73,7 @@ inline double ForceDirection::inverseRoot(double x) noexcept
   {
     return 1.0 / std::sqrt(x);
   }
-  // Pairs of terms that are independent of each other.
+  // The terms are grouped in pairs that are independent of each other.
   const double e2 = e * e;
   const double low = (1.0 + 1.0 / 2 * e) + e2 * (3.0 / 8 + 5.0 / 16 * e);
   const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);

@@ -85,7 +85,7 @@ extern "C"
     PALPATE_TILTED_TOO_FAR = 6 /* since 4: the force is that of the largest tilt of the response */
   };
 
-  /* How the curves at a triangle's corners are combined into one force. */
+  /* The combination of the curves at a triangle's corners into one force. */
   enum palpate_force_form
   {
     PALPATE_PAPER = 0,
@@ -100,7 +100,7 @@ extern "C"
     PALPATE_SMOOTH = 1
   };
 
-  /* How a contact resists sliding. */
+  /* The friction model of a contact. */
   enum palpate_friction_model
   {
     PALPATE_ELASTO_PLASTIC = 0,
@@ -217,8 +217,8 @@ extern "C"
     double sample_time_out;    /* s without a reading until the device is lost; may be infinite */
     double
       delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
-    /* since version 4. N m, about the tip; 0: the device outputs no torque. And N m/rad, of a
-     * sampled torsion spring, as maximum_stiffness; 0: 0.5 is used. */
+    /* since version 4. maximum_torque: N m, about the tip; 0: the device outputs no torque.
+     * maximum_torsional_stiffness: N m/rad, of a sampled torsion spring; 0: 0.5 is used. */
     double maximum_torque;
     double maximum_torsional_stiffness;
     double reserved[1];
@@ -287,7 +287,7 @@ extern "C"
     int fresh;            /* 0: no new reading, the last one is repeated */
     /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into
      * the device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown.
-     * And rad/s, or zeros. */
+     * angular_velocity: rad/s, or zeros. */
     double orientation[4];
     double angular_velocity[3];
     double reserved[1];

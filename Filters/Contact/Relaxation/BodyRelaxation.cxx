@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// The depth d of the whole curve at which the depth of its local part is `local`: d - C F(d) =
-/// local.
+/// Returns the depth d of the whole curve at which the depth of its local part is `local`:
+/// d - C F(d) = local.
 double wholeDepth(const ResponseField& whole, std::int32_t point, double compliance, double local)
 {
   return increasingRoot(

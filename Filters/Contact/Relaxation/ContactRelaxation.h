@@ -99,7 +99,7 @@ private:
  *
  * With an elastic compliance C in series, δ = δ_local + C F is solved, and the local part relaxes.
  *
- * Sliding moves the tool to new material, which counts as pressed just now: the force rises. Over a
+ * Sliding moves the tool to new material, which counts as newly pressed: the force rises. Over a
  * path of length s a fraction λ = 1 - e^(-s/2a) of the elements is exchanged (a: contact radius).
  * The work of the drag supplies the energy for this (SlidingDrag). Error compared with a half-space
  * of 3-D cells, for sphere and cone: -5.3 to 4.7 % of (1 + P) f.

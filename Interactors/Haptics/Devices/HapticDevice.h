@@ -85,7 +85,7 @@ struct DeviceErrors
 {
   std::uint64_t malformed = 0; ///< reports of wrong size, version, check sum or content
   std::uint64_t stale = 0;     ///< reports older than, or equal to, an earlier one
-  std::uint64_t lost = 0;      ///< reports that were not received, by their numbers
+  std::uint64_t lost = 0;      ///< reports that were not received, according to the report numbers
   std::uint64_t unsent = 0;    ///< forces that could not be sent
   std::uint64_t disconnections = 0;
 };

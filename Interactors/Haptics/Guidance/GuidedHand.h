@@ -21,8 +21,8 @@ namespace palpate
  * In each tick the tip is on a way that is known to be free:
  * - over the last goal, the column below `hover` and the way outwards (TouchPlanner);
  * - between two such ways, a straight line or an arc that RouteSearch has found to be free before
- *   the hand enters it. The search takes part of a tick, for some ticks; meanwhile the hand lifts
- *   off, or rests.
+ *   the hand enters it. The search is divided over some ticks; meanwhile the hand lifts off, or
+ *   rests.
  *
  * Therefore a tip that does not press has no contact, even if a new goal arrives in the middle of a
  * way, and on hollow and thin bodies. This holds for the facets; the smooth contact surface is
@@ -62,7 +62,7 @@ public:
   bool rests() const noexcept;
   /// The smallest number of the bodies that the hand still uses.
   std::uint64_t oldestBody() const noexcept;
-  /// How often no way existed.
+  /// Number of goals to which no way existed.
   std::uint64_t jumps() const noexcept { return this->Jumps; }
 
 private:

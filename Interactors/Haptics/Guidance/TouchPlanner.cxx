@@ -156,7 +156,8 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
 bool TouchPlanner::climb(TouchGoal& goal) const
 {
   constexpr int mostMoves = 64;
-  constexpr double growth = 1.001; // ends in the middle, where the clearance no longer grows
+  constexpr double growth =
+    1.001; // least growth of the clearance in a step; it no longer grows in the middle
   Vector3 at = goal.way[0];
   double clearance = clearanceAt(*goal.body, at);
   for (int i = 0; i < mostMoves; ++i)

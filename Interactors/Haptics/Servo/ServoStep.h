@@ -79,9 +79,9 @@ public:
 
   std::size_t count() const noexcept { return this->Devices.size(); }
 
-  /// Steps the only device. `time` in s must increase, for the ramps and the safety chain.
+  /// Makes a step of the only device. `time` in s must increase, for ramps and safety chain.
   Tick step(const DeviceSample& sample, double time) noexcept;
-  /// Steps all devices: count() samples in, count() ticks out.
+  /// Makes a step of all devices, from count() samples to count() ticks.
   void step(const DeviceSample* samples, double time, Tick* ticks) noexcept;
 
   /// Prefetches the memory that the next step reads if the hands continue their motion. To be

@@ -2,7 +2,7 @@
 /**
  * The body input of a proxy: converts any data of ParaView for a filter that needs triangles in mm.
  *
- * A thin subclass of the filter gets such a member from palpateBodyInputMacro. The subclass
+ * A thin subclass of the filter gets this member from palpateBodyInputMacro. The subclass
  * declares that the port accepts any data, and its RequestData runs the filter's own RequestData on
  * replaced inputs. For data that are not a body, vtkBodySurface reports an error that names the
  * filter to apply first.

@@ -17,8 +17,8 @@ constexpr int Usual = 8; // number of samples that is normally used
 constexpr double Tolerance = 0.01;
 constexpr std::array<const char*, 3> Sizes{ "fine", "medium", "coarse" };
 
-/// Whether the body has a global compliance. The method `exact law` ignores the compliance; such a
-/// scene shows the effect.
+/// Whether the body has a global compliance. The method `exact law` ignores the compliance, so that
+/// a scene with such a body shows the effect of the compliance.
 bool isGlobal(const StudyBody& body)
 {
   return body.spots().front().compliance != 0.0;

@@ -146,7 +146,7 @@ private:
   double Deeper = 0.0;
 };
 
-/// A force from depth and angle, computed in the tick without tables.
+/// A method whose force is a function of depth and angle, computed in the tick without tables.
 class LeaningLaw final : public TiltMethod
 {
 public:

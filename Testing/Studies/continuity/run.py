@@ -4,7 +4,7 @@
 
     ./run study continuity [--quick] [--output DIR] [--program FILE]
 
-Runs palpateContinuity (measure.cxx) and writes continuity.csv, the same as tables with orders in
+Runs palpateContinuity (measure.cxx) and writes continuity.csv, the results as tables with orders in
 continuity.md, and with matplotlib continuity.png, to DIR (default build/studies/continuity). Times depend on
 the machine; all other results are the same everywhere.
 """

@@ -110,7 +110,7 @@ TEST(DirectContact, Aslant)
   for (const double degrees : { 10.0, 15.0 })
   {
     const double aslant = degrees * std::acos(-1.0) / 180.0;
-    // The point of first contact ends up in the fine middle.
+    // At the end of the press, the point of first contact is in the fine middle of the mesh.
     const Eigen::Vector3d inward(std::sin(aslant), 0.0, -std::cos(aslant));
     const Eigen::Vector3d place((radius - depth) * -std::sin(aslant), 0.0, 0.0);
     const DirectPlace at{ Top - place, inward };

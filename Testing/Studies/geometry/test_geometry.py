@@ -39,7 +39,7 @@ class Geometry(unittest.TestCase):
         for side in ("left", "right"):
             self.check("groove", f"wall_{side}_direction_x", 1e-6)
         self.check("groove", "bottom_direction_y", 1e-6)
-        # There is no force step at the bottom: a step of 0.02 mm at the law's 0.6 N/mm.
+        # The force does not jump at the bottom: it changes by at most 0.02 mm times the law's 0.6 N/mm per tick.
         self.assertLess(self.found["groove", "greatest_force_step_N"][0], 0.02 * 0.6)
 
     def test_edge(self):

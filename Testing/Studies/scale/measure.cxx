@@ -235,8 +235,8 @@ std::shared_ptr<const ContactBody> measureKernel(vtkPolyData* body, double point
   return kernel;
 }
 
-/// Measures the force on a tip 1 mm below the smooth body. It is less deep below the facets at that
-/// place.
+/// Measures the force on a tip 1 mm below the smooth body. The tip is less deep below the facets at
+/// that place.
 void measureForces(const ContactBody& kernel)
 {
   constexpr int Tips = 500;

@@ -117,7 +117,7 @@ private:
   double Peak = 0.0;
 };
 
-/// Two flat ends of 1.6 mm on a half-space whose modulus gives K = 2aE*.
+/// Two flat ends with a radius of 1.6 mm on a half-space; each has the stiffness K = 2aE*.
 struct Pair
 {
   LoopSetting setting;

@@ -103,7 +103,7 @@ std::vector<TimedPath> timedPaths()
 /// Results of a tip that moves once along a path in steps of `step` mm.
 struct TimedLap
 {
-  double jump = 0.0;  ///< largest |ΔF| of a step, over the force before it
+  double jump = 0.0;  ///< largest |ΔF| of a step, divided by the force before the step
   double gain = 0.0;  ///< ∮F·dx, the energy gained by the hand, mJ
   double scale = 0.0; ///< ∮|F||dx|, mJ
 };

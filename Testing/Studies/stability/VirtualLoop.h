@@ -60,7 +60,7 @@ constexpr double StrongestPush = 10.0; // N
 constexpr HandModel Nobody{ 0.0, 0.0 };
 
 /**
- * A simulated device in a hand and a rendering, closed to a loop in virtual time. `rendering` must
+ * A closed loop of a simulated device in a hand and a rendering, in virtual time. `rendering` must
  * outlive the loop.
  */
 class VirtualLoop

@@ -189,7 +189,7 @@ TEST(FiniteMethods, LayerIsThatOfTheIntegralEquation)
     const double exact = 2.0 * modulus * radius * kappa * 0.5;
     // H is accurate to 1 % of C_g, which is a tenth to a quarter of the compliance here.
     EXPECT_TRUE(agrees(press(*finiteReference(layer(), flat), 0.0, 0.0, 0.5), exact, 5e-3));
-    // In addition the error of the series model, of the order (a/h)³ (the numbers of the manual).
+    // This tolerance includes the error of the series model, of the order (a/h)³ (see the manual).
     EXPECT_TRUE(agrees(press(*localAndGlobal(layer(), flat), 0.0, 0.0, 0.5), exact,
       5e-3 + 2.5 * std::pow(0.1 * radius, 3)));
   }

@@ -42,7 +42,7 @@ struct FiniteMesh
 {
   double spacing = 0.5; ///< size of the elements in the window and on the top; divides the window
   double window = 8.0;  ///< a tool may press at |x|, |y| <= window
-  double largest = 2.0; ///< element of a plate, which bends as a whole
+  double largest = 2.0; ///< largest element of a plate, which bends as a whole
 
   /// A coarse and small mesh, for tests.
   static FiniteMesh quick() { return { 1.0, 6.0, 2.0 }; }
