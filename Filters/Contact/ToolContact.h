@@ -142,7 +142,7 @@ private:
   /// Adds the memory of a body that relaxes to a slow work.
   void addMemory(Jet& work, const Pressed& at, Contact& result) noexcept;
   /// Sets all results except friction. Returns false if the force is not finite or has no
-  /// direction. The state is None if a body that relaxes has not yet recovered to the tool.
+  /// direction. The state is None while a relaxing body is still dented below the tool.
   bool push(const Pressed& at, Contact& result) noexcept;
   void addFriction(Contact& result) noexcept;
   /// The vector from the tip to the contact point.
@@ -151,15 +151,15 @@ private:
   /// The result of a tool that does not press.
   Contact endAtDepth(const Pressed& at, double lowering) noexcept;
   Contact end(ContactState state) noexcept;
-  /// Ends the contact because the body has not yet recovered to the tool.
+  /// Ends the contact because the body is still dented below the tool.
   Contact endDetached() noexcept;
 
   /// Effect of edges on a contact. It is Active again when the tip has been outside.
   enum class EdgeMode : std::uint8_t
   {
     Active,
-    /// An edge has released the tip. A contact that began at a depth would return energy that was
-    /// never put in.
+    /// The contact has ended at an edge. A new contact that begins at a depth would return energy
+    /// that was never put in.
     Released,
     /// The contact began inside the body at a point at which the law of edges leaves no force, far
     /// below an edge or between bumps.

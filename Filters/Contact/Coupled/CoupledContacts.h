@@ -136,8 +136,8 @@ private:
     BodyCoupling::Spot spot;
     double whole = 0.0;     ///< force of the curve, N, even if it does not act on the tool
     bool isMissing = false; ///< there is no pose in this tick
-    /// The tool had no force in the last tick although its curve had one: an edge released the
-    /// tool, or the relaxing body has not yet recovered to it.
+    /// The tool had no force in the last tick although its curve had one: its contact ended at an
+    /// edge, or the relaxing body was still dented below the tool.
     bool isOff = false;
 
     double appliedForce() const noexcept { return this->isOff ? 0.0 : this->whole; }

@@ -53,11 +53,13 @@ public:
     return this->Chains.near(triangle) != nullptr;
   }
   void prefetch(std::int32_t triangle) const noexcept { this->Chains.prefetch(triangle); }
-  /// The reach of a contact at `depth` under the plane with the normal `normal`; local coordinates.
+  /// Computes the ContactReach of a tip at `depth` under the plane with the normal `normal`, in
+  /// local coordinates.
   ContactReach at(
     const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept;
-  /// Sets the reach of a tool near or beyond edges; `tip` is the followed point. Beyond an edge the
-  /// plane of the face continues, and the contact point is on this plane.
+  /// Sets Pressed::reach of a tool near or beyond edges. `tip` is the point that the tracker
+  /// follows. Beyond an edge the plane of the face continues, and the contact point is on this
+  /// plane.
   void reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) const noexcept;
 
   const EdgeTerms& terms() const noexcept { return this->Terms; }

@@ -150,7 +150,7 @@ public:
   {
     double total = 0.0;     ///< N
     double stiffness = 0.0; ///< d total/dδ in this tick, N/mm
-    bool isTouched = false; ///< false: the material has not yet recovered to the tool
+    bool isTouched = false; ///< false: the material is still dented below the tool
   };
   /// Performs a tick in contact; `slow` is the value of the response at the deflection of `place`.
   Force press(const Place& place, const ResponseValue& slow) noexcept;

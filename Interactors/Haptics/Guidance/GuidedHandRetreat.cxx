@@ -55,7 +55,7 @@ void GuidedHand::depart() noexcept
   this->Now = Phase::Moving;
 }
 
-/// Whether the tip presses and has come out on the other side of a thin body.
+/// Whether the tip presses and is outside, beyond the other side of a thin body.
 bool GuidedHand::isBehind() const noexcept
 {
   const bool presses = this->Now == Phase::Sliding

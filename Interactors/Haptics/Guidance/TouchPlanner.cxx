@@ -156,8 +156,7 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
 bool TouchPlanner::climb(TouchGoal& goal) const
 {
   constexpr int mostMoves = 64;
-  constexpr double growth =
-    1.001; // least growth of the clearance in a step; it no longer grows in the middle
+  constexpr double growth = 1.001; // least growth of the clearance in a move
   Vector3 at = goal.way[0];
   double clearance = clearanceAt(*goal.body, at);
   for (int i = 0; i < mostMoves; ++i)

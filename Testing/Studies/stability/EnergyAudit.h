@@ -40,7 +40,7 @@ public:
     this->Place = position;
     this->HasPlace = true;
   }
-  /// The force that the motor gets now. `isFree`: the tip touches nothing.
+  /// Sets the force of the motor from now on. `isFree`: the tip has no contact.
   void told(const Eigen::Vector3d& force, bool isFree)
   {
     this->Least = isFree ? std::min(this->Least, this->generated()) : this->Least;
