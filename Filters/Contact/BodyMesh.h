@@ -96,7 +96,7 @@ private:
   std::vector<double> Points;
   std::vector<TriangleCorners> Triangles;
   std::vector<bool> Usable;
-  std::shared_ptr<const TriangleLinks> Links; ///< of the usable triangles
+  std::shared_ptr<const TriangleLinks> Links; ///< links of the usable triangles
   std::vector<double> PointNormals;
   Defects Found;
 };

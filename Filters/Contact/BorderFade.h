@@ -17,10 +17,10 @@ namespace palpate
 /**
  * The force that remains on a tip that has slid off an open border.
  *
- * Beyond a border there is no surface and no depth, but a force that ends between two ticks is felt
- * as a knock. Therefore the force fades with the position of the tip. Let the tip be h below the
- * surface at the border, and l beyond the border, measured within the surface. The force is then
- * the fraction
+ * Beyond a border there is no surface and no depth, but a user notices a force that vanishes
+ * between two ticks as a knock. Therefore the force fades with the position of the tip. Let the tip
+ * be h below the surface at the border, and l beyond the border, measured within the surface. The
+ * force is then the fraction
  *   (1 - l/h)² (1 + 2 l/h)
  * of the force at depth h: 1 directly under the border and 0 for l >= h, with a continuous slope at
  * both ends. The force remains along the normal of the surface; no force pulls the tip back to the
@@ -34,14 +34,15 @@ namespace palpate
 struct BorderFade
 {
   double depth = 0.0;    ///< h, mm, >= 0
-  double fraction = 0.0; ///< of the force at that depth, 0 to 1
+  double fraction = 0.0; ///< remaining fraction of the force at that depth, 0 to 1
 
   /// Evaluates the fade for a point on the border of a triangle. `weights` are its area
   /// coordinates: one is zero on an edge, two at a corner. `offset` is the vector from that point
   /// to the tip, on the inner side.
   static BorderFade at(const PackedMesh& mesh, std::int32_t triangle, const Vector3& weights,
     const Vector3& offset) noexcept;
-  /// Sets the reach of a tool beyond a border; `tip` is the followed point.
+  /// Sets the depth and the fade of a tool beyond a border (Pressed::reach). `tip` is the point
+  /// that the tracker follows.
   static void reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) noexcept;
 
 private:
@@ -64,7 +65,8 @@ inline double BorderFade::lengthBetween(
   const double alpha = a - cosine * b;
   const double beta = b - cosine * a;
   const double squaredSine = 1.0 - cosine * cosine;
-  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // else the two directions count separately
+  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // otherwise the projection is on a border
+                                                        // of the cone
   {
     return std::sqrt((alpha * a + beta * b) / squaredSine);
   }

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-/// Permitted error of the force because of the position of a stretch's end, divided by K_max δ.
+/// Permitted error of the force because of the position of an interval's end, divided by K_max δ.
 constexpr double Accuracy = 1e-7;
 } // namespace
 
@@ -42,7 +42,8 @@ CappedResponse::Place CappedResponse::at(double root) const noexcept
   return { root, deflection, value.force, value.stiffness - this->Maximum };
 }
 
-/// The stiffness may be infinite at δ = 0: only its sign is used, with a limited size.
+/// Evaluates the curve near δ = 0. The stiffness may be infinite there: the excess has the correct
+/// sign, but a limited magnitude.
 CappedResponse::Place CappedResponse::atOnset(const Place& first) const noexcept
 {
   constexpr double close = 1e-6;
@@ -98,7 +99,7 @@ double CappedResponse::lost(double deflection, double force) const noexcept
   double sum = 0.0;
   Place next = this->at(1.0 / NodesInRange);
   Place last = this->atOnset(next);
-  Place turn = last; // the last change of sign before δ
+  Place turn = last; // the last change of the excess's sign below δ
   bool isAbove = last.excess > 0.0;
   const auto advance = [&](const Place& to)
   {

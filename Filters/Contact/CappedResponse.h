@@ -13,23 +13,24 @@ namespace palpate
  * F_c is a function of the deflection alone: it has no state, and a closed cycle of the deflection
  * neither gains nor loses energy. As the contact moves over the surface, F_c changes as F does.
  *
- * F_c differs from F by the stretches [a, b] where the stiffness is above K_max: each reduces the
- * force by F(b) - F(a) - K_max (b - a). The ends of stretches are searched between fixed nodes
- * √(δ/δ_max) = j/16. One end lies between two nodes if the excess dF/dδ - K_max has different signs
- * at these nodes. Two ends lie between them if the cubic with the values and slopes at the nodes
- * has two changes of sign. This cubic gives the first guess of an end; regula falsi (Illinois) then
- * refines it. The excess is zero at an end, so that an error ε of its position changes the force
- * only by the order of ε². For a monotone stiffness F_c is exact to 1e-7 of K_max δ. If the
- * stiffness rises and falls several times between two nodes, a stretch can be missed (random
- * samples: up to 2 %). The nodes do not depend on δ, so that F_c is continuous in δ to that 1e-7.
+ * F_c is lower than F because of the intervals [a, b] in which the stiffness is above K_max: each
+ * reduces the force by F(b) - F(a) - K_max (b - a). The ends of the intervals are searched between
+ * fixed nodes √(δ/δ_max) = j/16. One end lies between two nodes if the excess dF/dδ - K_max has
+ * different signs at these nodes. Two ends lie between them if the cubic with the values and slopes
+ * at the nodes has two changes of sign. This cubic gives the first guess of an end; regula falsi
+ * (Illinois) then refines it. The excess is zero at an end, so that an error ε of its position
+ * changes the force only by the order of ε². For a monotone stiffness F_c is exact to 1e-7 of K_max
+ * δ. If the stiffness rises and falls several times between two nodes, an interval can be missed
+ * (random samples: up to 2 %). The nodes do not depend on δ, so that F_c is continuous in δ to that
+ * 1e-7.
  *
- * If the stiffness of the response is known to rise (ResponseField), there is at most one stretch,
+ * If the stiffness of the response is known to rise (ResponseField), there is at most one interval,
  * without an upper end. There is none while dF/dδ <= K_max; its start is found by bisection of the
  * nodes.
  *
  * Cost: one evaluation of F per node up to δ, that is 16 up to the end of the range and at most 32
- * beyond it, and about 3 (at most Refinements) per end of a stretch; a monotone stiffness has one
- * end. For a stiffness known to rise, no evaluation if there is no stretch, else about 8. A
+ * beyond it, and about 3 (at most Refinements) per end of an interval; a monotone stiffness has one
+ * end. For a stiffness known to rise, no evaluation if there is no interval, else about 8. A
  * negative F_c, which can follow a capped rise and a longer fall, is replaced by 0. If K_max is
  * infinite, F_c is F; if K_max is negative or NaN, F_c is 0. F_c is 0 for δ <= 0 and NaN. No
  * function allocates or throws.

@@ -32,8 +32,8 @@ struct ToolPose
 
   bool hasAxis() const noexcept { return !this->axis.isZero(0.0); }
 
-  Eigen::Vector3d tip; ///< on the tool's axis
-  /// Unit, from the tip up the shaft; zero: unknown.
+  Eigen::Vector3d tip; ///< position of the tip, on the tool's axis
+  /// Unit vector from the tip up the shaft; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
@@ -47,8 +47,8 @@ struct SurfacePoint
   double signedDistance = 0.0;
   /// The closest point is on an open border, where inside and outside are not defined.
   bool onBorder = false;
-  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease). The
-  /// face of this triangle alone then decides on which side of the surface the tip is.
+  /// The closest point is where the surface was cut along a sharp edge (PackedMesh::Crease). Then
+  /// only the face of this triangle determines on which side of the surface the tip is.
   bool onCrease = false;
 };
 
@@ -89,7 +89,7 @@ struct Contact
   /// For a body that relaxes: the part of normalForce that relaxation adds to the slow force.
   double memory = 0.0;
   double stiffness = 0.0;           ///< Σ n_i dF_i/dδ
-  double deflection = 0.0;          ///< of the deepest point of the tool, mm
+  double deflection = 0.0;          ///< δ, depth of the tool's deepest point, mm
   double tilt = 0.0;                ///< angle between the tool's axis and the normal, rad
   Vector3 normal = Vector3::Zero(); ///< unit, outward; normalForce acts along it
   Vector3 contactPoint = Vector3::Zero();

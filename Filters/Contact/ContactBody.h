@@ -57,7 +57,7 @@ struct ContactBody
   ContactBody& operator=(const ContactBody&) = delete;
 
 private:
-  /// The part that is the same for all tools.
+  /// Surface and search tree. Bodies with different responses can share them.
   struct Shape
   {
     Shape(const double* points, std::size_t pointCount, const std::int32_t* triangles,
@@ -90,7 +90,7 @@ public:
       this->response.prefetch(corner);
     }
   }
-  /// Prefetches all that a tick reads on a triangle and on its neighbours.
+  /// Prefetches all data that a tick reads for a triangle and its neighbours.
   void prefetchAround(std::int32_t triangle) const noexcept
   {
     this->prefetch(triangle);

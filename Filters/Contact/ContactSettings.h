@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// How the curves of a triangle's three vertices are combined into one force.
+/// The combination of the curves of a triangle's three vertices into one force.
 enum class ForceForm : int
 {
   /// Σ n_i f_i U_i (Mahvash and Hayward 2002, eq. 3). The sum of unit normals is shorter than 1, so
@@ -15,7 +15,7 @@ enum class ForceForm : int
   /// have an energy.
   NormalizedDirection,
   /// -∇ of the energy Σ n_i e_i, e_i = ∫f_i: Σ n_i f_i n - Σ e_i ∇n_i, where n is the normal of the
-  /// surface. Closed loops within one contact neither gain nor lose energy, whatever the responses.
+  /// surface. Closed loops within one contact neither gain nor lose energy for any responses.
   /// An exception are facets with different responses: the energy itself jumps from facet to facet.
   EnergyConsistent
 };

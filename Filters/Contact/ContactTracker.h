@@ -107,8 +107,8 @@ public:
   /// Triangle of the last contact, -1 if there was none.
   std::int32_t triangle() const noexcept { return this->Last.triangle; }
 
-  /// The triangle of the contact that is likely when the tip is at `tip`, found by a short walk
-  /// over faces without any check; -1 without a contact.
+  /// Returns the triangle on which the contact probably is when the tip is at `tip`, found by a
+  /// short walk over faces without any check; -1 without a contact.
   std::int32_t triangleAhead(const Vector3& tip) const noexcept;
 
   /// Local minimum of the distance reached from a triangle, in the mesh's local frame. The triangle
@@ -158,7 +158,7 @@ private:
 
   const PackedMesh& Mesh;
   const TriangleTree& Tree;
-  TriangleSearch Search;               ///< of the whole body; the cache only saves time
+  TriangleSearch Search;               ///< search of the whole body; its cache only saves time
   std::optional<SmoothContact> Smooth; ///< empty: contacts are on the facets
   ContactPlace Last;                   ///< triangle -1: no contact
   Vector3 Tip = Vector3::Zero();       ///< tip at the last contact; used only on the smooth surface

@@ -21,7 +21,7 @@ struct FlatBody
   std::size_t triangles = 0;
   const double* coordinates = nullptr;   ///< 3 per point
   const std::int32_t* corners = nullptr; ///< 3 per triangle, counter-clockwise from outside
-  ResponseArrays response;               ///< of the same number of points
+  ResponseArrays response;               ///< response at the same points
   const float* validity = nullptr;       ///< 1 per point
   const std::uint8_t* limit = nullptr;   ///< 1 per point
   std::string tool;                      ///< for parseTool

@@ -21,7 +21,7 @@ struct FlatBodyHeader
   static constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
   static constexpr std::uint32_t ByteOrderMark = 0x01020304;
   static constexpr std::uint64_t Alignment = 64;
-  static constexpr std::size_t SmallestSize = 408; ///< of format 1
+  static constexpr std::size_t SmallestSize = 408; ///< size of the header in format 1
 
   enum Section : std::size_t
   {

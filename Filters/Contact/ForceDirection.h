@@ -41,7 +41,7 @@ private:
   /// A direction without its part against `out`; `out` if nothing remains.
   static Vector3 outward(const Vector3& direction, const Vector3& out) noexcept
   {
-    constexpr double rounding = 1e-12; // of the squared length
+    constexpr double rounding = 1e-12; // fraction of the squared length
     const Vector3 part = outwardPart(direction, out);
     const bool isAgainst =
       direction.dot(out) < 0.0 && !(part.squaredNorm() > rounding * direction.squaredNorm());
@@ -73,7 +73,7 @@ inline double ForceDirection::inverseRoot(double x) noexcept
   {
     return 1.0 / std::sqrt(x);
   }
-  // Pairs of terms that are independent of each other.
+  // The terms are grouped in pairs that are independent of each other.
   const double e2 = e * e;
   const double low = (1.0 + 1.0 / 2 * e) + e2 * (3.0 / 8 + 5.0 / 16 * e);
   const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);

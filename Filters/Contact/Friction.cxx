@@ -24,7 +24,7 @@ bool isValid(const FrictionSettings& settings)
 }
 
 constexpr int MostPieces = 40;
-constexpr double LongestPiece = 1.0 / 8.0; ///< of z_max
+constexpr double LongestPiece = 1.0 / 8.0; ///< fraction of z_max
 constexpr double LastBit = 0.005; ///< largest distance from the limit, as a fraction of z_max
 constexpr double Ahead = 0.1;     ///< largest ratio of the parts of z across and along the path
 constexpr double AtLimit = 1.0 - 1e-9;
@@ -102,8 +102,8 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
 
 /// Handles the usual step of a sliding contact: z is at the limit of the last load, moves a short
 /// distance to the limit of this load (or is clipped to it), and is then dragged. Only the angle θ
-/// from the path to z changes. Roots and divisions use only values that are known before the load
-/// is; the load enters by a factor near 1, evaluated by its series.
+/// from the path to z changes. The arguments of roots and divisions are known before the load of
+/// this tick; the load enters by a factor near 1, which is evaluated by its series.
 ///
 /// The short distance is one step with the creep at its middle, in polar coordinates d|z|/dx = (1 -
 /// α|z|) cos θ, dθ/dx = -sin θ/|z|. Errors are of second order in the angle and of third order in
@@ -126,15 +126,15 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
     const double half = 0.5 * missing;
     const double middle = 1.0 - half;
     const double w = eighthPower(middle * middle) - this->Breakaway8;
-    // Path times cos θ, by 1/(1 - α|z|).
+    // The length of the path times cos θ, from d|z|/dx = (1 - α|z|) cos θ.
     const double bit = missing * (1.0 + w * this->InverseWidth8);
     left -= bit * (longest * (size / z.x()));
     if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
     {
       return false;
     }
-    // Series for half the turn divided by the middle, and for the tangent of a sum, divided by 1 -
-    // both.
+    // Series for half the turn, and for the tangent of the sum of both half angles, whose divisor
+    // is 1 - both.
     const double turn = -0.5 * bit * slope * (1.0 + half) * (1.0 + half * half);
     const double both = tangent * turn;
     tangent = (tangent + turn * (1.0 - turn * turn)) * (1.0 + both * (1.0 + both));

@@ -316,7 +316,7 @@ public:
 private:
   bool advance(const Vector3& contactPoint, const Vector3& normal, double normalForce,
     double deflection) noexcept;
-  static constexpr double UnitTolerance = 1e-3; ///< of the squared length of a normal
+  static constexpr double UnitTolerance = 1e-3; ///< tolerance of the squared length of a normal
 
   FrictionModel Model;
   bool Enabled;

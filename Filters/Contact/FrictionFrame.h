@@ -88,7 +88,7 @@ public:
     {
       return std::exp(-x);
     }
-    // Groups of four terms that are independent of each other.
+    // The terms are grouped by four; the groups are independent of each other.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x) + x2 * (1.0 / 2 - x * (1.0 / 6));

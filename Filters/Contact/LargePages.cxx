@@ -61,8 +61,8 @@ void* ordinary(std::size_t bytes)
   return memory;
 }
 
-/// Maps memory directly from the system: memory of malloc may have been used in small pages before,
-/// and would remain in them.
+/// Maps memory directly from the system. malloc may return memory that is already divided into
+/// small pages.
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
@@ -131,7 +131,7 @@ void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
   }
   else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
   {
-    page->used -= size; // the newest block; a vector that grows leaves no hole
+    page->used -= size; // the newest block: its memory can be used again
   }
 }
 } // namespace palpate

@@ -271,8 +271,7 @@ private:
     return walls;
   }
 
-  /// Finds the solids that contain each part, unless there is a fault. It is one if two solids
-  /// overlap.
+  /// Finds the solids that contain each part. Sets `fault` if two solids overlap.
   void findContainers(std::vector<std::vector<std::size_t>>& around, std::string& fault) const
   {
     this->forMeetingBoxes(

@@ -17,7 +17,7 @@ struct EdgeUse
   std::int32_t low;
   std::int32_t high;
   std::int32_t triangle;
-  bool rising; ///< from the low point to the high one
+  bool rising; ///< whether the side goes from the low point to the high one
 };
 
 struct Link

@@ -44,8 +44,8 @@ using BuildProgress = std::function<void(double)>;
  *
  * On request sharp edges (creases) are found. An edge is sharp if the surface turns there by at
  * least the given angle. Below BluntTurn, the turn must also be at least twice the smallest turn at
- * the other sides of each of its two triangles: the facets of a coarse ball are not faces. An edge
- * between two points at which no other crease ends is not a crease.
+ * the other sides of each of its two triangles: otherwise the facets of a coarse ball would
+ * count as faces. An edge between two points at which no other crease ends is not a crease.
  *
  * The surface can be cut along its convex creases, so that a contact followed from triangle to
  * triangle stays on its face. Triangles at a cut are not neighbours, and a point there becomes one
@@ -137,7 +137,7 @@ public:
     return (this->corner(triangle, 1) - a).cross(this->corner(triangle, 2) - a);
   }
   Vector3 faceNormal(std::int32_t triangle) const noexcept;
-  /// Unit angle-weighted normal at a point; zero where no triangle meets.
+  /// Unit angle-weighted normal at a point; zero if no triangle meets the point.
   Vector3 pointNormal(std::int32_t point) const noexcept
   {
     return Eigen::Map<const Eigen::Vector3f>(
@@ -151,8 +151,8 @@ public:
     return vertex.ring != NoRing && (vertex.ring & CreaseFlag) != 0;
   }
   /// Whether a tip (local coordinates) whose closest point lies on a crease is inside. The tip is
-  /// never inside if the closest point is within the crease, which is convex, but may be inside if
-  /// it is a corner where concave edges end, too.
+  /// never inside if the closest point is between the ends of the crease, which is convex. The tip
+  /// may be inside if the closest point is a corner at which concave edges end too.
   bool isUnderCorner(const Vector3& tip, const SurfacePoint& closest) const noexcept;
   /// Both sides of each crease, ordered by triangle.
   const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
@@ -186,7 +186,8 @@ public:
       tip, this->corner(triangle, 0), this->corner(triangle, 1), this->corner(triangle, 2));
   }
 
-  /// The same, inline, if the closest point is on the face; otherwise returns another PlaneFoot.
+  /// As project(), inline, if the closest point is on the face; otherwise returns another
+  /// PlaneFoot.
   PlaneFoot projectOnFace(
     const Vector3& tip, std::int32_t triangle, TriangleProjection& projection) const noexcept
   {
@@ -218,7 +219,8 @@ public:
   bool isPlaneBeyond(
     const Vector3& tip, std::int32_t triangle, double squaredDistance) const noexcept;
 
-  /// Adds the side on which the tip is to a closest point; all local.
+  /// Converts a closest point to a SurfacePoint, with the signed distance. All coordinates are
+  /// local.
   SurfacePoint orient(
     const Vector3& tip, std::int32_t triangle, const TriangleProjection& projection) const noexcept;
 
@@ -254,7 +256,7 @@ private:
   struct Vertex
   {
     std::array<float, 3> normal;
-    /// Start of the point's triangles in Ring, shifted, and flags; or NoRing.
+    /// Start of the point's triangles in Ring, shifted by RingShift, plus the flags; or NoRing.
     std::uint32_t ring;
   };
   static constexpr std::uint32_t BorderFlag = 1;

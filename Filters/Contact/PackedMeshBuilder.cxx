@@ -159,7 +159,7 @@ void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      corners[0] = -1; // only two different corners: its neighbours share this edge
+      corners[0] = -1; // only two different corners: the neighbours of the triangle share this edge
     }
   }
 }

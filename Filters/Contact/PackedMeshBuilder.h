@@ -61,13 +61,13 @@ private:
   const BuildProgress& Progress;
   const CreaseRule Creases;
   std::size_t PointCount = 0;
-  std::vector<float> Coordinates;         ///< local; by packed point
+  std::vector<float> Coordinates;         ///< local coordinates of the packed points
   std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area
-  std::size_t Usable = 0;                 ///< number of usable ones
-  std::vector<TriangleCorners> Triangles; ///< in the order of Order; corners are packed points
+  std::size_t Usable = 0;                 ///< number of usable triangles
+  std::vector<TriangleCorners> Triangles; ///< ordered as Order; corners are packed points
   std::vector<std::int32_t> Twins; ///< the first point with the same coordinates; empty: no twins
   std::vector<TriangleCorners> Joined;  ///< Triangles after twins are joined, if there are any
-  std::unique_ptr<TriangleLinks> Links; ///< of joined()
+  std::unique_ptr<TriangleLinks> Links; ///< links of joined()
 };
 } // namespace palpate
 

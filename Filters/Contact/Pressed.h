@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// How deep a tool presses, and the factor of its work that edges and borders leave. All values are
-/// functions of the tip's position alone.
+/// Depth of a pressed tool, and the factor by which edges and borders change its work. All values
+/// are functions of the tip's position alone.
 struct ContactReach
 {
   double depth = 0.0; ///< δ at which the curve is evaluated, mm; < 0: no contact
@@ -22,13 +22,14 @@ struct ContactReach
   std::int32_t nearerAcross = -1;
 };
 
-/// State of a tool within one tick: first where it touches the body, then how deep.
+/// State of a tool within one tick: first its contact point, then its depth.
 struct Pressed
 {
-  /// The contact. Once the depth is known, the gradients of the area coordinates are by the tip.
+  /// The contact. Once the depth is known, the gradients of the area coordinates are those by the
+  /// position of the tip.
   ContactTracker::Result found = {};
   bool isNew = false; ///< the whole body was searched
-  double sunk = 0.0;  ///< by how much the followed point is deeper than the tool presses, mm
+  double sunk = 0.0;  ///< depth of the followed point minus the depth by which the tool presses, mm
   ContactReach reach = {};
   bool isAtEdges = false;  ///< sharp or blunt edges have an effect
   bool isAtBorder = false; ///< beyond an open border

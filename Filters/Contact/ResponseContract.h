@@ -37,7 +37,7 @@ enum class ResponseLimit : std::uint8_t
   Edge,
   DataEnd,
   Elements, ///< the finite elements by which the response was computed
-  Tilt      ///< of the tool, on a body other than a half-space
+  Tilt      ///< tilt of the tool, on a body other than a half-space
 };
 constexpr std::size_t ResponseLimitCount = 9;
 
@@ -150,9 +150,9 @@ struct ContractArray
     Samples,
     TwoSamples, ///< forces, then stiffnesses; one tuple per law
     Laws,
-    Branches, ///< of the relaxation; a field array has one component and a tuple per branch
-    Modes,    ///< of the body, at most CouplingTerms::MostModes
-    TiltLaws  ///< of the table of tilts
+    Branches, ///< branches of the relaxation; a field array has one tuple per branch
+    Modes,    ///< modes of the body, at most CouplingTerms::MostModes
+    TiltLaws  ///< laws of the table of tilts
   };
   /// Purpose of the array.
   enum class Use : std::uint8_t

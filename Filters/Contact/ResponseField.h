@@ -45,8 +45,8 @@ struct ResponseArrays
   RelaxationTerms relaxation; ///< if the body relaxes
   CouplingTerms coupling;     ///< if contacts on the body are coupled
   TiltViews tilt;             ///< the effect of tilting the tool, if known
-  /// A field whose curves are these curves times a number, if there is one: whether the stiffness
-  /// rises is then known. Must exist during construction only.
+  /// A field whose curves are multiples of these curves; null: none. Whether the stiffness rises is
+  /// taken from this field. The field is only used during construction.
   const ResponseField* multipleOf = nullptr;
 
   /// The largest δ_max of all points, mm; 0 if no point has a response.

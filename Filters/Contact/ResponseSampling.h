@@ -345,8 +345,8 @@ private:
   int Samples;
   double Exponent;
   std::vector<double> Weights; ///< s_i^(-2m)
-  std::vector<Share> Left;     ///< of each sample in the interval before it; unused for the first
-  std::vector<Share> Right;    ///< of each sample in the interval after it; unused for the last
+  std::vector<Share> Left; ///< share of each sample in the preceding interval; unused for the first
+  std::vector<Share> Right; ///< share of each sample in the next interval; unused for the last
 };
 } // namespace palpate
 

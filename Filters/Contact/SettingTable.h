@@ -25,8 +25,8 @@ using SettingWords = std::array<SettingWord, 3>;
 /// The texts of a setting. Its default is the default of ContactSettings.
 struct SettingText
 {
-  const char* name;   ///< of the property, "FrictionCoefficient"
-  const char* option; ///< on a command line, without dashes; null: not an option there
+  const char* name;   ///< name of the property, "FrictionCoefficient"
+  const char* option; ///< command-line option without dashes; null: no option
   const char* unit;   ///< "" for ratios and enumerations
   /// Description of the setting, with unit and range but without the default. It begins with a
   /// small letter and ends without a full stop.

@@ -19,7 +19,7 @@ constexpr double LastStep = 1e-6;
 /// A minimum that is beyond an edge by at most this value counts as on the edge.
 constexpr double OnEdge = 1e-9;
 
-/// Half the squared distance to the surface: derivatives by the parameters.
+/// Derivatives of half the squared distance to the surface by the parameters.
 struct Distance
 {
   Eigen::Vector2d slope;

@@ -40,10 +40,10 @@ struct SmoothPoint
  * function theorem).
  *
  * In the following cases the result is NotFound, and the caller uses the closest point of the
- * facet: if the tip is within about a thousandth of the radius of curvature, or deeper (det H <=
- * FocalShare times its value at the surface: the closest point is about to split in two), at a
- * crease (see SmoothTriangle), on a folded triangle (see PackedMesh), at a seam of triangles
- * without area, and after MaximumSteps.
+ * facet: if the depth of the tip is within about a thousandth of the radius of curvature, or larger
+ * than this radius (det H <= FocalShare times its value at the surface: the closest point is about
+ * to split in two), at a crease (see SmoothTriangle), on a folded triangle (see PackedMesh), at a
+ * seam of triangles without area, and after MaximumSteps.
  *
  * A step costs about 0.1 µs, the patch of a new triangle 0.2 µs; a tick takes two or three steps.
  * follow() neither allocates nor locks nor throws. It stores the last patch: one SmoothContact

@@ -12,8 +12,8 @@ namespace
 using Vector4 = Eigen::Vector4d;
 /// Four doubles that are processed together; two at a time on a processor without AVX.
 using Four [[gnu::vector_size(32)]] = double;
-/// The same in the memory of an Eigen::Vector4d, which need not begin at a multiple of 32 bytes.
-/// (Not for a parameter of a template, which would lose the attributes.)
+/// The same type for the memory of an Eigen::Vector4d, which need not begin at a multiple of 32
+/// bytes. (Not for a parameter of a template, which would lose the attributes.)
 using StoredFour [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 Vector4 padded(const Vector3& v)
@@ -50,7 +50,7 @@ struct Blend
     const double sum = a + b;
     if (std::abs(sum) < 1e-30)
     {
-      return; // at the corner: value and slopes are 0; the second derivatives have no limit and
+      return; // at the corner value and slopes are 0; the second derivatives have no limit and
               // count as 0
     }
     const double p = a / sum;
@@ -64,8 +64,9 @@ struct Blend
   }
 };
 
-// The same instructions in the same order with vectors of two or four, thus the same bits. A thread
-// sanitizer cannot run the function that chooses between them.
+// The function executes the same instructions in the same order with vectors of two or four
+// doubles, so that the result is the same bit for bit. A thread sanitizer cannot run the code that
+// chooses between the two versions.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 [[gnu::target_clones("avx", "default")]]
 #endif

@@ -238,7 +238,7 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
     }
     if (hasCornerTwice(corners))
     {
-      corners[0] = -1; // only two different corners: its neighbours share this edge
+      corners[0] = -1; // only two different corners: the neighbours of the triangle share this edge
     }
   }
   this->Found.joinedPoints = 0;

@@ -137,7 +137,7 @@ void ToolContact::lose() noexcept
 
 void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
 {
-  constexpr int others = 2; // at a corner
+  constexpr int others = 2; // the number of other faces at a corner
   for (int face = 0; face < others && at.reach.depth > 0.0 && at.reach.nearerAcross >= 0; ++face)
   {
     const ContactTracker::Result across =
@@ -169,7 +169,7 @@ void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
   {
     this->addMemory(work, at, result);
   }
-  const double whole = work.byDepth; // without the effect of edges and borders
+  const double whole = work.byDepth; // force without the effect of edges and borders
   const Vector3 out = this->vectorToContact(place);
   const ForceDirection direction = ForceDirection::of(
     this->Settings.form, this->Body.response, this->LastCorners, at, upright.force, out);

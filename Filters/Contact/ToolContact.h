@@ -65,7 +65,7 @@ public:
     Pressed at = this->find(pose);
     return this->feel(at, 0.0);
   }
-  /// Computes the response `elapsed` s after the last update of this kind. If the first such update
+  /// Computes the response `elapsed` s after the last update with a time. If the first such update
   /// finds the tip inside the body, the tip is assumed to have rested there.
   Contact update(const ToolPose& pose, double elapsed) noexcept
   {
@@ -80,9 +80,9 @@ public:
   /// surface by `lowering` mm. To be called once after each find().
   Contact feel(Pressed& at, double lowering) noexcept;
 
-  /// Finds how deep the tool presses if nothing lowers the surface, for tools that lower the
-  /// surface under one another; to be called between find() and feel(). Returns false if it does
-  /// not press.
+  /// Computes the depth of the tool on a surface that nothing lowers, for tools that lower the
+  /// surface under one another. To be called between find() and feel(). Returns false if the tool
+  /// does not press.
   bool press(Pressed& at) noexcept;
   /// The slow response of the tool at a depth (mm) at that contact, in its present tilt.
   ResponseValue slowResponse(const Pressed& at, double depth) const noexcept;
@@ -126,7 +126,7 @@ private:
       place.projection.weights };
   }
 
-  /// Sets how deep the tool presses, and the factor of its work that edges or a border leave.
+  /// Sets the depth of the tool, and the factor by which edges or a border change its work.
   void reach(Pressed& at, double lowering) noexcept;
   /// Moves the contact to the face across a blunt edge as long as that face is nearer.
   void crossEdges(Pressed& at, double lowering) noexcept;
@@ -142,7 +142,7 @@ private:
   /// Adds the memory of a body that relaxes to a slow work.
   void addMemory(Jet& work, const Pressed& at, Contact& result) noexcept;
   /// Sets all results except friction. Returns false if the force is not finite or has no
-  /// direction. The state is None if a body that relaxes has not yet recovered to the tool.
+  /// direction. The state is None while a relaxing body is still dented below the tool.
   bool push(const Pressed& at, Contact& result) noexcept;
   void addFriction(Contact& result) noexcept;
   /// The vector from the tip to the contact point.
@@ -151,15 +151,15 @@ private:
   /// The result of a tool that does not press.
   Contact endAtDepth(const Pressed& at, double lowering) noexcept;
   Contact end(ContactState state) noexcept;
-  /// Ends the contact because the body has not yet recovered to the tool.
+  /// Ends the contact because the body is still dented below the tool.
   Contact endDetached() noexcept;
 
   /// Effect of edges on a contact. It is Active again when the tip has been outside.
   enum class EdgeMode : std::uint8_t
   {
     Active,
-    /// An edge has released the tip. A contact that began at a depth would return energy that was
-    /// never put in.
+    /// The contact has ended at an edge. A new contact that begins at a depth would return energy
+    /// that was never put in.
     Released,
     /// The contact began inside the body at a point at which the law of edges leaves no force, far
     /// below an edge or between bumps.
@@ -171,11 +171,11 @@ private:
   ContactTracker Tracker;
   Friction Resistance;
   Vector3 LastTip = Vector3::Zero();  ///< the tip, or the followed point of a tilted tool
-  Vector3 LastStep = Vector3::Zero(); ///< from the preceding tip to LastTip
+  Vector3 LastStep = Vector3::Zero(); ///< vector from the preceding tip to LastTip
   EdgeMode Edges = EdgeMode::Active;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
-  ResponseValue Slow; ///< at the last contact, without the effect of edges and borders
+  ResponseValue Slow; ///< slow response at the last contact, without edges and borders
   ContactTilt Tilt;
   ContactRelaxation Relaxation; ///< last member, because most bodies do not relax
 };

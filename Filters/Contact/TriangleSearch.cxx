@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Bit k is set if the k-th of eight distances is within reach.
+/// Returns eight bits: bit k is set if distance k is within reach.
 unsigned within(const Eigen::Array<float, 8, 1>& distances, float reach) noexcept
 {
 #ifdef __SSE2__

@@ -12,8 +12,8 @@ namespace palpate
 {
 namespace
 {
-/// The plane of a triangle, seen along its normal: finds how far other triangles are under the
-/// plane, divided by their distance from the triangle within the plane.
+/// The plane of a triangle. Computes the slope of other triangles: their depth below the plane,
+/// divided by their distance from the triangle within the plane.
 class TrianglePlane
 {
 public:

@@ -137,7 +137,7 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
   struct Pending
   {
     float squaredDistance;
-    std::uint32_t level; ///< of the row
+    std::uint32_t level; ///< level of the row
     std::size_t row;
   };
   std::array<Pending, (Width - 1) * LargestDepth + 1> stack;

@@ -92,7 +92,7 @@ private:
     const Eigen::Vector3f& rounded, std::int32_t triangle, std::int32_t other) const noexcept;
 
   const PackedMesh& Mesh;
-  std::vector<LargeVector<Boxes>> Levels; ///< from the leaves up; the last has one row of boxes
+  std::vector<LargeVector<Boxes>> Levels; ///< the leaves first; the last has one row of boxes
   double Size = 0.0;                      ///< largest coordinate of the body, local
   double Horizon = 0.0;                   ///< limit of tip coordinates, see isBeyondHorizon()
 };
@@ -124,7 +124,7 @@ public:
 private:
   static constexpr std::size_t Width = TriangleTree::Width;
   static constexpr std::size_t Capacity = 8 * Width; ///< boxes stored
-  static constexpr int MaximumSteps = 8;             ///< of a walk over faces
+  static constexpr int MaximumSteps = 8; ///< largest number of steps of a walk over faces
 
   struct Place
   {

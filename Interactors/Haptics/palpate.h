@@ -85,7 +85,7 @@ extern "C"
     PALPATE_TILTED_TOO_FAR = 6 /* since 4: the force is that of the largest tilt of the response */
   };
 
-  /* How the curves at a triangle's corners are combined into one force. */
+  /* The combination of the curves at a triangle's corners into one force. */
   enum palpate_force_form
   {
     PALPATE_PAPER = 0,
@@ -100,7 +100,7 @@ extern "C"
     PALPATE_SMOOTH = 1
   };
 
-  /* How a contact resists sliding. */
+  /* The friction model of a contact. */
   enum palpate_friction_model
   {
     PALPATE_ELASTO_PLASTIC = 0,
@@ -214,11 +214,11 @@ extern "C"
     double maximum_stiffness;  /* N/m, of a sampled spring that comes to rest at the rate below */
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
-    double sample_time_out;    /* s; a device that is silent for longer is lost. May be infinite */
+    double sample_time_out;    /* s without a reading until the device is lost; may be infinite */
     double
       delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
-    /* since version 4. N m, about the tip; 0: the device outputs no torque. And N m/rad, of a
-     * sampled torsion spring, as maximum_stiffness; 0: 0.5 is used. */
+    /* since version 4. maximum_torque: N m, about the tip; 0: the device outputs no torque.
+     * maximum_torsional_stiffness: N m/rad, of a sampled torsion spring; 0: 0.5 is used. */
     double maximum_torque;
     double maximum_torsional_stiffness;
     double reserved[1];
@@ -282,12 +282,12 @@ extern "C"
   {
     double position[3];   /* m */
     double velocity[3];   /* m/s; zero if the device does not measure it */
-    unsigned int buttons; /* bit i: button i is down */
-    int valid;            /* 0: there is nothing to report; the force is then zero */
-    int fresh;            /* 0: nothing new, the last reading is repeated */
+    unsigned int buttons; /* bit i: button i is pressed */
+    int valid;            /* 0: the device has no reading; the force is then zero */
+    int fresh;            /* 0: no new reading, the last one is repeated */
     /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into
      * the device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown.
-     * And rad/s, or zeros. */
+     * angular_velocity: rad/s, or zeros. */
     double orientation[4];
     double angular_velocity[3];
     double reserved[1];
@@ -306,10 +306,10 @@ extern "C"
     double force_factor;     /* ratio of applied to ideal force, by PALPATE_FIT */
     double
       scene_share; /* fraction of the newest scene in the ideal force; 1 except while changing */
-    unsigned int scene; /* number of the newest scene: how many came before */
+    unsigned int scene; /* index of the newest scene: number of preceding changes */
     unsigned int acted; /* sum of enum palpate_safety_link */
     int valid;          /* the sample was valid and finite */
-    int clutched;       /* the tip stays while the hand moves */
+    int clutched;       /* the tip does not move while the hand moves */
     /* since version 2. s: how long device_force may be held if no tick follows. A device that
      * ends its force after this time returns no more energy than was put in. May be infinite. */
     double hold_time;

@@ -37,7 +37,7 @@ public:
     TriangleCorners corners{};
     Vector3 point = Vector3::Zero();  ///< local
     Vector3 normal = Vector3::Zero(); ///< unit; the blended normal
-    double normalLength = 1.0;        ///< of the blended normal before it is normalized
+    double normalLength = 1.0;        ///< length of the blended normal before it is normalized
     double modulus = 0.0;
     double thickness = 0.0;
     double radius = 0.0;

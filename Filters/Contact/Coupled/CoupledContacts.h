@@ -56,37 +56,39 @@ public:
 
   std::size_t count() const noexcept { return this->Contacts.size(); }
 
-  /// Evaluates all contacts; one pose for each contact. A contact whose pose is not finite is
-  /// Invalid and does not act on the others. The results are valid until the next update. Without
-  /// `elapsed` the response is the slow one; otherwise the force is that `elapsed` s after the last
-  /// update.
+  /// Evaluates all contacts. `poses` has one pose for each contact. A contact whose pose is not
+  /// finite is Invalid and does not act on the others. The results are valid until the next update.
+  /// Without `elapsed` the response is the slow one; otherwise the force is that `elapsed` s after
+  /// the last update.
   const std::vector<Contact>& update(const ToolPose* poses) noexcept;
   const std::vector<Contact>& update(const ToolPose* poses, double elapsed) noexcept;
   /// As update(), but solved to rounding whatever the forces were before; at most SettlingRounds.
   const std::vector<Contact>& settle(const ToolPose* poses) noexcept;
   const std::vector<Contact>& settle(const ToolPose* poses, double elapsed) noexcept;
 
-  /// Makes a tick of a servo loop, `elapsed` s after the last. A contact without a pose is kept:
-  /// its result is Invalid, it does not act on the others, and only time passes for it. One contact
-  /// alone is a ToolContact: stiffness() does not know it.
+  /// Makes a tick of a servo loop, `elapsed` s after the last one. A contact without a pose is
+  /// kept: its result is Invalid, it does not act on the others, and only its time advances. A
+  /// single contact with a pose is evaluated by its ToolContact alone; stiffness() does not include
+  /// it.
   const std::vector<Contact>& step(const std::optional<ToolPose>* poses, double elapsed) noexcept;
   /// Moves one contact, without time, so that the next tick continues at this pose.
   void move(std::size_t contact, const ToolPose& pose) noexcept
   {
     this->Contacts[contact].update(pose);
   }
-  /// Takes the history of other contacts, as many, on the same body. Allocates nothing.
+  /// Copies the history of an object with the same number of contacts on the same body. Does not
+  /// allocate.
   void assume(const CoupledContacts& other) noexcept;
 
   const std::vector<Contact>& felt() const noexcept { return this->Felt; }
-  /// How far the other contacts lower the surface at a contact, mm.
+  /// Lowering of the surface at a contact by the other contacts, mm.
   double sunk(std::size_t contact) const noexcept { return this->Loads[contact].sunk; }
 
   /// Relative error of a contact's force because the others act on it as point forces
   /// (BodyCoupling::pointForceError), 0 to 1.
   double pointForceError(std::size_t contact) const noexcept;
 
-  /// They apply the functions of ToolContact of the same names to all contacts.
+  /// These functions apply the function of ToolContact with the same name to all contacts.
   void reset() noexcept;
   void lose() noexcept
   {
@@ -116,7 +118,7 @@ public:
   /// Infinite if the compliances are not positive definite. Costs 4 N³ multiply-adds: too much for
   /// every tick with many contacts.
   double stiffening() noexcept;
-  /// ToolContact::cappedShare for a limit on the stiffness of all contacts together.
+  /// As ToolContact::cappedShare(), for a limit on the stiffness of all contacts together.
   double cappedShare(std::size_t contact, double maximumStiffness) noexcept;
 
 private:
@@ -124,8 +126,8 @@ private:
   struct Load
   {
     Pressed found;
-    Pressed pressed; ///< `found` with its reach on the surface that nothing lowers, if the tool
-                     ///< presses
+    Pressed pressed; ///< if the tool presses: `found` with its depth on a surface that no other
+                     ///< contact lowers
     bool presses = false;
     double sunk = 0.0;
     double force = 0.0;
@@ -134,8 +136,8 @@ private:
     BodyCoupling::Spot spot;
     double whole = 0.0;     ///< force of the curve, N, even if it does not act on the tool
     bool isMissing = false; ///< there is no pose in this tick
-    /// The tool had no force in the last tick although its curve had one: an edge released the
-    /// tool, or the relaxing body has not yet recovered to it.
+    /// The tool had no force in the last tick although its curve had one: its contact ended at an
+    /// edge, or the relaxing body was still dented below the tool.
     bool isOff = false;
 
     double appliedForce() const noexcept { return this->isOff ? 0.0 : this->whole; }
@@ -147,14 +149,15 @@ private:
   const std::vector<Contact>& solve(int rounds) noexcept;
   void load(std::size_t contact) noexcept;
   void fillCompliances() noexcept;
-  /// How far the other contacts lower the surface at a contact, mm.
+  /// Returns the lowering of the surface at a contact by the other contacts, mm.
   double sunkBy(std::size_t contact) const noexcept;
   /// Evaluates the curve of a contact at its depth less sunkBy(). Returns the change of its force,
   /// N.
   double press(std::size_t contact) noexcept;
   /// Makes one round of Gauss-Seidel. Returns the largest change of a force over the largest force.
   double goRound() noexcept;
-  /// Makes one step of Newton's method, for up to MostSolved contacts; returns the same ratio.
+  /// Makes one step of Newton's method, for up to MostSolved contacts. Returns the same ratio as
+  /// goRound().
   double solveRound() noexcept;
   void addSideForce(std::size_t contact, Contact& felt) const noexcept;
   /// Writes the compliances of the contacts with a force, times `factor`, row by row: 1/K_i on the
@@ -176,7 +179,7 @@ private:
   std::vector<Contact> Felt;
   std::vector<double> Compliance; ///< C_ij, row by row
   std::vector<double> Work;
-  double Stiffening = 0.0; ///< of the last update; 0: not computed yet
+  double Stiffening = 0.0; ///< stiffening() of the last update; 0: not computed yet
 };
 } // namespace palpate
 

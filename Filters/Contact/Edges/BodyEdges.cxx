@@ -87,8 +87,8 @@ BodyEdges::BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double rang
 {
 }
 
-/// The faces near blunt edges under which the tip is: the face of the contact, the faces across its
-/// edges, and the faces across the edges of those.
+/// The faces near blunt edges above the tip: the face of the contact, the faces across its edges,
+/// and the faces one edge farther.
 class BodyEdges::Faces
 {
 public:
@@ -129,7 +129,7 @@ private:
     std::int32_t number = EdgeChains::None; ///< number of the face; None: unknown
     Vector3 normal = Vector3::Zero();
     double depth = 0.0;
-    /// 1 for a neighbour. For a face behind a neighbour the weight rises from 0 to the weight of
+    /// 1 for a neighbour. For a face beyond a neighbour the weight rises from 0 to the weight of
     /// the neighbour, as the depth under the neighbour approaches that under the contact's own
     /// face.
     double weight = 1.0;
@@ -139,7 +139,7 @@ private:
   };
 
   const Face& own() const noexcept { return this->Known[0]; }
-  /// (δ_own/δ)^4, and its gradient by the tip; a depth decreases along the normal of its face.
+  /// Returns (δ_own/δ)^4. ratioChange() is its gradient by the tip: -∇δ is the normal of the face.
   double ratio(const Face& face) const noexcept
   {
     const double x = this->own().depth / face.depth;
@@ -169,7 +169,7 @@ private:
       const Vector3 toEdge = place.point - this->Tip;
       if (!(segment.normal.dot(toEdge) > 0.0))
       {
-        continue; // on the far side of a groove
+        continue; // the face is on the far side of a groove
       }
       Face face;
       face.triangle = segment.across;
@@ -300,7 +300,7 @@ void BodyEdges::reach(const PackedMesh& mesh, const Vector3& tip, Pressed& press
     place.normal = mesh.faceNormal(place.triangle);
   }
   const double height =
-    place.normal.dot(place.projection.point - tip); // of the plane above the tip
+    place.normal.dot(place.projection.point - tip); // height of the plane above the tip
   const Vector3 deepest = tip + pressed.sunk * place.normal;
   pressed.reach =
     this->at(mesh.toLocal(deepest), place.triangle, place.normal, height - pressed.sunk);

@@ -28,11 +28,11 @@ namespace palpate
  *
  * At a blunt edge the depth combines both faces: δ^-4 = δ_A^-4 + δ_B^-4. This is nearly the smaller
  * of the two depths, except near the edge, where the surface of equal depth is rounded with a
- * radius of about the depth of the tip. The turning of the force changes it by at most 0.0038 mm/δ
- * of its magnitude per 1 µm of motion. Directly under the edge the force of a sphere is 23 % less
- * than far from it; on an elastic wedge it is 3 % (30°) to 43 % (75°) less. The factor Ψ at sharp
- * edges is then the sum of the factors of the two faces, each weighted by the share of its term in
- * δ^-4.
+ * radius of about the depth of the tip. As the direction of the force turns, the force changes by
+ * at most 0.0038 mm/δ of its magnitude per 1 µm of motion. Directly under the edge the force of a
+ * sphere is 23 % less than far from it; on an elastic wedge it is 3 % (30°) to 43 % (75°) less. The
+ * factor Ψ at sharp edges is then the sum of the factors of the two faces, each weighted by the
+ * share of its term in δ^-4.
  *
  * A re-entrant edge needs no treatment: the nearest point of the surface remains on the edge, and
  * the force turns from one wall to the other.
@@ -53,11 +53,13 @@ public:
     return this->Chains.near(triangle) != nullptr;
   }
   void prefetch(std::int32_t triangle) const noexcept { this->Chains.prefetch(triangle); }
-  /// The reach of a contact at `depth` under the plane with the normal `normal`; local coordinates.
+  /// Computes the ContactReach of a tip at `depth` under the plane with the normal `normal`, in
+  /// local coordinates.
   ContactReach at(
     const Vector3& tip, std::int32_t triangle, const Vector3& normal, double depth) const noexcept;
-  /// Sets the reach of a tool near or beyond edges; `tip` is the followed point. Beyond an edge the
-  /// plane of the face continues, and the contact point is on this plane.
+  /// Sets Pressed::reach of a tool near or beyond edges. `tip` is the point that the tracker
+  /// follows. Beyond an edge the plane of the face continues, and the contact point is on this
+  /// plane.
   void reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) const noexcept;
 
   const EdgeTerms& terms() const noexcept { return this->Terms; }

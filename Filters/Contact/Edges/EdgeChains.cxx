@@ -17,7 +17,7 @@ namespace palpate
 namespace
 {
 constexpr double CornerCosine = 0.8660254037844386; // 30°
-constexpr std::size_t MostSteps = 32;               // in a search along a chain in a tick
+constexpr std::size_t MostSteps = 32;               // of a search along a chain
 constexpr int MostAround = 64;                      // triangles around a point
 
 Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
@@ -25,8 +25,8 @@ Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
   return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3.0;
 }
 
-/// The side that follows on the border of the same face at the end of a side; { -1, 0 } if it is no
-/// crease.
+/// Returns the next side on the border of the same face, at the end of a side; { -1, 0 } if the
+/// next side is no crease.
 std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t triangle, int edge)
 {
   edge = (edge + 1) % 3;

@@ -45,11 +45,11 @@ public:
     std::int32_t other = None; ///< the face on the other side
     std::int32_t across;       ///< the triangle on the other side
     bool isBlunt;
-    bool turnsLeft = false;    ///< to the next segment
+    bool turnsLeft = false;    ///< whether the chain turns left at the next segment
     bool goesOnBefore = false; ///< continues straight beyond a corner of the face at its start
     bool goesOnBehind = false; ///< continues straight beyond a corner of the face at its end
-    std::array<double, 2> sharpness;    ///< at its ends, see edgeSharpness
-    std::array<Vector3, 2> otherNormal; ///< normal of the other side, at its ends
+    std::array<double, 2> sharpness;    ///< at both ends, see edgeSharpness
+    std::array<Vector3, 2> otherNormal; ///< normal of the other side, at both ends
   };
 
   /// The closest point on a chain.
@@ -59,7 +59,7 @@ public:
     double part = 0.0; ///< fraction of the segment's length
     Vector3 point = Vector3::Zero();
     double distance = 0.0; ///< mm, in the plane of the segment, > 0 on the side of the face
-    Vector3 gradient = Vector3::Zero(); ///< of the distance, by the position given to closest()
+    Vector3 gradient = Vector3::Zero(); ///< gradient of the distance by the argument of closest()
   };
 
   /// Distance from a triangle (mm) within which a chain counts as near.

@@ -59,7 +59,7 @@ struct Spline
   }
 };
 
-/// Weights of the table's Poisson's ratios: Lagrange's in ln ψ.
+/// Returns the weights of the table's Poisson's ratios, for Lagrange interpolation of ln ψ.
 std::array<double, Ratios> weightsOf(double poissonRatio)
 {
   const double x = std::log(pointLoadSoftness(poissonRatio));

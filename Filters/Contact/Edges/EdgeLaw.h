@@ -18,12 +18,12 @@ struct EdgeTerms
 {
   double exponent = 0.0;     ///< m of F ∝ δ^m far inside: 1 flat, 1.5 sphere, 2 cone
   double radius = 0.0;       ///< contact radius at a depth of 1 mm, mm: a₀ = radius δ^(m-1)
-  double poissonRatio = 0.5; ///< of the body
+  double poissonRatio = 0.5; ///< Poisson's ratio of the body
   /// Depth (mm) at which the body is fixed, by the base of a layer or by its own opposite side. An
   /// edge farther away than 1.5 times this depth has no effect. 0: a half-space.
   double extent = 0.0;
-  /// The curves already contain the effect of the edge, as curves from finite elements do. Then
-  /// only the effect beyond the edge is added.
+  /// Whether the curves already contain the effect of the edge, as curves from finite elements do.
+  /// Then only the effect beyond the edge is added.
   bool isInCurves = false;
 
   bool areFelt() const noexcept { return this->exponent > 0.0 && this->radius > 0.0; }
@@ -75,7 +75,7 @@ public:
 
 private:
   static constexpr double TailStart = 8.0;
-  static constexpr std::size_t Cells = 160; ///< from the end to the start of the tail
+  static constexpr std::size_t Cells = 160; ///< number of cells between the end and the tail
 
   struct Node
   {

@@ -113,7 +113,7 @@ void PackedMesh::Builder::markCreases()
 
 void PackedMesh::Builder::computeCornerNormals()
 {
-  std::map<std::int32_t, Vector3> sums; // by the index of the uncut point
+  std::map<std::int32_t, Vector3> sums; // sums of normals by the index of the uncut point
   const auto visitParts = [this](const auto& visit)
   {
     for (std::size_t point = 0; !this->Mesh.Creases.empty() && point < this->PointCount; ++point)

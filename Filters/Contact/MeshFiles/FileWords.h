@@ -14,7 +14,8 @@ namespace palpate
 class FileWords
 {
 public:
-  /// `continued`: a character that at the end of a line continues it on the next line; 0: none.
+  /// `continued`: a character at the end of a line that continues the line on the next one; 0:
+  /// none.
   FileWords(std::istream& stream, char continued = '\0')
     : Stream(stream)
     , Continued(continued)
@@ -25,7 +26,8 @@ public:
   bool nextLine();
   /// Returns the next word of the line; "" at its end. Valid until the next line.
   std::string_view word();
-  /// Reads the next word as a finite number; if it is none, returns false and sets `wrong` to it.
+  /// Reads the next word as a finite number. If the word is not a number, returns false and sets
+  /// `wrong` to the word.
   bool number(float& value, std::string_view& wrong);
   /// Number of the line, from 1.
   std::size_t lineNumber() const { return this->Number; }

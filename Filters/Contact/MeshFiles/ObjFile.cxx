@@ -224,8 +224,8 @@ private:
 
   FileWords Words;
   FileMesh Mesh;
-  std::vector<float> Normals;               ///< in the order of the file
-  std::vector<std::int64_t> CornerNormals;  ///< of each corner; -1: none
+  std::vector<float> Normals;               ///< normals in the order of the file
+  std::vector<std::int64_t> CornerNormals;  ///< index of each corner's normal; -1: none
   std::array<std::int64_t, Parts> Counts{}; ///< number of lines so far
   std::array<std::int64_t, Parts> Largest{};
   std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest index

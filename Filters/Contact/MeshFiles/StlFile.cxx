@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t HeadSize = 84; // of a binary file: 80 bytes and the number of facets
+constexpr std::size_t HeadSize = 84; // head of a binary file: 80 bytes and the number of facets
 constexpr std::size_t FacetSize = 50;
 
 std::string lowerCase(std::string_view word)
@@ -200,7 +200,7 @@ FileMesh readBinary(std::istream& file, std::uint64_t facets, std::uint64_t size
     }
     for (std::size_t i = 0; i < 9; ++i, ++values)
     {
-      const std::uint32_t word = wordAt(bytes.data() + 12 + 4 * i); // after the normal
+      const std::uint32_t word = wordAt(bytes.data() + 12 + 4 * i); // the corners follow the normal
       std::memcpy(values, &word, sizeof word);
       if (!std::isfinite(*values))
       {

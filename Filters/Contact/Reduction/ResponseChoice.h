@@ -68,7 +68,7 @@ struct ResponseChoice
 
   std::size_t points = 0;  ///< points that have a response
   double keptShare = 1.0;  ///< fraction of these points within the tolerance
-  double largestError = 0; ///< over all these points
+  double largestError = 0; ///< largest error of all these points
 
   bool regimeKnown = false;
   /// Fraction of the points at which the shape of the tool has no effect.

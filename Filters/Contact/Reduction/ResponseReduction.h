@@ -24,7 +24,7 @@ enum class ReducedForm
 struct ReductionSettings
 {
   double tolerance = 0.01; ///< see reduceResponse
-  int mostLaws = 8;        ///< of a basis; 1 to 16
+  int mostLaws = 8;        ///< largest number of laws of a basis, 1 to 16
 };
 
 /**

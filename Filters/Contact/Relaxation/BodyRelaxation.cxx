@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// The depth d of the whole curve at which the depth of its local part is `local`: d - C F(d) =
-/// local.
+/// Returns the depth d of the whole curve at which the depth of its local part is `local`:
+/// d - C F(d) = local.
 double wholeDepth(const ResponseField& whole, std::int32_t point, double compliance, double local)
 {
   return increasingRoot(
@@ -31,7 +31,7 @@ double wholeDepth(const ResponseField& whole, std::int32_t point, double complia
 bool isConvex(const ResponseField& curves, std::int32_t point)
 {
   constexpr int chords = 16;
-  constexpr double noise = 0.01; // of the steepest chord
+  constexpr double noise = 0.01; // fraction of the steepest chord
   const double range = curves.range(point);
   double depth = 0.0;
   double force = 0.0;

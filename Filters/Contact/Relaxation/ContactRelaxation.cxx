@@ -159,8 +159,8 @@ void ContactRelaxation::pressElements(
       ++used;
     }
     this->Nodes.chordsOf(curve, used, this->Chords);
-    // Evaluated on the present curve: the difference between this curve and the last one is not an
-    // increment.
+    // Evaluated on the present curve, because the difference between this curve and the last one is
+    // not an increment of the force.
     before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   }
   this->LastRest = before;

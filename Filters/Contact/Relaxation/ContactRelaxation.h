@@ -99,7 +99,7 @@ private:
  *
  * With an elastic compliance C in series, δ = δ_local + C F is solved, and the local part relaxes.
  *
- * Sliding moves the tool to new material, which counts as pressed just now: the force rises. Over a
+ * Sliding moves the tool to new material, which counts as newly pressed: the force rises. Over a
  * path of length s a fraction λ = 1 - e^(-s/2a) of the elements is exchanged (a: contact radius).
  * The work of the drag supplies the energy for this (SlidingDrag). Error compared with a half-space
  * of 3-D cells, for sphere and cone: -5.3 to 4.7 % of (1 + P) f.
@@ -150,7 +150,7 @@ public:
   {
     double total = 0.0;     ///< N
     double stiffness = 0.0; ///< d total/dδ in this tick, N/mm
-    bool isTouched = false; ///< false: the material has not yet recovered to the tool
+    bool isTouched = false; ///< false: the material is still dented below the tool
   };
   /// Performs a tick in contact; `slow` is the value of the response at the deflection of `place`.
   Force press(const Place& place, const ResponseValue& slow) noexcept;
@@ -205,15 +205,15 @@ private:
   double StepTime = -1.0; ///< time step of Step, s
   RelaxationStep Step;
   RelaxationElements Elements;
-  QuasiLinearElement Rest; ///< of f - f_N
+  QuasiLinearElement Rest; ///< the element of f - f_N
   QuasiLinearElement One;
   double OneDepth = 0.0; ///< depth of the last press with the one element
   double OneSlow = 0.0;  ///< slow force at OneDepth
 
-  Place Last; ///< of the last press
+  Place Last; ///< place of the last press
   bool HasBegun = false;
   bool WasTouched = false;
-  double Compliance = 0.0; ///< in series, mm/N
+  double Compliance = 0.0; ///< elastic compliance in series, mm/N
   double Depth = 0.0;      ///< local
   double Slow = 0.0;       ///< f at Depth
   double Stiffness = 0.0;  ///< df/dδ at Depth

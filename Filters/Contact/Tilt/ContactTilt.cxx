@@ -161,7 +161,7 @@ void ContactTilt::addMoment(double byTilt, const TriangleCorners& corners,
   }
   // cos θ = axis · n, n = Σ n_i U_i/|Σ n_i U_i|.
   const double cosine = this->Axis.dot(this->Normal);
-  Vector3 gradient = Vector3::Zero(); // of cos θ
+  Vector3 gradient = Vector3::Zero(); // gradient of cos θ
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vector3 normal = response.normal(corners[k]);

@@ -42,11 +42,12 @@ public:
     return this->IsFelt && this->Angle > upright;
   }
 
-  /// The point to follow for a tool in this pose; it is the tip if tilts have no effect.
+  /// Returns the point that the tracker follows for a tool in this pose: the tip if tilts have no
+  /// effect.
   Vector3 follow(const ToolPose& pose, bool isFollowed) noexcept;
 
-  /// Sets the tilt from the smooth normal at the contact. Returns by how much the followed point is
-  /// deeper than the deepest point of the tool, mm.
+  /// Sets the tilt from the smooth normal at the contact. Returns the depth of the
+  /// followed point minus that of the tool's deepest point, mm.
   double lean(
     const TriangleCorners& corners, const Vector3& weights, const ResponseField& response) noexcept
   {

@@ -23,8 +23,8 @@ std::string addressOf(const std::string& device, const Transport& transport)
   return device.rfind(prefix, 0) == 0 ? device.substr(prefix.size()) : std::string();
 }
 
-/// The module; or null, and then `fault` is the end of a sentence, "needs " with the missing
-/// module.
+/// Returns the module. On failure returns null and sets `fault` to the end of a sentence: "needs "
+/// and the missing module.
 const TransportsModule* transportsModule(std::string& fault)
 {
   static const LoadedModule loaded = loadModule("palpateTransports");

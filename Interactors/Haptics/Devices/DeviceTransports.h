@@ -20,14 +20,14 @@ namespace palpate
 struct PluggedDevice
 {
   std::string address;  ///< "hid:PATH"
-  std::string name;     ///< of the product; may be empty
+  std::string name;     ///< name of the product; may be empty
   std::string obstacle; ///< the reason why the device cannot be opened; "": it can be opened
 };
 
 /// The result of a search for devices.
 struct PluggedDevices
 {
-  std::vector<PluggedDevice> devices; ///< by path
+  std::vector<PluggedDevice> devices; ///< sorted by path
   /// One line per device, and a line with the reason if there is no device or some may be missing.
   std::string text;
 };

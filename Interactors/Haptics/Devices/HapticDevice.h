@@ -85,7 +85,7 @@ struct DeviceErrors
 {
   std::uint64_t malformed = 0; ///< reports of wrong size, version, check sum or content
   std::uint64_t stale = 0;     ///< reports older than, or equal to, an earlier one
-  std::uint64_t lost = 0;      ///< reports that were not received, by their numbers
+  std::uint64_t lost = 0;      ///< reports that were not received, according to the report numbers
   std::uint64_t unsent = 0;    ///< forces that could not be sent
   std::uint64_t disconnections = 0;
 };
@@ -108,8 +108,8 @@ public:
   virtual bool write(const Eigen::Vector3d& force) noexcept = 0;
   /// Applies a force and a torque. A device without torque output applies only the force.
   virtual bool writeWrench(const Wrench& wrench) noexcept { return this->write(wrench.force); }
-  /// Sets for how long (s) the following forces are held if no other force follows. No effect on a
-  /// device that cannot end its force itself.
+  /// Sets the time (s) for which the following forces are held if no other force follows. No effect
+  /// on a device that cannot end its force itself.
   virtual void holdFor(double seconds) noexcept { static_cast<void>(seconds); }
 
   /// The state as readable text: "connected", "unplugged, waiting for it to return".

@@ -12,7 +12,7 @@
 namespace palpate
 {
 /**
- * Replays a trajectory as a device: a hand that repeats the recorded path, whatever the force.
+ * Replays a trajectory as a device: a hand that repeats the recorded path and ignores the force.
  *
  * The times of the file are those of the loop. At the time of a row the sample is the recorded one
  * bit for bit: position, velocity, buttons, valid, fresh. If several rows have the same time, the

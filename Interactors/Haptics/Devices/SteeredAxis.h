@@ -24,7 +24,8 @@ class PALPATE_EXPORT SteeredAxis
 public:
   static constexpr double TimeConstant = 0.03; ///< s, as in SteeredTarget
 
-  /// `axis` need not have unit length, in the frame of the device; no effect if it is not finite.
+  /// Sets the axis towards which the shaft turns, in the frame of the device. It need not have unit
+  /// length; no effect if it is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
   /// Advances to `time` (s). There is no motion in the first call, or if time decreases.
   void moveOn(double time) noexcept;

@@ -33,10 +33,11 @@ public:
   void setMapping(const WorkspaceMapping& mapping) noexcept { this->Mapping = mapping; }
 
   void steerTo(const Eigen::Vector3d& target) noexcept;
-  /// The goal's body must exist until oldestBody() has a larger number. If this is called before
-  /// the first moveOn, the hand starts at the top of the goal's column.
+  /// Moves the hand to a goal. The goal's body must exist until oldestBody() returns a larger
+  /// number. If this is called before the first moveOn, the hand starts at the top of the goal's
+  /// column.
   void touch(const TouchGoal& goal) noexcept;
-  /// The smallest number of the bodies in use; for the thread that steers.
+  /// The smallest number of a body that is still in use; for the thread that steers.
   std::uint64_t oldestBody() const noexcept { return this->Oldest.load(std::memory_order_acquire); }
 
   /// Advances to `time` (s). There is no motion in the first call, or if time decreases. Returns

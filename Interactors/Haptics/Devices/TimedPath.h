@@ -35,7 +35,7 @@ public:
   /// An interval of uniform motion.
   struct Ramp
   {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< at the given time, m
+    Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< position at the given time, m
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
     double end = 0.0;                                   ///< end of the motion, s; may be infinite
   };

@@ -17,10 +17,12 @@ struct TrajectoryRow
   /// Axis of the tool, from tip to hand, body frame, unit; zero: unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
-  /// In a file only its point, deflection, normal force, memory force, friction, torque and state.
+  /// A file contains only the point, deflection, normal force, memory force, friction, torque and
+  /// state of the contact.
   Contact contact;
-  /// Magnitude of the total force of `contact`, N: before any limit of the device, and while the
-  /// scene changes that of the new scene alone. `sentForce` passes from one scene to the other.
+  /// Magnitude of the total force of `contact`, N, before any limit of the device. While the scene
+  /// changes, it is the force of the new scene alone, and `sentForce` changes gradually from the
+  /// old scene to the new one.
   double idealForce = 0.0;
 
   /// The reading of the device, in its frame, and the sent force; m, m/s, N.

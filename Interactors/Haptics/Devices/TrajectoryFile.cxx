@@ -117,7 +117,8 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   return csv.fault();
 }
 
-/// Keeps the rows written so far, because they cannot be recorded again. Returns a text about them.
+/// Keeps the rows written so far, because they cannot be recorded again. Returns the end of an
+/// error text that describes the kept rows, or "".
 std::string keepRows(WholeFile& file, std::size_t rows)
 {
   const std::size_t lines = file.keepLines(2); // including the names of the columns

@@ -30,7 +30,7 @@ enum Column : std::size_t
   Torque = 31
 };
 
-constexpr double LengthTolerance = 1e-3; ///< of an axis, for rounding by other programs
+constexpr double LengthTolerance = 1e-3; ///< for an axis with rounding by other programs
 
 void put(const Eigen::Vector3d& vector, Column column, Numbers& numbers)
 {

@@ -14,9 +14,9 @@ namespace palpate::TrajectoryTable
 {
 constexpr std::size_t ContactBegin = 4; ///< the preceding columns are time and tip
 constexpr std::size_t DeviceBegin = 14;
-constexpr std::size_t MemoryBegin = 27; ///< of the contact, if the body relaxes
+constexpr std::size_t MemoryBegin = 27; ///< memory force of the contact, if the body relaxes
 constexpr std::size_t AxisBegin = 28;
-constexpr std::size_t TorqueBegin = 31; ///< of the contact
+constexpr std::size_t TorqueBegin = 31; ///< torque of the contact
 constexpr std::size_t ColumnCount = 34;
 
 extern const std::array<std::string_view, ColumnCount> Names;

@@ -46,7 +46,7 @@ void GuidedHand::enterAtTop() noexcept
   this->enterColumn();
 }
 
-/// Goes from the present place in the column of Goal to its end.
+/// Moves from the present place in the column of Goal to the goal.
 void GuidedHand::enterColumn() noexcept
 {
   RouteSearch::Route route;
@@ -101,7 +101,7 @@ void GuidedHand::advance(double elapsed) noexcept
   }
 }
 
-/// Decides how the tip goes to the newest goal.
+/// Chooses the way of the tip to the newest goal.
 void GuidedHand::react() noexcept
 {
   const TouchGoal& wanted = this->Wanted;
@@ -187,7 +187,7 @@ bool GuidedHand::isInColumn() const noexcept
 bool GuidedHand::canSlideTo(const TouchGoal& goal) const noexcept
 {
   const bool slides = this->Now == Phase::Sliding;
-  constexpr double top = 0.999; // of the column: a tip that hovers does not slide
+  constexpr double top = 0.999; // fraction of the column: a tip that hovers does not slide
   if (!goal.presses() || !this->Goal.presses() ||
     !(slides || (this->isInColumn() && this->heightInColumn() < top * this->Goal.hover)))
   {
@@ -226,8 +226,9 @@ void GuidedHand::enter(const RouteSearch::Route& route, std::size_t goalSteps) n
   this->Now = Phase::Moving;
 }
 
-/// Moves on the path. In the column the tip rests where the contact would be deeper than the goal
-/// is below the surface, which happens if the contact is with another face.
+/// Moves along the path. In the column of a goal that presses, the tip does not move if the contact
+/// would become deeper than both its present depth and the goal's depth. This happens if the
+/// contact is with another face.
 void GuidedHand::moveInContact(double share, double most) noexcept
 {
   const Vector3 before = this->Tip;
@@ -270,7 +271,7 @@ void GuidedHand::move(double share, double most) noexcept
     this->Tip = this->Path.points[this->Leg + 1];
     if (this->Leg + 2 >= this->Path.count)
     {
-      return; // the last leg remains the present one
+      return; // Leg remains the index of the last leg
     }
     ++this->Leg;
   }
@@ -280,8 +281,8 @@ void GuidedHand::slide(double share, double most) noexcept
 {
   constexpr double near = 1e-3; // mm, from where the tip moves on a straight line
   constexpr int patience = 8;   // ticks without progress
-  constexpr double least = 0.1; // of a step that counts as progress
-  constexpr int halvings = 4;   // of a step over a sharp edge, where the tip turns around the foot
+  constexpr double least = 0.1; // smallest part of a step that counts as progress
+  constexpr int halvings = 4;   // largest number of halvings of a step over a sharp edge
   const double far = (this->Goal.point - this->Foot).norm();
   if (far < near)
   {
@@ -299,7 +300,7 @@ void GuidedHand::slide(double share, double most) noexcept
   }
 }
 
-/// Moves the foot by a step towards the goal, and the tip up by `lift`; half of this if the tip
+/// Moves the foot by a step towards the goal, and the tip up by `lift`. Both are halved if the tip
 /// would move too far. Returns false, without motion, if the contact would be too deep.
 bool GuidedHand::slideBy(double step, double lift, double farthest, int halvings) noexcept
 {
@@ -314,7 +315,7 @@ bool GuidedHand::slideBy(double step, double lift, double farthest, int halvings
   }
   const Vector3 foot = found.projection.point + body.surface.centre();
   const Vector3 normal = surfaceNormal(body, found.triangle, found.projection.weights);
-  // The depth set, or less deep than before.
+  // The larger of the goal's depth and the present depth.
   const double most = std::max(this->Depth, -this->Goal.height);
   double height = this->Height + lift;
   for (int i = 0; i < corrections; ++i)

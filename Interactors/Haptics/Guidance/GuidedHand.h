@@ -21,18 +21,19 @@ namespace palpate
  * In each tick the tip is on a way that is known to be free:
  * - over the last goal, the column below `hover` and the way outwards (TouchPlanner);
  * - between two such ways, a straight line or an arc that RouteSearch has found to be free before
- *   the hand enters it. The search takes part of a tick, for some ticks; meanwhile the hand lifts
- *   off, or rests.
+ *   the hand enters it. The search is divided over some ticks; meanwhile the hand lifts off, or
+ *   rests.
  *
- * Therefore a tip that does not press has no contact, also if a goal follows in the middle of a
+ * Therefore a tip that does not press has no contact, even if a new goal arrives in the middle of a
  * way, and on hollow and thin bodies. This holds for the facets; the smooth contact surface is
- * higher by up to its patches' bulge.
+ * higher by up to the bulge of its patches.
  *
  * A tip that presses slides to a goal that presses nearby. Its foot moves over the surface towards
  * the goal, and the tip is held under the foot along the blended normal, at a depth between the
- * present one and the goal's. The depth of contact in each tick is found as the contact finds it
- * (ContactTracker) and is never above that; the tip is lifted if it would be. If the foot
- * does not come nearer, such as at a ridge, the hand lifts off and comes down at the goal.
+ * present one and the goal's. In each tick the depth of the contact is computed as in the servo
+ * step (ContactTracker). If it would exceed the larger of these two depths, the tip is lifted. If
+ * the foot does not come nearer to the goal, for example at a ridge, the hand lifts off and comes
+ * down at the goal.
  *
  * If no way exists, such as between the inside and the outside of a hollow body, the tip is put at
  * the top of the goal's column in one tick (`jumps`).
@@ -61,18 +62,18 @@ public:
   bool rests() const noexcept;
   /// The smallest number of the bodies that the hand still uses.
   std::uint64_t oldestBody() const noexcept;
-  /// How often no way existed.
+  /// Number of goals to which no way existed.
   std::uint64_t jumps() const noexcept { return this->Jumps; }
 
 private:
   static constexpr int SearchQueries = 16;
-  static constexpr double SlideReach = 20.0; ///< mm, of a goal to which the tip slides
+  static constexpr double SlideReach = 20.0; ///< mm, largest distance of a slide
 
   enum class Phase : std::uint8_t
   {
-    Lost,   ///< at any point
-    Moving, ///< on Path, to Goal
-    Sliding ///< over the surface, to Goal
+    Lost,   ///< the tip is at any point
+    Moving, ///< the tip moves on Path to Goal
+    Sliding ///< the tip slides over the surface to Goal
   };
 
   void react() noexcept;
@@ -98,8 +99,9 @@ private:
   bool isBehind() const noexcept;
   bool canRise() const noexcept;
   void addTop(const Vector3& foot, const Vector3& normal) noexcept;
-  /// At least the number of points of the retreat from a path. A hand whose path has too many
-  /// continues until it has passed some; the last ones are over the goal.
+  /// An upper bound of the number of points of the retreat from Path. If there are too many points
+  /// for a retreat, the hand continues until it has passed enough of them; the last points are over
+  /// the goal.
   std::size_t pointsToLeave() const noexcept;
   void leaveColumn() noexcept;
   void leavePath() noexcept;
@@ -108,28 +110,29 @@ private:
 
   Vector3 Tip = Vector3::Zero();
   Phase Now = Phase::Lost;
-  bool IsSearching = false; ///< for a way to Search.goal(); Path is then the begin of the retreat
-  TouchGoal Goal;           ///< where Path or the slide ends
-  TouchGoal Wanted;         ///< the newest
+  bool IsSearching = false; ///< a way to Search.goal() is being searched; Path is then the
+                            ///< beginning of the retreat
+  TouchGoal Goal;           ///< the goal at the end of Path or of the slide
+  TouchGoal Wanted;         ///< the newest goal
 
   RouteSearch::Route Path;
   std::size_t Leg = 0;       ///< the tip is between points Leg and Leg + 1 of Path
-  std::size_t GoalSteps = 0; ///< how many points of Goal.way the path uses, before its end
+  std::size_t GoalSteps = 0; ///< number of points of Goal.way in the path, before its end
 
   RouteSearch::Retreat Retreat;
   std::size_t Known = 0; ///< points of the retreat with free legs between them
   std::size_t First = 0; ///< first point of the retreat from which a line may begin
   RouteSearch Search;
 
-  Vector3 Foot = Vector3::Zero(); ///< of a slide
+  Vector3 Foot = Vector3::Zero(); ///< foot of the tip during a slide
   Vector3 FootNormal = Vector3::Zero();
   std::int32_t FootTriangle = -1;
-  double Height = 0.0; ///< of the tip over the foot, mm
+  double Height = 0.0; ///< height of the tip over the foot, mm
   int Stuck = 0;       ///< ticks in which the foot did not come nearer
 
   std::optional<ContactTracker>
-    Tracker;          ///< of Goal.body; follows the contact as the servo step does
-  double Depth = 0.0; ///< of the contact, mm; 0: none
+    Tracker;          ///< tracks the contact with Goal.body as the servo step does
+  double Depth = 0.0; ///< depth of the contact, mm; 0: no contact
   Vector3 ContactPoint = Vector3::Zero();
   Vector3 ContactNormal = Vector3::Zero();
 

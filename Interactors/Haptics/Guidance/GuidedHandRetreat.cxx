@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a guided hand leaves the place at which a new goal finds it.
+// The part of GuidedHand that leaves the present place when a new goal arrives.
 #include "Haptics/Guidance/GuidedHand.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void GuidedHand::depart() noexcept
   this->Now = Phase::Moving;
 }
 
-/// Whether the tip presses and has come out on the other side of a thin body.
+/// Whether the tip presses and is outside, beyond the other side of a thin body.
 bool GuidedHand::isBehind() const noexcept
 {
   const bool presses = this->Now == Phase::Sliding

@@ -172,7 +172,7 @@ void RouteSearch::endLeg(bool isFree) noexcept
   }
 }
 
-/// Adds the line of an escape to the retreat, in steps that grow in proportion.
+/// Adds the line of an escape to the retreat. The distances of its points grow geometrically.
 void RouteSearch::addEscape() noexcept
 {
   constexpr int steps = 4;

@@ -45,12 +45,12 @@ struct BoundedPath
 /**
  * Finds a way around a body from a hand's retreat to a goal, in parts that a servo tick can afford.
  *
- * The *retreat* is a polygon that begins at the hand and leads away from the body; the goal has
- * such a way too. The search looks for a free straight line (FreeLine) from a point of the retreat
- * to a point of the goal's way, the shortest route first. If there is none, the route goes around
- * the body on a sphere. Legs of the retreat that are not yet known to be free are searched before
- * use; a point without a free leg is left out. If the retreat does not lead to the sphere, straight
- * lines in all directions from its known end are tried.
+ * The *retreat* is a polygon that begins at the hand and leads away from the body; the goal's way
+ * is a similar polygon (TouchGoal). The search looks for a free straight line (FreeLine) from a
+ * point of the retreat to a point of the goal's way, the shortest route first. If there is none,
+ * the route goes around the body on a sphere. Legs of the retreat that are not yet known to be free
+ * are searched before use; a point without a free leg is left out. If the retreat does not lead to
+ * the sphere, straight lines in all directions from its known end are tried.
  *
  * No function allocates or throws. The bodies of the goals must exist during the search.
  */
@@ -70,8 +70,8 @@ public:
 
   const TouchGoal& goal() const noexcept { return this->Goal; }
   const Retreat& retreat() const noexcept { return this->Way; }
-  /// The route that was found, from `tip` over the points of the retreat from `next` on to the
-  /// goal's tip.
+  /// The route that was found: from `tip` along the retreat, beginning at its point `next`, to the
+  /// position of the tip at the goal.
   Route route(const Vector3& tip, std::size_t next) const noexcept;
   /// Number of points of the goal's way that the route uses.
   std::size_t goalSteps() const noexcept { return this->To + 1; }
@@ -80,10 +80,10 @@ private:
   static constexpr std::size_t MostArc = 8;
   enum class Stage : std::uint8_t
   {
-    Choose, ///< the next line
-    Extend, ///< the retreat by one leg
+    Choose, ///< choose the next line
+    Extend, ///< extend the retreat by one leg
     Line,
-    Escape, ///< from the retreat's known end to the sphere
+    Escape, ///< search from the retreat's known end to the sphere
     Arc,
     Done
   };
@@ -107,9 +107,9 @@ private:
   std::size_t First = 0;
   double Margin = 0.0;
   std::array<std::uint32_t, MostRetreat> Tried{}; ///< bit j: the line to step j of the goal's way
-  std::size_t From = 0;                           ///< the present line
+  std::size_t From = 0;                           ///< start of the present line, in the retreat
   std::size_t To = 0;
-  int Direction = 0;        ///< the next one of an escape
+  int Direction = 0;        ///< the next direction of an escape
   BoundedPath<MostArc> Arc; ///< points between the ends of retreat and way
   std::size_t ArcLeg = 0;
   FreeLine Line;

@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-/// A goal that is farther away from the surface is moved onto it, mm. A picked place is off by
-/// rounding.
+/// mm. A goal farther away from the surface is moved onto the surface; a smaller distance is only
+/// the rounding of a picked point.
 constexpr double OffSurface = 0.05;
 
 /// Largest distance of a corner from the centre of the body's box, mm.
@@ -72,7 +72,7 @@ void TouchPlanner::release(std::uint64_t oldest)
 
 TouchGoal TouchPlanner::plan(const Vector3& point, const Vector3& normal, double height)
 {
-  constexpr double marginShare = 0.25; // of the height of the column
+  constexpr double marginShare = 0.25; // fraction of the height of the column
   const Body& newest = this->Bodies.back();
   const ContactBody& body = *newest.kernel;
   // A tilted tool reaches lower than its tip.
@@ -140,7 +140,7 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
   {
     return false;
   }
-  // Points at distances that grow in proportion: a hand may leave the way at each of them.
+  // The distances of the points grow geometrically. A hand may leave the way at each point.
   const std::size_t more = TouchGoal::MostSteps - goal.steps;
   const double first = std::min(Approach, length);
   for (std::size_t i = 1; i <= more; ++i)
@@ -156,7 +156,7 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
 bool TouchPlanner::climb(TouchGoal& goal) const
 {
   constexpr int mostMoves = 64;
-  constexpr double growth = 1.001; // ends in the middle, where the clearance no longer grows
+  constexpr double growth = 1.001; // least growth of the clearance in a move
   Vector3 at = goal.way[0];
   double clearance = clearanceAt(*goal.body, at);
   for (int i = 0; i < mostMoves; ++i)

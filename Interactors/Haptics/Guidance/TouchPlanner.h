@@ -17,7 +17,8 @@ namespace palpate
  * a straight way from the top of the column to a sphere around the body. It tries the normal first,
  * then directions farther and farther from the normal. In a hollow from which no direction leads
  * out, it tries again from the middle of the hollow. A goal without such a way (`leadsOut` is
- * false) can be reached only from places that see it. Cost: 20 to some thousand closest points.
+ * false) can be reached only from places with a free straight line to it. Cost: 20 to some thousand
+ * closest points.
  *
  * The planner keeps the bodies of its goals until release().
  */
@@ -49,15 +50,15 @@ private:
   bool leaveNear(const Vector3& normal, TouchGoal& goal) const;
   bool climb(TouchGoal& goal) const;
 
-  std::deque<Body> Bodies; ///< the last one is that of the next goals
+  std::deque<Body> Bodies; ///< the last body is that of the next goals
   std::uint64_t LastNumber = 0;
   std::uint64_t LastBody = 0;
   std::uint64_t Surface = 0;
-  double Radius = 0.0;                 ///< of a sphere around the body, mm
+  double Radius = 0.0;                 ///< radius of a sphere around the body, mm
   double LastMost = 0.0;               ///< largest height of the last column, mm
-  Vector3 LastPoint = Vector3::Zero(); ///< as given
+  Vector3 LastPoint = Vector3::Zero(); ///< the last point given to plan()
   Vector3 LastNormal = Vector3::Zero();
-  TouchGoal Last; ///< the way of the same place is not searched again
+  TouchGoal Last; ///< the last goal; its way is used again for the same place
 };
 } // namespace palpate
 

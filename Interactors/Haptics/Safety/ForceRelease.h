@@ -10,7 +10,7 @@
 namespace palpate
 {
 /**
- * Ends the force on the hand before an exception ends the process. For programs.
+ * Ends the force on the hand before an exception ends the process. To be called by programs.
  *
  * An exception that is not caught, or that leaves a function which must not throw (such as read and
  * write of a HapticDevice), ends the process by std::terminate, without destructors. The last force

@@ -252,9 +252,9 @@ public:
   void interrupt(double time) noexcept;
   void reset() noexcept;
 
-  /// s: how long the last force may be held, whatever happens to the host, without returning more
-  /// than E to a hand; infinite without force. The hand is assumed to move as when readings are
-  /// missing.
+  /// s, the longest time for which the last force may be held, even if the host stops, without
+  /// returning more than E to a hand; infinite without force. The hand is assumed to move as when
+  /// readings are missing.
   double holdTime() const noexcept;
 
   /// The part of E, J, that the last force does not need. It may be transferred to the account of
@@ -295,12 +295,12 @@ private:
   double Energy = 0.0;
   double Share = 1.0; ///< fraction of the device's damping that is credited
   bool HasPosition = false;
-  Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< of the last reading
-  ToolOrientation Orientation = orientationNotTold(); ///< of the last reading
+  Eigen::Vector3d Position = Eigen::Vector3d::Zero(); ///< position of the last reading
+  ToolOrientation Orientation = orientationNotTold(); ///< orientation of the last reading
   double ReadTime = 0.0;                              ///< time of the last reading, s
   SpatialVector Force;                                ///< the last sent force
   double SentTime = 0.0;
-  SpatialVector Impulse;      ///< of the forces sent since ReadTime, N s
+  SpatialVector Impulse;      ///< impulse of the forces sent since ReadTime, N s
   SpatialVector Velocity;     ///< between the last two readings, m/s
   bool IsInterrupted = false; ///< readings have been missing since ReadTime
   SpatialVector Taken;        ///< the force before the interruption, N

@@ -113,7 +113,7 @@ public:
   void stop() noexcept;
   void start() noexcept { this->IsStopped = false; }
   bool isStopped() const noexcept { return this->IsStopped; }
-  /// Whether apply() will send no force for a valid sample at that time, whatever the scene: the
+  /// Whether apply() will send no force for a valid sample at that time, for any scene: the
   /// chain is stopped, the watchdog has expired, or the time is invalid.
   bool isEnded(double time) const noexcept
   {

@@ -196,7 +196,7 @@ public:
     const bool wentBack = time < this->LastTime;
     if (wentBack)
     {
-      this->LastFresh = time; // in the new clock
+      this->LastFresh = time; // the time of the new clock
     }
     const bool isOld = !(time - this->LastFresh <= this->TimeOut);
     this->LastTime = time;
@@ -227,8 +227,8 @@ public:
 private:
   double TimeOut;
   bool HasTime = false;
-  double LastTime = 0.0;  ///< of the last call
-  double LastFresh = 0.0; ///< of the last new sample
+  double LastTime = 0.0;  ///< time of the last call
+  double LastFresh = 0.0; ///< time of the last new sample
 };
 } // namespace palpate
 

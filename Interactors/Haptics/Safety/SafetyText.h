@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Describes how the sent force differs from the ideal force: the factor and the other links that
+/// Describes the difference between sent and ideal force: the factor and the other links that
 /// acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if no link acted. With
 /// `fitReason` (DeviceFit::reason) the factor is followed by the reason in brackets.
 PALPATE_EXPORT std::string describeSafety(

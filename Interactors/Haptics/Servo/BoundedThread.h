@@ -11,8 +11,8 @@
 namespace palpate
 {
 /**
- * A thread for whose end the owner waits only for a limited time: for calls into a driver that may
- * hang.
+ * A thread whose owner waits only for a limited time for its end. It is used for calls into a
+ * driver that may hang.
  *
  * finish waits for the end of the work up to a limit. After that the thread is detached and
  * continues alone; therefore the work must own all data that it uses.

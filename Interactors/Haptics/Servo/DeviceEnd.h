@@ -24,7 +24,7 @@ struct Tick
   Contact contact;                                       ///< body frame; the ideal force
   Eigen::Vector3d deviceForce = Eigen::Vector3d::Zero(); ///< device frame, N; as sent
 
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< of the hand, body frame, mm/s
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< velocity of the hand, body frame, mm/s
   /// Input of the safety chain, body frame, N: contact.force, but blended while the scene changes,
   /// and reduced while the clutch is held.
   Eigen::Vector3d idealForce = Eigen::Vector3d::Zero();
@@ -37,7 +37,7 @@ struct Tick
   Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedTorque = Eigen::Vector3d::Zero();
   double forceFactor = 1.0; ///< ratio of applied to ideal force by the device fit (DeviceFit)
-  double holdTime = 0.0;    ///< s: how long deviceForce may be held (SafetyChain)
+  double holdTime = 0.0;    ///< s, time for which deviceForce may be held (SafetyChain)
   /// Fraction of idealForce that comes from the scene of `contact`: less than 1 during a ramp.
   double sceneShare = 1.0;
   std::uint32_t scene = 0; ///< index of that scene: the number of preceding changes
@@ -136,7 +136,7 @@ public:
   /// the contact.
   bool send(const SafetyInput& input, Tick& tick) noexcept;
 
-  /// Whether no force is sent for a sample at that time, whatever the scene (SafetyChain::isEnded).
+  /// Whether no force is sent for a sample at that time, for any scene (SafetyChain::isEnded).
   bool isEnded(double time) const noexcept { return this->Chain.isEnded(time); }
 
   void stop() noexcept { this->Chain.stop(); }

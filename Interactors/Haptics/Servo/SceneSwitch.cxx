@@ -165,7 +165,8 @@ void SceneSwitch::reset() noexcept
 
 void SceneSwitch::enter(const std::optional<ToolPose>* poses) noexcept
 {
-  // Fraction of the deflection: near the side of the old contact, yet below most other surfaces.
+  // Fraction of the old deflection: the tip is near the side of the old contact, but below most
+  // other surfaces.
   constexpr double Depth = 0.1;
   for (std::size_t i = 0; i < this->hands(); ++i)
   {

@@ -89,15 +89,15 @@ inline double cappedTorqueShare(const Contact& contact, double limit) noexcept
 /// The force of a scene on one tip, or the blend of two scenes during a change. Body frame; mm, N.
 struct SceneForce
 {
-  Contact contact;                        ///< of the newest scene
+  Contact contact;                        ///< contact of the newest scene
   Vector3 idealForce = Vector3::Zero();   ///< blended; contact.force outside a change
   Vector3 cappedForce = Vector3::Zero();  ///< blended, with each stiffness capped
   Vector3 idealTorque = Vector3::Zero();  ///< about the tip, N mm; blended
   Vector3 cappedTorque = Vector3::Zero(); ///< blended, with each torsional stiffness capped
   double forceFactor = 1.0;               ///< blended; 0: no force
   double share = 1.0;                     ///< fraction of idealForce from the newest scene
-  /// The longest displacement (mm) over which the contact can return work: the deflection, how far
-  /// the other hands lower the surface, and the elastic displacement of the friction.
+  /// The longest displacement (mm) over which the contact can return work: the deflection, the
+  /// lowering of the surface by the other hands, and the elastic displacement of the friction.
   double reach = 0.0;
   bool outside = true;   ///< no contact
   bool changing = false; ///< the fraction differs from that of the last tick
@@ -153,7 +153,7 @@ public:
     this->update(&poses, elapsed);
     return this->force(0, pose, limits);
   }
-  /// The same for a tool along the body's normal.
+  /// Makes one tick of one hand, for a tool along the body's normal.
   SceneForce update(const Vector3& tip, double elapsed, double stiffnessLimit) noexcept
   {
     StiffnessLimits limits;
@@ -204,7 +204,7 @@ private:
   /// Ends a ramp; the change to a waiting scene begins.
   void end() noexcept;
   void retire(std::unique_ptr<ServoScene> scene) noexcept;
-  /// Begins the contacts of the new scene where those of the old one are.
+  /// Begins the contacts of the new scene at the places of the old contacts.
   void enter(const std::optional<ToolPose>* poses) noexcept;
   void blend(const SceneForce& before, SceneForce& felt) const noexcept;
 
@@ -214,7 +214,7 @@ private:
   std::unique_ptr<ServoScene> Retired;
   ForceRamp Ramp{ 0.0 };
   bool Moves = false; ///< the ramp advanced in the last tick
-  /// Hands without a tick in the ramp yet; all: the ramp has not begun.
+  /// Hands that had no tick in this ramp yet; all hands: the ramp has not begun.
   std::bitset<ServoScene::MostHands> Entering;
   std::uint32_t Changes = 0;
 };

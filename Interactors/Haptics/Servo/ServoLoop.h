@@ -162,8 +162,8 @@ private:
   std::atomic<bool> Stopping{ false };
 
   RealTimeGrant Grant;              ///< used only by the owner, like all members below
-  DeviceErrors ErrorsBefore;        ///< at the last reset of the statistics
-  std::uint64_t OverrunsBefore = 0; ///< at the last reset of the statistics
+  DeviceErrors ErrorsBefore;        ///< errors at the last reset of the statistics
+  std::uint64_t OverrunsBefore = 0; ///< overruns at the last reset of the statistics
   std::thread Thread;
 };
 } // namespace palpate

@@ -17,7 +17,7 @@ namespace palpate
 struct PALPATE_EXPORT ServoStatistics
 {
   double rate = 0.0;   ///< requested ticks per second
-  RealTimeGrant grant; ///< of the last start
+  RealTimeGrant grant; ///< grant of the last start
 
   std::uint64_t ticks = 0;
   /// Ticks that were skipped because they could not begin within their period.
@@ -29,9 +29,9 @@ struct PALPATE_EXPORT ServoStatistics
   std::uint64_t sceneChanges = 0;    ///< number of scenes that were taken
   DeviceErrors device;               ///< the counts of the device
 
-  LatencyCounts period; ///< from the beginning of one tick to that of the next
-  LatencyCounts wakeUp; ///< from a tick's deadline to its beginning
-  LatencyCounts tick;   ///< from a tick's beginning to the force written and the tick published
+  LatencyCounts period; ///< time from the beginning of a tick to that of the next tick
+  LatencyCounts wakeUp; ///< time from a tick's deadline to its beginning
+  LatencyCounts tick;   ///< time from a tick's beginning until its force is sent and published
 
   /// A few lines of text: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
   std::string describe() const;

@@ -121,7 +121,7 @@ void ServoStep::makeRehearsal(const DeviceSample* likely, double time, Tick* tic
     if (ticks[i].valid)
     {
       const ToolPose pose = end.follow(elapsed, ticks[i]);
-      // A hand alone is followed also while its force has ended.
+      // A single hand is followed even while its force is ended.
       if (count == 1 || !end.isEnded(time))
       {
         poses[i].emplace(pose);

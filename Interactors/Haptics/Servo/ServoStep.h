@@ -41,8 +41,8 @@ namespace palpate
  * no effect on the others in that tick. A tool whose gate is closed, or whose hand is decoupled by
  * the clutch, is still in the body and affects the others.
  *
- * The stiffness cap of each device takes into account how much stiffer all contacts are together:
- * no motion of all hands, in or out, is stiffer than the device's limit. On a body with coupling
+ * The stiffness cap of each device takes the joint stiffness of all contacts into account: no
+ * motion of all hands, in or out, is stiffer than the device's limit. On a body with coupling
  * the passivity controls share one account of energy, because the energy that one hand has put in
  * is returned to another hand when the first one unloads. In each tick, the energy that no force
  * needs is transferred to the hands at which the scene stores it. All hands together receive no
@@ -73,15 +73,15 @@ public:
   /// `scene` must not be null.
   ServoStep(std::unique_ptr<ServoScene> scene, const WorkspaceMapping& mapping,
     const SafetySettings& safety, std::uint32_t clutchButtons = 0);
-  /// 1 to Most hands; further hands are ignored. A `scene` for another number of hands is made
-  /// again.
+  /// `hands` has 1 to Most elements; further ones are ignored. If `scene` is made for another
+  /// number of hands, it is made again for this number.
   ServoStep(std::unique_ptr<ServoScene> scene, const std::vector<Hand>& hands);
 
   std::size_t count() const noexcept { return this->Devices.size(); }
 
-  /// Steps the only device. `time` in s must increase, for the ramps and the safety chain.
+  /// Makes a step of the only device. `time` in s must increase, for ramps and safety chain.
   Tick step(const DeviceSample& sample, double time) noexcept;
-  /// Steps all devices: count() samples in, count() ticks out.
+  /// Makes a step of all devices, from count() samples to count() ticks.
   void step(const DeviceSample* samples, double time, Tick* ticks) noexcept;
 
   /// Prefetches the memory that the next step reads if the hands continue their motion. To be
@@ -109,7 +109,7 @@ public:
   /// Ends the forces from the next step until start().
   void stop() noexcept;
   void start() noexcept;
-  /// The same for one hand.
+  /// Ends the force of one hand from the next step until its start().
   void stop(std::size_t hand) noexcept;
   void start(std::size_t hand) noexcept { this->Devices[hand].end.start(); }
   /// Resets contacts, ramp, clutches and the history of the safety chains. A stopped hand remains
@@ -155,7 +155,7 @@ private:
 
   std::vector<Device> Devices;
   std::vector<Device> Rehearsed;              ///< copies
-  std::vector<std::optional<ToolPose>> Poses; ///< of the present tick
+  std::vector<std::optional<ToolPose>> Poses; ///< poses of the present tick
   SceneSwitch Scenes;
   double LastTime; ///< NaN: there was no step yet
 };

@@ -44,7 +44,7 @@ struct FaultRate
 /// The faults of a FaultyDevice, by schedule and at random.
 struct DeviceFaults
 {
-  std::vector<ScheduledFault> schedule; ///< in any order
+  std::vector<ScheduledFault> schedule; ///< faults at given times, in any order
   /// Indexed by fault: rates[size_t(DeviceFault::Late)].
   std::array<FaultRate, DeviceFaultCount> rates;
   std::uint64_t seed = 1;

@@ -32,8 +32,8 @@ public:
   /// The loads on the mass from one tick to the next.
   struct Load
   {
-    double force = 0.0;          ///< of the motor, N
-    double target = 0.0;         ///< of the hand at the start, m
+    double force = 0.0;          ///< force of the motor, N
+    double target = 0.0;         ///< target of the hand at the start, m
     double targetVelocity = 0.0; ///< m/s
   };
 

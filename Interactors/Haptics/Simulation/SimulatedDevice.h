@@ -21,7 +21,7 @@ namespace palpate
  * depends only on its settings, the times of the readings and the written forces. FaultyDevice adds
  * faults.
  *
- * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), whatever the force: the
+ * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), and ignores the force: the
  * sample depends only on the path or target and on the time.
  *
  * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant). It is
@@ -87,8 +87,8 @@ public:
   /// must not change after the first reading. The device keeps the body while it is in use.
   void setBody(std::shared_ptr<const ContactBody> body, const WorkspaceMapping& mapping);
   /// Moves a steered hand around the body to `height` (mm, negative: pressed) above a point of its
-  /// surface with an outward unit normal, in the body's frame: see GuidedHand. A hand whose first
-  /// reading follows starts there, or at its free height if it presses. Takes 20 to some thousand
+  /// surface with an outward unit normal, in the body's frame: see GuidedHand. Before the first
+  /// reading, the hand starts there, or at the free height if it presses. Takes 20 to some thousand
   /// searches of a closest point (TouchPlanner). No effect on a hand with a path, without a body,
   /// or if a number is not finite.
   void touch(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double height);
@@ -106,7 +106,7 @@ private:
   SteeredTarget* steered() noexcept;
 
   DeviceSpecification Limits;
-  TimedPath Path;                          ///< of a stiff hand
+  TimedPath Path;                          ///< path of a stiff hand
   std::unique_ptr<SteeredTarget> Target;   ///< target of a stiff hand without a path
   TouchPlanner Planner;                    ///< for the thread that steers
   SteeredAxis Shaft;                       ///< axis of a stiff hand without a path

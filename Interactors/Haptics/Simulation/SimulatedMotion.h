@@ -79,7 +79,7 @@ private:
   double LastTime = -std::numeric_limits<double>::infinity();
   DeviceSample Last;
   PlantAxis::State States[3];
-  PlantAxis::State Turns[3]; ///< of the rotation vector, rad
+  PlantAxis::State Turns[3]; ///< components of the rotation vector, rad
   bool IsTurned = false;     ///< whether the orientation is known
   Wrench Held;               ///< the force and torque that act now
 

@@ -10,7 +10,7 @@ class pqPipelineSource;
 
 /**
  * When the Length Unit of a body changes, the body becomes ten or a thousand times as large, and an
- * unchanged camera shows nothing. After such a change is applied, this class resets the render
+ * unchanged camera shows nothing. When the change is applied, this class resets the render
  * views that show the body or its results. The views keep their direction.
  *
  * The camera is not moved by any other property, nor by a unit that a state file sets.

@@ -21,8 +21,8 @@
 pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : Superclass(proxy, group, parent)
 {
-  // The panel is notified of the change, too. follow() runs after the panel, since otherwise the
-  // filter would remain marked as changed. It runs once for all changes that have arrived until
+  // The panel also receives the change. follow() must run after the panel; otherwise the filter
+  // would remain marked as changed. follow() runs once for all changes that have arrived until
   // then.
   const auto come = [this]()
   {

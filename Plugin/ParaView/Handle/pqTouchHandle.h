@@ -8,7 +8,7 @@
  * ParaView's point handle, with a filter that follows it immediately: the panel widget
  * "touch_handle" of a property group. A new position (dragged, picked or typed) is passed to the
  * filter without Apply, and the view is rendered. Before the first Apply, or if other properties
- * have changed, too, the position waits for Apply.
+ * have also changed, the position waits for Apply.
  */
 class pqTouchHandle : public pqHandlePropertyWidget
 {
@@ -29,7 +29,7 @@ private:
   /// Whether a property of the filter waits for Apply.
   bool hasOtherChanges() const;
 
-  bool IsPending = false; ///< whether follow() has yet to process a position
+  bool IsPending = false; ///< whether follow() must still process a position
 };
 
 #endif

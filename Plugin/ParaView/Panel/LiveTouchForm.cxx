@@ -38,8 +38,8 @@ Widget* named(const char* name, const char* help)
   return widget;
 }
 
-/// Text of the error of the newest tick, such as "± 4 %"; "–" without a contact, or if the response
-/// has no error array.
+/// Returns the error of the newest tick as text, such as "± 4 %"; "–" without a contact, or if the
+/// response has no error array.
 QString errorOf(vtkHapticSession* session)
 {
   const Tick tick = session->GetNewestTick();

@@ -8,8 +8,8 @@ namespace palpate
 {
 struct ContactBody;
 
-/// The handle in the view, and the tip that it defines, as in vtkToolTouch. Live touch and
-/// vtkToolTouch give the same force for the same handle.
+/// The handle in the view, and the tip that it defines, as in vtkToolTouch. The forces of a live
+/// touch and of vtkToolTouch are equal for the same handle.
 struct TouchHandle
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm

@@ -63,7 +63,7 @@ void LiveTouchSession::start(vtkPolyData* body, const std::string& response,
 
 void LiveTouchSession::replace(vtkPolyData* body, const std::string& response)
 {
-  // If the session does not run yet, no device is open, so the request must name the device.
+  // Before the session runs, no device is open; therefore the request must name the device.
   this->request(body, response, this->Phase == State::Touching ? std::string() : this->Device);
 }
 
@@ -197,7 +197,7 @@ bool LiveTouchSession::change(const PreparedLiveTouch& made)
   return true;
 }
 
-/// Starts the session with the hand above the place, and moves the hand to the place.
+/// Starts the session with the hand above the target, and then moves the hand to the target.
 void LiveTouchSession::putDown()
 {
   const Eigen::Vector3d above = this->Place.surface + Lift * this->Place.normal;
@@ -233,7 +233,7 @@ bool LiveTouchSession::steer(const TouchHandle& handle)
     return true;
   }
   this->Session->Stop();
-  // The kernels are set, too, so that Start takes no time.
+  // The kernels are also set, so that Start takes no time.
   this->Session->SetBody(this->Body, this->Kernels);
   this->putDown();
   if (this->Session->GetState() == vtkHapticSession::Stopped)

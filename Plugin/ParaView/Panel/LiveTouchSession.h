@@ -25,12 +25,12 @@ namespace palpate
  * once a frame, continues. Until then the previous body remains in use; afterwards the new body is
  * used.
  *
- * A simulated hand follows steer. The hand begins above the surface, since there is no force until
- * the tip has been outside of the body. If the target is far away, the hand is lifted and put down
- * there instead of being moved through the body. Physical devices begin 10 mm above the place of
- * the handle, with x to the right and y up in the view.
+ * A simulated hand moves to the handle given to steer(). The hand begins above the surface, because
+ * there is no force until the tip has been outside of the body. If the target is far away, the hand
+ * is lifted and put down at the target instead of being moved through the body. Physical devices
+ * begin 10 mm above the place of the handle, with x to the right and y up in the view.
  *
- * stop and the destructor leave no force on the device and close it.
+ * stop() and the destructor end the force on the device and close the device.
  *
  * Not thread-safe. The given bodies must not be changed in place.
  */

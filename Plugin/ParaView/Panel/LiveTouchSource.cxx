@@ -51,8 +51,8 @@ std::vector<StoredResponse> listResponses(vtkPVDataInformation* data)
   return responses;
 }
 
-/// Moves the response that the source *Touch* shows to the front; without one the first response of
-/// a filter with its default name.
+/// Moves the response that the source *Touch* shows to the front. Without a source *Touch*, moves
+/// the response with the filters' default name to the front.
 void putShownFirst(std::vector<StoredResponse>& responses, pqPipelineSource* touch)
 {
   const char* name =

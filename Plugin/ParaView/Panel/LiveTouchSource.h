@@ -17,7 +17,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A response of a body, as the client knows it without the data.
+/// A response of a body; the client knows these properties without the data.
 struct StoredResponse
 {
   std::string name; ///< prefix of the response arrays

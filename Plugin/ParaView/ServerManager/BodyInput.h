@@ -2,7 +2,7 @@
 /**
  * The body input of a proxy: converts any data of ParaView for a filter that needs triangles in mm.
  *
- * A thin subclass of the filter gets such a member from palpateBodyInputMacro. The subclass
+ * A thin subclass of the filter gets this member from palpateBodyInputMacro. The subclass
  * declares that the port accepts any data, and its RequestData runs the filter's own RequestData on
  * replaced inputs. For data that are not a body, vtkBodySurface reports an error that names the
  * filter to apply first.
@@ -29,15 +29,16 @@ public:
   /// For FillInputPortInformation: accepts any data, composites as a whole.
   static void admit(vtkInformation* port);
 
-  /// For RequestUpdateExtent, after that of the filter: volumes in pieces need ghost cells.
+  /// To be called in RequestUpdateExtent after that of the filter: volumes in pieces need ghost
+  /// cells.
   static void askForGhosts(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
   /// The filter that converts the body, with the settings of the user. It is not an input of the
   /// main filter, so GetMTime must include its modification time.
   vtkBodySurface* surface() { return this->Surface; }
 
-  /// The inputs of `ports` ports, with the data of the first one replaced by triangles in mm.
-  /// Returns null after an error, on all ranks alike. The result is cached for the same data, unit
+  /// Returns the inputs of `ports` ports, with the data of the first one replaced by triangles in
+  /// mm. On an error returns null, on all ranks alike. The result is cached for the same data, unit
   /// and rank.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The volume input of a proxy: converts any data of ParaView for a filter that needs one
- * vtkUnstructuredGrid in mm. A thin subclass of the filter gets such a member from
+ * vtkUnstructuredGrid in mm. A thin subclass of the filter gets this member from
  * palpateVolumeInputMacro; see BodyInput.h.
  */
 #ifndef palpate_VolumeInput_h

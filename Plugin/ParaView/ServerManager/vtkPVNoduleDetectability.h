@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVNoduleDetectability
- * @brief where nodules change the force noticeably, on any volume
+ * @brief detectability of nodules by the change of the force, on any volume
  *
  * The filter in ParaView's menu: its body may be any volume mesh, as that of
  * vtkPVElasticCompliance. Settings and results are those of the superclass. All lengths except the

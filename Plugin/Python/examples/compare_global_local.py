@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Presses three tools on a strip that bends and on a block that dents; prints how much the forces of the tools differ.
+"""Presses three tools on a strip that bends and on a block that dents; prints the difference of the tools' forces.
 
     ./run python Plugin/Python/examples/compare_global_local.py
 """

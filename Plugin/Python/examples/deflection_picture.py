@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a ball that gives way under a cone, off screen; prints the deflection. Needs a display, which ./run finds.
+"""Draws a ball that is dented by a cone, off screen; prints the deflection. Needs a display, which ./run provides.
 
     ./run python Plugin/Python/examples/deflection_picture.py [OUTPUT.png]    (default: dent.png)
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hard ball under the skin of a block: prints how much it changes the force of three tools, above it and next to it.
+"""A hard ball under the skin of a block: prints the change of the force of three tools above the ball and next to it.
 
     ./run python Plugin/Python/examples/feel_a_nodule.py
 """
@@ -9,14 +9,14 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
-YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa; modulus of the ball over that of the block; -
+YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa of the block; modulus of ball over block; -
 SIZE, HEIGHT, CELL = 20, 18, 1.0                            # mm, bonded at the bottom
 RADIUS, TOP = 3.0, 2.0                                      # mm: radius of the ball, depth of its top
 TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
 
 
 def block():
-    """Voxels whose lowest points are held."""
+    """Returns voxels whose lowest points are held."""
     n, m = int(SIZE / CELL), int(HEIGHT / CELL)
     image = vtkImageData()
     image.SetDimensions(n + 1, n + 1, m + 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two fingers: prints how much they change each other's force on a bending strip and on a half-space; draws both.
+"""Two fingers: prints the change of each force by the other finger on a bending strip and on a half-space; draws both.
 
     ./run python Plugin/Python/examples/grip.py [OUTPUT.png]    (default: grip.png)
 """
@@ -38,7 +38,7 @@ bending.SetYoungsModulus(YOUNG)
 bending.SetPoissonRatio(POISSON)
 bending.SetNumberOfCouplingModes(8)                         # by bending, one finger moves the surface at the other
 bending.Update()
-finger = "sphere:%g" % FINGER                               # alone, with the same force, it bends the strip by 5 mm
+finger = "sphere:%g" % FINGER                               # a single finger with this force bends the strip by 5 mm
 strip = palpate.response(bending.GetOutput(), finger, YOUNG, POISSON, compliance="GlobalCompliance",
                          maximum_deflection=8, samples=32, coupling=True)
 plane = np.array([[-12, -6, 0], [12, -6, 0], [12, 6, 0], [-12, 6, 0.0]]), np.array([[0, 1, 2], [0, 2, 3]])

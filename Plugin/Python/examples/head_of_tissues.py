@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A forehead of skin, skull and brain from a scan, as finite elements; prints the force of a sphere and simpler laws.
+"""A forehead of skin, skull and brain from a scan, as finite elements; prints a sphere's force, also by simpler laws.
 
     ./run python Plugin/Python/examples/head_of_tissues.py      (the scan is Debian's mricron-data: Colin 27, 1 mm)
 """
@@ -16,7 +16,7 @@ X, Z, HALF, BEHIND = 95, 125, 22, 34                        # mm: centre of the 
 
 
 def voxels(name):
-    """Grey values indexed by z, y and x, 1 mm apart; y points to the nose."""
+    """Returns grey values with the indices z, y and x, 1 mm apart; y points to the nose."""
     reader = vtk.vtkNIFTIImageReader()
     reader.SetFileName(SCANS + name)
     reader.Update()

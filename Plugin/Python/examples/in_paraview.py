@@ -11,7 +11,7 @@ from paraview import simple
 
 ball = simple.Sphere(Radius=50, ThetaResolution=200, PhiResolution=200)
 response = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=0.05, MaximumDeflectionmm=4,
-                                      WholeBody=0)          # a ball that nothing holds: the dent alone
+                                      WholeBody=0)          # the ball is not held: only the local dent
 response.Tool.Shape = "Sphere"
 response.Tool.Radiusmm = 6.35
 press = simple.Line(Point1=(0, 55, 0), Point2=(0, 47, 0), Resolution=8)

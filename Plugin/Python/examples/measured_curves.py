@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measured with a sphere, pressed with a flat punch: prints the body found at each site, and the force of the punch.
+"""Identifies a body from curves measured with a sphere: prints the body at each site, and the force of a flat punch.
 
     ./run python Plugin/Python/examples/measured_curves.py [CURVES.csv]
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body of true shape with two horns: prints the force of a sphere on its back, at a horn's root and tip; draws it.
+"""A body of true shape with two horns: prints a sphere's force on its back and at root and tip of a horn; draws it.
 
     ./run python Plugin/Python/examples/press_a_horn.py [OUTPUT.png]    (default: horn.png)
 """

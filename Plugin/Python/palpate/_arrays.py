@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 
 def to_vtk(array, name=None):
-    """A VTK array from a contiguous numpy array of one or two dimensions."""
+    """Returns a VTK array from a contiguous numpy array of one or two dimensions."""
     made = numpy_support.numpy_to_vtk(array)
     if name is not None:
         made.SetName(name)
@@ -20,19 +20,19 @@ def to_vtk(array, name=None):
 
 
 def to_points(array):
-    """vtkPoints from an (n, 3) array."""
+    """Returns vtkPoints from an (n, 3) array."""
     points = vtkPoints()
     points.SetData(to_vtk(array))
     return points
 
 
 def to_cells(connectivity, size):
-    """vtkCellArray of cells of `size` points each, from an array of int32 or int64."""
+    """Returns a vtkCellArray of cells of `size` points each, from an array of int32 or int64."""
     cells = vtkCellArray()
     ends = np.arange(0, connectivity.size + 1, size, dtype=connectivity.dtype)
     flat = connectivity.reshape(-1)
     cells.SetData(to_vtk(ends), to_vtk(flat))
-    # VTK has made its own arrays in the same memory. They must keep the memory alive.
+    # VTK has made separate array objects in the same memory. They must keep the memory alive.
     cells.GetOffsetsArray()._numpy_reference = ends
     cells.GetConnectivityArray()._numpy_reference = flat
     return cells
@@ -43,7 +43,7 @@ def to_numpy(array):
 
 
 def reals(values, argument, shape):
-    """`values` as floats of the given shape, in which None stands for any number; in the same memory if possible."""
+    """Returns `values` as floats of the given shape (None: any number), in the same memory if possible."""
     refuse_masked(values, argument)
     try:
         given = np.asarray(values)
@@ -56,7 +56,7 @@ def reals(values, argument, shape):
 
 
 def indices(values, argument, columns):
-    """`values` as whole numbers, in rows of `columns` numbers; in the same memory if possible."""
+    """Returns `values` as whole numbers in rows of `columns` numbers, in the same memory if possible."""
     refuse_masked(values, argument)
     array = np.asarray(values)
     if array.dtype.kind not in "iu":

@@ -60,7 +60,7 @@ def as_labels(body):
 
 
 def shallow_copy(body):
-    """Another vtkPolyData with the same arrays. More arrays can be added to it."""
+    """Returns another vtkPolyData with the same arrays, to which more arrays can be added."""
     copy = vtkPolyData()
     copy.ShallowCopy(body)
     return copy
@@ -76,7 +76,7 @@ def _from_arrays(points, triangles):
 
 
 def warn_about_size(body):
-    """Warns about a doubtful size, as the viewer does: a body of 0.3 mm is probably one of 0.3 m, given in metres."""
+    """Warns about a doubtful size, as the viewer does: a size of 0.3 mm is probably 0.3 m, given in metres."""
     bounds = body.GetBounds()
     longest = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
     if vtkBodySurface.IsSizeDoubtful(longest):

@@ -21,7 +21,8 @@ class Curves(NamedTuple):
 
 
 def _error(array, ranges, points, depths):
-    """The error, linear in the root of the depth between samples, constant below the first one; NaN without an array."""
+    """Returns the error: linear in the root of the depth between samples, constant below the first sample; NaN without an
+    array."""
     points, depths = np.broadcast_arrays(points, depths)
     if array is None:
         return np.full(depths.shape, np.nan)
@@ -36,7 +37,7 @@ def _error(array, ranges, points, depths):
 
 def curves(body: Body, points: Optional[Union[int, Reals]] = None, deflection: Optional[Union[float, Reals]] = None,
            rows: int = 101, name: str = "Response") -> Curves:
-    """The stored force-deflection curves of points of a body.
+    """Returns the stored force-deflection curves of points of a body.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ class Listener:
 
 
 def words(text):
-    """The message in VTK's text "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n"."""
+    """Returns the message in VTK's text "ERROR: In file.cxx, line 1\\nvtkClass (0x1234): message\\n\\n"."""
     return text.partition("): ")[2].strip() or text.strip()
 
 
@@ -48,7 +48,7 @@ def run(algorithm, kind=ValueError, others=(), progress=None, expected=None):
     def show(caller, event):
         try:
             progress(caller.GetProgress())
-        except BaseException as exception:             # VTK would print it and go on
+        except BaseException as exception:             # VTK would print the exception and continue
             raised.append(exception)
             caller.SetAbortExecute(1)
 
@@ -72,7 +72,7 @@ def run(algorithm, kind=ValueError, others=(), progress=None, expected=None):
 
 
 def output_of(source):
-    """The updated data of a vtkAlgorithm or of one of its output ports."""
+    """Updates a vtkAlgorithm, or one of its output ports, and returns its data."""
     if isinstance(source, vtkAlgorithm):
         return run(source, RuntimeError).GetOutputDataObject(0)
     run(source.GetProducer(), RuntimeError)

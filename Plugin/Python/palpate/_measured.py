@@ -28,7 +28,7 @@ def measured(body: Body, files: Union[File, Sequence[File]], tool: Tool = "spher
              maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response") -> Measured:
     """Attaches the curve of a tool to each point of a body around measured sites.
 
-    It follows from curves that were measured at these sites with other tools.
+    The curve is computed from curves that were measured at these sites with other tools.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ class CoupledProbe(Tuple[np.ndarray, np.ndarray]):
         return pair
 
     def __getattr__(self, name: str) -> np.ndarray:
-        if name == "felt":                              # not set yet, during a copy
+        if name == "felt":                              # during a copy, the attribute is not set yet
             raise AttributeError(name)
         return getattr(self.felt, name)
 
@@ -86,7 +86,7 @@ def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = False, ti
           force_form: ForceForm = "energy-consistent", surface: Surface = "smooth", indentation: float = 0.0,
           name: str = "Response", relaxation_elements: int = 16, axis: Optional[Reals] = None,
           coupled: bool = False) -> Union[Probe, CoupledProbe]:
-    """The contact force at given tool tips, computed by the kernel of the servo tick.
+    """Computes the contact force at given tool tips with the kernel of the servo tick.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def _choose(argument, value):
 
 
 class _prepared:
-    """The filter for a body. It keeps its search structure if the body is that of the last call and unchanged.
+    """The filter for a body. It keeps its search structure if the body of the last call is used again and is unchanged.
 
     The filter holds the body's arrays. It is freed with the body or by the next body. No other thread can get it while
     it is in use."""
@@ -249,7 +249,7 @@ class _prepared:
         return self.filter
 
     def __exit__(self, kind, *_):
-        self.filter.SetInputData(1, None)               # do not keep the tips
+        self.filter.SetInputData(1, None)               # releases the tips
         if kind is None:
             self._kept[:] = [(weakref.ref(self.body, self._forget), self.state, self.filter)]
 

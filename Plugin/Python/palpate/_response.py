@@ -62,8 +62,8 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
         and the error at each sample is stored in NAME + Error. 0: Validity is the depth at which the first assumption of
         the law fails, and no error is stored.
     automatic : relative to the force, 0.01 (or True) for 1 %. Layers, curvature and finite strain are left out of the
-        law if together they change the force by no more than that. "neo-hooke" is added if its tables have the tool and
-        it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
+        law if together they change the force by at most this fraction. "neo-hooke" is added if its tables have the tool
+        and it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
         the reasons. None or False: all terms as given.
     edges : whether sharp edges have an effect in palpate.probe and in sessions (the default): a contact near an edge is
         softer and is pushed off the body, and its force falls to zero as it leaves over the edge. False: the force drops
@@ -156,7 +156,7 @@ def _tissue_response(body, tissues, fixed, spacing, progress, tool, maximum_defl
             felt.AddRelaxation(_arrays.number(pair[0], what + ": strength"), _arrays.number(pair[1], what + ": seconds"))
         return [kind]
 
-    _tool(tool)                                         # a wrong tool is found before the minutes of the tissues
+    _tool(tool)                                         # an invalid tool is reported before the tissues take minutes
     solid = _tissues.fill(body, tissues, spacing, _text(fixed, "fixed"), progress)
     return _tissues.press(solid, setting, progress)
 
@@ -213,7 +213,7 @@ def _set_strain(made, strain):
 
 
 class Regime(NamedTuple):
-    """Whether a body deforms locally or globally, per point. See palpate.regime."""
+    """The regime of each point of a body: whether the body deforms locally or globally. See palpate.regime."""
 
     index: np.ndarray                                   # type: ignore[assignment]  # hides tuple.index
     sensitivity: np.ndarray
@@ -224,7 +224,7 @@ def regime(body: Body, deflection: Optional[float] = None, tool: Optional[Tool] 
            poisson: PerPoint = 0.45, layer: Optional[PerPoint] = None, base: Base = "bonded",
            compliance: Optional[PerPoint] = None, name: str = "Response", compliance_excludes_layer: bool = False,
            layers: Sequence[Layer] = ()) -> Regime:
-    """Whether a body deforms locally or globally under a tool, and so whether the tool's shape matters.
+    """Computes whether a body deforms locally or globally under a tool, and therefore whether the tool's shape matters.
 
     Parameters
     ----------
@@ -294,7 +294,7 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
         else:
             values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
-            body.GetPointData().RemoveArray(array + "Error")  # it belongs to another array
+            body.GetPointData().RemoveArray(array + "Error")  # the error of the replaced array
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
 

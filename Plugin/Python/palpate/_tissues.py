@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from . import _arrays, _filters
 from ._bodies import as_labels
 
-# Arguments of palpate.response that finite elements of tissues leave no meaning.
+# Arguments of palpate.response that have no meaning for finite elements of tissues.
 REFUSED = ("young", "poisson", "layer", "base", "layers", "compliance", "compliance_excludes_layer", "curvature", "automatic",
            "compliance_relaxes", "coupling", "points")
 
@@ -24,7 +24,7 @@ def refuse(given: Mapping[str, Any], defaults: Mapping[str, Any]) -> None:
 
 
 def fill(body: Any, tissues: Mapping[float, Any], spacing: float, fixed: str, progress: Optional[Callable[[str, float], Any]]):
-    """The filter vtkSegmentedBody, updated."""
+    """Returns the updated filter vtkSegmentedBody."""
     try:
         from .palpateSolidResponse import vtkSegmentedBody
     except ImportError as missing:
@@ -44,7 +44,7 @@ def fill(body: Any, tissues: Mapping[float, Any], spacing: float, fixed: str, pr
 
 
 def press(solid: Any, setting: Callable[[Any], Any], progress: Optional[Callable[[str, float], Any]]) -> vtkPolyData:
-    """The responses on the solid; `setting` sets tool and terms, and returns other objects whose errors count."""
+    """Returns the responses on the solid. `setting` sets tool and terms, and returns other objects whose errors are raised."""
     from .palpateSolidResponse import vtkElasticContactResponse
 
     felt = vtkElasticContactResponse()
@@ -52,7 +52,7 @@ def press(solid: Any, setting: Callable[[Any], Any], progress: Optional[Callable
     for index, name in enumerate(("YoungsModulus", "PoissonRatio")):
         felt.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, name)
     others = setting(felt)
-    # A body is held somewhere, and points there have no response.
+    # Every body is held at some points, and these points have no response.
     return _filters.run(felt, others=others, progress=_steps(progress, "solving"), expected="points have no response").GetOutput()
 
 

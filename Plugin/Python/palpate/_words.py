@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The words that name a choice. The program and ParaView have the same ones."""
+"""The words for the values of a choice. The program and ParaView use the same words."""
 
 OLDER = {"neohooke": "neo-hooke", "normalized": "normalized-direction", "energy": "energy-consistent",
-         "shape": "shape-derived"}                     # still read
+         "shape": "shape-derived"}                     # older words, which are still accepted
 
 
 def value_of(word, choices, argument):
-    """The value of a word, or of an older word for the same; ValueError with the words if there is none."""
+    """Returns the value of a word, or of an older word for the same value. Raises ValueError with the list of words for an
+    unknown word."""
     known = OLDER.get(word, word) if isinstance(word, str) else word
     if known not in choices:
         raise ValueError("%s must be one of %s, but is %r" % (argument, ", ".join(map(repr, choices)), word))

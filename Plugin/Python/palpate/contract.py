@@ -2,8 +2,8 @@
 """The data contract of Palpate's response arrays, evaluated in numpy.
 
 It works in any Python and ParaView, without the plugin. Units: mm, N, MPa. The arrays of a response share a prefix. The
-samples i = 1..n are at d_i = range (i/n)^2. Between them F(d) = d^m r(s), s = sqrt(d/range), r the cubic Hermite spline;
-below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the last tangent.
+samples i = 1..n are at d_i = range (i/n)^2. Between samples F(d) = d^m r(s), with s = sqrt(d/range) and the cubic Hermite
+spline r. Below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the last tangent.
 """
 import numpy as np
 
@@ -17,7 +17,7 @@ def _fetch(data, name, optional=False):
 
 
 def load(body, prefix="Response"):
-    """The response arrays of a vtkPolyData, stored in either form, as a dictionary of numpy arrays.
+    """Reads the response arrays of a vtkPolyData, stored in either form, as a dictionary of numpy arrays.
 
     Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
     status (points) and exponent m. Raises KeyError with the name of a missing array.
@@ -37,7 +37,7 @@ def load(body, prefix="Response"):
 
 
 def evaluate(response, point, deflection):
-    """Force (N) and stiffness dF/dd (N/mm) at points (integers) and deflections (mm), which are broadcast together."""
+    """Returns force (N) and stiffness dF/dd (N/mm) at points (integers) and deflections (mm), which are broadcast together."""
     point, d = np.broadcast_arrays(np.asarray(point), np.asarray(deflection, dtype=float))
     f, k = response["force"][point], response["stiffness"][point]
     reach, m, n = response["range"][point], response["exponent"], response["force"].shape[1]
@@ -70,8 +70,8 @@ def evaluate(response, point, deflection):
 
 
 def relaxation(body, prefix="Response"):
-    """The relaxation E(t) = E (1 + sum of p exp(-t/tau)), or None: a dictionary with "time" tau (s), "strength" p (k, or
-    points x k), and the "elastic" compliance in series (points, mm/N, or None)."""
+    """Returns the relaxation E(t) = E (1 + sum of p exp(-t/tau)) as a dictionary with "time" tau (s), "strength" p (k, or
+    points x k), and the "elastic" compliance in series (points, mm/N, or None). Returns None without relaxation."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     time, strength = fetch(field, "RelaxationTime"), fetch(field, "RelaxationStrength")
     local = fetch(points, "LocalRelaxation")
@@ -81,8 +81,8 @@ def relaxation(body, prefix="Response"):
 
 
 def coupling(body, prefix="Response"):
-    """The compliance of one point under a force at another point, mm/N, as a function of two point numbers; None without
-    coupling. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes, for points: r is not limited by contact radii."""
+    """Returns a function of two point numbers: the displacement of one point per force at the other, mm/N; None without
+    coupling. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes is for points: r is not limited by contact radii."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     law, modes = fetch(field, "Coupling"), fetch(points, "CouplingModes")
     modulus, thickness = fetch(points, "CouplingModulus"), fetch(points, "CouplingThickness")

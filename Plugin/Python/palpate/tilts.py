@@ -12,9 +12,9 @@ from .contract import _fetch
 
 
 def load(body, prefix="Response"):
-    """The table of tilts as a dictionary, or None for a response without tilts.
+    """Reads the table of tilts as a dictionary; None for a response without tilts.
 
-    Its keys: range, largest, scale, drops (k x 2: h and dh/dtheta), nodes (laws x depths x angles x 4) and weights
+    The keys are range, largest, scale, drops (k x 2: h and dh/dtheta), nodes (laws x depths x angles x 4) and weights
     (points x laws, or None)."""
     points, field = body.GetPointData(), body.GetFieldData()
     fetch = lambda data, name: _fetch(data, prefix + name, True)
@@ -29,7 +29,7 @@ def load(body, prefix="Response"):
 
 
 def deepest(table, angle):
-    """The depth h (mm) of the tool's deepest point below the tip, and its lateral distance dh/dtheta (mm)."""
+    """Returns the depth h (mm) of the tool's deepest point below the tip, and its lateral distance dh/dtheta (mm)."""
     drops, last = table["drops"], len(table["drops"]) - 1
     place = np.clip(angle / table["largest"], 0.0, 1.0) * last
     i = np.minimum(place.astype(int) if np.ndim(place) else int(place), last - 1)
@@ -41,7 +41,7 @@ def deepest(table, angle):
 
 
 def factor(table, depth, angle, point=0):
-    """The factor tau at a depth of the deepest point (mm), a tilt (rad) and a point number; all are scalars."""
+    """Returns the factor tau at a depth of the deepest point (mm), a tilt (rad) and a point number; all are scalars."""
     weights = np.ones(1) if table["weights"] is None else table["weights"][point]
     nodes = np.tensordot(weights, table["nodes"], 1)
     i, along_x = _cell(np.sqrt(depth / table["range"]), nodes.shape[0])
@@ -57,7 +57,8 @@ RIM = (0.21967052817978971, 1.3781689290941161, -6.757712350273644, 25.833805239
 
 
 def flat_end(s):
-    """W/W0 of a flat end on a half-space; s is three times the rim's drop over the depth. Full contact up to s = 1."""
+    """Returns W/W0 of a flat end on a half-space; s is three times the rim's drop over the depth. Contact is full up to
+    s = 1."""
     if s <= 1.0:
         return 1.0 - 2.0 / 3.0 * s + 5.0 / 27.0 * s**2
     z = 1.0 / np.sqrt(s)
@@ -65,7 +66,7 @@ def flat_end(s):
 
 
 def _cell(place, count):
-    """The lower node, and the Hermite basis (value and slope) at this node and at the next."""
+    """Returns the lower node, and the Hermite basis (value and slope) at this node and at the next."""
     place = min(max(place, 0.0), 1.0) * (count - 1)
     i = min(int(place), count - 2)
     t, width = place - i, 1.0 / (count - 1)

@@ -22,7 +22,7 @@ public:
   /// method may start its search at the last tip.
   virtual Vector3 force(const Vector3& tip) = 0;
 
-  /// Call this if the next tip is unrelated to the last one.
+  /// To be called if the next tip is unrelated to the last one.
   virtual void forget() {}
 
   /// Bytes that the tick reads: tables, mesh and index.

@@ -15,7 +15,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// F = c E* δ^m, m = 1, 3/2 or 2.
+/// The force F = c E* δ^m of Table 1, with m = 1, 3/2 or 2.
 class TableOne final : public TrackedMethod
 {
 public:
@@ -38,7 +38,7 @@ protected:
   std::size_t modelBytes() const override { return sizeof(float) * this->Modulus.size(); }
 
 private:
-  std::vector<float> Modulus; ///< of each point
+  std::vector<float> Modulus; ///< modulus at each point
   double Factor;
   double Exponent;
 };

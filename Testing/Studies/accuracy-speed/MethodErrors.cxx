@@ -15,9 +15,9 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double Patience = 6.0;      // s for the tips of one kind
+constexpr double Patience = 6.0;      // s, computing time for the tips of one kind
 constexpr double Quick = 2e-4;        // s: a method faster than this is evaluated at every tip
-constexpr std::size_t FewestTips = 4; // per kind, of methods that take seconds
+constexpr std::size_t FewestTips = 4; // tips per kind, for methods that take seconds
 
 /// The shortest of three calls, s.
 double shortestCall(const StudyTips& tips, ContactMethod& method)

@@ -12,7 +12,7 @@ namespace palpate::testing
 /// Errors of forces. Relative RMS: √(Σ|F - F'|² / Σ|F'|²), with F' the reference.
 struct MethodErrors
 {
-  double all = 0.0;     ///< over sites and path
+  double all = 0.0;     ///< error over sites and path
   double sites = 0.0;   ///< random sites and depths, each a new contact
   double path = 0.0;    ///< the sliding path
   double noticed = 0.0; ///< share of the tips with |F - F'| > 10 % of |F'|

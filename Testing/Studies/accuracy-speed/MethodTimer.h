@@ -19,9 +19,9 @@ struct MethodTimes
 };
 
 /**
- * Times methods side by side. Hot and onset: several passes over the same tips, in which all
- * methods take turns. The fastest pass of each call counts, since other work of the machine
- * interrupts at random. Cold: call by call, methods taking turns.
+ * Times several methods, which take turns on the same tips. Hot and onset times: several passes
+ * over the tips. The fastest pass of each call counts, because other work of the machine
+ * interrupts at random. Cold times: the methods take turns call by call.
  */
 class MethodTimer
 {

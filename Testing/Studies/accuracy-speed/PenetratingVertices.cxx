@@ -8,7 +8,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// ∫ (δ - f(r))⁺ 2πr dr, mm³: the force of springs of 1 N/mm³.
+/// ∫ (δ - f(r))⁺ 2πr dr, mm³: the force of springs of 1 N/mm³ over the contact area.
 double volumeWithin(const AxisymmetricTool& tool, double depth)
 {
   constexpr double pi = 3.14159265358979323846;
@@ -81,7 +81,7 @@ double PenetratingVertices::magnitude(const TouchedPlace& place)
     const double r = (away - above * place.normal).norm();
     force += static_cast<double>(vertex.stiffness) *
       std::max(0.0, this->penetration(r, place.depth + above));
-    // The search goes on from this vertex if a vertex one edge nearer would be inside.
+    // The search continues from this vertex if a vertex one edge nearer could be inside the tool.
     if (this->penetration(std::max(0.0, r - 1.5 * edge), place.depth + above) > 0.0)
     {
       mesh.visitAround(this->Queue[i],

@@ -11,7 +11,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double HalfTop = 20.0;                        // of the meshed face, mm
+constexpr double HalfTop = 20.0;                        // half side of the meshed face, mm
 constexpr std::array<double, 3> Edges{ 1.0, 2.0, 4.0 }; // mm
 constexpr double Deepest = 3.0; // mm, the largest depth of the finite-element curves
 
@@ -50,7 +50,7 @@ StudyScene plateScene(const StudyEffort& effort)
   }
   scene.tips = [plate, effort](const StudyTool& tool)
   {
-    // Most of the deflection is bending of the plate, so the contact is narrower than on a
+    // Most of the deflection is bending of the plate, so that the contact is narrower than on a
     // half-space.
     const double half = std::min(4.0, plate->reach(0.5 * tool.shape->contactRadius(tool.range)));
     return flatTips(half, tool.range, effort.sites, effort.path);

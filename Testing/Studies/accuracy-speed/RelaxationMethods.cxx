@@ -29,7 +29,7 @@ ContactSettings settingsOf(int elements)
   return settings;
 }
 
-/// Palpate's whole tick.
+/// The complete tick of Palpate.
 class TickMethod final : public ContactMethod
 {
 public:
@@ -53,8 +53,8 @@ private:
   ToolContact Contact;
 };
 
-/// The usual method: the branches follow the force of the curve, and a negative total force is cut
-/// off. The memory still contains the negative part, so the next press is wrong.
+/// The usual method: the branches follow the force of the curve, and a negative total force is
+/// replaced by 0. The memory still contains the negative part, so that the next press is wrong.
 class ClampedMethod final : public ContactMethod
 {
 public:
@@ -104,7 +104,7 @@ private:
   double Slow = 0.0;
 };
 
-/// Many elements of the exact law, evaluated in the tick.
+/// The exact law with many elements, evaluated in the tick.
 class ManyMethod final : public ContactMethod
 {
 public:

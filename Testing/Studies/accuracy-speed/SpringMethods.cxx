@@ -47,7 +47,8 @@ private:
   std::vector<float> Stiffness;
 };
 
-/// ∫ F δ dδ / ∫ δ² dδ at each point, at steps of √δ like those of the stored curves.
+/// The best stiffness at each point, ∫ F δ dδ / ∫ δ² dδ, with steps of √δ like those of the stored
+/// curves.
 std::vector<double> bestStiffness(const StudyBody& body, const StudyLaw& known)
 {
   constexpr int samples = 32;

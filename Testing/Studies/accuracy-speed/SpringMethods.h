@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-/// Forces proportional to the deflection. They are calibrated with one tool, `known`: the force of
-/// a point does not depend on the tool that presses it.
+/// Forces proportional to the deflection. The springs are calibrated with one tool, `known`,
+/// because the force of a spring does not depend on the tool.
 namespace palpate::testing
 {
 /// One spring for the whole body: the mean of the best springs of its points.
 std::unique_ptr<ContactMethod> oneSpring(const StudyBody& body, const StudyLaw& known);
 
-/// A spring at each point, the least-squares fit to the exact curve of `known` there, over all
-/// depths of its range.
+/// A spring at each point: the least-squares fit to the exact curve of `known` at the point, over
+/// all depths of its range.
 std::unique_ptr<ContactMethod> pointSprings(
   const std::string& name, const StudyBody& body, const StudyLaw& known);
 

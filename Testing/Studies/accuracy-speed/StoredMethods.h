@@ -17,8 +17,8 @@ namespace palpate::testing
 std::unique_ptr<ContactMethod> hermite(const std::string& name, const StudyBody& body,
   const SampledCurves& curves, ContactSurface surface = ContactSurface::Facets);
 
-/// The same kernel on the compact form, with the fewest numbers per point that keep the curves
-/// within `tolerance`.
+/// ToolContact with the compact form of the response, with the fewest numbers per point that keep
+/// the curves within `tolerance`.
 std::unique_ptr<ContactMethod> reducedBasis(
   const std::string& name, const StudyBody& body, const SampledCurves& curves, double tolerance);
 

@@ -24,7 +24,7 @@ namespace palpate::testing
 namespace
 {
 constexpr int StoredSamples = 8;
-constexpr double PressedHalf = 10.0; // of the meshed face, mm
+constexpr double PressedHalf = 10.0; // half side of the meshed face, mm
 constexpr double PressedEdge = 1.0;  // mm
 
 /// F/E* over depth, from a code with finite strain.

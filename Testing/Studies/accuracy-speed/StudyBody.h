@@ -30,11 +30,11 @@ public:
   /// Bytes that every method reads: surface and index.
   std::size_t meshBytes() const { return this->packed().memory() + this->Contact->tree.memory(); }
 
-  /// The body with these curves at its points and the normals of its mesh. For a tool that may be
-  /// tilted, with its tilts.
+  /// The body with these curves at its points and the normals of its mesh. `tilts`: the tilt data
+  /// of a tool that may be tilted.
   std::unique_ptr<ContactBody> respond(
     const SampledCurves& curves, const TiltViews& tilts = {}) const;
-  /// The same in the compact form, with the fewest numbers that keep every curve within
+  /// As respond(), in the compact form with the fewest numbers that keep every curve within
   /// `tolerance`.
   std::unique_ptr<ContactBody> respondReduced(const SampledCurves& curves, double tolerance) const;
 

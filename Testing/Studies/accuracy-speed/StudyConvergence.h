@@ -20,8 +20,9 @@ struct ConvergencePoint
 
 /**
  * Error over the size of the mesh, with the first tool. Bodies: a ball of 40 mm with the half-space
- * law, against the ball without a mesh; a flat face over an uneven base (8 to 12 mm), against the
- * law with the local thickness; and the head's meshes, if given, against their reference.
+ * law, compared with the ball without a mesh; a flat face over an uneven base (8 to 12 mm),
+ * compared with the law with the local thickness; and the head's meshes, if given, compared with
+ * their reference.
  */
 std::vector<ConvergencePoint> meshConvergence(
   const StudyEffort& effort, const StudyScene* head, bool isQuick);

@@ -140,7 +140,7 @@ SampledCurves StudyLaw::sample(const std::vector<Spot>& spots, int samples) cons
   return curves;
 }
 
-/// Samples a different thickness at each point, from the kernel's table, in a microsecond each.
+/// Samples a different thickness at each point from the kernel's table; a microsecond per point.
 void StudyLaw::sampleLayers(const std::vector<Spot>& spots, SampledCurves& curves) const
 {
   const ResponseSampling sampling(curves.samples, 1.0);

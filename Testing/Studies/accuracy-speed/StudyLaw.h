@@ -14,8 +14,8 @@ namespace palpate::testing
 /// Properties of the body under one point, except its material.
 struct Spot
 {
-  double inverseThickness = 0.0; ///< of a layer bonded to a rigid base, 1/mm; 0: a half-space
-  double compliance = 0.0;       ///< in series, of the body as a whole, mm/N
+  double inverseThickness = 0.0; ///< 1/thickness of a layer on a rigid base, 1/mm; 0: a half-space
+  double compliance = 0.0;       ///< global compliance of the body, in series, mm/N
 
   bool operator==(const Spot& other) const
   {
@@ -32,7 +32,7 @@ struct StudyMaterial
 /// A tool and its largest depth in the study.
 struct StudyTool
 {
-  std::string name;   ///< as on a command line
+  std::string name;   ///< name as on a command line
   double range = 0.0; ///< mm
   std::shared_ptr<const AxisymmetricTool> shape;
 };
@@ -49,7 +49,7 @@ struct SampledCurves
 };
 
 /// Force on a tool, exact within linear elasticity: closed forms on a half-space, the exact layer,
-/// and either in series with a compliance. Not thread-safe.
+/// or either of them in series with a compliance. Not thread-safe.
 class StudyLaw
 {
 public:
@@ -71,7 +71,7 @@ private:
   StudyTool Tool;
   StudyMaterial Material;
   mutable std::shared_ptr<const LayerKernel> Kernel;
-  mutable double Inverse = 0.0; ///< of Layer
+  mutable double Inverse = 0.0; ///< 1/thickness of Layer
   mutable std::unique_ptr<LayerContact> Layer;
 };
 } // namespace palpate::testing

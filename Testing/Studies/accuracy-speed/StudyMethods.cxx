@@ -17,8 +17,8 @@ constexpr int Usual = 8; // number of samples that is normally used
 constexpr double Tolerance = 0.01;
 constexpr std::array<const char*, 3> Sizes{ "fine", "medium", "coarse" };
 
-/// True if the body has a global compliance. The method `exact law` leaves out the compliance,
-/// which is the point of such a scene.
+/// Whether the body has a global compliance. The method `exact law` ignores the compliance, so that
+/// a scene with such a body shows the effect of the compliance.
 bool isGlobal(const StudyBody& body)
 {
   return body.spots().front().compliance != 0.0;

@@ -17,8 +17,8 @@ constexpr StudyMaterial Rubber{ 3.45, 0.45 };
 /// E = 0.035 MPa, as in the study of reduction.
 constexpr StudyMaterial Scalp{ 0.035 / (1.0 - 0.45 * 0.45), 0.45 };
 constexpr std::array<double, 3> Edges{ 1.0, 2.0, 4.0 }; // mm
-constexpr double HalfTop = 40.0;                        // of the meshed face, mm
-constexpr double HalfTouched = 4.0;                     // of the touched part, mm
+constexpr double HalfTop = 40.0;                        // half side of the meshed face, mm
+constexpr double HalfTouched = 4.0;                     // half side of the touched part, mm
 
 std::size_t verticesOf(const FiniteMesh& mesh)
 {

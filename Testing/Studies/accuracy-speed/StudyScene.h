@@ -19,8 +19,8 @@ class FiniteBody;
 struct StudyMethod
 {
   std::unique_ptr<ContactMethod> method;
-  std::size_t vertices = 0;  ///< of the mesh it is made on
-  std::size_t meshBytes = 0; ///< part of its bytes that is surface and index
+  std::size_t vertices = 0;  ///< number of vertices of the method's mesh
+  std::size_t meshBytes = 0; ///< bytes of surface and index, a part of the method's bytes
 };
 using MethodList = std::vector<StudyMethod>;
 
@@ -31,7 +31,7 @@ struct StudyScene
   StudyMaterial material;
   std::vector<StudyTool> tools; ///< springs are calibrated with the first
   std::vector<std::unique_ptr<StudyBody>>
-    bodies; ///< from fine to coarse; the first is the one of the scene
+    bodies; ///< bodies from fine to coarse; the first is that of the scene
   std::function<StudyTips(const StudyTool&)> tips;
   std::function<std::unique_ptr<ContactMethod>(const StudyLaw&)> reference;
   /// Finite-element methods in addition to the tick; may be empty.

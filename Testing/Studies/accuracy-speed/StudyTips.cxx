@@ -21,7 +21,7 @@ double depthOnPath(std::size_t i, double range)
   return range * (Shallowest + (1.0 - Shallowest) * wave);
 }
 
-/// Finds out if a body is gently curved at a place.
+/// Checks whether a body is gently curved at a place.
 class GentleBody
 {
 public:

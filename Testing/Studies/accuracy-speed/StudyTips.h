@@ -22,12 +22,12 @@ struct StudyTips
   std::vector<StudyTip> path;
 };
 
-/// On the plane z = 0, within |x|, |y| <= half.
+/// Tips on the plane z = 0, within |x|, |y| <= half.
 StudyTips flatTips(double half, double range, std::size_t sites, std::size_t path);
 
-/// On a ball about the origin; no path.
+/// Tips on a ball about the origin; no path.
 StudyTips ballTips(double radius, double range, std::size_t sites);
 
-/// On a body where it is gently curved: no normal within 4 mm turns by more than 0.35 rad.
+/// Tips at gently curved places of a body: no normal within 4 mm turns by more than 0.35 rad.
 StudyTips bodyTips(const StudyBody& body, double range, std::size_t sites, std::size_t path);
 } // namespace palpate::testing

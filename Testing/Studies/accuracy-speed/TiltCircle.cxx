@@ -14,7 +14,7 @@ namespace palpate::testing
 namespace
 {
 constexpr std::size_t Radii = 64;
-constexpr int Angles = 24; // of half a circle; the other half is symmetric
+constexpr int Angles = 24; // number of angles of half a circle; the other half is symmetric
 constexpr int Places = 30;
 
 /// ∫_0^r √(a² - r²) dr.
@@ -24,7 +24,7 @@ double underCircle(double a, double r)
   return 0.5 * a * a * (share * std::sqrt(1.0 - share * share) + std::asin(share));
 }
 
-/// Largest force of all circles about x, F/E*.
+/// Largest force of all circles with the centre at x, over E*.
 double forceAbout(const TiltedSurface& surface, double x, double depth, double reach)
 {
   const double limit = depth + 2.0 * reach;

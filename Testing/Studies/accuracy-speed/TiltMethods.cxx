@@ -17,7 +17,7 @@ namespace palpate::testing
 {
 namespace
 {
-constexpr double PlateHalf = 6.0; // of the plate, mm
+constexpr double PlateHalf = 6.0; // half side of the plate, mm
 constexpr double PlateEdge = 0.5;
 constexpr double Ratio = 0.45;
 constexpr double Modulus = 1.0 - Ratio * Ratio; // MPa; gives E* = 1
@@ -80,7 +80,7 @@ SharedPlate halfSpaceOf(const StudyTool& tool)
     tool, std::vector<Spot>(pointCount()), BodyMaterial::Values{});
 }
 
-/// 4 to 12 mm thick along x.
+/// A plate with a thickness of 4 to 12 mm along x.
 SharedPlate wedgeOf(const StudyTool& tool)
 {
   std::vector<Spot> spots;
@@ -95,7 +95,7 @@ SharedPlate wedgeOf(const StudyTool& tool)
   return std::make_shared<LeaningPlate>(tool, std::move(spots), std::move(values));
 }
 
-/// Orientation of the tool that the tick gets.
+/// Orientation of the tool that is given to the tick.
 enum class Told
 {
   NoAxis,
@@ -104,7 +104,7 @@ enum class Told
   Axis
 };
 
-/// Palpate's whole tick.
+/// The complete tick of Palpate.
 class LeaningTick final : public TiltMethod
 {
 public:
@@ -146,7 +146,7 @@ private:
   double Deeper = 0.0;
 };
 
-/// A force from depth and angle, computed in the tick without tables.
+/// A method whose force is a function of depth and angle, computed in the tick without tables.
 class LeaningLaw final : public TiltMethod
 {
 public:

@@ -26,7 +26,7 @@ struct Leaning
 {
   const char* tool;
   const char* name;
-  std::vector<double> depths; ///< of the presses solved here, mm
+  std::vector<double> depths; ///< depths of the presses that are solved here, mm
 };
 /// A cone has no length scale, so one depth is enough. A tilt has no effect on a sphere.
 std::vector<Leaning> leaningTools()
@@ -41,8 +41,8 @@ struct TiltPress
 {
   const char* source;
   double tilt;  // degrees
-  double depth; // of the deepest point, mm
-  double force; // over E*, mm²
+  double depth; // depth of the deepest point, mm
+  double force; // force over E*, mm²
 };
 
 void addSolved(const StudyTool& tool, const std::vector<double>& depths, bool quick,

@@ -34,7 +34,7 @@ struct TouchedPlace
   }
 };
 
-/// A method that follows the contact as Palpate does, so that methods differ only in the force.
+/// A method that tracks the contact as Palpate does, so that methods differ only in the force.
 class TrackedMethod : public ContactMethod
 {
 public:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scan's head as files for palpateAccuracySpeed: skin, and thickness of the soft tissue over the bone.
+"""Writes the head of a scan to files for palpateAccuracySpeed: skin, and thickness of the soft tissue over the bone.
 
-The format is that of readStudyBody (StudyBody.h). Lengths in mm.
+The format is that of readStudyBody (StudyBody.h). Lengths are in mm.
 """
 import pathlib
 
@@ -9,7 +9,7 @@ SCAN = pathlib.Path("/usr/share/mricron/templates/ch2.nii.gz")  # Debian's mricr
 
 
 def write_body(file, points, inverse_thickness, triangles):
-    """points n × 3, inverse_thickness n (1/mm, 0: no bone below), triangles m × 3."""
+    """Writes a body: points n × 3, inverse_thickness n (1/mm; 0: no bone below the point), triangles m × 3."""
     import numpy as np
     with open(file, "wb") as stream:
         stream.write("palpate-study {} {}\n".format(len(points), len(triangles)).encode())
@@ -18,7 +18,7 @@ def write_body(file, points, inverse_thickness, triangles):
 
 
 def write_head(file, resolution):
-    """The skin in triangles of about `resolution` mm; 0: the scan's own 1 mm."""
+    """Writes the skin with triangles of about `resolution` mm; 0: the resolution of the scan, 1 mm."""
     import numpy as np
     from palpate import vtkLayerThickness, vtkSkinSurface
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -38,7 +38,8 @@ def write_head(file, resolution):
 
 
 def prepare(folder, resolutions):
-    """Files from fine to coarse; none, and why, where there is no scan or no package palpate."""
+    """Writes the files and returns them from fine to coarse, with "". If the scan or the package palpate is missing, returns
+    no files and the reason."""
     if not SCAN.exists():
         return [], "{} is missing (Debian's mricron-data)".format(SCAN)
     try:

@@ -4,7 +4,7 @@ import math
 
 import rows as study
 
-# Family: colour, mark, prefixes of the names of its methods.
+# Name of a family of methods, colour, mark, prefixes of the names of its methods.
 FAMILIES = (
     ("point springs", "#999999", "v", ("one spring", "point spring")),
     ("penetrating vertices", "#d55e00", "X", ("penetrating",)),
@@ -16,7 +16,7 @@ FAMILIES = (
     ("finite elements", "#000000", "h", ("",)),
 )
 FULL = "full finite elements (offline)"
-LONGEST = 1e11  # ns: the end of the axis of time
+LONGEST = 1e11  # ns, end of the time axis
 CHAINS = (["linear 3", "linear 5", "linear 8", "linear 16"], ["Hermite 3", "Hermite 5", "Hermite 8", "Hermite 16"],
           ["penetrating vertices, fine", "penetrating vertices, medium", "penetrating vertices, coarse"])
 FLOOR = study.ROUNDING

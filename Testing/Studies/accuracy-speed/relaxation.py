@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the output of `palpateAccuracySpeed --relaxation`: ways to render a body that relaxes, against exact theory."""
+"""Reads the output of `palpateAccuracySpeed --relaxation`: methods to render a body that relaxes, compared with theory."""
 import pictures
 import rows as study
 
 TEXTS = ("part", "path", "source", "tool", "material", "method")
 FORCE_COLUMNS = ("part", "path", "source", "tool", "material", "method", "largest_force_N", "error", "hot_ns", "onset_ns",
                  "cold_ns")
-# Method: colour, mark.
+# Colour and mark of each method.
 METHODS = {
     "time left out": ("#999999", "v"),
     "quasi-linear, clamped": ("#d55e00", "X"),
@@ -18,7 +18,7 @@ METHODS = {
     "exact: 256 elements": ("#000000", "h"),
 }
 TOOLS = ("flat", "sphere", "cone")
-FLOOR = 1e-5     # of the largest force: rounding of float32 samples and of the digits of the tables
+FLOOR = 1e-5     # fraction of the largest force: rounding of float32 samples and of the digits of the tables
 
 
 def read(text):
@@ -26,12 +26,12 @@ def read(text):
 
 
 def worst(rows, **wanted):
-    """The row of the largest error on any path."""
+    """Returns the row of the largest error on any path."""
     return max(study.select(rows, part="force", **wanted), key=lambda row: row["error"])
 
 
 def time_of(rows, method):
-    """Timed with the sphere: a tick of another tool is the same with other numbers."""
+    """Returns the row of the times of a method, or None. Only the sphere is timed: a tick of another tool takes as long."""
     found = study.select(rows, part="time", method=method)
     return found[0] if found else None
 
@@ -41,7 +41,7 @@ def percent(value):
 
 
 def tables(rows):
-    """Markdown."""
+    """Returns the results as Markdown tables."""
     paths = study.distinct(study.select(rows, part="force"), "path")
     lines = ["**In time**: largest error of the force on any path, of the path's largest force; median tick along stop and "
              "go of a sphere, three branches", "",
@@ -63,7 +63,7 @@ def tables(rows):
 
 
 def curves(rows):
-    """(columns, rows): forces over time, a column for each method."""
+    """Returns (columns, rows) of the forces over time, with a column for each method."""
     mine = study.select(rows, part="curve")
     methods = study.distinct(mine, "method")
     wide = {}

@@ -5,7 +5,8 @@ import rows as study
 
 
 class RelaxationChecks:
-    """Errors that hold on every machine: those that the sheet's own runs have (8.3, tick_battery.csv, tick_variants.csv)."""
+    """Errors that are the same on every machine. The reference sheet has their values (8.3, tick_battery.csv,
+    tick_variants.csv)."""
 
     def error(self, method, tool, **wanted):
         return relaxation.worst(self.rows, method=method, tool=tool, **wanted)["error"]
@@ -18,8 +19,8 @@ class RelaxationChecks:
         self.assertEqual({row["tool"] for row in rows}, set(relaxation.TOOLS))
 
     def test_the_foundation_is_the_theory(self):
-        # Against tables of another code: 256 elements at one step a tick, each of second order:
-        # (16/256)² of the 0.26 % of 16 elements, and (T/τ)²/12 at a sharp turn, τ = 20 ms.
+        # Compared with tables of another code. 256 elements and one step per tick are both of second order in the error:
+        # (16/256)² times the 0.26 % of 16 elements, and (T/τ)²/12 at a sharp turn with τ = 20 ms.
         for path in ("stop and go", "Ting"):
             for tool in relaxation.TOOLS:
                 self.assertLess(self.error("exact: 256 elements", tool, path=path), 2e-4)
@@ -34,7 +35,7 @@ class RelaxationChecks:
                 self.assertLess(more, 0.6 * fewer)   # nearly second order
 
     def test_one_sided(self):
-        # 0.01 % flat, 10 % sphere, 12 % cone in the reference sheet, for other presses.
+        # The reference sheet has 0.01 % for the flat, 10 % for the sphere and 12 % for the cone, for other presses.
         self.assertLess(self.error("quasi-linear, one-sided", "flat"), 2e-4)
         self.assertLess(self.error("quasi-linear, one-sided", "sphere"), 0.13)
         self.assertLess(self.error("quasi-linear, one-sided", "cone"), 0.15)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the output of palpateAccuracySpeed: rows, rows of all tools together, Pareto fronts, orders of convergence."""
+"""Reads the rows of palpateAccuracySpeed; computes rows for all tools together, Pareto fronts and orders of convergence."""
 import csv
 import math
 
 REFERENCE = "reference"
 ALL = "all"               # all tools together
-ROUNDING = 1e-6           # errors below are rounding of float32 and count as equal
+ROUNDING = 1e-6           # smaller errors are rounding of float32 and count as equal
 TEXTS = ("part", "scene", "tool", "method")
 POOLED_SQUARES = ("error", "error_sites", "error_path", "error_calculix")
 POOLED_MEANS = ("bytes_per_vertex", "model_bytes_per_vertex", "noticed", "vertices", "edge_mm")
@@ -13,7 +13,7 @@ POOLED_MEDIANS = ("hot_ns", "onset_ns", "cold_ns")
 
 
 def read(text, texts=TEXTS):
-    """Numbers, None where there is none, but in the columns `texts`."""
+    """Reads CSV rows. Values are numbers, or None for an empty field, except in the columns `texts`."""
     rows = list(csv.DictReader(text.splitlines()))
     for row in rows:
         for name, value in row.items():
@@ -37,7 +37,7 @@ def median(values):
 
 
 def pool(rows):
-    """A row of all tools for each scene and method: root mean squares of errors, medians of times."""
+    """Returns a row for all tools together for each scene and method: root mean squares of errors, medians of times."""
     pooled = []
     for scene in distinct(rows, "scene"):
         for method in distinct(select(rows, scene=scene), "method"):
@@ -54,8 +54,8 @@ def pool(rows):
 
 
 def front(rows):
-    """The methods than which none is both as fast (hot) and as right, and one of them more so. Errors within
-    rounding are equal; of equals the one with fewer bytes is on the front."""
+    """Returns the Pareto front of hot time and error: each method for which no other method is better in one of the two and
+    at least as good in the other. Errors below ROUNDING are equal; of equal methods the one with fewer bytes is chosen."""
     def key(row):
         return row["hot_ns"], max(row["error"], ROUNDING), row["model_bytes_per_vertex"]
     judged = [row for row in rows if row["method"] != REFERENCE and row["hot_ns"] and row["error"] is not None]
@@ -70,7 +70,7 @@ def front(rows):
 
 
 def mark_fronts(rows):
-    """Column `pareto`: 1 on the front of its scene and tool."""
+    """Sets the column `pareto` to 1 for rows on the front of their scene and tool, otherwise to 0."""
     for row in rows:
         row["pareto"] = 0
     for scene in distinct(rows, "scene"):
@@ -80,8 +80,8 @@ def mark_fronts(rows):
 
 
 def order(points):
-    """Slope of log error over log size, by least squares; None where there are fewer than three sizes, or
-    nothing but rounding."""
+    """Returns the slope of log error over log size, by least squares. None if fewer than three sizes have an error above
+    ROUNDING."""
     usable = [(math.log(p["size"]), math.log(p["error"])) for p in points if p["error"] and p["error"] > ROUNDING]
     if len(usable) < 3:
         return None

@@ -1,18 +1,20 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares ways to render a contact: their error, time and size.
+"""Compares methods to render a contact: their error, time and size.
 
     ./run study accuracy-speed [--quick] [--output DIR] [--program FILE] [--scene NAME ...] [--only-strain]
                                [--only-shape] [--only-relaxation] [--only-tilt]
 
 Runs palpateAccuracySpeed on the scenes (README.md) and writes to DIR (default build/studies/accuracy-speed)
 accuracy-speed.csv (per scene, tool and method, and over all tools: errors, times, bytes, Pareto front),
-convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the same as tables), and with
-matplotlib accuracy-speed.png and convergence.png. Then the same for finite strain itself as the truth: finite-strain.csv,
-finite-strain.md, finite-strain.png (--only-strain: these alone). Then an edge, a horn and a nodule, through the VTK filters:
-shape.csv, shape.md, shape.png (--only-shape: these alone). Then bodies that relax, against exact theory: relaxation.csv,
-relaxation-curves.csv, relaxation.md, relaxation.png (--only-relaxation). Then tilted tools, against boundary elements:
-tilt.csv, tilt.md, tilt.png (--only-tilt). Times depend on the machine; all other results are the same everywhere.
+convergence.csv (over mesh size and samples, with fitted orders), accuracy-speed.md (the results as tables), and with
+matplotlib accuracy-speed.png and convergence.png. Further comparisons, each with its files (--only-...: this part alone):
+- --only-strain: responses with curves at finite strain: finite-strain.csv, finite-strain.md, finite-strain.png
+- --only-shape: an edge, a horn and a nodule, with the VTK filters: shape.csv, shape.md, shape.png
+- --only-relaxation: bodies that relax, with exact theory: relaxation.csv, relaxation-curves.csv, relaxation.md,
+  relaxation.png
+- --only-tilt: tilted tools, with boundary elements: tilt.csv, tilt.md, tilt.png
+Times depend on the machine; all other results are the same everywhere.
 """
 import argparse
 import csv
@@ -40,7 +42,7 @@ CONVERGENCE_COLUMNS = ("part", "scene", "method", "size", "error", "order")
 
 
 def measure(program, options, heads=()):
-    """The program's rows as text."""
+    """Runs the program and returns its rows as text."""
     command = [str(program), "--curves", str(CURVES)] + list(options)
     for file in heads:
         command += ["--head", str(file)]
@@ -50,7 +52,8 @@ def measure(program, options, heads=()):
 
 
 def judge(text):
-    """Rows of methods, with those of all tools and the fronts, and rows of convergence, with orders."""
+    """Returns the rows of the methods, with rows for all tools together and the fronts, and the rows of convergence, with
+    orders."""
     rows = study.read(text)
     methods = study.select(rows, part="methods")
     methods += study.pool(methods)
@@ -83,7 +86,7 @@ def percent(value):
 
 
 def tables(methods, convergence):
-    """Markdown."""
+    """Returns the results as Markdown tables."""
     pooled = study.select(methods, tool=study.ALL)
     lines = []
     for scene in study.distinct(pooled, "scene"):
@@ -124,7 +127,7 @@ def report(text, folder):
 
 
 def report_strain(program, quick, folder):
-    """Against finite strain: where the solver is asked, what it found is kept in DIR/cache."""
+    """Compares responses with curves at finite strain. Results of the finite-strain solver are cached in DIR/cache."""
     options = ["--strain", str(DATA)] + (["--quick"] if quick else ["--deep"])
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PALPATE_CACHE=str(folder / "cache"))
     text = subprocess.run([str(program)] + options, env=environment, check=True, stdout=subprocess.PIPE,

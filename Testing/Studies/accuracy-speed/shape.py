@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies with an edge, a horn and a nodule: the error of a half-space there, and the cost of true shape."""
+"""Bodies with an edge, a horn and a nodule: the error of the half-space law on them, and the cost of true shape."""
 import math
 import time
 
@@ -14,7 +14,7 @@ COLUMNS = ("body", "tool", "case", "method", "depth_mm", "true_force_N", "force_
 TEXTS = COLUMNS[:4]
 BODIES = ("edge", "horn", "nodule")
 DEEPER = 1.1                # curves extend a tenth beyond the deepest press
-TICKS, PASSES, WANDER = 4000, 7, 0.4    # of the timed path; mm around the place
+TICKS, PASSES, WANDER = 4000, 7, 0.4    # ticks and passes of the timed path; its distance from the place, mm
 
 
 def read(text):
@@ -22,7 +22,7 @@ def read(text):
 
 
 class Response:
-    """One method's curves of one tool on one body."""
+    """The curves of one tool on one body, by one method."""
 
     def __init__(self, method, body, tool, compliance=None):
         import palpate
@@ -57,21 +57,21 @@ class Response:
         self.surface = law.GetOutput()
         status = self.surface.GetPointData().GetArray("ResponseStatus")
         states = [status.GetTuple1(i) for i in range(status.GetNumberOfTuples())]
-        self.points = sum(state in (0, 5) for state in states)      # state 5, next to an edge, has a curve as well
+        self.points = sum(state in (0, 5) for state in states)      # state 5, next to an edge, has a curve too
         self.place = self.surface.GetPoint(self.surface.FindPoint(*body.place))
         self.middle = (0.0, 0.0, 0.0) if body.name == "horn" else None
 
     def tip(self, depth, across=(0.0, 0.0)):
-        """So deep under the place, or beside it."""
+        """Returns the position of a tip at a depth under the place, or moved sideways from it by `across`, mm."""
         x, y, z = self.place[0] + across[0], self.place[1] + across[1], self.place[2]
         if self.middle is None:
             return x, y, z - depth
-        size = math.sqrt(x * x + y * y + z * z)             # towards the middle of the ball
+        size = math.sqrt(x * x + y * y + z * z)             # the depth is towards the middle of the ball
         radius = math.sqrt(sum(c * c for c in self.place))
         return tuple(c / size * (radius - depth) for c in (x, y, z))
 
     def probe(self, tips, follows):
-        """A probe of tips, each on its own or one after another."""
+        """Returns an updated probe of the tips, and its input. `follows`: the tips are one path; otherwise independent."""
         import palpate
         from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
         from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -90,7 +90,7 @@ class Response:
         return probe, path
 
     def forces(self, depths):
-        """Of each depth the force along the normal, and its stated error; None where there is no response."""
+        """Yields the force along the normal and its stated error for each depth; (None, None) without a response."""
         probe, _ = self.probe([self.tip(depth) for depth in depths], False)
         data = probe.GetOutput().GetPointData()
         felt = data.GetArray("NormalForce"), data.GetArray("RelativeError"), data.GetArray("ContactState")
@@ -99,7 +99,7 @@ class Response:
             yield (force, None if math.isnan(error) else error) if state in (1, 2) else (None, None)
 
     def tick(self, deepest):
-        """Median time per tip of a path around the place on one thread, ns."""
+        """Returns the median time per tip (ns) of a path around the place, on one thread; None if a tip has no contact."""
         from vtkmodules.vtkCommonCore import vtkSMPTools
         reach = self.surface.GetPointData().GetArray("ResponseRange").GetTuple1(self.surface.FindPoint(*self.place))
         deepest = min(deepest, 0.9 * reach)
@@ -122,13 +122,13 @@ class Response:
 
 
 def arrays_of_cells(filter):
-    """E and ν of each cell, as vtkNoduleMaterial leaves them."""
+    """Sets the arrays of vtkNoduleMaterial as E and ν of each cell."""
     filter.SetInputArrayToProcess(0, 0, 0, 1, "YoungsModulus")
     filter.SetInputArrayToProcess(1, 0, 0, 1, "PoissonRatio")
 
 
 def compliance_of(body):
-    """Surface with C_g, and the seconds that it took; the same for all tools."""
+    """Returns the surface with C_g, which is the same for all tools, and the computing time in s."""
     import palpate
     import shape_bodies
     began = time.perf_counter()
@@ -143,7 +143,7 @@ def compliance_of(body):
 
 
 def rows_of(body, methods=tuple(METHODS), timed=True):
-    """A row per tool, depth and method."""
+    """Yields a row per tool, depth and method."""
     compliance, before = compliance_of(body) if IN_SERIES in methods else (None, 0.0)
     for tool in body.tools():
         presses = body.at(tool)
@@ -160,7 +160,7 @@ def rows_of(body, methods=tuple(METHODS), timed=True):
 
 
 def measure(quick, say):
-    """Rows of all bodies; what is left out goes to `say`."""
+    """Returns the rows of all bodies. Calls `say` with the reason for each body that is left out."""
     import shape_bodies
     rows = []
     for body in shape_bodies.bodies(quick):
@@ -177,7 +177,7 @@ def of(rows, body, method):
 
 
 def groups(rows):
-    """What a line of the table is of: a body, of nodules one depth and modulus; and its rows."""
+    """Returns the title and rows of each line of the table: a line for each body; for nodules one per depth and modulus."""
     found = {}
     for row in rows:
         nodule = row["body"] == "nodule"
@@ -187,7 +187,7 @@ def groups(rows):
 
 
 def worst(rows):
-    """Largest |error| of those that have a force."""
+    """Returns the row with the largest |error| of the rows that have a force, or None."""
     there = [row for row in rows if row["error"] is not None]
     return max(there, key=lambda row: abs(row["error"])) if there else None
 
@@ -207,14 +207,14 @@ def cell(rows):
 
 
 def span(rows, name, form):
-    """Of several tools and cases from the least to the most."""
+    """Returns the range of a column over the rows as text, "least to largest"."""
     values = [row[name] for row in rows if row[name] is not None]
     texts = list(dict.fromkeys(form.format(value) for value in (min(values), max(values)))) if values else ["–"]
     return " to ".join(texts)
 
 
 def tables(rows):
-    """Markdown."""
+    """Returns the results as Markdown tables."""
     head = "| {} | " + " | ".join(METHODS) + " |"
     lines = ["**On edges, horns and nodules**: largest error of the force over tools and depths, in brackets what the probe "
              "states there", "", head.format("body"), "|---" * (len(METHODS) + 1) + "|"]
@@ -233,7 +233,7 @@ def tables(rows):
 
 
 def abscissa(row):
-    """a/e, a/R, or the depth of the nodule's top."""
+    """Returns a/e, a/R, or the depth of the nodule's top in mm."""
     return float(row["case"].split(",")[0].split("=")[1])
 
 
@@ -247,7 +247,7 @@ NODULES = {"10": ("D", "-", "nodule 10 times as hard"), "0.2": ("v", "--", "nodu
 
 
 def lines_of(rows, body, method):
-    """Mark, line, and the points of it."""
+    """Yields the mark, the line style and the rows of each line of a panel."""
     mine = of(rows, body, method)
     if body == "nodule":
         for ratio, (mark, line, _) in NODULES.items():

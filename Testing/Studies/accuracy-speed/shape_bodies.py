@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bodies of the study of shape, an edge, a horn and a nodule, with the forces that other codes give on them.
+"""The bodies of the study of shape (an edge, a horn and a nodule), with the forces of other codes on them.
 
-Lengths in mm, forces in N, moduli in MPa. z points out of the body where it is pressed.
+Lengths are in mm, forces in N, moduli in MPa. At the place of the press, z points out of the body.
 """
 import csv
 import math
@@ -24,12 +24,12 @@ RATIOS = (10.0, 0.2)
 
 
 class Body:
-    """A body on two meshes, pressed at one place, and what the table says of it."""
+    """A body with two meshes, pressed at one place, and the forces of the table."""
 
     def __init__(self, name, fine, coarse, place, cases):
         self.name = name
         self.meshes = {"fine": fine, "coarse": coarse}
-        self.place = np.array(place)                        # in the coarse mesh the nearest point
+        self.place = np.array(place)                        # a mesh is pressed at its nearest point
         self.cases = cases                                  # (tool, case, depth, force)
 
     def tools(self):
@@ -45,7 +45,7 @@ def table(name):
 
 
 def specification(name):
-    """flat1.5: flat:1.5."""
+    """Converts the name of a tool in the table to a specification: flat1.5 to flat:1.5."""
     return name.replace("flat", "flat:").replace("sphere", "sphere:")
 
 
@@ -67,12 +67,12 @@ def mark(mesh, name, values):
 
 
 def press_at(mesh, place, reach):
-    """Responses there alone: as far as the triangles that tips touch."""
+    """Marks the points that get a response: those within `reach` of the place, which the tips can touch."""
     mark(mesh, "Pressed", np.linalg.norm(points_of(mesh) - np.array(place), axis=1) < reach)
 
 
 def outwards(cell, fine, ratio, end):
-    """From 0: cells of one size up to `fine`, then growing; the last one is what is left."""
+    """Coordinates from 0 to `end`: cells of one size up to `fine`, then growing. The last cell fills the rest."""
     found = [0.0]
     step = cell
     while found[-1] < end - 1e-9:
@@ -98,7 +98,7 @@ def hexahedra(x, y, z):
 
 
 def edge_block(cell):
-    """60 × 60 × 30, held below; the edge is x = 0, its top z = 0."""
+    """A block of 60 × 60 × 30 mm, held at the bottom; the edge is x = 0, the top z = 0."""
     mesh = hexahedra(outwards(cell, 2 * EDGE_DISTANCE, 1.25, 60.0), both_ways(outwards(cell, 3.75, 1.25, 30.0)),
                      -outwards(cell, EDGE_DISTANCE, 1.25, 30.0)[::-1])
     mark(mesh, "Fixed", np.where(points_of(mesh)[:, 2] < -30.0 + 1e-3, 7, 0))
@@ -113,7 +113,7 @@ def edge(fine=0.75, coarse=1.5):
 
 
 def half_ball_surface(rings=60):
-    """On its flat side, by triangles of 1.5 degrees."""
+    """The surface of half a ball on its flat side, with triangles of 1.5 degrees."""
     outline = [(BALL * math.sin(angle), BALL * math.cos(angle)) for angle in np.arange(rings) * 0.5 * math.pi / rings]
     outline += [(0.1 * BALL * i, 0.0) for i in range(10, -1, -1)]
     sides = 3 * rings
@@ -137,7 +137,7 @@ def half_ball_surface(rings=60):
 
 
 def half_ball(spacing):
-    """On a base without friction: held across it, and by two points along it."""
+    """Half a ball on a base without friction: the base holds all its points along z, and two points along x and y."""
     filled = vtkGradedBody()
     filled.SetInputData(half_ball_surface())
     filled.SetSurfaceSpacing(spacing)
@@ -159,8 +159,9 @@ def horn(fine=2.0, coarse=4.0):
 
 
 def on_true_surface(body, text):
-    """The table takes the gap under the tool to be the sphere's and r²/2R of the ball. The half-space's law adds r²/2R
-    itself; on the ball's own surface, which is a circle, the tool has the difference."""
+    """Returns the tool for the true surface of a body. In the table, the gap under the tool is that of a sphere plus
+    r²/2R of the ball. The half-space law adds r²/2R itself. The true surface of the ball is a circle, so that the
+    difference is added to the profile of the tool."""
     if body != "horn":
         return text
     radius = float(text.split(":")[1])
@@ -172,8 +173,8 @@ def on_true_surface(body, text):
 
 
 def nodule_block(cell, top, ratio):
-    """As large as the table's cylinder of radius 60 and height 40: 106 × 106 × 40, held below and at its sides, which
-    change the force by less than 0.1 %."""
+    """A block of 106 × 106 × 40 mm, as large as the table's cylinder of radius 60 and height 40. It is held at the bottom
+    and at its sides; the sides change the force by less than 0.1 %."""
     half = outwards(cell, 4.0, 1.6, 53.0)
     mesh = hexahedra(both_ways(half), both_ways(half), -outwards(cell, top + 2 * NODULE, 1.6, 40.0)[::-1])
     points = points_of(mesh)
@@ -198,7 +199,7 @@ def nodule(top, ratio, fine=1.0, coarse=2.0):
 
 
 def bodies(quick):
-    """One after another: each takes some memory. What is missing is said by a text in place of a body."""
+    """Yields the bodies one by one, because each takes much memory; a text with the reason in place of a missing body."""
     yield edge()
     yield horn() if vtkGradedBody.IsAvailable() else "no horn: vtkGradedBody was built without CGAL"
     for ratio in RATIOS[:1] if quick else RATIOS:

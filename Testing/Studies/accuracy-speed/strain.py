@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the output of `palpateAccuracySpeed --strain`: responses against finite strain itself."""
+"""Reads the output of `palpateAccuracySpeed --strain`: responses compared with curves at finite strain."""
 import pictures
 import rows as study
 
 METHODS = {"small strain": ("#d55e00", "-"), "small strain, curvature": ("#e69f00", "--"),
            "finite strain, stored": ("#0072b2", "-")}
-PRESSED = (0.3, 0.9)       # contact radius over tool radius
-ON_BALL = 0.15             # the same on a ball: that code ends at 0.3 there
+PRESSED = (0.3, 0.9)       # contact radius over tool radius, from and to
+ON_BALL = 0.15             # least contact radius over tool radius on a ball, whose curves end at 0.3
 THICKNESS = (0.1, 0.5)     # depth over thickness
 TEXTS = ("part", "code", "tool", "method")
 
@@ -16,7 +16,7 @@ def read(text):
 
 
 def radius(tool):
-    """Of a sphere or flat, mm; None of a cone."""
+    """Returns the radius of a sphere or flat, mm; None for a cone."""
     shape, size = tool.split(":")
     return float(size) if shape in ("sphere", "flat") else None
 
@@ -32,8 +32,8 @@ def name(key):
 
 
 def is_pressed(row):
-    """At depths at which people press: a/R 0.3 to 0.9 (ball: 0.15 to 0.3), of a flat δ/R from 0.1, on a layer δ/h 0.1 to
-    0.5; of a cone all."""
+    """Whether the depth is usual in palpation: a/R 0.3 to 0.9 (on a ball 0.15 to 0.3); δ/R from 0.1 for a flat; δ/h 0.1 to
+    0.5 on a layer; any depth for a cone."""
     if row["thickness_mm"]:
         return THICKNESS[0] <= row["depth_mm"] / row["thickness_mm"] <= THICKNESS[1] * (1 + 1e-9)
     size = radius(row["tool"])
@@ -53,13 +53,13 @@ def of(rows, key, method, part="force"):
 
 
 def worst(rows, key, method):
-    """Largest |error| where it is pressed, and the error that the response states there."""
+    """Returns the row with the largest |error| at usual depths (is_pressed), or None."""
     pressed = [row for row in of(rows, key, method) if is_pressed(row)]
     return max(pressed, key=lambda row: abs(row["error"])) if pressed else None
 
 
 def tables(rows):
-    """Markdown."""
+    """Returns the results as Markdown tables."""
     lines = ["**Against finite strain itself**: largest error of the force at depths at which people press (a/R 0.3 to 0.9, "
              "δ/h 0.1 to 0.5; flat: δ/R from 0.1, ball: a/R 0.15 to 0.3), in brackets what the response states there; median time of a tick", "",
              "| body | by | small strain | with curvature | finite strain, stored | tick, hot |", "|---|---|---|---|---|---|"]

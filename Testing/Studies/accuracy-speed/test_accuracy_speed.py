@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short version of ./run study accuracy-speed: errors that must hold on every machine, never times.
+"""The short version of ./run study accuracy-speed: tests errors, which are the same on every machine, but no times.
 
     test_accuracy_speed.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateAccuracySpeed
 
-Only ShapeNow needs the package palpate.
+Only the class ShapeNow needs the package palpate.
 
 Expected numbers come from closed forms: the error of the best straight line for δ^1.5, the error of linear
-interpolation in squared knots, the order of facets and of area coordinates.
+interpolation between squared knots, the order of the error of facets and of area coordinates.
 """
 import csv
 import math
@@ -31,7 +31,7 @@ STORED = ("Hermite 5", "Hermite 8", "Hermite 16", "Hermite 8, smooth surface", "
 
 
 def dome(folder, cells=44, spacing=2.0):
-    """A cap of a sphere of 90 mm over a base of 8 to 12 mm, in place of the head."""
+    """Writes a cap of a sphere of 90 mm over a base at a depth of 8 to 12 mm, which replaces the head."""
     points, inverse, triangles = [], [], []
     side = cells + 1
     for j in range(side):
@@ -78,9 +78,8 @@ class Quick(unittest.TestCase):
                 self.assertEqual(row["unanswered"], 0)
 
     def test_stored_curves_hold(self):
-        # On flat bodies the only error is that of storage. Hermite 8 must keep 1 %. The contract
-        # promises 5e-4 for layers and spheres, and up to 1.4 % in the first per cent of the depth
-        # of a soft plate.
+        # On flat bodies the only error is that of storage. Hermite 8 must be within 1 %. The contract states 5e-4 for
+        # layers and spheres, and up to 1.4 % in the first per cent of the depth of a soft plate.
         for scene in self.scenes()[:3]:
             for tool in self.tools(scene):
                 for method in STORED:
@@ -136,7 +135,7 @@ class Quick(unittest.TestCase):
         for tool in ("sphere:1.6", "flat:1.6", "cone:60"):
             for size in ("fine", "medium", "coarse"):
                 self.assertGreater(self.error("half-space block", tool, "penetrating vertices, " + size), 0.3)
-        # A coarse mesh seldom has a vertex under a narrow tool: area π 1.6² against 4² mm².
+        # A coarse mesh seldom has a vertex under a narrow tool: the tool's area is π 1.6² mm², the area per vertex 4² mm².
         self.assertGreater(self.error("half-space block", "flat:1.6", "penetrating vertices, coarse"),
                            self.error("half-space block", "flat:1.6", "penetrating vertices, fine"))
 
@@ -149,8 +148,8 @@ class Quick(unittest.TestCase):
         self.assertGreater(self.error("plate on edges", "flat:1.6", "Table 1 at run time"), 1.0)
 
     def test_order_over_the_mesh(self):
-        # Facets are h²/(6R) below the ball. Interpolation between vertices has an error of h²/6
-        # |f″|: second order. Three and four sizes.
+        # Facets are h²/(6R) below the ball, and interpolation between vertices has an error of h²/6 |f″|. Both are of
+        # second order. There are three and four sizes.
         for body in ("ball", "uneven layer"):
             found = study.select(self.convergence, part="mesh", scene=body, method="Hermite, facets")
             self.assertAlmostEqual(found[0]["order"], 2.0, delta=0.25)
@@ -160,16 +159,16 @@ class Quick(unittest.TestCase):
             self.assertLess(one["error"], 0.05 * other["error"])
 
     def test_curved_and_uneven_body(self):
-        # Edges of 2 mm over a radius of 90 mm: errors from the sag of the facets, h²/(6R), and the
-        # waves of the layer; at most 1 % on the smooth surface.
+        # With edges of 2 mm and a radius of 90 mm the errors come from the sag of the facets, h²/(6R), and from the waves
+        # of the layer: at most 1 % on the smooth surface.
         for tool in self.tools("head"):
             self.assertLess(self.error("head", tool, "Hermite 8, smooth surface"), 0.01)
             self.assertLess(self.error("head", tool, "Hermite 8"), 0.05)
             self.assertLess(self.error("head", tool, "reduced basis, 1 %"), 0.06)
 
     def test_finite_elements_agree_with_the_references(self):
-        # Finite strain against small strain, and the errors of the meshes (Data/Studies/calculix):
-        # a few per cent.
+        # The difference between finite and small strain, and the errors of the meshes (Data/Studies/calculix), are a few
+        # per cent.
         for scene in ("half-space block", "10 mm layer"):
             for tool in ("sphere:6.35", "sphere:1.6", "flat:1.6"):
                 self.assertLess(self.error(scene, tool, study.REFERENCE, "error_calculix"), 0.03)
@@ -178,7 +177,7 @@ class Quick(unittest.TestCase):
 
 
 class StrainChecks:
-    """Responses against finite strain itself: what README and manual say of it."""
+    """Responses compared with curves at finite strain: the numbers in README and manual."""
 
     def errors(self, method, **wanted):
         return [row for row in self.rows if row["part"] == "force" and row["method"] == method and
@@ -187,7 +186,7 @@ class StrainChecks:
     def test_finite_strain_is_stored(self):
         for row in self.errors("finite strain, stored", ball_mm=0.0):
             if not strain.is_pressed(row) or row["tool"].startswith("flat"):
-                continue  # in CalculiX the rim of the flat moves with it: a few per cent
+                continue  # in CalculiX the rim of the flat moves with the flat, a difference of a few per cent
             with self.subTest(row=row):
                 if row["code"] == "CalculiX" and row["nu"] == 0.3 and abs(row["depth_mm"] / 6.35 - 0.098) < 0.003:
                     continue  # one outlier of that curve
@@ -242,7 +241,7 @@ class StrainCommitted(StrainChecks, unittest.TestCase):
         def median(method):
             return study.median([row["hot_ns"] for row in self.rows if row["part"] == "time" and row["method"] == method])
 
-        # The same kernel with other numbers: the tolerance is the scatter on a busy machine.
+        # The kernel is the same, with other numbers. The tolerance is the scatter on a busy machine.
         for method in strain.METHODS:
             self.assertAlmostEqual(median(method) / median("small strain"), 1, delta=0.1)
 
@@ -274,7 +273,7 @@ def shape_table(name):
 
 
 def sphere_on_half_space(size, depth):
-    """Force over E* of the exact sphere: with l = ln((R+a)/(R-a)), δ = a l/2, F = (a²+R²) l/2 - aR."""
+    """Returns force over E* of the exact sphere: with l = ln((R+a)/(R-a)), δ = a l/2, F = (a²+R²) l/2 - aR."""
     low, high = 0.0, 0.999 * size
     for _ in range(60):
         a = (low + high) / 2
@@ -284,7 +283,7 @@ def sphere_on_half_space(size, depth):
 
 
 class ShapeCommitted(unittest.TestCase):
-    """An edge, a horn and a nodule: what README and manual say of them."""
+    """The committed results for an edge, a horn and a nodule: the numbers in README and manual."""
 
     @staticmethod
     def rows_kept():
@@ -306,13 +305,13 @@ class ShapeCommitted(unittest.TestCase):
             # this, has an error of 0.4 %; facets of 1 mm, h²/6R deep, add 0.3 %.
             self.assertLess(abs(row["error"]), 0.01, row)
         for row in self.of("nodule", shape.TRUE):
-            # Mixed cells of 1 mm, vtkNoduleMaterial: 1.5 % from two cells on, 4 % at one.
+            # Mixed cells of 1 mm (vtkNoduleMaterial): the error is 1.5 % for tops at least two cells deep, 4 % for one.
             self.assertLess(abs(row["error"]), 0.04 if shape.abscissa(row) == 1 else 0.015, row)
 
     def test_coarse(self):
         for row in self.of("edge", shape.COARSE) + self.of("horn", shape.COARSE):
-            # Twice the element size, second order: four times the 0.3 % of the edge; facets of 2
-            # mm, h²/6R: 1 % of the force.
+            # The elements are twice as large and of second order: four times the 0.3 % of the edge. Facets of 2 mm are
+            # h²/6R deep: 1 % of the force.
             self.assertLess(abs(row["error"]), 0.015, row)
         for row in self.of("nodule", shape.COARSE):
             if shape.abscissa(row) >= 2:
@@ -331,7 +330,7 @@ class ShapeCommitted(unittest.TestCase):
         given = {(each["tool"].replace("sphere", "sphere:"), "a/R=" + each["a/R"]): float(each["err Hertz R_eff only %"])
                  for each in shape_table("hemisphere.csv") if each["nu"] == "0.45"}
         for row in self.of("horn", shape.HALF_SPACE):
-            # Sphere on ball by Hertz; the facets of the mesh add 0.3 %.
+            # The error of the half-space law for a sphere on a ball by Hertz; the facets of the mesh add 0.3 %.
             self.assertAlmostEqual(row["error"], given[row["tool"], row["case"]] / 100, delta=0.005)
         given = [each for each in shape_table("nodule_forces.csv") if each["R_nodule"] == "3.0"]
         for row in self.of("nodule", shape.HALF_SPACE):
@@ -343,9 +342,9 @@ class ShapeCommitted(unittest.TestCase):
     def test_a_number_in_series(self):
         for row in self.of("edge", shape.IN_SERIES):
             self.assertLess(abs(row["error"]), 0.035, row)      # error of a table without the tilt
-        # Over a nodule C_g belongs to a single point. By H00 of the table, F = δ/(1/(2E*a) + H00)
-        # of the flat 2 mm above a hard nodule is 26 % too large, above a soft one 13 % too small.
-        # The error is larger for a sphere whose contact is as wide as the nodule.
+        # Over a nodule, C_g is the value at a single point. With H00 of the table, F = δ/(1/(2E*a) + H00) of the flat is
+        # 26 % too large 2 mm above a hard nodule, and 13 % too small above a soft one. The error is larger for a sphere
+        # whose contact is as wide as the nodule.
         wide = [row for row in self.of("nodule", shape.IN_SERIES) if row["tool"] == "sphere:6.35" and row["depth_mm"] == 1.2]
         for row in wide:
             if shape.abscissa(row) <= 2 and row["error"] is not None:
@@ -366,7 +365,7 @@ class ShapeCommitted(unittest.TestCase):
 
 
 class ShapeNow(unittest.TestCase):
-    """The table is of this code: the edge on its coarse mesh."""
+    """Checks that the committed table is reproduced by the present code, for the edge on its coarse mesh."""
 
     def test_edge(self):
         import shape_bodies

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the output of `palpateAccuracySpeed --tilt`: ways to render a tilted tool, against boundary elements."""
+"""Reads the output of `palpateAccuracySpeed --tilt`: methods to render a tilted tool, compared with boundary elements."""
 import pictures
 import rows as study
 
 TEXTS = ("part", "tool", "method", "source")
 COLUMNS = ("part", "tool", "method", "source", "tilt_deg", "depth_mm", "true_force_mm2", "force_mm2", "error", "hot_ns",
            "onset_ns", "cold_ns")
-OTHER = "tilt_bem.csv"                  # from the other code; all other forces are solved here
+OTHER = "tilt_bem.csv"                  # table of the other code; all other forces are solved by this study
 TIP, DEEPEST, TABLE, CIRCLES, ELEMENTS = ("upright, tip as deep", "upright, deepest point as deep", "table in the tick",
                                           "circles", "boundary elements, 64")
-# Method: colour, mark.
+# Colour and mark of each method.
 METHODS = {TIP: ("#999999", "v"), DEEPEST: ("#d55e00", "X"), CIRCLES: ("#e69f00", "P"), TABLE: ("#0072b2", "o"),
            ELEMENTS: ("#000000", "h")}
 TICKS = ("tick without an axis", "tick, upright", "tick, leaning")
 ONE_LAW = ", 1 law"
 TOOLS = {"flat:1": "flat end, radius 1 mm", "truncated:1,45": "truncated cone, 1 mm, 45°", "cone:60": "cone, 60°",
          "sphere:1": "sphere, 1 mm"}
-SHOWN_DEPTH = 0.2                       # mm; the band has all depths
+SHOWN_DEPTH = 0.2                       # mm, depth of the lines; the band shows all depths
 FLOOR = 1e-5                            # error of the boundary elements for smooth tools
 
 
@@ -25,13 +25,13 @@ def read(text):
 
 
 def worst(rows, least=0.0, **wanted):
-    """The row of the largest error at tips at least so deep."""
+    """Returns the row of the largest error at depths of at least `least` mm."""
     found = [row for row in study.select(rows, part="force", **wanted) if row["depth_mm"] >= least]
     return max(found, key=lambda row: abs(row["error"]))
 
 
 def time_of(rows, method):
-    """A tick without an axis is that of both upright ones."""
+    """Returns the row of the times of a method, or None. Both upright methods have the times of a tick without an axis."""
     tick = {TIP: TICKS[0], DEEPEST: TICKS[0], TABLE: TICKS[2]}
     found = study.select(rows, part="time", method=tick[method] + ONE_LAW if method in tick else method)
     return found[0] if found else None
@@ -51,7 +51,7 @@ def percent(value):
 
 
 def tables(rows):
-    """Markdown."""
+    """Returns the results as Markdown tables."""
     tools = [tool for tool in TOOLS if study.select(rows, tool=tool, part="force")]
     lines = ["**Leaning**: largest error of the force, 2.5 to 25°, deepest point 0.05 to 1 mm deep; in brackets from 0.2 mm on; "
              "median tick of the flat end at 10°", "",

@@ -13,10 +13,10 @@ def committed():
 
 
 class TiltChecks:
-    """Errors that hold on every machine: of closed forms, of circles, which are a bound, and of another code's table."""
+    """Errors that are the same on every machine: relative to closed forms, to circles (a bound) and to another code."""
 
-    # The law of the flat end ignores that its wall is tilted too, 1.7 %. Pixels and nodes have an
-    # error of 1 % for other ends with a rim, 0.1 % for smooth ones.
+    # The law of the flat end ignores the tilt of its wall, an error of 1.7 %. Pixels and nodes have an error of 1 % for
+    # other ends with a rim, 0.1 % for smooth ends.
     TABLE = {"flat:1": 0.02, "truncated:1,45": 0.01, "cone:60": 1e-3, "sphere:1": 1e-3}
 
     @classmethod

@@ -14,7 +14,7 @@ class Body:
     name: str
     poisson_ratio: float
     thickness: float
-    half_length: float  # for a round body its radius
+    half_length: float  # radius of a round body
     half_width: float   # 0: round, hence axisymmetric; otherwise a quarter model
     support: str        # "base" bonded, "rim" clamped, "ends" |x| = half_length held in z only
     description: str
@@ -76,13 +76,13 @@ CASES = {case.name: case for case in [
 
 
 def deflections(case):
-    """Equally spaced; the quarter models are slower and have half as many."""
+    """Returns equally spaced deflections. The quarter models are slower and have half as many."""
     count = 16 if case.body.half_width == 0 else 8
     return case.largest_deflection * np.arange(1, count + 1) / count
 
 
 def body_mesh(case, coarseness):
-    """Finest under the tool; `coarseness` multiplies every element there."""
+    """Returns a mesh of the body, finest under the tool; `coarseness` multiplies the size of the elements there."""
     body, tool = case.body, case.tool
     largest = 0.6 if body.support != "base" else 2.0 if body.thickness < 100 else np.inf
     contact = 0.63 * tool.radius if case.largest_deflection < 0.4 * tool.radius else 0.85 * tool.radius
@@ -123,7 +123,7 @@ def quarter_mesh(body, tool, coarseness):
 
 
 def tool_mesh(case, coarseness):
-    """A shell of the rigid sphere; None for the flat, which prescribes the surface's nodes."""
+    """Returns a shell of the rigid sphere; None for the flat, for which the nodes of the surface are prescribed."""
     radius = case.tool.radius
     if case.tool.shape == "flat":
         return None

@@ -16,7 +16,7 @@ DATA = pathlib.Path(__file__).resolve().parents[3] / "Data" / "Studies" / "calcu
 
 
 def read_curve(path):
-    """Deflections (mm) and forces (N) of a curves CSV."""
+    """Returns deflections (mm) and forces (N) of a CSV file with a curve."""
     with open(path, encoding="utf-8") as curve:
         rows = [line.strip().split(",") for line in curve if not line.startswith("#")]
     columns = {name: i for i, name in enumerate(rows[0])}
@@ -29,7 +29,7 @@ def reduced_modulus(body):
 
 
 def predicted(case, deflections):
-    """The exact small-strain law of a block or a bonded layer."""
+    """Returns the forces of the exact small-strain law of a block or a bonded layer."""
     modulus = reduced_modulus(case.body)
     if case.body is cases.BLOCK:
         return np.array([theory.half_space_force(case.tool.shape, case.tool.radius, modulus, d)
@@ -39,7 +39,7 @@ def predicted(case, deflections):
 
 
 def contact_radii(case, deflections):
-    """Contact radius of the small-strain law over tool radius."""
+    """Returns the contact radius of the small-strain law, divided by the tool radius."""
     if case.body is cases.BLOCK:
         return np.array([theory.half_space_contact_radius(case.tool.shape, case.tool.radius, d)
                          for d in deflections]) / case.tool.radius
@@ -49,14 +49,14 @@ def contact_radii(case, deflections):
 
 
 def compliance(case, deflections, forces):
-    """C_g (mm/N) of the series model at each depth: what the half-space under the tool leaves over."""
+    """Returns C_g (mm/N) of the series model at each depth: the deflection beyond that of a half-space, over the force."""
     modulus = reduced_modulus(case.body)
     local = [theory.half_space_deflection(case.tool.shape, case.tool.radius, modulus, f) for f in forces]
     return (deflections - local) / forces
 
 
 def depth_of_error(deflections, ratio, error):
-    """First depth at which |ratio - 1| reaches the error, interpolated, once it stays above; NaN if never."""
+    """Returns the depth, interpolated, from which on |ratio - 1| exceeds the error; NaN if there is no such depth."""
     beyond = np.abs(ratio - 1) > error
     if not beyond[-1]:
         return np.nan

@@ -14,7 +14,7 @@ QUARTERS = 4
 
 
 def lines(values, between="\n"):
-    """Twelve values to a line; CalculiX reads 16 at most. An element goes on after a comma."""
+    """Returns the values as text, twelve per line; CalculiX reads at most 16. An element continues after a comma."""
     values = [str(v) for v in values]
     return between.join(", ".join(values[i:i + 12]) for i in range(0, len(values), 12)) + "\n"
 
@@ -46,7 +46,7 @@ def material(name, law, young, poisson):
 
 
 def write(case, coarseness):
-    """The deck's text, the factor to the whole body's force, and the number of nodes of the body."""
+    """Returns the text of the deck, the factor of the force for the whole body, and the number of nodes of the body."""
     body = cases.body_mesh(case, coarseness)
     tool = cases.tool_mesh(case, coarseness)
     axial = case.body.half_width == 0
@@ -112,7 +112,7 @@ def steps(case, axial, up):
 
 
 def forces(text, case, factor):
-    """Force at each deflection that was reached, from the tables that CalculiX prints.
+    """Returns the force at each deflection that was reached, from the tables that CalculiX prints.
 
     Raises ValueError if tool and support do not balance, or if a flat pulls on the body."""
     axial = case.body.half_width == 0

@@ -19,7 +19,7 @@ class Mesh:
 
 
 def graded(first, uniform, length, growth, largest=np.inf):
-    """Corners 0 ... length: steps of `first` up to `uniform`, then growing by `growth` up to `largest`."""
+    """Returns corners from 0 to `length`: steps of `first` up to `uniform`, then growing by `growth` up to `largest`."""
     count = max(1, round(uniform / first))
     corners, step = list(np.linspace(0, uniform, count + 1)), uniform / count
     while corners[-1] < length * (1 - 1e-9):
@@ -34,7 +34,7 @@ def graded(first, uniform, length, growth, largest=np.inf):
 
 
 def graded_about(edge, first, length, growth, largest):
-    """Corners 0 ... length: smallest, `first`, on both sides of `edge`."""
+    """Returns corners from 0 to `length`; the smallest steps, `first`, are on both sides of `edge`."""
     inner = edge - graded(first, first, edge, growth, largest)[::-1]
     outer = edge + graded(first, first, length - edge, growth)
     return np.concatenate([inner, outer[1:]])
@@ -48,7 +48,7 @@ def with_middles(corners):
 
 
 def renumber(points, elements):
-    """Without the points that no element uses."""
+    """Returns points and elements without the points that no element uses."""
     used = np.unique(elements)
     number = np.full(len(points), -1)
     number[used] = np.arange(len(used))
@@ -56,7 +56,7 @@ def renumber(points, elements):
 
 
 def quadrilaterals(index):
-    """8-node elements on a lattice of node numbers with mid-edge nodes at odd places."""
+    """Returns 8-node elements on a lattice of node numbers, with mid-edge nodes at odd places."""
     i, j = np.meshgrid(np.arange(0, index.shape[0] - 1, 2), np.arange(0, index.shape[1] - 1, 2),
                        indexing="ij")
     steps = [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)]
@@ -64,7 +64,7 @@ def quadrilaterals(index):
 
 
 def half_section(radii, heights):
-    """Rectangle in (r, z); `heights` rises to 0, where the contact surface is (face 3, the top)."""
+    """Returns a rectangle in (r, z); `heights` rises to 0. The contact surface is the top, face 3."""
     r, z = np.meshgrid(with_middles(radii), with_middles(heights), indexing="ij")
     index = np.arange(r.size).reshape(r.shape)
     points, elements = renumber(np.column_stack([r.ravel(), z.ravel()]), quadrilaterals(index))
@@ -73,7 +73,7 @@ def half_section(radii, heights):
 
 
 def sphere_section(radius, opening, count, thickness):
-    """Shell of a sphere touching the origin, r <= opening; the contact surface is its outside (face 1)."""
+    """Returns a shell of a sphere that touches the origin, r <= opening; the contact surface is its outside (face 1)."""
     angles = with_middles(np.linspace(0, np.arcsin(opening / radius), count + 1))
     angle, inward = np.meshgrid(angles, [0, 0.5 * thickness, thickness], indexing="ij")
     r, z = (radius - inward) * np.sin(angle), radius - (radius - inward) * np.cos(angle)
@@ -83,9 +83,9 @@ def sphere_section(radius, opening, count, thickness):
 
 
 def quarter_plane(side, rings, rectangle=None):
-    """8-node elements of a quarter of a plane: a square core of `side` elements along its side within
-    the circle of the first radius of `rings`, then rings between the growing radii; beyond the last,
-    if given, `rectangle` = (half length in x, in y, corners 0 ... 1 from the last circle to it)."""
+    """Returns 8-node elements of a quarter of a plane: a square core with `side` elements along its side within the circle
+    of the first radius of `rings`, then rings between the growing radii. Beyond the last circle, if given, the rectangle:
+    (half length in x, in y, corners 0 ... 1 from the last circle to the rectangle)."""
     radius = rings[0]
     s = np.linspace(0, 1, 2 * side + 1)
     u, v = np.meshgrid(s, s, indexing="ij")
@@ -121,8 +121,8 @@ def quarter_plane(side, rings, rectangle=None):
 
 
 def extruded(plane, elements, levels, place):
-    """20-node elements: the 8-node elements of a plane at the corners `levels` (rising) of a third
-    direction; place(points of the plane, level) gives (x, y, z). Bottom face 1, top face 2."""
+    """Returns 20-node elements: the 8-node elements of a plane at the corners `levels` (rising) of a third direction.
+    place(points of the plane, level) returns (x, y, z). The bottom is face 1, the top face 2."""
     fine = with_middles(levels)
     points = np.vstack([place(plane, level) for level in fine])
     count, bricks = len(plane), []
@@ -140,7 +140,7 @@ def quarter_body(plane, elements, heights):
 
 
 def quarter_sphere(radius, plane, elements, thickness):
-    """Shell of a sphere touching the origin above the points of a plane; outside is face 1."""
+    """Returns a shell of a sphere that touches the origin, above the points of a plane; the outside is face 1."""
     def place(p, level):
         height = np.sqrt(radius ** 2 - (p ** 2).sum(axis=1))
         outside = np.column_stack([p, radius - height])

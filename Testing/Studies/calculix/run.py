@@ -30,7 +30,8 @@ def version():
 
 
 def solve(case, coarseness, folder):
-    """Forces at the case's deflections, nodes of the body, seconds. RuntimeError without convergence."""
+    """Returns forces at the deflections of the case, number of nodes of the body, and computing time in s. Raises
+    RuntimeError without convergence."""
     text, factor, nodes = deck.write(case, coarseness)
     job = folder / "{}-{:g}".format(case.name, coarseness)
     job.with_name(job.name + ".inp").write_text(text)
@@ -72,7 +73,7 @@ def read_forces(path):
 
 
 def update_mesh_error(path, name, error):
-    """mesh_error.csv keeps the other cases' lines."""
+    """Writes the line of a case to mesh_error.csv and keeps the lines of the other cases."""
     table = {}
     if path.exists():
         table = dict(line.split(",") for line in path.read_text().strip().split("\n")[1:])
@@ -82,14 +83,15 @@ def update_mesh_error(path, name, error):
 
 
 def run(case, arguments, folder):
-    """Nodes of the body, seconds, and the difference to the finer mesh's curve, if asked for."""
+    """Returns number of nodes of the body, computing time in s, and with --mesh-error the largest relative difference from
+    the curve of the finer mesh."""
     path = arguments.output / (case.name + ".csv")
     forces, nodes, seconds = solve(case, 2.0 if arguments.mesh_error else 1.0, folder)
     if not arguments.mesh_error:
         write_curve(path, case, forces, nodes)
         return nodes, seconds, None
     fine = read_forces(path)
-    # Without the first depths, where the contact covers only a few elements.
+    # The first depths, at which the contact covers only a few elements, are left out.
     return nodes, seconds, np.max(np.abs(forces / fine - 1)[len(fine) // 4:])
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A rigid sphere pressed into rubber and dragged over it with friction: Data/Studies/sliding, by CalculiX.
+"""A rigid sphere that is pressed into rubber and dragged over it with friction, by CalculiX: makes Data/Studies/sliding.
 
   slide.py [--case NAME ...] [--output DIR] [--keep DIR] [--list]
 
@@ -8,9 +8,9 @@ Without --case all cases are solved, one after the other, some minutes each. Eac
 DIR/NAME.csv. If CalculiX stops before the end of a case, the results so far are written, with a message.
 Exit code 77 without `ccx` on the PATH, 1 if a case was not finished.
 
-The sphere goes down to its depth, stays there, and is dragged along x: to +u and, in one case, back to
+The sphere moves down to its depth, stays at this depth, and is dragged along x: to +u and, in one case, back to
 -u and again to +u; u = 1.4 times the distance after which it slides in theory (μ c δ).
-Half models: everything is symmetric about the plane y = 0.
+The models are half models, because the problem is symmetric about the plane y = 0.
 """
 import argparse
 import pathlib
@@ -41,10 +41,10 @@ class Slide:
     radius: float             # mm
     depth: float              # mm
     poisson_ratio: float
-    legs: int = 2             # of the path of the tool after the press
+    legs: int = 2             # number of legs of the tool's path after the press
     friction: float = 0.5
     press_friction: float = 0.5
-    first: float = 0.025      # first increment after a turn, over u
+    first: float = 0.025      # first increment after a turn, as a fraction of u
     suffix: str = ""
 
     @property
@@ -61,29 +61,28 @@ class Slide:
 
     @property
     def reach(self):
-        """u, mm."""
+        """The largest displacement u, mm."""
         c = (2 - self.poisson_ratio) / (2 - 2 * self.poisson_ratio)
         return 1.4 * self.friction * c * self.depth
 
     @property
     def contact_stiffness(self):
-        """N/mm^3: the tool sinks into the surface by a thousandth of the depth."""
+        """Contact stiffness, N/mm^3: the tool penetrates the surface by a thousandth of the depth."""
         return 1000 * self.force / (np.pi * self.contact_radius ** 2) / self.depth
 
     @property
     def stick_slope(self):
-        """N/mm^3: less than 1 % of a stuck contact's compliance."""
+        """Stick slope, N/mm^3: it adds less than 1 % to the compliance of a sticking contact."""
         return 0.15 * self.contact_stiffness
 
 
-# Within small strain, a/R = 0.25; beyond it, 0.62; and the case of the paper: 14 N on the
-# half-space, deeper than R.
+# Radius and depth, mm. control: within small strain, a/R = 0.25; mid: beyond small strain, a/R = 0.62; deep: the case of the
+# paper, 14 N on the half-space, deeper than R.
 BODIES = {"control": (6.35, 0.4), "mid": (1.6, 0.65), "deep": (1.6, 1.95885)}
 CONTROL = BODIES["control"]
 CASES = {case.name: case for case in [
     Slide("control", *CONTROL, 0.3, legs=1), Slide("control", *CONTROL, 0.49, legs=3),
-    # With the full friction during the press these hardly converge. They start to move only by tiny
-    # increments.
+    # With the full friction during the press these cases hardly converge. The sphere starts to move with tiny increments.
     Slide("mid", *BODIES["mid"], 0.3, legs=1, press_friction=0.01, first=0.0005),
     Slide("mid", *BODIES["mid"], 0.49, legs=1, press_friction=0.01, first=0.002),
     Slide("deep", *BODIES["deep"], 0.3, legs=1, press_friction=0.01, first=0.0004),
@@ -94,7 +93,8 @@ CASES = {case.name: case for case in [
 
 
 def body_mesh(case):
-    """Finest under the contact and where it is dragged; the surface in reach of the tool is its contact."""
+    """Returns a mesh of the body, finest under the path of the contact; the contact surface is the part that the tool can
+    reach."""
     a = case.contact_radius
     step = 0.24 * a
     rings = 0.35 * a + mesh.graded(step, 0.95 * a, FAR - 0.35 * a, 3)
@@ -106,7 +106,7 @@ def body_mesh(case):
 
 
 def tool_mesh(case):
-    """A cap twice as wide as the contact, or the sphere's lower half and its shaft."""
+    """Returns a mesh of the tool: a cap twice as wide as the contact, or the lower half of the sphere and the shaft."""
     if case.radius > 2:
         return slide_mesh.half_tool(case.radius, 2.2 * np.arcsin(case.contact_radius / case.radius), 2, 2,
                                     0.1 * case.radius)
@@ -114,7 +114,7 @@ def tool_mesh(case):
 
 
 def write(case):
-    """The deck's text and the number of nodes of the body."""
+    """Returns the text of the deck and the number of nodes of the body."""
     body, tool = body_mesh(case), tool_mesh(case)
     points, radius = body.points, np.hypot(*body.points[:, :2].T)
     young = REDUCED_MODULUS * (1 - case.poisson_ratio ** 2)
@@ -133,7 +133,7 @@ def write(case):
     fixed = np.isclose(points[:, 2], -FAR) | np.isclose(radius, FAR)
     text += deck.node_set("SUPPORT", fixed) + deck.node_set("YPLANE", np.isclose(points[:, 1], 0) & ~fixed)
     text += "*BOUNDARY\nSUPPORT, 1, 3\nYPLANE, 2, 2\nTOOL, 1, 2\n"
-    # At most a tenth of the radius.
+    # An increment of the press is at most a tenth of the radius.
     press = min(1 / 4, 0.1 * case.radius / case.depth)
     text += step(case, press, press, 3, -case.depth)
     change = "*CHANGE FRICTION, INTERACTION=RUBBING\n" + rubbing(case, case.friction)
@@ -159,8 +159,8 @@ def step(case, first, largest, direction, displacement, change=""):
 
 
 def read(text, case):
-    """Rows (leg, depth mm, slide mm, normal force N, friction N) from the tables that CalculiX prints:
-    what the tool does to the whole body, taken from the reactions of the support."""
+    """Returns rows (leg, depth mm, slide mm, normal force N, friction N) from the tables that CalculiX prints: the forces of
+    the tool on the whole body, from the reactions of the support."""
     totals = {"TOOL": [], "SUPPORT": []}
     for name, *numbers in re.findall(
             r"total force \(fx,fy,fz\) for set (\w+) and time" + 4 * r"\s+(\S+)", text):
@@ -186,13 +186,13 @@ def read(text, case):
 
 
 def finished(case, rows):
-    """Whether the last row is where the tool's way ends."""
+    """Whether the last row is at the end of the tool's path."""
     last, (_, end) = [("press", (0, 0)), *LEGS.items()][case.legs]
     return rows[-1][0] == last and np.allclose(rows[-1][1:3], (case.depth, end * case.reach), rtol=1e-4)
 
 
 def solve(case, folder):
-    """Rows as of read(), nodes of the body, seconds, CalculiX's last words."""
+    """Returns the rows of read(), number of nodes of the body, computing time in s, and the last output of CalculiX."""
     text, nodes = write(case)
     job = folder / case.name
     pathlib.Path(str(job) + ".inp").write_text(text)

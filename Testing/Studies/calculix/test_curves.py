@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The committed finite-element curves (Data/Studies/calculix) against contact and plate theory.
+"""Compares the committed finite-element curves (Data/Studies/calculix) with contact and plate theory.
 
-It needs no CalculiX. Two sources give the accuracy of the curves: mesh_error.csv (elements twice as
-large), and the scatter from depth to depth, up to 0.3 %, from the contact search, which converges to
-0.1 % of the touching points. MESH allows both. Where the curves differ from theory by more, the
-difference is physical, and its size is stated with the test.
+CalculiX is not needed. The accuracy of the curves has two limits: mesh_error.csv (elements twice as
+large), and the scatter from depth to depth, up to 0.3 %, of the contact search, which converges to
+0.1 % of the touching points. MESH allows both. Larger differences between curves and theory are
+physical; the test states their size.
 """
 import pathlib
 import unittest
@@ -26,14 +26,14 @@ def curve(body, tool, material, suffix=""):
 
 
 def ratio_to_theory(body, tool, material, suffix=""):
-    """Deflections, contact radius over tool radius, force over the exact small-strain law."""
+    """Returns deflections, contact radius over tool radius, and force over that of the exact small-strain law."""
     case, deflections, forces = curve(body, tool, material, suffix)
     return (deflections, compare.contact_radii(case, deflections),
             forces / compare.predicted(case, deflections))
 
 
 class TestTheory(unittest.TestCase):
-    """The laws of theory.py themselves."""
+    """Tests the laws of theory.py."""
 
     def table(self, name):
         with open(REFERENCE / name, encoding="utf-8") as lines:
@@ -68,7 +68,7 @@ class TestTheory(unittest.TestCase):
         rigidity = 0.1 * 6 ** 3 / (12 * (1 - 0.45 ** 2))
         wide = theory.thin_plate_compliance(60, 6000, 6, 0.1, 0.45)
         self.assertAlmostEqual(wide * rigidity / 60 ** 2, 0.01695, delta=2e-5)
-        # Narrow plate: a beam, L^3 / 48 EI. Anticlastic bending adds terms of (width / length)^2.
+        # A narrow plate is a beam: L^3 / 48 EI. Anticlastic bending adds terms of the order (width / length)^2.
         narrow = theory.thin_plate_compliance(60, 0.6, 6, 0.1, 0.45)
         self.assertAlmostEqual(narrow * 48 * 0.1 * 0.6 * 6 ** 3 / 12 / 60 ** 3, 1, delta=2e-4)
 
@@ -103,9 +103,8 @@ class TestLocalBodies(unittest.TestCase):
             np.testing.assert_allclose(ratio, 1, atol=0.002)
 
     def test_spheres_at_small_contact(self):
-        # At larger depths CalculiX's small strain differs from theory. Most likely it lets
-        # displaced points come into contact and presses along the sphere's normal, both unlike the
-        # theory.
+        # At larger depths CalculiX's small strain differs from theory. Probably CalculiX uses displaced points for contact
+        # and pressures along the sphere's normal, both unlike the theory.
         for body in (cases.BLOCK, cases.LAYER):
             for tool in (cases.LARGE, cases.SMALL):
                 _, contact, ratio = ratio_to_theory(body, tool, "linear")
@@ -159,12 +158,11 @@ class TestPlates(unittest.TestCase):
         return np.array([curve(body, tool, material)[2] for tool in self.TOOLS])
 
     def compliance(self, body, tool, material="linear"):
-        """Of the series model, times E*, at each depth, 1/mm."""
+        """Returns the compliance of the series model, times E*, at each depth, 1/mm."""
         return compare.compliance(*curve(body, tool, material)) * compare.reduced_modulus(body)
 
     def test_tools_approach_each_other(self):
-        # (largest - smallest force) / mean at one depth. On a half-space it falls to 0.64 and rises
-        # again.
+        # The spread is (largest - smallest force) / mean at one depth. On a half-space it falls to 0.64 and rises again.
         for body, deepest in ((cases.CLAMPED, 0.18), (cases.EDGES, 0.11)):
             for material in ("linear", "neohooke"):
                 forces = self.forces(body, material)
@@ -185,7 +183,7 @@ class TestPlates(unittest.TestCase):
         first = self.compliance(cases.CLAMPED, cases.LARGE)[0]
         self.assertAlmostEqual(first / 3.4516, 1, delta=0.003)
         for tool in self.TOOLS:
-            # For the flat: 0.064 of the local part 1/(2a), times 1.5 to 3.
+            # The error for the flat is 0.064 of the local part 1/(2a), times 1.5 to 3.
             np.testing.assert_allclose(self.compliance(cases.CLAMPED, tool) / 3.4516, 1, atol=0.02)
 
     def test_plate_on_edges_compliance(self):
@@ -221,7 +219,7 @@ class TestPlates(unittest.TestCase):
 
 
 class TestValidity(unittest.TestCase):
-    """How deep the exact small-strain law holds against Neo-Hooke; the README gives these numbers."""
+    """The depths up to which the exact small-strain law agrees with Neo-Hooke; the README has these numbers."""
 
     def test_half_space_by_contact_over_radius(self):
         _, contact, ratio = ratio_to_theory(cases.BLOCK, cases.LARGE, "neohooke", "-deep")

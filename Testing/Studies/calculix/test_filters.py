@@ -1,11 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The project's filters against the committed finite-element curves: the response that
-vtkToolContactResponse stores for a half-space, a bonded layer and a plate in series is that of the bodies
-in CalculiX.
+"""Compares the project's filters with the committed finite-element curves: the response of vtkToolContactResponse
+for a half-space, a bonded layer and a plate in series is that of the bodies in CalculiX.
 
-Tolerances are those of test_curves.py, where they are explained, and in addition 0.3 % for the storage in
-eight samples from 5 % of the range on.
+The tolerances are those of test_curves.py, plus 0.3 % for the storage in eight samples from 5 % of the range on.
 """
 import unittest
 
@@ -22,7 +20,7 @@ STORAGE = 0.003
 
 
 def response(case, layer=0.0, compliance=None):
-    """Force of the filter's response at the case's depths, on a plane square."""
+    """Returns the force of the filter's response at the depths of the case, on a plane square."""
     square, triangles = vtkPlaneSource(), vtkTriangleFilter()
     triangles.SetInputConnection(square.GetOutputPort())
     triangles.Update()
@@ -63,7 +61,7 @@ class TestFilters(unittest.TestCase):
                                            err_msg=case.name)
 
     def test_layer_is_not_a_half_space(self):
-        # The comparison above would notice the wrong body: the layer is at least 15 % stiffer.
+        # The comparison above would detect a wrong body, because the layer is at least 15 % stiffer.
         case, forces = curve(cases.LAYER, cases.FLAT, "linear")
         self.assertTrue(np.all(forces > 1.15 * response(case)))
 

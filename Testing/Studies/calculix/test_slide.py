@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The committed curves of a dragged sphere (Data/Studies/sliding) and the parts of slide.py that need no
-CalculiX. The study of the paper tests the prediction against these curves."""
+"""Tests the committed curves of a dragged sphere (Data/Studies/sliding), and the parts of slide.py that need no
+CalculiX. The study of the paper compares the prediction with these curves."""
 import csv
 import pathlib
 import unittest
@@ -17,7 +17,7 @@ DATA = pathlib.Path(__file__).resolve().parents[3] / "Data" / "Studies" / "slidi
 
 
 def volumes(body):
-    """Volume of each element by its eight corners, 2 x 2 x 2 Gauss points; negative: inside out."""
+    """Returns the volume of each element from its eight corners, with 2 x 2 x 2 Gauss points; negative: inside out."""
     signs = np.array([(-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1),
                       (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)])
     corners, total = body.points[body.elements[:, :8]], 0.0
@@ -65,7 +65,7 @@ class TestMesh(unittest.TestCase):
 
 
 def printed(name, moment, force):
-    """As CalculiX prints it."""
+    """Returns the text that CalculiX prints."""
     return (" total force (fx,fy,fz) for set {} and time  {:.7E}\n\n        {:.6E}  {:.6E}  {:.6E}\n\n".format(
         name, moment, *force))
 
@@ -83,7 +83,7 @@ class TestReading(unittest.TestCase):
         self.assertEqual([row[0] for row in rows], ["press"] * 3 + ["out"] * 2 + ["back"] * 2 + ["forth"] * 2)
         np.testing.assert_allclose([row[1] for row in rows], [0, 0.5 * depth] + [depth] * 7)
         np.testing.assert_allclose([row[2] for row in rows], np.array([0, 0, 0, 0.25, 1, 0, -1, 0, 1]) * u)
-        # Half a model: the reaction is doubled.
+        # The model is one half, so that the reaction is doubled.
         np.testing.assert_allclose([row[3] for row in rows[1:]], 3.0)
         np.testing.assert_allclose([row[4] for row in rows[3:5]], [1.0, 1.6])
         self.assertTrue(slide.finished(self.CASE, rows))

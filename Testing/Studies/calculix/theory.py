@@ -10,7 +10,7 @@ import numpy as np
 
 
 def one_dimensional_profile(shape, radius):
-    """g(x) of the method of dimensionality reduction."""
+    """Returns the profile g(x) of the method of dimensionality reduction."""
     if shape == "flat":
         return lambda x: np.zeros_like(x)
     if shape == "paraboloid":
@@ -19,7 +19,7 @@ def one_dimensional_profile(shape, radius):
 
 
 def bisect(function, low, high):
-    """Root of a rising function."""
+    """Returns the root of a rising function."""
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if function(middle) < 0 else (low, middle)
@@ -47,7 +47,7 @@ def half_space_deflection(shape, radius, reduced_modulus, force):
 
 
 def series_force(shape, radius, reduced_modulus, compliance, deflection):
-    """F with deflection = half-space deflection(F) + compliance F."""
+    """Returns the force F for which deflection = half-space deflection(F) + compliance F."""
     local = bisect(lambda d: d + compliance * half_space_force(shape, radius, reduced_modulus, d) - deflection,
                    0.0, deflection)
     return half_space_force(shape, radius, reduced_modulus, local)
@@ -71,7 +71,7 @@ class BondedLayer:
         return np.cos(np.multiply.outer(s, self.omega)) @ self.spectrum
 
     def _solve(self, shape, radius, a):
-        """Depth for contact radius a (0 for flat: any depth), and F/(2 E*) = depth * i1 - ig."""
+        """Returns the depth for contact radius a (0 for flat: any depth), i1 and ig, where F/(2 E*) = depth * i1 - ig."""
         g = one_dimensional_profile(shape, radius)
         h = self.thickness
         x, w = 0.5 * a * (self.nodes + 1), 0.5 * a * self.weights
@@ -99,7 +99,7 @@ class BondedLayer:
 
 
 def thin_plate_compliance(length, width, thickness, young, poisson_ratio, terms=400):
-    """Deflection per force under a central point load; the edges at the ends of `length` are simply
+    """Returns the deflection per force under a central point load. The edges at the ends of `length` are simply
     supported, the two others free. Kirchhoff: no shear deformation."""
     rigidity = young * thickness ** 3 / (12 * (1 - poisson_ratio ** 2))
     b, nu, total = 0.5 * width, poisson_ratio, 0.0
@@ -110,7 +110,7 @@ def thin_plate_compliance(length, width, thickness, young, poisson_ratio, terms=
         fall = np.exp(-alpha * b)
 
         def derivatives(t, scale):
-            """Rows W, W', W'', W''' of exp(-t), t exp(-t), times scale."""
+            """Returns the rows W, W', W'', W''' of exp(-t) and t exp(-t), times `scale`."""
             return scale * np.array([[1, t], [-1, 1 - t], [1, t - 2], [-1, 3 - t]])
         signs = np.array([[1], [-1], [1], [-1]])
         at_load = np.hstack([derivatives(0, 1), signs * derivatives(alpha * b, fall)])

@@ -4,7 +4,7 @@
 
     ./run study continuity [--quick] [--output DIR] [--program FILE]
 
-Runs palpateContinuity (measure.cxx) and writes continuity.csv, the same as tables with orders in
+Runs palpateContinuity (measure.cxx) and writes continuity.csv, the results as tables with orders in
 continuity.md, and with matplotlib continuity.png, to DIR (default build/studies/continuity). Times depend on
 the machine; all other results are the same everywhere.
 """
@@ -18,8 +18,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 FORMS = ("Paper", "NormalizedDirection", "EnergyConsistent")
 SURFACES = ("Facets", "Smooth")
-# Column, title, floor: smaller values are rounding or quadrature error of the study and have no
-# order.
+# Column, title, floor. Values below the floor are rounding or quadrature error of the study; no order is computed.
 MEASURES = (
     ("jump_equal", "force jump, equal responses", 1e-8),
     ("jump_differing", "force jump, differing responses", 1e-8),
@@ -28,8 +27,8 @@ MEASURES = (
     ("error_size", "error of the force", 3e-6),
     ("error_direction_rad", "error of its direction, rad", 1e-5),
 )
-# Effect of the facets with equal responses; h is the longest edge, R the smallest radius, d the
-# depth. For the loop energy only the order is expected: a loop crosses jumps of both signs.
+# Expected effect of the facets with equal responses: h is the longest edge, R the smallest radius, d the depth. For the
+# loop energy only the order is expected, because a loop crosses jumps of both signs.
 EXPECTED = {
     "jump_equal": ("dh/R²", lambda h, r, d: d * h / r ** 2),
     "loop_equal": ("h²/(Rd)", lambda h, r, d: h * h / (r * d)),
@@ -53,12 +52,12 @@ def read(text):
 
 
 def select(rows, **wanted):
-    """The rows of one body, form, ...; from coarse to fine."""
+    """Returns the rows with these values, such as those of one body and form, from coarse to fine."""
     return [row for row in rows if all(row[name] == value for name, value in wanted.items())]
 
 
 def order(rows, name, floor):
-    """Of the whole range of sizes; None where there is nothing but rounding."""
+    """Returns the order over the whole range of sizes; None if a value is below the floor."""
     first, last = rows[0], rows[-1]
     if len(rows) < 2 or min(first[name], last[name]) < floor:
         return None
@@ -80,7 +79,7 @@ def bodies(rows):
 
 
 def tables(rows):
-    """Markdown: a table per body; in each cell the meshes from coarse to fine, and the order."""
+    """Returns Markdown with a table per body. Each cell has the values from the coarse to the fine mesh, and the order."""
     lines = []
     for body, normals in bodies(rows):
         mine = select(rows, body=body, normals=normals)

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The results of the study of continuity in Data/Studies/continuity, and a quick run of it, agree with its README.
+"""Tests that the results of the study of continuity in Data/Studies/continuity and a quick run agree with its README.
 
     test_continuity.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateContinuity
 
-Times are not judged. ContinuityTest has the formulas.
+Times are not tested. The test ContinuityTest checks the formulas.
 """
 import pathlib
 import sys
@@ -72,8 +72,7 @@ class Quick(unittest.TestCase):
         for row in rows:
             same = run.select(committed, **{name: row[name] for name in ("body", "normals", "form", "surface", "edge_mm")})
             self.assertEqual(len(same), 1)
-            # The largest value over a part of the paths and places must not be larger (printed to
-            # four digits).
+            # The quick run has a part of the paths and places: its largest value must not be larger (four digits).
             for name in FLOOR:
                 self.assertLessEqual(row[name], 1.001 * max(same[0][name], FLOOR[name]))
 

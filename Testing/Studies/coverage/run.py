@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How often the stated error of a force covers the true one, family by family.
+"""Measures how often the stated error of a force covers the true error, for each family of contacts.
 
-Draws contacts at random: row of a reference table, size and stiffness of the body, its turn in space, place under the
+Contacts are random: row of a reference table, size and stiffness of the body, rotation and position, place under the
 tool, kind of mesh defect. The true force is that of the table (Data/Reference: closed forms, integral equations,
-boundary elements, finite elements of other codes). Palpate gets the body as a mesh through its Python package, and
-states force and error. A case is covered if the true error is at most the sum of the stated error, the table's own
-error and 1e-6 (rounding of floats).
+boundary elements, finite elements of other codes). Palpate receives the body as a mesh through its Python package, and
+returns force and stated error. A case is covered if the true error is at most the sum of the stated error, the error of
+the table and 1e-6 (rounding of floats).
 
     run.py [--count N] [--seed S] [--output DIR] [--family NAME]
 
@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[3]
 REFERENCE = ROOT / "Data" / "Reference"
 ROUNDING = 1e-6
 GOAL = 0.95
-RATIO = 3.0                      # median stated over median true error, at most
+RATIO = 3.0                      # largest allowed ratio of the median stated error to the median true error
 
 
 def rows(name):
@@ -37,17 +37,17 @@ def rows(name):
 
 
 def matrix(name):
-    """(row values, column values, numbers) of a table whose first row holds the column values."""
+    """Returns (row values, column values, numbers) of a table whose first row contains the column values."""
     with open(REFERENCE / name, newline="", encoding="utf-8") as file:
         table = list(csv.reader(file))
     return ([float(row[0]) for row in table[1:]], [float(value) for value in table[0][1:]],
             np.array([[float(value) for value in row[1:]] for row in table[1:]]))
 
 
-# Bodies: points, triangles, the place to press and its outward normal.
+# Bodies, each as points and triangles. The place of the press is the origin; its outward normal is +z.
 
 def plate(half):
-    """A square of 2 `half`, about the origin, finer towards it; stands for an endless plane."""
+    """A square about the origin with sides of 2 `half`, finer towards the origin; it represents an infinite plane."""
     steps = np.linspace(-1, 1, 41)
     x = half * np.sign(steps) * np.abs(steps) ** 1.5
     points = np.array([[a, b, 0.0] for b in x for a in x])
@@ -58,7 +58,7 @@ def plate(half):
 
 
 def block(side):
-    """A cube whose upper face lies in z = 0 and whose edge x = 0 ends it."""
+    """A cube with its upper face in z = 0; the edge x = 0 bounds this face."""
     grid = np.linspace(0, 1, 9)
     points, triangles, number = [], [], {}
 
@@ -84,7 +84,7 @@ def block(side):
 
 
 def ball(radius):
-    """A sphere whose top is the origin: of an icosahedron cut five times, the pole turned to a point."""
+    """A sphere whose top is at the origin: an icosahedron, refined five times and rotated so that a point is at the top."""
     golden = (1 + 5 ** 0.5) / 2
     corners = [[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0], [0, -1, golden], [0, 1, golden],
                [0, -1, -golden], [0, 1, -golden], [golden, 0, -1], [golden, 0, 1], [-golden, 0, -1], [-golden, 0, 1]]
@@ -116,16 +116,16 @@ def ball(radius):
 
 
 def cavity(radius):
-    """A spherical hole in a ball forty times as large; the origin is the lowest point of the hole."""
+    """A spherical hole in a ball with forty times the radius; the origin is the lowest point of the hole."""
     hole, faces = ball(radius)
     outside, more = ball(40 * radius)
     return (np.vstack([-hole, outside + [0, 0, 41 * radius]]), np.vstack([faces, more + len(hole)]))
 
 
-# What a mesh suffers on its way, without a change of the shape.
+# Defects of a mesh that do not change the shape.
 
 def damaged(points, triangles, kind, random):
-    if kind == "seam":                       # each triangle of a strip has points of its own
+    if kind == "seam":                       # some triangles have separate points
         strip = random.random(len(triangles)) < 0.2
         extra = triangles[strip].ravel()
         triangles = triangles.copy()
@@ -156,17 +156,17 @@ def turned(random):
 
 
 class Case:
-    """One contact: a body in its own frame, what is pressed into it, and the true force."""
+    """One contact: a body in its own frame, the tool that is pressed into it, and the true force."""
 
     def __init__(self, body, tool, depth, true, *, site=(0.0, 0.0, 0.0), own=0.0, axis=None, second=None, way=None,
                  deepest=0.0, **response):
         self.body, self.tool, self.depth, self.true = body, tool, depth, true
         self.site, self.own, self.axis, self.second, self.way = np.array(site), own, axis, second, way
-        self.deepest = max(depth, deepest)   # of the tool, below the surface
+        self.deepest = max(depth, deepest)   # depth of the tool's deepest point below the surface
         self.response = response
 
     def felt(self, random, defect):
-        """Force and stated error, of the body turned, moved and damaged."""
+        """Returns force and stated error for the body after a rotation, a translation and a mesh defect."""
         points, triangles = damaged(*self.body, defect, random)
         turn, shift = turned(random), random.uniform(-200, 200, 3)
 
@@ -191,7 +191,7 @@ class Case:
 
 
 def scales(random):
-    """Length (mm) and Young's modulus (MPa), as the unit of a case."""
+    """Returns a random length (mm) and Young's modulus (MPa), the scales of a case."""
     return 10 ** random.uniform(-0.3, 0.7), 10 ** random.uniform(-2.5, 0.5)
 
 
@@ -199,7 +199,7 @@ def reduced(young, poisson):
     return young / (1 - poisson ** 2)
 
 
-# Families. Each yields a Case for a random state.
+# Families. Each function returns a random Case.
 
 def half_space(random):
     """Tools on a half-space in closed form: Hertz, Sneddon, Galin."""
@@ -207,7 +207,7 @@ def half_space(random):
     poisson = random.uniform(0.2, 0.5)
     star = reduced(young, poisson)
     kind = random.choice(["paraboloid", "flat", "cone", "power"])
-    # Small strain is in question elsewhere: shallow presses.
+    # The presses are shallow, because errors of small strain are tested by another family.
     if kind == "paraboloid":
         depth = length * 10 ** random.uniform(-4, -2.3)
         true = 4 / 3 * star * math.sqrt(length) * depth ** 1.5
@@ -348,9 +348,9 @@ def tilt(random):
     row = found[random.integers(len(found))]
     name, degrees, poisson = row["tool"], float(row["theta_deg"]), 0.45 if is_layer else random.uniform(0.3, 0.5)
     angle, deepest = math.radians(degrees), float(row["D"]) * length
-    # The depth of the table is that of the deepest point; that of a probe is the depth of the tip, on the axis.
+    # The table has the depth of the tool's deepest point; the probe has the depth of the tip, which is on the axis.
     depth = deepest + lowest[name, degrees] * length
-    shallow = float(row["D"]) < 0.05             # of flat ends pressed less, the table has an error of 1.8 %
+    shallow = float(row["D"]) < 0.05             # for flat ends at smaller depths the error of the table is 1.8 %
     own = 4e-4 if name.startswith(("cone", "blunt")) else 0.018 if shallow else 0.004
     return Case(plate(60 * length), TILTED[name].format(length, 0.25 * length), depth,
                 float(row["F_over_Estar"]) * reduced(young, poisson) * length ** 2, own=own,
@@ -359,7 +359,7 @@ def tilt(random):
 
 
 def edge(random):
-    """Next to and beyond the straight edge of a block, led there on a path: Hetenyi's quarter spaces."""
+    """Tools near the straight edge of a block, reached along a path: Hetenyi's quarter spaces."""
     length, young = scales(random)
     found = [r for r in rows("edges/edge_law.csv") if float(r["m"]) in (1.0, 1.5) and float(r["u=d/a0"]) >= 0.0
              and float(r["u=d/a0"]) <= 4.0]
@@ -415,7 +415,7 @@ def draw(name, count, seed):
         defect = DEFECTS[random.integers(len(DEFECTS))]
         try:
             force, stated = case.felt(random, defect)
-        except ValueError:                       # refused in words, such as a tilt that lays a cone's flank on the body
+        except ValueError:                       # refused with a reason, such as a tilt with a cone's flank on the body
             continue
         error = abs(force / case.true - 1.0)
         found.append({"family": name, "tool": case.tool, "defect": defect, "depth_mm": case.depth,

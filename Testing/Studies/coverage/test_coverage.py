@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study of coverage: the committed cases reach the goal, and so do a few new cases, drawn with another seed.
+"""Tests the study of coverage: the committed cases and a few new random cases with another seed reach the goal.
 
     test_coverage.py [UNITTEST ARGS]
 """

@@ -57,8 +57,8 @@ double exact(const AxisymmetricTool& pressed, double depth)
 const Eigen::Vector3d Top(0.0, 0.0, Thickness);
 const DirectPlace Straight{ Top, -Eigen::Vector3d::UnitZ() };
 
-/// The nodal contact of the reference sheet has +0.5 to 1 % with five facets over the contact
-/// radius. Linear elements need more facets.
+/// The force of the nodal contact of the reference sheet is 0.5 to 1 % too large with five facets
+/// over the contact radius. Linear elements need more facets.
 TEST(DirectContact, SphereOnALayer)
 {
   const auto sphere = tool("sphere:6.35");
@@ -73,8 +73,8 @@ TEST(DirectContact, SphereOnALayer)
   }
 }
 
-/// The pressure is infinite at the rim, which is inside a facet. So the error is proportional to
-/// the facet length, here 0.2 of the radius.
+/// The pressure is infinite at the rim, which is inside a facet. Therefore the error is
+/// proportional to the facet length, here 0.2 of the radius.
 TEST(DirectContact, FlatOnALayer)
 {
   const auto flat = tool("flat:1.6");
@@ -110,7 +110,7 @@ TEST(DirectContact, Aslant)
   for (const double degrees : { 10.0, 15.0 })
   {
     const double aslant = degrees * std::acos(-1.0) / 180.0;
-    // The point of first contact ends up in the fine middle.
+    // At the end of the press, the point of first contact is in the fine middle of the mesh.
     const Eigen::Vector3d inward(std::sin(aslant), 0.0, -std::cos(aslant));
     const Eigen::Vector3d place((radius - depth) * -std::sin(aslant), 0.0, 0.0);
     const DirectPlace at{ Top - place, inward };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /*
- * Compares stated and true errors of forces at random contacts: a row per law and depth.
+ * Compares stated and true errors of forces at random contacts. Prints a row per law and depth.
  *
  *   palpateErrorCases FAMILY COUNT SEED     FAMILY: half-space, layer, stack, ball, cavity
  *

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Share of a surface where the stated error of a tool's force at a depth is within a tolerance, and the largest part of
-the error elsewhere."""
+"""Computes the share of a surface on which the stated error of a tool's force is within a tolerance, and the largest part
+of the error on the rest of the surface."""
 import numpy as np
 import palpate
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -12,7 +12,7 @@ LIMITS = ("storage", "strain", "curvature", "thickness", "opposite wall", "edge"
 
 
 def poly(points, triangles):
-    """A vtkPolyData of points (n, 3) in mm and triangles (m, 3)."""
+    """Returns a vtkPolyData with points (n, 3) in mm and triangles (m, 3)."""
     body, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
     places.SetData(numpy_to_vtk(np.ascontiguousarray(points, np.float32), deep=True))
     body.SetPoints(places)
@@ -24,7 +24,7 @@ def poly(points, triangles):
 
 
 def force_on_layer(tool, height, deflection, young, poisson):
-    """The exact force, N, of a tool on an endless layer that is bonded to a rigid base."""
+    """Returns the exact force (N) of a tool on an infinite layer that is bonded to a rigid base."""
     points = np.array([[x, y, 0.0] for x in (-90, 0, 90) for y in (-90, 0, 90)])
     triangles = np.array([[a, a + 3, a + 4] for a in (0, 1, 3, 4)] + [[a, a + 4, a + 1] for a in (0, 1, 3, 4)])
     layer = palpate.response((points, triangles), tool, young=young, poisson=poisson, layer=height, curvature=False,
@@ -34,7 +34,7 @@ def force_on_layer(tool, height, deflection, young, poisson):
 
 
 def read_head(scan):
-    """The skin of a head's scan, as the demo has it."""
+    """Returns the skin of a scan of a head, made as in the demo."""
     from vtkmodules.vtkIOImage import vtkNIFTIImageReader
     reader, skin = vtkNIFTIImageReader(), palpate.vtkSkinSurface()
     reader.SetFileName(str(scan))
@@ -44,7 +44,7 @@ def read_head(scan):
 
 
 def read_body(file, length=None):
-    """A file's surface; `length`: what its longest side is scaled to, mm."""
+    """Returns the surface of a file, scaled so that its longest side is `length` mm; None: not scaled."""
     surface = palpate.response(file, tool="sphere:1", maximum_deflection=0.001, compliance=None)
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
@@ -53,7 +53,7 @@ def read_body(file, length=None):
 
 
 def areas(body):
-    """Area of each point, mm²: a third of the triangles around it."""
+    """Returns the area of each point, mm²: a third of the area of the triangles around the point."""
     points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
     cells = vtk_to_numpy(body.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[cells[:, k]] for k in range(3))
@@ -65,7 +65,8 @@ def areas(body):
 
 
 def shares(made, name, area, tolerance):
-    """The share of the area whose stated error at the range is within the tolerance, and of the rest the shares by largest part."""
+    """Returns the share of the area in which the stated error at the range is within the tolerance, and the shares of the
+    rest by the largest part of the error."""
     arrays = made.GetPointData()
     error = vtk_to_numpy(arrays.GetArray(name + "Error"))[:, -1]
     limit = vtk_to_numpy(arrays.GetArray(name + "Limit"))
@@ -76,7 +77,7 @@ def shares(made, name, area, tolerance):
 
 
 def cover(body, tool, depth=1.0, tolerance=0.05, poisson=0.45):
-    """The share of the area, and of the rest the shares by largest part."""
+    """Returns shares() of a response with curvature and Neo-Hooke, pressed to `depth` mm."""
     made = palpate.response(body, tool=tool, young=0.05, poisson=poisson, maximum_deflection=depth, curvature=True,
                             strain="neohooke", error_tolerance=tolerance)
     return shares(made, "Response", areas(made), tolerance)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stored responses against direct contact on a fine mesh, at places chosen at random: those of true shape, or those of a
-law in series with the compliance of the whole body.
+"""Compares stored responses with direct contact on a fine mesh, at random places. The responses are those of true shape, or
+those of a law in series with the compliance of the whole body.
 
-Each place gets a mesh of its own, fine under the tool, on which palpateDirectContact presses the tool: without a Green
-function and without a law of contact. Both use the same smooth surface, in which four triangles replace one of the body
-(Dyn, Levin and Gregory 1990), as many times as requested. For the direct contact, which takes facets as they are, the
-surface is refined once more. So the shape between the points of a scan is not judged here. With --smooth 0 neither is
-refined, and facets count as errors. Both are at small strain. The stated error is that with Neo-Hooke, of which small
-strain is no part.
+Each place gets a separate mesh, fine under the tool, on which palpateDirectContact presses the tool: without a Green
+function and without a law of contact. Response and direct contact use the same smooth surface, in which four triangles
+replace one of the body (Dyn, Levin and Gregory 1990), as many times as requested. The direct contact is with facets;
+therefore its surface is refined once more. The error of the shape between the points of a scan is not included. With
+--smooth 0 neither surface is refined, and facets count as errors. Both forces are at small strain. The stated error is
+that of the response with Neo-Hooke, so that it has no part for small strain.
 """
 import csv
 import pathlib
@@ -27,15 +27,16 @@ from cover import LIMITS, areas, force_on_layer, poly
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[3] / "build" / "release" / "bin" / "palpateDirectContact"
 CELLS = 30000      # number of cells away from the tool
-FACETS = 0.3       # facet size under the tool over the contact radius: for a ball's pole the error is within 1 %
-RIM = 0.12         # the same at the rim of a flat end: within 2 %
-AROUND = 1.4       # such facets extend to this multiple of the contact radius
+FACETS = 0.3       # facet size under the tool over the contact radius: at the pole of a ball the error is within 1 %
+RIM = 0.12         # facet size at the rim of a flat end over the contact radius: the error is within 2 %
+AROUND = 1.4       # the small facets extend to this multiple of the contact radius
 RANGES = ((0.0, 0.05), (0.05, 0.1), (0.1, 0.3))  # intervals of the stated error
 COLUMNS = ("body", "tool", "point", "x", "y", "z", "stated", "limit", "force_N", "direct_N", "open", "error")
 
 
 def smooth(body, times):
-    """The body with four triangles for one, `times` over; its points stay the first. ValueError where VTK cannot."""
+    """Returns the body with each triangle replaced by four, `times` times. The points of the body remain the first points.
+    Raises ValueError if VTK cannot refine the body."""
     if times == 0:
         return body
     finer = vtkButterflySubdivisionFilter()
@@ -48,7 +49,7 @@ def smooth(body, times):
 
 
 def filled(body, fixed, spacing, tool, place, inward):
-    """The body in tetrahedra, fine around the place."""
+    """Returns the body filled with tetrahedra, which are fine around the place."""
     radius = true_shape.contact_tool(tool).GetContactRadius(1.0)
     made = palpate.vtkGradedBody()
     made.SetInputData(body)
@@ -65,8 +66,8 @@ def filled(body, fixed, spacing, tool, place, inward):
 
 
 def direct_forces(grid, tool, place, inward, young=0.05, poisson=0.45, depth=1.0):
-    """The forces of the direct contact at small strain, N: pushed along the mean normal, and along each its own; NaN where it
-    fails."""
+    """Returns two forces (N) of the direct contact at small strain: with all pressures along the mean normal, and with each
+    pressure along its own normal. NaN if the direct contact fails."""
     with tempfile.NamedTemporaryFile(suffix=".vtu") as file:
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetFileName(file.name)
@@ -80,7 +81,7 @@ def direct_forces(grid, tool, place, inward, young=0.05, poisson=0.45, depth=1.0
 
 
 def block(half=25.0, height=10.0):
-    """A block as a closed surface, its top at z = 0."""
+    """Returns a block as a closed surface with its top at z = 0."""
     corners = np.array([(x, y, z) for z in (-height, 0.0) for y in (-half, half) for x in (-half, half)])
     sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6))
     triangles = [(a, b, c) for a, b, c, _ in sides] + [(a, c, d) for a, _, c, d in sides]
@@ -88,14 +89,14 @@ def block(half=25.0, height=10.0):
 
 
 def own_error(tool):
-    """What the direct contact makes of a tool's force on a bonded layer, over the exact: what its facets do."""
+    """Returns the force of the direct contact on a bonded layer, divided by the exact force: the effect of the facets."""
     place, inward = np.zeros(3), np.array((0.0, 0.0, -1.0))
     direct = direct_forces(filled(block(), "z-", 2.5, tool, place, inward), tool, place, inward)[0]
     return direct / force_on_layer(tool, 10.0, 1.0, 0.05, 0.45)
 
 
 def drawn(made, tool, area, count, random):
-    """Points with a curve to the end, by area: `count` from each range of the stated error."""
+    """Yields random points with a complete curve, weighted by area: `count` from each range of the stated error."""
     error = true_shape.array(made, tool, "Error")[:len(area), -1]
     usable = (true_shape.array(made, tool, "Status")[:len(area)] == 0) & (true_shape.array(made, tool, "Range")[:len(area)] > 0.999)
     for low, high in RANGES:
@@ -106,8 +107,8 @@ def drawn(made, tool, area, count, random):
 
 
 def judge(name, body, press, count, times, own, seed=5):
-    """Rows of COLUMNS; `press`: makes the responses of a surface, and names the faces that hold it; `own`: own_error() of each
-    tool."""
+    """Yields rows of COLUMNS. `press` returns the surface with responses, and the names of the faces that hold it; `own` is
+    own_error() of each tool."""
     surface = smooth(body, times)
     made, fixed = press(surface)
     facets = smooth(body, times + 1 if times else 0)  # on the bunny, facets of 1.5 mm reduce a force by 2 %
@@ -134,7 +135,8 @@ def judge(name, body, press, count, times, own, seed=5):
 
 
 def summary(rows, holds):
-    """By body, tool and range of the stated error: how many, how many of them hold, the median error."""
+    """Yields for each body, tool and range of the stated error: number of rows, number of rows for which the stated error
+    holds, median error."""
     for body, tool in sorted({(row["body"], row["tool"]) for row in rows}):
         for low, high in RANGES:
             found = [row for row in rows if (row["body"], row["tool"]) == (body, tool) and low < float(row["stated"]) <= high]
@@ -144,7 +146,7 @@ def summary(rows, holds):
 
 
 def write(bodies, press, count, times, output):
-    """Leaves direct.csv; returns its rows."""
+    """Writes direct.csv and returns its rows."""
     rows = []
     own = {tool: own_error(tool) for tool in true_shape.TOOLS}
     with open(output / "direct.csv", "w", encoding="utf-8", newline="") as file:

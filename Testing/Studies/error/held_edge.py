@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far a base reduces the softening by an edge: Data/Reference/edges/held_edge.csv.
+"""Computes the reduction of an edge's softening by a base: Data/Reference/edges/held_edge.csv.
 
     ./run python Testing/Studies/error/held_edge.py FILE.csv
 

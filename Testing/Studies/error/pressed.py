@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Share of a body that is within 5 % if direct contact takes over: vtkDirectContactResponse presses a tool at points drawn
-at random by area from the part that contacts of true shape do not cover."""
+"""Computes the share of a body whose error is within 5 % if direct contact is used where contacts of true shape do not
+suffice. vtkDirectContactResponse presses a tool at random points of that part, weighted by area."""
 import csv
 import sys
 import time
@@ -14,11 +14,11 @@ from cover import areas
 from direct import smooth
 
 COLUMNS = ("body", "tool", "share_by_law", "pressed", "share_of_these", "failed", "share_by_both", "standard_error", "seconds_each")
-CAN_BE = (0, 3, 5)  # Status: valid, folded, edge
+CAN_BE = (0, 3, 5)  # values of Status of points that can be pressed: valid, folded, edge
 
 
 def fine(body, times):
-    """Refined smoothly, if it can be."""
+    """Returns the body, smoothly refined if VTK can refine it."""
     try:
         return smooth(body, times)
     except ValueError as fault:
@@ -27,7 +27,8 @@ def fine(body, times):
 
 
 def drawn(made, tool, count, random, depth=1.0, tolerance=0.05):
-    """Points by area from what is not covered, and the share of the area that is."""
+    """Returns random points of the part that is not covered, weighted by area; the share of the area that is covered; and the
+    share that is not covered but can be pressed."""
     status, error = true_shape.array(made, tool, "Status"), true_shape.array(made, tool, "Error")[:, -1]
     free = np.where(status != true_shape.HELD, areas(made), 0.0)
     covered = (status == 0) & (true_shape.array(made, tool, "Range") > 0.999 * depth) & (error <= tolerance)
@@ -38,7 +39,7 @@ def drawn(made, tool, count, random, depth=1.0, tolerance=0.05):
 
 
 def judge(name, body, fixed, count, times, seed=7, depth=1.0, tolerance=0.05):
-    """Rows of COLUMNS."""
+    """Yields rows of COLUMNS."""
     made = true_shape.press(body, fixed)
     side = true_shape.sides(body)[1]
     solids = [true_shape.solid(body, fixed, longer * side).GetOutput() for longer in (1, true_shape.COARSER)]
@@ -75,7 +76,7 @@ def judge(name, body, fixed, count, times, seed=7, depth=1.0, tolerance=0.05):
 
 
 def write(bodies, fixed, count, times, output):
-    """Leaves pressed.csv."""
+    """Writes pressed.csv."""
     with open(output / "pressed.csv", "w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(COLUMNS)

@@ -1,31 +1,32 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks whether the stated error holds, and the share of a body where it is small enough.
+"""Checks whether the stated error holds, and computes the share of a body on which it is small enough.
 
     ./run study error [--contacts N] [--cases FILE ...] [--body FILE[:LENGTH] ...] [--output DIR]
 
-Cases: contacts drawn at random on half-spaces, layers, stacks, balls and in cavities, each pressed by the solver of
-finite strain (palpateErrorCases; N of each, 5 to 20 s of a processor per contact), or the rows of existing FILEs.
+Cases: random contacts on half-spaces, layers, stacks, balls and in cavities, each solved by the finite-strain solver
+(palpateErrorCases; N of each, 5 to 20 s of a processor per contact), or the rows of existing FILEs.
 Writes cases.csv, cases.md (how often the bound holds, and how wide it is) and scatter.png: stated error over true
 error, with the 1:1 line.
 
-Cover: the share of the surface where a tool's error at 1 mm is stated to be at most 5 %, with curvature correction
+Cover: the share of the surface on which the stated error of a tool at 1 mm is at most 5 %, with curvature correction
 and Neo-Hooke, nu = 0.45: on the head of Debian's mricron-data if it is installed, and on each FILE (.stl .ply .obj
 .vtp ...), scaled so that its longest side is LENGTH mm. Writes cover.csv. A missing scan or file is reported.
 
     ./run study error --solid SIDES --body FILE[:LENGTH] ... [--finer CELLS | --direct N | --press N] [--smooth TIMES]
 
-The same by finite elements of true shape for each FILE, a closed surface held at SIDES (such as y-:4). With --finer
-also how often the stated error holds against CELLS tetrahedra. Writes solid.csv. Takes minutes per body.
+Computes the cover by finite elements of true shape for each FILE, a closed surface held at SIDES (such as y-:4). With
+--finer also compares the stated error with the change of the force on a mesh of CELLS tetrahedra. Writes solid.csv.
+Takes minutes per body.
 
-With --direct instead: how far the stated error holds against direct contact on a separate finer mesh, at N random places
-for each tool and each range of the stated error (direct.py). The surface is smoothly refined TIMES times. Writes
-direct.csv. Takes a dozen seconds per place. Without --solid, the responses are those of the law in series with the
-compliance of the whole body (whole_body.py).
+With --direct instead: compares the stated error with direct contact on a separate finer mesh, at N random places for each
+tool and each range of the stated error (direct.py). The surface is smoothly refined TIMES times. Writes direct.csv. Takes
+a dozen seconds per place. Without --solid, the responses are those of the law in series with the compliance of the whole
+body (whole_body.py).
 
-With --press: how much more of the body is within 5 % if direct contact (vtkDirectContactResponse) takes over, at N random
-places for each tool in the rest of the body (pressed.py). The surface is smoothly refined TIMES + 1 times. Writes
-pressed.csv.
+With --press: computes the additional share of the body whose error is within 5 % with direct contact
+(vtkDirectContactResponse), from N random places for each tool in the rest of the body (pressed.py). The surface is
+smoothly refined TIMES + 1 times. Writes pressed.csv.
 """
 import argparse
 import csv
@@ -39,7 +40,7 @@ PROGRAM = ROOT / "build" / "release" / "bin" / "palpateErrorCases"
 SCAN = pathlib.Path("/usr/share/mricron/templates/ch2.nii.gz")  # Debian's mricron-data: Colin 27
 FAMILIES = ("half-space", "layer", "stack", "ball", "cavity")
 SOLVER = 0.004  # error of the solver's own force
-DIRECT = 0.01  # error of direct contact, in addition to the difference between its two ways
+DIRECT = 0.01  # error of direct contact, in addition to half the difference between its two forces
 
 
 def solve(family, count, seed):
@@ -53,7 +54,8 @@ def read(file):
 
 
 def summary(rows):
-    """By family and law: number, share that holds, median of stated over true error (at least 0.5 %)."""
+    """Yields for each family and law: number of rows, share for which the stated error holds, median ratio of the stated
+    error to the true error (at least 0.5 %)."""
     groups = {}
     for row in rows:
         groups.setdefault((row["family"], row["law"]), []).append((float(row["stated"]), float(row["error"])))
@@ -103,7 +105,7 @@ def draw(rows, output):
 
 
 def bodies(files):
-    """Names and bodies; what is missing is said."""
+    """Yields names and bodies; prints a text for a missing body."""
     from cover import read_body, read_head
     if SCAN.exists():
         yield "head", read_head(SCAN)
@@ -134,7 +136,7 @@ def write_solid(files, fixed, finer, output):
         stream.write("body,points,tool,share_within_5_percent,beyond_stated,compared,median_error,median_surface_error,rest_by_limit\n")
         for name, body in bodies(files):
             if name == "head" and len(files) > 0:
-                continue  # the study takes its own layers, not a solid
+                continue  # the head is studied with layers, not as a solid
             try:
                 made = true_shape.press(body, fixed)
                 better = true_shape.press(body, fixed, finer, coarser=0) if finer else None
@@ -153,7 +155,7 @@ def write_solid(files, fixed, finer, output):
 
 
 def holds(row):
-    """Whether what a row of direct.csv states bounds its error, but for what the direct contact's two ways leave open."""
+    """Whether the stated error of a row of direct.csv bounds its true error, within the uncertainty of direct contact."""
     return abs(float(row["error"])) <= float(row["stated"]) + DIRECT + float(row["open"])
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The results of the study of errors in Data/Studies/error: the stated error holds, and is of the size of the true error.
+"""Tests the results of the study of errors in Data/Studies/error: the stated error holds, and is about as large as the true
+error.
 
     test_error.py [UNITTEST ARGS]
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cover and correctness of the stated error of contacts of true shape, on a closed surface filled with tetrahedra."""
+"""Stated error of contacts of true shape: the share of the surface on which it is small, and its correctness. The body is a
+closed surface filled with tetrahedra."""
 import numpy as np
 import palpate
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -7,8 +8,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from cover import areas, shares
 
 TOOLS = ("sphere:6.35", "flat:1.6", "sphere:1.6")  # the widest first: the others reuse its solutions
-HELD = 4  # a value of Status
-CELLS = 20000  # as in palpate --solid; SOURCES as well
+HELD = 4  # the value of Status of points that are held
+CELLS = 20000  # the value of palpate --solid, like SOURCES
 SOURCES = 10000
 SMALL = "Small"  # prefix of responses at small strain
 COARSER = 2  # cell size of the second mesh over that of the first
@@ -21,14 +22,15 @@ def contact_tool(text):
 
 
 def sides(body, cells=CELLS, depth=1.0):
-    """Mean length of a surface's cells for that many in all, and that which is made of it, no finer than a tool needs; mm."""
+    """Returns the mean length (mm) of the cells at the surface for a total number of cells, and the length that is used: not
+    finer than the tools need."""
     radius = max(contact_tool(text).GetContactRadius(depth) for text in TOOLS)
     spacing = np.sqrt(8.7 * areas(body).sum() / cells)
     return spacing, max(spacing, 0.5 * radius) if cells == CELLS else spacing
 
 
 def solid(body, fixed, side):
-    """The filter that has filled it. ValueError where it cannot be."""
+    """Returns the updated filter that fills the body. Raises ValueError if the body cannot be filled."""
     filled = palpate.vtkGradedBody()
     filled.SetInputData(body)
     filled.SetSurfaceSpacing(side)
@@ -41,9 +43,10 @@ def solid(body, fixed, side):
 
 def press(body, fixed, cells=CELLS, depth=1.0, tolerance=0.05, poisson=0.45, coarser=COARSER,
           small=False):
-    """The surface with what each tool feels of the body, held at `fixed`, with Neo-Hooke's strain; arrays are called by the tools.
-    `coarser` 0: without a second mesh, which tells nothing but the error; `small`: also at small strain, called SMALL and the tool.
-    ValueError where the body cannot be filled or pressed; VTK has said why."""
+    """Returns the surface with a response of each tool with Neo-Hooke; the tool is the name of the response. The body is held
+    at `fixed`. `coarser` 0: without the second mesh, which is used only for the error. `small`: with another response at
+    small strain, whose name is SMALL and the tool. Raises ValueError if the body cannot be filled or pressed; VTK then
+    reports the reason."""
     area = areas(body).sum()
     tools = {text: contact_tool(text) for text in TOOLS}
     radius = max(tool.GetContactRadius(depth) for tool in tools.values())
@@ -81,24 +84,26 @@ def array(made, tool, name):
 
 
 def cover(made, tool, depth=1.0, tolerance=0.05):
-    """The share of the area that is not held where the stated error at the depth is within the tolerance, and the rest by what
-    limits validity: what is largest where the error first passes the tolerance, seen from below."""
+    """Returns the share of the area in which the stated error at the depth is within the tolerance, and the shares of the rest
+    by the largest part of the error at the depth where the error first exceeds the tolerance. The held area is excluded."""
     free = np.where(array(made, tool, "Status") != HELD, areas(made), 0.0)
-    reached = array(made, tool, "Range") > 0.999 * depth  # excludes curves that end before
+    reached = array(made, tool, "Range") > 0.999 * depth  # excludes curves that end at a smaller depth
     share, rest = shares(made, tool, np.where(reached, free, 0.0), tolerance)
     part = free[reached].sum() / free.sum()
     return share * part, dict({name: value * part for name, value in rest.items()}, **{"ends before": float(1.0 - part)})
 
 
 def surface_error(made, tool):
-    """The median of what may lie between the surface's own points, relative: no part of the stated error."""
+    """Returns the median of the relative error due to the shape between the surface's points. The stated error does not
+    include it."""
     return float(np.nanmedian(array(made, tool, "SurfaceError")))
 
 
 def beyond(made, finer, tool, depth=1.0):
-    """The share of points whose force differs from that on finer cells by more than is stated, and how many they are.
+    """Returns the share of points whose force differs from the force on finer cells by more than the stated error, the number
+    of compared points, and the median difference.
 
-    What finer cells do not change, the shape between a scan's points and finite strain, is not tried."""
+    Errors that do not depend on the cells are not tested: the shape between a scan's points, and finite strain."""
     both = np.ones(made.GetNumberOfPoints(), bool)
     for one in (made, finer):
         both &= (array(one, tool, "Range") > 0.999 * depth) & (array(one, tool, "Status") == 0)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much softer a point is near an edge, as a function of the angle by which the surface turns at the edge.
+"""Computes the additional compliance of a point near an edge, as a function of the angle by which the surface turns.
 
     wedge.py [--output wedge_point_law.csv]      (a quarter of an hour; needs python3-scipy)
 
@@ -34,7 +34,7 @@ def graded(end):
 
 
 def wedge(turn, reach):
-    """Nodes (n, 3), cells (m, 8), held components (n, 3) and the loaded node; the face is z = 0, x < 0."""
+    """Returns nodes (n, 3), cells (m, 8), held components (n, 3) and the loaded node. The loaded face is z = 0, x < 0."""
     angles = np.deg2rad(np.linspace(0.0, 180.0 - turn, int(round((180.0 - turn) / STEP)) + 1))
     inner = 1.0 - graded(0.9)[::-1]
     radii = np.concatenate([inner[:-1], 1.0 + graded(reach - 1.0)])
@@ -52,7 +52,7 @@ def wedge(turn, reach):
 
 
 def stiffness(nodes, cells, poisson):
-    """E = 1."""
+    """Returns the stiffness matrix for Young's modulus 1."""
     lame, shear = poisson / ((1 + poisson) * (1 - 2 * poisson)), 0.5 / (1 + poisson)
     law = np.diag([2 * shear] * 3 + [shear] * 3)
     law[:3, :3] += lame

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user gets for a closed surface: the law of contact in series with the compliance of the whole body."""
+"""The default response of a closed surface: the law of contact in series with the compliance of the whole body."""
 import numpy as np
 import palpate
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -9,8 +9,9 @@ SMALL = "Small"  # prefix of responses at small strain
 
 
 def press(body, depth=1.0, tolerance=0.05, poisson=0.45):
-    """The body with a response of each tool with Neo-Hooke's strain, called by the tool, and at small strain, called SMALL and
-    the tool; and the faces that hold the body. ValueError where the compliance is not found."""
+    """Returns the body with two responses of each tool, and the faces that hold the body. The name of the response with
+    Neo-Hooke is the tool; that of the response at small strain is SMALL and the tool. Raises ValueError if no compliance is
+    found."""
     made = body
     for tool in TOOLS:
         for name in (tool, SMALL + tool):

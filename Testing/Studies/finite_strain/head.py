@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cost of finite strain on a layered head: the first time, and from the cache.
+"""Measures the cost of finite strain on a layered head: solved, and from the cache.
 
     ./run python Testing/Studies/finite_strain/head.py [RESOLUTION [TOOL]]     mm, default 2; default sphere:6.35
 
-Colin 27's skin with its soft tissue over the bone (Debian's mricron-data): one layer of 0.035 MPa and nu 0.49, or a
-half-space without bone; and skin over fat, 1.5 mm of 0.035 MPa over the rest of the thickness, of 0.002 MPa. For each
-material: seconds of a response at small strain, of a response whose correction is solved (with a separate cache, empty at
-first), and of the same response again; in addition processor seconds, which a busy machine does not change much.
-Then the difference between c of the stack at thicknesses between its nodes and c solved at these thicknesses.
+The bodies are the skin of Colin 27 with its soft tissue over the bone (Debian's mricron-data): one layer of 0.035 MPa and
+nu 0.49 (a half-space where there is no bone); and skin over fat, 1.5 mm of 0.035 MPa over 0.002 MPa in the rest of the
+thickness. Prints for each material: seconds of a response at small strain, of a response whose correction is solved (with
+a separate cache, empty at first), and of the same response again; in parentheses processor seconds, which a busy machine
+does not change much. Then prints the difference between c of the stack at thicknesses between its nodes and c solved at
+these thicknesses.
 """
 import os
 import sys
@@ -18,7 +19,7 @@ import time
 import numpy as np
 
 SCAN = "/usr/share/mricron/templates/ch2.nii.gz"
-SKIN, DEEPEST = 1.5, 20.0  # mm; SKIN thickness and the depth to which bone is searched
+SKIN, DEEPEST = 1.5, 20.0  # mm: thickness of the skin, and of the tissue where no bone is found
 
 
 def head(resolution):
@@ -37,7 +38,7 @@ def head(resolution):
 
 
 def plate(n):
-    """n points apart from each other, each with triangles of its own."""
+    """Returns a body of n separate triangles."""
     corners = np.array([[0, 0, 0], [10, 0, 0], [0, 10, 0]], float)
     points = np.concatenate([corners + [100 * i, 0, 0] for i in range(n)])
     return points, np.arange(3 * n).reshape(-1, 3)
@@ -69,7 +70,7 @@ def main():
                 "skin over fat" if stack else "one layer", strain if isinstance(strain, str) else "%s %g" % strain,
                 *small, *once, *again), flush=True)
 
-    # Between the nodes of the table: three thicknesses, in one body of all and each alone.
+    # Three thicknesses between the nodes of the table: in one body together, and each in a separate body.
     between = np.array([2.6, 6.0, 13.0])
     os.environ["PALPATE_CACHE"] = ""
     for strain in ("neohooke", ("ogden", 9.0)):

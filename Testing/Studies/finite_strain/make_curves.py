@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Solves the curves of finite strain with which the studies compare: Data/Studies/finite-strain/curves.csv.
+"""Solves the curves at finite strain that the studies use as a reference: Data/Studies/finite-strain/curves.csv.
 
     make_curves.py PROGRAM FILE [--only TEXT]    PROGRAM: bin/palpatePress of the build (a target of its own)
 
@@ -23,7 +23,7 @@ LIVER = 10  # mm
 
 
 def cases():
-    """(tool, thickness, nu, model, parameter, deepest, edge, fillet); the last two of the mesh and of corners."""
+    """Yields (tool, thickness, nu, model, parameter, deepest, edge, fillet): edge length of the mesh, fillet of corners."""
     edge = 0.05
     for nu in (0.495, 0.45, 0.3, 0.49, 0.4995):
         yield SPHERE, 0, nu, *NEO, 1.35, edge, 0.1
@@ -55,7 +55,7 @@ def solve(program, case):
 
 
 def kept(path):
-    """Rows of an earlier run by the columns of their case."""
+    """Returns the rows of an earlier run, with the columns of their case as keys."""
     found = {}
     if path.exists():
         with open(path, encoding="utf-8") as file:

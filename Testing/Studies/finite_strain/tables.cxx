@@ -31,7 +31,7 @@ namespace
 {
 constexpr double Roots[] = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
 constexpr std::size_t Columns = std::size(Roots);
-constexpr double LargestBend = 0.025; // of c, second difference between columns
+constexpr double LargestBend = 0.025; // largest second difference of c between columns
 constexpr double Ratios[] = { 0.0, 0.15, 0.3, 0.4, 0.45, 0.48, 0.495 };
 
 struct Case
@@ -95,8 +95,8 @@ std::vector<double> factorsOf(const Case& given, const AxisymmetricTool& tool, d
     for (std::size_t k = 0; k < Columns; ++k)
     {
       const double c = all[2 * k];
-      // A jump of c means an equilibrium on another branch than that of the row. A deep flat on a
-      // thin layer finds some.
+      // A jump of c means an equilibrium on another branch than that of the row. This occurs for a
+      // deep flat on a thin layer.
       isKnown = isKnown && c > 0.0 &&
         (k < 2 || std::abs(c - 2.0 * factors[k - 1] + factors[k - 2]) < LargestBend);
       factors.push_back(isKnown ? c : 0.0);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The committed curves of finite strain (Data/Studies/finite-strain) against published laws, CalculiX and another
-finite-element code (Data/Reference/deep). The solver itself is tested in Testing/Cxx/Mechanics."""
+"""Compares the committed curves at finite strain (Data/Studies/finite-strain) with published laws, CalculiX and another
+finite-element code (Data/Reference/deep). The solver is tested in Testing/Cxx/Mechanics."""
 import csv
 import math
 import pathlib
@@ -14,7 +14,7 @@ NEO = ("neohooke", 0.0)
 
 
 def curves():
-    """{(tool, thickness, nu, model, parameter): depths mm, F/E* mm², contact radii mm}"""
+    """Returns {(tool, thickness, nu, model, parameter): depths mm, F/E* mm², contact radii mm}."""
     found = {}
     with open(DATA / "Studies" / "finite-strain" / "curves.csv", encoding="utf-8") as file:
         for row in csv.DictReader(file):
@@ -28,7 +28,7 @@ CURVES = curves()
 
 
 def force(key, depths):
-    """F/E* at depths within the curve: straight between logarithms of F/δ^1.5, which hardly bend."""
+    """Returns F/E* at depths within the curve. The logarithm of F/δ^1.5 is nearly linear and is interpolated linearly."""
     own, forces, _ = CURVES[key]
     return np.exp(np.interp(depths, own, np.log(forces / own ** 1.5))) * np.asarray(depths) ** 1.5
 
@@ -39,7 +39,8 @@ def table(name):
 
 
 def long_2011(depth, thickness):
-    """F/E of a sphere of radius 1 on a bonded layer of ν = ½ (Long, Hall, Wu, Hui 2011), for δ/h to ½, h from ½ to 2."""
+    """Returns F/E of a sphere of radius 1 on a bonded layer of ν = ½ (Long, Hall, Wu, Hui 2011), for δ/h up to ½, h from ½
+    to 2."""
     omega = (depth / thickness ** 2) ** 1.5
     alpha = 10.05 - 0.63 * math.sqrt(thickness) * (3.1 + thickness ** 2)
     beta = 4.8 - 4.23 * thickness ** 2
@@ -77,8 +78,9 @@ class Curves(unittest.TestCase):
         self.assertGreater(compared, 40)
 
     def test_incompressible_layers_are_those_of_long(self):
-        """Extrapolated to ν = ½ from 0.495 and 0.4995, linear in ½ - ν. To a third of the layer 1.5 %; deeper the fit of
-        the published formula is what is left, 2 %: elements half as long change the force by 3e-4."""
+        """The curves are extrapolated to ν = ½ from 0.495 and 0.4995, linearly in ½ - ν. The difference is 1.5 % to a third of
+        the layer. At larger depths it is 2 %, mostly the fit of the published formula: elements half as long change the
+        force by 3e-4."""
         for thickness in (0.5, 1.0, 2.0):
             depths = thickness * np.array([0.1, 0.15, 0.2, 0.25, 0.3, 0.33, 0.4, 0.45, 0.5])
             near, nearer = (force(("sphere:1", thickness, nu, *NEO), depths) / (1 - nu ** 2) for nu in (0.495, 0.4995))
@@ -87,8 +89,9 @@ class Curves(unittest.TestCase):
             np.testing.assert_allclose(ratio, 1, atol=0.02, err_msg=str(thickness))
 
     def test_calculix(self):
-        """The layer of 10 mm: 0.5 % to a quarter of it, 1.2 % at 0.45. CalculiX's elements twice as large change that by
-        0.14 %, ours by less, and the other code is where ours is: what remains is between the codes, and not traced."""
+        """On the layer of 10 mm the difference is 0.5 % to a quarter of the thickness, and 1.2 % at 0.45. Elements twice as
+        large change CalculiX's force by 0.14 % and ours by less. The other code agrees with ours. The cause of the remaining
+        difference between the codes is unknown."""
         with open(DATA / "Studies" / "calculix" / "layer10-sphere6.35-neohooke-deep.csv", encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
         depths, forces = (np.array([float(row[name]) for row in rows]) for name in ("deflection_mm", "force_N"))

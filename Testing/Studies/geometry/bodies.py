@@ -4,14 +4,13 @@ import collections
 
 import numpy as np
 
-# outline: (x, y) in the plane of the picture, closed unless the body is open. place: maps arrays
-# (x, y) of that plane to points in the body's frame. path: path of the tip in the same plane. says:
-# text on the expected result.
+# outline: (x, y) in the plane of the picture, closed unless the body is open. place: maps arrays (x, y) of that plane to
+# points in the body's frame. path: path of the tip in that plane. says: text about the expected result.
 Case = collections.namedtuple("Case", "name title points triangles outline place path says")
 
 
 def extruded(outline, length, rows, closed=True):
-    """A surface over a line in the plane, along the third axis: (points, triangles), open at its ends."""
+    """Returns (points, triangles) of a line in the plane that is extruded along the third axis; open at its ends."""
     line = np.asarray(outline, float)
     around = len(line)
     z = np.linspace(-length / 2, length / 2, rows + 1)
@@ -25,7 +24,7 @@ def extruded(outline, length, rows, closed=True):
 
 
 def refined(corners, size, closed=True):
-    """The line through the corners in pieces no longer than `size`."""
+    """Returns the line through the corners, divided into pieces of at most `size`."""
     corners = np.asarray(corners, float)
     ends = np.roll(corners, -1, axis=0) if closed else corners[1:]
     pieces = []
@@ -44,8 +43,7 @@ def flat(x, y):
 
 
 def extrusion(name, title, corners, size, path, says, closed=True):
-    # A closed outline runs clockwise, an open one from left to right below the body: the outside is
-    # to its left or above.
+    # A closed outline is clockwise; an open one is from left to right. The outside is then to its left or above.
     outline = refined(corners, size, closed)
     points, triangles = extruded(outline, 40.0, int(40 / size), closed)
     return Case(name, title, points, triangles, outline, flat, path, says)

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Difficult geometry: the force on a tip in a thin slab, a groove, at an edge, a cone's tip, a saddle, a border.
+"""Difficult geometry: the force on a tip in a thin slab, in a groove, at an edge, a cone's tip, a saddle and a border.
 
     run.py --output DIR        (./run study geometry)
 
-A 5 mm sphere on E* = 0.1 MPa is moved by hand along a path in the plane of each picture, 0.02 mm per tick,
-through vtkToolContactProbe, with the default force form and surface. Writes to DIR for each case CASE.csv
-(a row per tick) and CASE.png, all pictures in geometry.png, and the numbers for the judgement in summary.csv.
+A 5 mm sphere on E* = 0.1 MPa moves along a path in the plane of each picture, 0.02 mm per tick, by
+vtkToolContactProbe, with the default force form and surface. Writes to DIR for each case CASE.csv
+(a row per tick) and CASE.png, all pictures in geometry.png, and the numbers of the tests in summary.csv.
 """
 import argparse
 import csv
@@ -92,7 +92,7 @@ def groove_numbers(felt):
     bottom = felt.inside & (np.hypot(felt.ContactPoint[:, 0], felt.ContactPoint[:, 1]) < 1e-6)
     yield "bottom_direction_y", felt.Normal[bottom, 1].min(), 1.0
     for side in (-1, 1):
-        # At more than a facet from the bottom line the normal is that of the wall.
+        # At a distance of more than one facet from the bottom line the normal is that of the wall.
         wall = felt.inside & (side * felt.ContactPoint[:, 0] > 1.0)
         yield f"wall_{'left' if side < 0 else 'right'}_direction_x", felt.Normal[wall, 0].mean(), -side * 0.5**0.5
     yield "greatest_force_step_N", np.abs(np.diff(felt.NormalForce)).max(), None
@@ -136,7 +136,7 @@ NUMBERS = {"slab": slab_numbers, "groove": groove_numbers, "edge": edge_numbers,
 
 
 def draw(axes, felt, scale):
-    """The body in section, the path, every some ticks a line to the contact point and the force."""
+    """Draws the section of the body, the path, and at some of the ticks a line to the contact point and the force."""
     case = felt.case
     line = np.vstack([case.outline, case.outline[:1]]) if case.name not in ("border", "cone") else case.outline
     if case.name != "border":

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Forces on a tip at difficult geometry: the numbers of ./run study geometry against the expected numbers, and
-the table in Data/Studies/geometry against these numbers.
+"""Tests forces on a tip at difficult geometry: compares the numbers of ./run study geometry with the expected numbers and
+with the table in Data/Studies/geometry.
 
     test_geometry.py
 """
@@ -39,7 +39,7 @@ class Geometry(unittest.TestCase):
         for side in ("left", "right"):
             self.check("groove", f"wall_{side}_direction_x", 1e-6)
         self.check("groove", "bottom_direction_y", 1e-6)
-        # At most 0.02 mm at the law's 0.6 N/mm: no force step at the bottom.
+        # The force does not jump at the bottom: it changes by at most 0.02 mm times the law's 0.6 N/mm per tick.
         self.assertLess(self.found["groove", "greatest_force_step_N"][0], 0.02 * 0.6)
 
     def test_edge(self):

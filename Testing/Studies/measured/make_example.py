@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes Data/Examples/cylinder_sphere_curves.csv: curves as an instrument might measure them on the
-cylinder of `palpate --scene cylinder`.
+"""Makes Data/Examples/cylinder_sphere_curves.csv: curves similar to those of an instrument on the cylinder of
+`palpate --scene cylinder`.
 
     make_example.py > FILE
 
-Synthetic, from closed forms: an exact sphere of 6.35 mm on a half-space of E* = 3.45 MPa (Sneddon
-1965), in series with a global compliance that grows along the cylinder. Loading at 0.5 mm/s, a hold,
-unloading with 5 % of the energy lost, noise of 0.05 N, first contact at a different reading at each site.
+The curves are synthetic, from closed forms: an exact sphere of 6.35 mm on a half-space of E* = 3.45 MPa (Sneddon
+1965), in series with a global compliance that grows along the cylinder. They contain loading at 0.5 mm/s, a hold,
+and unloading with a loss of 5 % of the energy. The noise is 0.05 N. First contact is at a different reading at each
+site.
 """
 import math
 import random
@@ -19,13 +20,13 @@ DEPTH, STEPS, SPEED, LOSS, NOISE = 1.5, 60, 0.5, 0.05, 0.05
 
 
 def indentation(a):
-    """(depth, force) of an exact sphere at contact radius a."""
+    """Returns (depth, force) of an exact sphere at contact radius a."""
     log = math.log((RADIUS + a) / (RADIUS - a))
     return 0.5 * a * log, MODULUS * (0.5 * (a * a + RADIUS * RADIUS) * log - a * RADIUS)
 
 
 def force_at(depth, compliance):
-    """Force of the sphere and the compliance in series, by bisection over the contact radius."""
+    """Returns the force of the sphere in series with the compliance, by bisection over the contact radius."""
     low, high = 0.0, 0.999 * RADIUS
     for _ in range(100):
         a = 0.5 * (low + high)

@@ -4,17 +4,17 @@
 
     run.py CURVES_DIR OUTPUT.csv        (./run python Testing/Studies/measured/run.py ...)
 
-CURVES_DIR holds curves BODY-TOOL-MATERIAL.csv of a finite-element code (Data/Studies/calculix). For each
-body and material one or two tools identify the body with vtkMeasuredContactResponse. The force of every
-other tool is predicted and compared with its curve by finite elements. This is done twice: from the bare
-curves, counted from first contact, and as an instrument would measure them: with noise of 1 % of the
+CURVES_DIR contains curves BODY-TOOL-MATERIAL.csv of a finite-element code (Data/Studies/calculix). For each
+body and material, vtkMeasuredContactResponse identifies the body from the curves of one or two tools. The force
+of every other tool is predicted and compared with its curve by finite elements. This is done twice: with the
+exact curves, counted from first contact, and with curves like those of an instrument, with noise of 1 % of the
 largest force (fixed seed) and first contact at 0.15 mm, which must be found. 120 readings are taken from
-each curve between its computed points, and with noise 20 before contact.
+each curve between its computed points; with noise, 20 readings before contact are added.
 
-A row per prediction: the Validity of the predicted response (mm; 0 if the held-out tool is wider than the
-measured contacts), the relative error of the force there and at the full depth of the held-out curve,
-where an error beyond Validity is expected, and the error that the filter states there. A row per refusal,
-with its reason.
+Each prediction has a row with the Validity of the predicted response (mm; 0 if the predicted tool is wider than
+the measured contacts), the relative error of the force at that depth and at the full depth of the tool's curve,
+where an error beyond Validity is expected, and the stated error at the full depth. Each refusal has a row with
+its reason.
 """
 import csv
 import itertools
@@ -39,7 +39,7 @@ COLUMNS = ("body,material,measured_with,noise,verdict,model,reduced_modulus_MPa,
 
 
 def read(path):
-    """(deflection, force) of a file of one site."""
+    """Returns (deflection, force) of a file with one site."""
     lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
     return (numpy.array([float(row["deflection_mm"]) for row in rows]),
@@ -47,7 +47,7 @@ def read(path):
 
 
 def force_at(curve, depth):
-    """Between the computed points: F/d^1.5 over sqrt(d) is nearly straight for every tool here."""
+    """Returns the force between the computed points: F/d^1.5 is interpolated over sqrt(d), nearly linear for these tools."""
     d, f = curve
     inside = numpy.maximum(depth, 1e-9)
     shape = numpy.interp(numpy.sqrt(inside), numpy.sqrt(d), f / d ** 1.5)
@@ -80,7 +80,7 @@ def plane():
 
 
 class Identification:
-    """A body as the curves of some tools show it, felt by others."""
+    """A body identified from the curves of some tools, with predictions for other tools."""
 
     def __init__(self, files, poisson, find_contact):
         self.body = plane()
@@ -100,7 +100,7 @@ class Identification:
     keep.CallDataType = "string0"
 
     def feel(self, tool, depth):
-        """(the response, its validity, its stated error at the end) of a tool to a depth; None after an error."""
+        """Returns (response, its validity, its stated error at the end) of a tool to a depth; None after an error."""
         kernel = vtkContactTool()
         kernel.SetSpecification(specification(tool))
         self.filter.SetTool(kernel)
@@ -126,7 +126,7 @@ def number(value, digits=4):
 
 
 def predict(curves, names, case, noise, folder):
-    """The rows of one identification."""
+    """Returns the rows of one identification."""
     body, material = case
     files = []
     for k, name in enumerate(names):

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Change of the force by a nodule under the skin, and the largest depth at which the nodule is felt.
+"""Change of the force by a nodule under the skin, and the largest depth at which the nodule is detectable.
 
     ./run study nodule [--quick] [--output DIR]
 
 The nodules are balls of 1.5, 3 and 5 mm radius, ten times and a fifth as hard as the material around them, with tops 1
-to 5 mm under the skin of a block. vtkNoduleMaterial and vtkNoduleDetectability give the largest change of the force of
-three tools pressed over the middle. It is compared with another code (axisymmetric finite elements that follow the
-ball, Data/Reference/shape). Writes nodule.csv (a row per ball and tool), felt.csv (the depth down to which a ball is
-felt), nodule.md and, with matplotlib, nodule.png to DIR (default build/studies/nodule).
+to 5 mm under the skin of a block. vtkNoduleMaterial and vtkNoduleDetectability compute the largest change of the force of
+three tools pressed over the middle. The change is compared with another code (axisymmetric finite elements that follow the
+ball, Data/Reference/shape). Writes nodule.csv (a row per ball and tool), felt.csv (the largest depth at which a ball is
+detectable), nodule.md and, with matplotlib, nodule.png to DIR (default build/studies/nodule).
 """
 import argparse
 import csv
@@ -34,7 +34,7 @@ FELT_COLUMNS = ("radius", "ratio", "tool", "felt_to", "felt_to_table")
 
 
 def line(fine, cell, end, ratio=1.6):
-    """From 0: cells of one size up to `fine`, then growing."""
+    """Returns coordinates from 0 to `end`: cells of one size up to `fine`, then growing."""
     found = list(np.arange(0.0, fine + 0.5 * cell, cell))
     step = cell
     while found[-1] < end - 1e-9:
@@ -45,7 +45,8 @@ def line(fine, cell, end, ratio=1.6):
 
 
 def body(radius, top):
-    """A block held below and at its sides, fine around the ball, pressed in the middle of its top, z = 0."""
+    """Returns a block that is held at the bottom and at its sides, fine around the ball, and pressed in the middle of its
+    top, z = 0."""
     cell = min(0.75, radius / 3)
     half = line(radius + cell, cell, HALF_WIDTH)
     across = np.concatenate([-half[:0:-1], half])
@@ -70,7 +71,7 @@ def body(radius, top):
 
 
 def felt(radius, ratio, top):
-    """Of each tool: change of force, of stiffness, depth of the press, whether that is felt."""
+    """Yields for each tool: change of force, change of stiffness, depth of the press, whether the change is detectable."""
     material = vtkNoduleMaterial()
     material.SetInputData(body(radius, top))
     material.SetYoungsModulus(1.0)
@@ -102,7 +103,7 @@ def in_table(name):
 
 
 def table_changes():
-    """(radius, ratio, top, tool) -> the largest change over the table's depths."""
+    """Returns {(radius, ratio, top, tool): largest change over the table's depths}."""
     largest = {}
     for row in in_table("nodule_forces.csv"):
         key = (float(row["R_nodule"]), float(row["E_ratio"]), float(row["top_depth"]),
@@ -125,7 +126,7 @@ def study(radii=RADII, ratios=RATIOS, tops=TOPS):
 
 
 def felt_to(rows):
-    """Where the change passes the threshold, between the tops; "<1", ">5" where it does not."""
+    """Returns the depth of the top at which the change equals the threshold, as text; "<1" or ">5" outside the range."""
     tops = [row["top"] for row in rows]
     changes = [abs(row["change"]) for row in rows]
     if changes[0] < THRESHOLD:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Change of a force by nodules: the results of ./run study nodule in Data/Studies/nodule against another code's
-table and against the present filters.
+"""Change of a force by nodules: compares the results of ./run study nodule in Data/Studies/nodule with the table of another
+code and with the present filters.
 
     test_nodule.py
 """

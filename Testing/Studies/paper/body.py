@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 
 def square(points_per_side=3):
-    """A plane square of 60 mm about the origin, normal +z."""
+    """Returns a plane square of 60 mm about the origin with the normal +z."""
     plane, triangles = vtkPlaneSource(), vtkTriangleFilter()
     plane.SetOrigin(-30, -30, 0)
     plane.SetPoint1(30, -30, 0)
@@ -30,7 +30,7 @@ def add_array(body, name, values):
 
 
 def material(filters, modulus, poisson_ratio, layer=0.0, compliance=None):
-    """Gives a response or a regime filter E* (MPa) and the rest; `compliance` names a point array."""
+    """Sets E* (MPa) and the other material values of a response or regime filter; `compliance` names a point array."""
     filters.SetYoungsModulus(modulus * (1 - poisson_ratio ** 2))
     filters.SetPoissonRatio(poisson_ratio)
     filters.SetLayerThickness(layer)
@@ -40,15 +40,15 @@ def material(filters, modulus, poisson_ratio, layer=0.0, compliance=None):
 
 def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compliance=None, samples=8, strain="small",
             relaxations=()):
-    """The body with the response of a tool to `depth` mm; `strain`: "small" or "neohooke"; `relaxations`: pairs of strength
-    and seconds."""
+    """Returns the body with the response of a tool to `depth` mm. `strain`: "small" or "neohooke"; `relaxations`: pairs of
+    strength and seconds."""
     response = vtkToolContactResponse()
     response.SetInputData(body)
     response.SetTool(contact_tool(specification))
     response.SetMaximumDeflection(depth)
     response.SetNumberOfSamples(samples)
     response.CurvatureCorrectionOff()  # the paper's law is that of a flat surface
-    response.SetErrorTolerance(0)      # validity by contact radius, as is usual for small strain
+    response.SetErrorTolerance(0)      # Validity by the contact radius, as usual for small strain
     response.SetStrainModel(response.NeoHooke if strain == "neohooke" else response.SmallStrain)
     material(response, modulus, poisson_ratio, layer, compliance)
     for strength, seconds in relaxations:
@@ -62,7 +62,7 @@ def respond(body, specification, depth, modulus, poisson_ratio, layer=0.0, compl
 
 
 def curve(responding, point, depths):
-    """Force (N) at a point of a body with responses."""
+    """Returns the force (N) at a point of a body with responses."""
     return contract.evaluate(contract.load(responding), point, depths)[0]
 
 
@@ -71,7 +71,7 @@ def validity(responding, point):
 
 
 def press(responding, depth, approach):
-    """A tool pressed down the z axis at the paper's speed, held for half a second and lifted again, at 1 kHz.
+    """Presses a tool down along the z axis at the paper's speed, holds it for half a second and lifts it, at 1 kHz.
 
     Returns time (s), displacement of the tip (mm, > 0 into the body) and normal force (N) of each tick.
     """
@@ -88,7 +88,7 @@ def press(responding, depth, approach):
 
 
 def press_and_lift(responding, depth, approach, speed):
-    """The same without a rest, at another speed (mm/s)."""
+    """As press(), without the hold and at a given speed (mm/s)."""
     top = responding.GetBounds()[5]
     path, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
@@ -104,7 +104,7 @@ def press_and_lift(responding, depth, approach, speed):
 
 
 def follow(responding, path, elements=16):
-    """As press(), along a path of vtkPressPath's kind; `elements` of a body that relaxes."""
+    """As press(), along a path like that of vtkPressPath; `elements`: number of elements of a body that relaxes."""
     top = responding.GetBounds()[5]
     session = vtkHapticSession()
     session.SetBody(responding)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Equation (1): δ = ∂U/∂F holds for linear responses; in general δ = ∂U*/∂F.
+"""Equation (1): δ = ∂U/∂F is valid for linear responses; in general δ = ∂U*/∂F.
 
 U is the stored energy, the integral of F over δ. U* is the complementary energy, the integral of δ over F.
 Both come from quadrature of the curve of a paraboloid on a half-space in series with a compliance, and
@@ -40,7 +40,7 @@ class SeriesCurve:
 
 
 def derivative(function, x):
-    """Central differences at three steps, extrapolated to step 0 (error ~ step⁶)."""
+    """Returns the derivative by central differences at three steps, extrapolated to step 0 (error ~ step⁶)."""
     steps = [0.08 * x, 0.04 * x, 0.02 * x]
     first = [(function(x + h) - function(x - h)) / (2 * h) for h in steps]
     second = [(4 * b - a) / 3 for a, b in zip(first, first[1:])]
@@ -67,7 +67,7 @@ def make(folder, quick):
 
 
 def example():
-    """The two derivatives at FORCE, and the force that a stored response gives at that deflection."""
+    """Returns the two derivatives at FORCE, and the force of a stored response at that deflection."""
     law = SeriesCurve(LARGE.table1, COMPLIANCE)
     exact = law.depth(FORCE)
     body = square()

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figures 6 to 8 again, with finite strain: its effect on the fit below 12 N, on the slab, and on the 14 N.
+"""Figures 6 to 8 with finite strain: its effect on the fit below 12 N, on the slab, and on the force of 14 N.
 
-The laws of small strain are multiplied by c = F_finite/F_small, which a solver has found (solved.py): Neo-Hooke near
-ν = ½, and materials that stiffen (Ogden, Demiray). They are compared with the response that Palpate stores with
-StrainModel.
+The laws of small strain are multiplied by c = F_finite/F_small from a solver (solved.py): Neo-Hooke near ν = ½, and
+materials that stiffen (Ogden, Demiray). The results are compared with the response that Palpate stores with StrainModel.
 """
 import numpy as np
 
@@ -25,15 +24,14 @@ STYLES = {"neohooke": "-", "demiray 0.5": "--", "demiray 2": "-.", "ogden 9": ":
 
 
 def half_space_factor(curves, tool, nu, law):
-    """c of a tool of the paper on a half-space, or None where it was not solved for."""
+    """Returns c of a tool of the paper on a half-space, or None if there is no solution."""
     unit = contact_tool("flat:1" if tool is FLAT else "sphere:1")
     radius = contact_tool(tool.specification).GetRadius()
     if tool is FLAT:
         pressed, small = (curves.get(("flat:1", 0.0, nu, *each, 0.1)) for each in (LAWS[law], solved.LINEAR))
         if pressed is None or small is None:
             return None
-        # Both forces are for a rim with a fillet, so the ratio does not contain the effect of the
-        # fillet.
+        # Both forces are for a rim with a fillet, so that the ratio does not contain the effect of the fillet.
         return solved.Factor(pressed, lambda d: np.interp(d, small[:, 0], small[:, 1]), radius)
     rows = curves.get(("sphere:1", 0.0, nu, *LAWS[law], 0.1))
     return None if rows is None else solved.Factor(rows, lambda d: unit.GetForce(d, 1.0), radius)
@@ -77,7 +75,7 @@ def rubber(folder, curves):
                                        else factor.contact_radius(depth))
             numbers["delta_table1_12N_mm"].append(at_12)
             numbers["F_there_N"].append(force(at_12))
-            # The modulus for which this law gives the force of Table 1 with 3.45 MPa.
+            # The modulus for which the force of this law equals the force of Table 1 with 3.45 MPa.
             numbers["modulus_3N_MPa"].append(RUBBER * 3.0 / force(shallow))
             numbers["modulus_12N_MPa"].append(RUBBER * LARGEST_FORCE / force(at_12))
             numbers["storage_error"].append(stored_error(tool, force) if (law, nu) == ("neohooke", RUBBER_NU) else np.nan)
@@ -93,7 +91,7 @@ def rubber(folder, curves):
 
 
 def stored_error(tool, force):
-    """Largest relative difference of Palpate's stored response (StrainModel NeoHooke) from the solver's force."""
+    """Returns the largest relative difference of Palpate's stored response (StrainModel NeoHooke) from the solver's force."""
     radius = contact_tool(tool.specification).GetRadius()
     deepest = min(half_space_depth(contact_tool(tool.specification), LARGEST_FORCE), radius * (0.7 if tool is FLAT else 1))
     stored = respond(square(), tool.specification, deepest, RUBBER, RUBBER_NU, strain="neohooke")
@@ -143,7 +141,7 @@ def draw_rubber(folder, table):
 
 
 def liver(folder, curves):
-    """Figure 7: the slab, bonded, by Poisson's ratio and material."""
+    """Figure 7: the bonded slab, for several Poisson's ratios and materials."""
     table = {name: [] for name in ("tool", "law", "nu", "delta_mm", "force_over_modulus_mm2", "c")}
     small = {}
     for tool in SPHERES:
@@ -210,7 +208,7 @@ def draw_liver(folder, curves, small):
 
 
 def slide(folder, curves):
-    """Figure 8: what is left between the pressed force and CalculiX's, and the 14 N."""
+    """Figure 8: the remaining difference between the pressed force and CalculiX's force, and the force of 14 N."""
     table = {name: [] for name in ("case", "nu", "depth_over_radius", "normal_calculix_N", "small_strain_over_calculix",
                                    "c", "finite_strain_over_calculix")}
     for case, nu in sliding.COMPUTED:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figures 5 to 7 again, on a material that relaxes: the size of its loops between loading and unloading.
+"""Figures 5 to 7 on a material that relaxes: the size of the loops between loading and unloading.
 
 The paper gives no time except the speed, 1 mm/s. **The branches are assumed**: rubber p = 0.05, 0.05 with τ = 0.1, 3 s;
 liver p = 0.5, 0.5 with τ = 0.5, 10 s, an order of magnitude (Data/Reference/rate/presets.csv). The tool is pressed and
@@ -18,16 +18,16 @@ POISSON = 0.5
 PLATES = {"plate": 7.08 / RUBBER, "strip": 46.7 / RUBBER}    # C_g, mm/N; values of rubber_on_edges.py
 EDGE_DEPTH = 3.0      # mm, as in rubber_on_edges.py
 SLAB_DEPTH = 5.0      # mm, as in liver_slab.py
-WEAK = 0.005          # strength of the curve over τ, so small that loss over p does not depend on p
+WEAK = 0.005          # strength for the curve over τ, so small that loss over p does not depend on p
 COLUMNS = ("figure", "body", "tool", "law", "material", "speed_mm_s", "depth_mm", "loading_s", "peak_over_slow", "loss", "width",
            "lift_off")
 
 
 def loop(body, depth, slow_force, speed=SPEED):
-    """(numbers, (depth, force)) of a press without a rest.
+    """Returns (numbers, (depth, force)) of a press without a hold.
 
-    Numbers: loading time (s), peak over the slow force, loss over the work of loading, width at half of the depth over the
-    peak, depth at which the contact ends over the largest."""
+    Numbers: loading time (s), peak force over slow force, loss over the work of loading, width at half of the depth over
+    peak force, depth at which the contact ends over largest depth."""
     _, depths, forces = press_and_lift(body, depth, 0.02 * depth, speed)
     top = int(np.argmax(depths))
     into, out = slice(0, top + 1), slice(top, None)
@@ -45,7 +45,7 @@ def specification(tool, table1):
 
 
 def rubber(tool, relaxations, table1=False):
-    """Half-space to 12 N of the slow force, and that depth."""
+    """Returns a half-space with a response up to a slow force of 12 N, and the depth of this force."""
     depth = half_space_depth(contact_tool(specification(tool, table1)), LARGEST_FORCE)
     return respond(square(), specification(tool, table1), depth, RUBBER, POISSON, relaxations=relaxations), depth
 
@@ -67,7 +67,7 @@ def slow_force(body, depth):
 
 
 def all_loops(speeds):
-    """Rows of COLUMNS, and the curves of each figure: {(figure, body, tool): (depths, forces)}."""
+    """Returns rows of COLUMNS, and the curves of each figure: {(figure, body, tool): (depths, forces)}."""
     rows, curves = [], {}
 
     def add(figure, name, tool, table1, material, speed, body, depth):
@@ -92,7 +92,8 @@ def all_loops(speeds):
 
 
 def loss_over_strength(totals):
-    """Of figure 6 with P in two like branches, τ = 0.1 and 3 s, and in one, where it loses most (t_m/τ = 2)."""
+    """Returns a table of the loss in figure 6 over P: with two equal branches, τ = 0.1 and 3 s, and with one branch at the τ
+    of the largest loss (t_m/τ = 2)."""
     table = {"P": totals}
     for tool in TOOLS:
         two, one = [], []
@@ -107,7 +108,7 @@ def loss_over_strength(totals):
 
 
 def loss_over_time(ratios):
-    """Of figure 6 with one weak branch: loss over p, over t_m/τ."""
+    """Returns a table of loss/p over t_m/τ in figure 6, with one weak branch."""
     table = {"loading_over_tau": ratios}
     for tool in TOOLS:
         found = []
@@ -120,7 +121,8 @@ def loss_over_time(ratios):
 
 
 def peak(ratios, losses):
-    """Of a parabola through the largest and its neighbours, over the logarithm: (t_m/τ, loss/p)."""
+    """Returns the maximum (t_m/τ, loss/p): that of the parabola through the largest value and its neighbours, over the
+    logarithm of t_m/τ."""
     i = min(max(int(np.argmax(losses)), 1), len(losses) - 2)
     x = np.log(np.asarray(ratios[i - 1:i + 2]))
     a, b, c = np.polyfit(x, losses[i - 1:i + 2], 2)
@@ -153,7 +155,7 @@ def make(folder, quick):
 
 
 def write_curves(folder, curves):
-    """Every 100th tick."""
+    """Writes every 100th tick of the curves."""
     columns = {"figure": [], "body": [], "tool": [], "displacement_mm": [], "force": []}
     for (figure, body, tool), (depths, forces) in curves.items():
         columns["figure"] += [figure] * len(depths[::100])

@@ -14,9 +14,10 @@ close = np.testing.assert_allclose
 
 
 def flat_loss(branches, time, steps=4000):
-    """Loss over work of loading of a flat pressed and lifted at one speed, f = δ, by the superposition integral."""
+    """Returns the loss over the work of loading for a flat, f = δ, pressed and lifted at one speed, by the superposition
+    integral."""
     def memory(t):
-        """Σ h_i of a ramp that turns at `time`."""
+        """Returns Σ h_i for a ramp that reverses at `time`."""
         back = max(t - time, 0.0)
         return sum(p * tau * (math.exp(-back / tau) * (1 - math.exp(-min(t, time) / tau)) - (1 - math.exp(-back / tau)))
                    for p, tau in branches)
@@ -31,7 +32,8 @@ def flat_loss(branches, time, steps=4000):
 
 class FlowingChecks:
     def test_flowing_loops(self):
-        """Against the sheet's loops: exact theory, its own code; it takes Table 1's paraboloids, and 600 steps each way."""
+        """Compares the loops with those of the reference sheet: exact theory with an independent code, for the paraboloids of
+        Table 1, with 600 steps in each direction."""
         table = self.table("flowing_loops")
         oracle = results.read_table(REFERENCE)
         presets = {"rubber": "rubber 10% (p=.05,.05 tau=.1,3)", "liver": "liver (p=.5,.5 tau=.5,10)"}
@@ -41,20 +43,19 @@ class FlowingChecks:
         compared = 0
         for i, (figure, tool, speed) in enumerate(zip(table["figure"], table["tool"], table["speed_mm_s"])):
             figure = "%g" % figure
-            # A tick is too large a part of a faster press: liver at 100 mm/s takes 50 ticks, rubber
-            # at 10 mm/s a hundred.
+            # Faster presses have too few ticks: liver at 100 mm/s takes 50 ticks, rubber at 10 mm/s a hundred.
             if (figure, tool) not in presses or table["law"][i] != "table1" or table["loading_s"][i] < 0.4:
                 continue
             row = np.flatnonzero((oracle["press"] == presses[figure, tool]) & (oracle["v_mm_s"] == speed) &
                                  (oracle["preset"] == presets[table["material"][i]]))[0]
             compared += 1
-            # The sheet's small spheres are the exact ones, with a slightly different curve: 1 %.
-            # With 32 elements 0.1 %.
+            # The small spheres of the sheet are exact spheres, whose curve differs slightly: 1 %. The error of 32 elements
+            # is 0.1 %.
             rounded = tool != "flat3.2"
             for name, other, within in (("peak_over_slow", "F_peak/f", 0.002), ("loss", "loss/W_load", 0.012),
                                         ("width", "loop_width_at_half_depth/Fpeak", 0.05 if rounded else 0.005)):
                 close(table[name][i], oracle[other][row], rtol=within, err_msg="%s %s %s %g" % (name, figure, tool, speed))
-            # Tolerance: three steps of that code, 1/600 each.
+            # Tolerance: three steps of the sheet's code, 1/600 each.
             self.assertAlmostEqual(table["lift_off"][i], oracle["liftoff_depth/delta_max"][row], delta=0.005)
         self.assertGreaterEqual(compared, 5)
         # Figure 5 is nearly linear: all tools have the loop of a flat.
@@ -62,12 +63,12 @@ class FlowingChecks:
         close(table["loss"][edges], flat_loss(((0.05, 0.1), (0.05, 3.0)), 3.0), rtol=0.005)
 
     def test_flowing_loss(self):
-        """Over P and over t_m/τ; the flat by its closed form, peaks of the rounded by the sheet."""
+        """Checks the loss over P and over t_m/τ: for the flat by its closed form, for rounded tools by the sheet's peaks."""
         strengths = self.table("flowing_strength")
         depth = 12.0 / (2 * RUBBER * 1.6)
         for total, two, one in zip(strengths["P"], strengths["loss_flat3.2_two_branches"],
                                    strengths["loss_flat3.2_one_branch"]):
-            # 12 N to seven digits; the last tick before lift-off is shorter than a full one.
+            # The force of 12 N has seven digits; the last tick before lift-off is shorter than a full one.
             close(two, flat_loss(((total / 2, 0.1), (total / 2, 3.0)), depth), rtol=0.005)
             close(one, flat_loss(((total, depth / 2),), depth), rtol=0.005)
         # The README states: P from 0.06 to 0.15 gives 2 to 5 %.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Hysteresis and section 4.4: the friction that would be needed to explain them. Numbers only.
 
-None of the curves of this study has a loop, because the bodies are elastic and the contacts frictionless. Friction
-laws: Jäger 1998, Ciavarella 1998 for the sliding sphere; the loss in a normal press is bounded from above.
+The curves of this study have no loop, because the bodies are elastic and the contacts frictionless. Friction laws:
+Jäger 1998, Ciavarella 1998 for the sliding sphere; for the loss in a normal press an upper bound is computed.
 """
 import math
 
@@ -16,18 +16,18 @@ MU = FRICTION_FORCE / SLIDING_FORCE      # 0.5
 
 
 def softness(poisson_ratio):
-    """Sideways over normal compliance of a contact (Mindlin 1949)."""
+    """Returns the ratio of tangential to normal compliance of a contact (Mindlin 1949)."""
     return (2 - poisson_ratio) / (2 * (1 - poisson_ratio))
 
 
 def slip_loss(poisson_ratio, specification, depth):
-    """Upper bound of the share of the work that a press and release loses to slip under the tool: the
-    surface slides freely by its radial displacement while friction takes mu p all the way."""
+    """Returns an upper bound of the share of the work that a press and release loses by slip under the tool: the surface
+    slides freely by its radial displacement, and friction mu p acts along the whole displacement."""
     kernel = contact_tool(specification)
     a = kernel.GetContactRadius(depth)
     nodes, weights = np.polynomial.legendre.leggauss(40)
     s, depths = 0.5 * (nodes + 1), np.linspace(0.0, depth, 201)[1:]
-    # A material point at r: its pressure and radial displacement while the tool moves down.
+    # Pressure and radial displacement of a material point at r while the tool moves down.
     work = 0.0
     for x, w in zip(s, 0.5 * weights):
         r = x * a

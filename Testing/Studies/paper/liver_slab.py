@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 7: two spheres on a slab of 10 mm, taken as an elastic layer bonded to a rigid base.
+"""Figure 7: two spheres on a slab of 10 mm, modelled as an elastic layer bonded to a rigid base.
 
 The paper gives no modulus, so only force over E* (mm²) and ratios are shown, for three Poisson's ratios.
 """
@@ -56,7 +56,7 @@ def column(tool, table1, what="force_over_modulus_mm2"):
 
 
 def write_moves(folder, moves):
-    """Both tools make the same move; every 50th tick, 20 per second."""
+    """Writes every 50th tick, 20 per second. Both tools have the same trajectory."""
     time, displacement, _ = moves[LARGE]
     table = {"time_s": time[::50], "displacement_mm": displacement[::50]}
     for tool, (_, _, force) in moves.items():

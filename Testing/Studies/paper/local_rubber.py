@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 6: three tools on rubber that is held by a large surface, E* = 3.45 MPa, up to 12 N.
 
-It shows the law with which the paper compares its measurements, for the exact sphere and for the
+Shows the law with which the paper compares its measurements, for the exact sphere and for the
 paraboloid of Table 1, and the force tick by tick at 1 mm/s from a response stored in eight samples.
-Nothing here is measured.
+All curves are computed, not measured.
 """
 import numpy as np
 
@@ -41,7 +41,7 @@ def make(folder, quick):
 
 
 def write_moves(folder, moves):
-    """Every 20th tick, 50 per second, of each tool."""
+    """Writes every 20th tick of each tool, 50 per second."""
     columns = {"tool": [], "time_s": [], "displacement_mm": [], "force_N": []}
     for tool, move in moves.items():
         time, displacement, force = (column[::20] for column in move)
@@ -53,7 +53,7 @@ def write_moves(folder, moves):
 
 
 def at_largest_force(folder, validities):
-    """Depth and contact radius at 12 N."""
+    """Writes depth and contact radius at 12 N; returns the depths."""
     columns = {name: [] for name in ("tool", "delta_mm", "a_mm", "a_over_R", "delta_table1_mm",
                                      "a_over_R_table1", "valid_to_mm")}
     for tool in TOOLS:
@@ -69,7 +69,7 @@ def at_largest_force(folder, validities):
 
 
 def crossing_point():
-    """Where the large sphere overtakes the flat: depth and force, by Table 1 and exactly."""
+    """Returns depth and force at which the curve of the large sphere crosses that of the flat, by Table 1 and exactly."""
     flat = contact_tool(FLAT.specification)
     found = []
     for specification in (LARGE.table1, LARGE.specification):

@@ -13,7 +13,7 @@ except ImportError:
 
 
 def write_table(path, columns):
-    """CSV of a dictionary of columns: text, or numbers to seven digits; NaN becomes empty."""
+    """Writes a dictionary of columns as CSV: text, or numbers with seven digits; an empty field for NaN."""
     def text(value):
         if isinstance(value, str):
             return value
@@ -25,7 +25,7 @@ def write_table(path, columns):
 
 
 def read_table(path):
-    """The columns of a CSV, as numbers where they are."""
+    """Returns the columns of a CSV file, as numbers if all values of the column are numbers."""
     with open(path, encoding="utf-8") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
 
@@ -38,7 +38,7 @@ def read_table(path):
 
 
 def picture(columns, width=11.0, rows=1):
-    """A figure with panels, row by row, or (None, None)."""
+    """Returns a figure and its panels, row by row, or (None, None) without matplotlib."""
     if pyplot is None:
         return None, None
     pyplot.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.axisbelow": True,
@@ -48,7 +48,7 @@ def picture(columns, width=11.0, rows=1):
 
 
 def save(figure, path):
-    # Without date or version: equal numbers give an identical picture file.
+    # The file has no date and no version, so that equal numbers result in an identical file.
     figure.tight_layout()
     figure.savefig(path, dpi=80, metadata={"Software": None}, pil_kwargs={"optimize": True})
     pyplot.close(figure)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 5: three tools on rubber that gives way as a whole.
+"""Figure 5: three tools on rubber that deflects as a whole.
 
-The paper gives neither size nor support of its sample. Two samples are assumed: the plate on edges of the
+The paper states neither size nor support of its sample. Two samples are assumed: the plate on edges of the
 CalculiX study and a longer, narrower strip, both 6 mm thick and supported along two end faces. The
-compliance C_g comes from vtkElasticCompliance; the tools' forces follow in series with the half-space.
+compliance C_g comes from vtkElasticCompliance; it is in series with the half-space law of each tool.
 """
 import collections
 import pathlib
@@ -24,11 +24,11 @@ Body = collections.namedtuple("Body", "name length width")
 PLATE, STRIP = Body("plate", 60.0, 40.0), Body("strip", 100.0, 30.0)
 BODIES = (PLATE, STRIP)
 DEPTH = 3.0                                         # mm, half the thickness
-NEARLY_ONE = 0.05                                   # of the mean force: the paper's "almost identical"
+NEARLY_ONE = 0.05                                   # fraction of the mean force: the paper's "almost identical"
 
 
 def hexahedra(body, spacing, layers):
-    """A plate about the origin below z = 0, its two end faces held along z."""
+    """Returns a plate about the origin below z = 0 whose two end faces are held along z."""
     counts = [2 * round(0.5 * body.length / spacing), 2 * round(0.5 * body.width / spacing), layers]
     x, y, z = (np.linspace(low, high, n + 1) for low, high, n in zip(
         (-0.5 * body.length, -0.5 * body.width, -THICKNESS), (0.5 * body.length, 0.5 * body.width, 0), counts))
@@ -38,8 +38,7 @@ def hexahedra(body, spacing, layers):
     corners = [ids[i, j, k] for k in (low, high)
                for i, j in ((low, low), (high, low), (high, high), (low, high))]
     fixed = np.where(np.abs(grid[:, 0]) > 0.5 * body.length - 1e-9, 4, 0)
-    # Free to slide and rotate. The fixed points are on the lines of symmetry, where no force acts
-    # on them.
+    # The plate can slide and rotate freely. The fixed points are on the lines of symmetry, where no force acts on them.
     middle = ids[:, counts[1] // 2, 0]
     fixed[middle[counts[0] // 2]] |= 3
     fixed[middle[-1]] |= 2
@@ -56,7 +55,7 @@ def hexahedra(body, spacing, layers):
 
 
 def compliant_surface(body, quick):
-    """The rubber body's surface with GlobalCompliance, and the point in the middle of its top."""
+    """Returns the surface of the rubber body with GlobalCompliance, and the point in the middle of its top."""
     elastic = vtkElasticCompliance()
     elastic.SetInputData(hexahedra(body, 2.0 if quick else 1.0, 3 if quick else 6))
     elastic.SetYoungsModulus(RUBBER * (1 - POISSON ** 2))
@@ -71,7 +70,7 @@ def compliant_surface(body, quick):
 
 
 def regime(responding, specification, depth):
-    """λ, sensitivity and verdict of each point."""
+    """Returns λ, sensitivity and verdict of each point."""
     judge = vtkContactRegime()
     judge.SetInputData(responding)
     judge.SetTool(contact_tool(specification))
@@ -84,7 +83,7 @@ def regime(responding, specification, depth):
 
 
 def spread(forces):
-    """(largest - smallest) / mean of the three tools' forces at equal depth."""
+    """Returns (largest - smallest) / mean of the three tools' forces at equal depth."""
     return np.ptp(forces, axis=0) / np.mean(forces, axis=0)
 
 
@@ -108,7 +107,7 @@ def make(folder, quick):
             print("  {}, {}: {:.5f} N at {:g} mm, lambda {:.4f}, sensitivity {:.4f}, verdict {:g}".format(
                 body.name, tool.key, forces[tool][-1], DEPTH, *judged))
             if body is STRIP and tool is LARGE:
-                # Less deep than the middle surface: the tip never comes close to the other side.
+                # The tip remains above the middle surface, so that it does not come near the other side.
                 moves[tool] = press(respond(surface, tool.specification, DEPTH, RUBBER, POISSON,
                                             compliance="GlobalCompliance"), 0.8 * DEPTH, 0.5)
         apart = curves["spread_%s" % body.name] = spread(list(forces.values()))
@@ -127,7 +126,7 @@ def make(folder, quick):
 
 
 def sweep(folder, quick):
-    """Spread against λ at DEPTH: one body, a compliance per point."""
+    """Computes the spread over λ at DEPTH on one body with a different compliance at each point."""
     side = 6 if quick else 11
     body = square(side)
     products = np.concatenate([[0.0], np.geomspace(0.05, 200.0, side * side - 1)])      # C_g E*, 1/mm
@@ -154,7 +153,7 @@ def sweep(folder, quick):
 
 
 def from_calculix(kind):
-    """Depths, and forces of the plate on edges by tool, carried from E = 0.1 MPa to the rubber's modulus."""
+    """Returns depths, and forces of the plate on edges by tool, scaled from E = 0.1 MPa to the rubber's modulus."""
     forces = {}
     for tool, name in ((LARGE, "sphere6.35"), (FLAT, "flat1.6"), (SMALL, "sphere1.6")):
         table = results.read_table(CALCULIX / "plateedges-{}-{}.csv".format(name, kind))

@@ -27,7 +27,7 @@ def contact_tool(specification):
 
 
 def root(function, low, high):
-    """Root of a rising function, to rounding, by bisection."""
+    """Returns the root of a rising function, to rounding, by bisection."""
     for _ in range(200):
         middle = 0.5 * (low + high)
         if middle in (low, high):
@@ -37,7 +37,7 @@ def root(function, low, high):
 
 
 def half_space_depth(tool, force, modulus=RUBBER):
-    """Depth (mm) at which a tool feels `force` on a half-space."""
+    """Returns the depth (mm) at which the force of a tool on a half-space is `force`."""
     deepest = 1.0
     while tool.GetForce(deepest, modulus) < force:
         deepest *= 2.0

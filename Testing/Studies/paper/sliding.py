@@ -25,11 +25,11 @@ POISSON = (0.3, 0.49)
 # Radius and depth, mm, of the computed cases.
 CASES = {"control": (6.35, 0.4), "mid": (1.6, 0.65), "deep": (1.6, 1.95885)}
 COMPUTED = [("control", 0.3), ("control", 0.49), ("mid", 0.3), ("mid", 0.49), ("deep", 0.49)]
-CENTRE = 4                                  # of the square's points
+CENTRE = 4                                  # index of the point at the centre of the square
 
 
 class Prediction:
-    """What Palpate says of a tool at one depth: a normal force that friction does not change, and friction."""
+    """Palpate's results for a tool at one depth: a normal force that friction does not change, and friction."""
 
     def __init__(self, radius, depth, poisson_ratio):
         self.specification, self.depth = "sphere:{:g}".format(radius), depth
@@ -48,7 +48,7 @@ class Prediction:
         return self.dragged(places, lambda probe: probe.SetFrictionModelToElastoPlastic())
 
     def dragged(self, places, choose_model):
-        """Friction (N, on the body) along a way that begins at 0 under the pressed tool."""
+        """Returns the friction (N, on the body) along a path that begins at 0 under the pressed tool."""
         tips, way = vtkPolyData(), vtkCellArray()
         along = np.concatenate([[0.0], places])
         points = vtkPoints()
@@ -73,7 +73,7 @@ class Prediction:
 
 
 def legs(places):
-    """(number, start, stop) of the rows between the turns of a way that begins at 0."""
+    """Returns (number, start, stop) of the rows between the turns of a path that begins at 0."""
     bounds, direction = [0], 0.0
     for i, step in enumerate(np.sign(np.diff(places, prepend=0.0))):
         if step * direction < 0:
@@ -84,15 +84,15 @@ def legs(places):
 
 
 def computed(body, poisson_ratio):
-    """CalculiX's rows from the end of the press on: leg, slide, normal and friction; finite strain."""
+    """Returns the columns of CalculiX from the end of the press on: leg, slide, normal force and friction; finite strain."""
     table = results.read_table(CALCULIX / "{}-nu{:g}-neohooke.csv".format(body, poisson_ratio))
     first = np.flatnonzero(table["leg"] == "press")[-1]
     return {name: column[first:] for name, column in table.items()}
 
 
 def loop_loss(places, friction):
-    """Work that friction takes in a closed loop, N mm: twice that of the way back, from one turn to its mirror
-    image (the way forth mirrors it); NaN if the way ends before."""
+    """Returns the work of friction in a closed loop, N mm: twice the work from one turn to its mirror image, because the
+    second half of the loop is symmetric to the first; NaN if the path ends earlier."""
     ways = legs(places)
     if len(ways) < 2 or not math.isclose(places[ways[1][2] - 1], -places[ways[1][1] - 1], rel_tol=1e-3):
         return math.nan
@@ -101,7 +101,7 @@ def loop_loss(places, friction):
 
 
 def compare(body, poisson_ratio, rows, summary):
-    """One computed case beside the prediction: adds to both tables, tells, returns what is drawn."""
+    """Compares one computed case with the prediction: adds to both tables, prints, and returns the curves to draw."""
     found = computed(body, poisson_ratio)
     radius, depth = CASES[body]
     prediction = Prediction(radius, depth, poisson_ratio)

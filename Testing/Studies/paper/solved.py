@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finite strain from the solver (Data/Studies/finite-strain), interpolated between its depths."""
+"""Curves of the finite-strain solver (Data/Studies/finite-strain), interpolated between its depths."""
 import csv
 import pathlib
 
@@ -10,7 +10,7 @@ NEO, LINEAR = ("neohooke", 0.0), ("linear", 0.0)
 
 
 def read():
-    """{(tool, thickness, nu, model, parameter, fillet): rows of depth mm, F/E* mm², contact radius mm}."""
+    """Returns {(tool, thickness, nu, model, parameter, fillet): rows of depth mm, F/E* mm², contact radius mm}."""
     found = {}
     with open(CURVES, encoding="utf-8") as file:
         for row in csv.DictReader(file):
@@ -22,11 +22,11 @@ def read():
 
 
 class Factor:
-    """c = F_finite/F_small of one tool and body over depth; NaN beyond the last that was solved."""
+    """c = F_finite/F_small of one tool and body over depth; NaN beyond the largest solved depth."""
 
     def __init__(self, rows, small, scale=1.0):
-        """`small`: force over modulus of small strain at a depth of the solved tool; `scale`: size of the asked tool
-        over that one's, on a half-space, which has no length."""
+        """`small`: function from a depth of the solved tool to its force over modulus at small strain. `scale`: size of the
+        requested tool over that of the solved tool, on a half-space, which has no length scale."""
         self.scale = scale
         self.depths, self.forces, self.radii = rows.T
         values = self.forces / np.array([small(d) for d in self.depths])
@@ -34,7 +34,7 @@ class Factor:
         self.deepest = scale * self.depths[-1]
 
     def __call__(self, depths):
-        """Cubic polynomials over √δ through four of what was solved, and c = 1 at no depth."""
+        """Returns c at depths, by cubic polynomials over √δ through four of the solved values and c = 1 at depth 0."""
         depths = np.asarray(depths, dtype=float)
         roots = np.sqrt(np.maximum(depths, 0) / self.scale)
         first = np.clip(np.searchsorted(self.roots, roots) - 2, 0, len(self.roots) - 4)
@@ -48,5 +48,5 @@ class Factor:
         return np.where(depths <= self.deepest * (1 + 1e-9), c, np.nan)
 
     def contact_radius(self, depth):
-        """In the deformed body, mm; of a mesh, to an element's edge."""
+        """Returns the contact radius in the deformed body, mm; its resolution is the length of an element."""
         return self.scale * np.interp(depth / self.scale, self.depths, self.radii)

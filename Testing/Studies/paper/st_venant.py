@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 1: three tools of equal force, seen from a distance.
+"""Figure 1: the displacements of three tools of equal force, at a distance from the contact.
 
-St. Venant's principle on a half-space: the surface's displacement u_z(r) under each tool over that
-of a point force, F/(πE*r), tends to 1, and the displacements of the tools at the same place become equal.
+St. Venant's principle on a half-space: the displacement u_z(r) of the surface under each tool, divided by that
+of a point force, F/(πE*r), tends to 1, and the displacements of the tools at one place become equal.
 """
 import numpy as np
 

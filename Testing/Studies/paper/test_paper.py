@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same checks for a quick run of the study of the paper and for its results in Data/Studies/paper.
+"""Checks the results of a quick run of the study of the paper, and its committed results in Data/Studies/paper.
 
     test_paper.py FOLDER [UNITTEST ARGS]       FOLDER: output of the quick run
 
-The CSV files have seven digits, so the tolerance is 1e-6 unless another is given. Curves that a response
-stores come from float samples: 5e-4, twice the storage error in the manual. Finite elements: 2 %, the
+The CSV files have seven digits, so that the tolerance is 1e-6 unless another is given. For curves of a stored
+response, with float samples, it is 5e-4, twice the storage error in the manual; for finite elements 2 %, the
 accuracy of vtkElasticCompliance.
 """
 import math
@@ -41,7 +41,7 @@ def quadrature(points):
 
 
 def at(table, name, value):
-    """The one row of a table."""
+    """Returns the index of the single row of a table with this value."""
     where = np.flatnonzero(np.isclose(table[name], value, rtol=1e-9)) if not isinstance(value, str) \
         else np.flatnonzero(table[name] == value)
     assert len(where) == 1, (name, value)
@@ -88,7 +88,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         close(table["dUstar_dF_mm"], table["delta_mm"], rtol=1e-6)
         flat = table["tool"] == "flat"
         close(table["dU_dF_mm"][flat], table["delta_mm"][flat], rtol=1e-6)
-        # The rest: δ = δ_local + C F, ∂U/∂F = F dδ/dF = ⅔ δ_local + C F.
+        # The other tools: δ = δ_local + C F, ∂U/∂F = F dδ/dF = ⅔ δ_local + C F.
         bent, compliant = ~flat, 0.1 * table["force_N"][~flat]
         close(table["dU_dF_mm"][bent], 2 / 3 * (table["delta_mm"][bent] - compliant) + compliant, rtol=1e-6)
 
@@ -98,7 +98,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         close(product["plate"], 7.075, rtol=0.02)  # CalculiX has 7.06 to 7.09
         for body, length, width in (("plate", 60, 40), ("strip", 100, 30)):
             thin = theory.thin_plate_compliance(length, width, 6, 1, 0.45) / (1 - 0.45 ** 2)
-            # Shear adds a few times (thickness/length)²: 1 to 2 %.
+            # Shear increases the compliance by a few times (thickness/length)²: 1 to 2 %.
             self.assertGreater(product[body], thin)
             self.assertLess(product[body], 1.03 * thin)
 
@@ -118,7 +118,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         self.assertFalse(np.all(table["verdict"][table["body"] == "plate"] == 2))
         computed = self.table("figure5_calculix")
         linear = computed["material"] == "linear"
-        # C_g is within 2 %, and so are the forces, at depths that CalculiX's contact resolves.
+        # The errors of C_g and of the forces are within 2 %, at depths that CalculiX's contact resolves.
         deep = linear & (computed["delta_mm"] > 1)
         close(computed["F_series_N"][deep], computed["F_calculix_N"][deep], rtol=0.02)
 
@@ -179,7 +179,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             close(force.max(), 12.0, rtol=5e-4)
 
     def check_trapezium(self, time, depth):
-        """At 1 mm/s from 0.5 mm above, half a second of rest, and back as it came."""
+        """Checks that the depth is a trapezium: at 1 mm/s from 0.5 mm above the surface, half a second of rest, and back."""
         rest = depth > depth.max() - 1e-6
         end = 0.5 + depth.max()
         # Tolerance at the turning points of the hand: one tick, 1e-3 s.
@@ -254,7 +254,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             close(table["friction_shape_derived_N"][back], 0.5 * force - gone(0.5 * width), atol=1e-3 * force)
 
     def test_figure8_normal_force(self):
-        """What the README says of CalculiX's normal force. The scatter of its contact search is 0.3 %."""
+        """The README's statements about CalculiX's normal force. The scatter of CalculiX's contact search is 0.3 %."""
         summary = self.table("figure8_summary")
         change = {case: summary["largest_change"][i] for i, case in
                   enumerate(zip(summary["case"], summary["nu"]))}
@@ -275,7 +275,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         close(summary["normal_pressed_N"], summary["normal_palpate_N"], rtol=0.08)
 
     def test_figure8_friction(self):
-        """CalculiX against the shape-derived law, in the control; the law's normal force is 2 to 4 % smaller."""
+        """Compares CalculiX with the shape-derived law, in the control; the law's normal force is 2 to 4 % smaller."""
         summary = self.table("figure8_summary")
         for i in np.flatnonzero(summary["case"] == "control"):
             self.assertGreater(summary["slid_to_mm"][i], 1.3 * summary["slides_after_law_mm"][i])
@@ -288,7 +288,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         table = self.table("figure8_sliding")
         control = (table["case"] == "control") & (table["nu"] == 0.49)
         back, forth = (table["friction_calculix_N"][control & (table["leg"] == leg)] for leg in ("back", "forth"))
-        # The same body, mirrored: equal within the tolerated residuals, 0.1 % of 3 N.
+        # The two legs are mirror images: equal within the tolerated residuals, 0.1 % of 3 N.
         close(forth, -back, atol=0.003)
         # The loop is closed.
         out = table["friction_calculix_N"][control & (table["leg"] == "out")]
@@ -298,7 +298,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
         return results.read_table(DATA / "Reference" / "deep" / name)
 
     def test_figure6_finite(self):
-        """The rubber at finite strain, against another finite-element code: 0.5 %, its mesh and ours; flats 1 %."""
+        """Compares the rubber at finite strain with another finite-element code: 0.5 % for both meshes; flats 1 %."""
         table = self.table("figure6_finite")
         oracle = self.deep("finite_sphere_halfspace.csv")
         flats = self.deep("finite_flat_cone_halfspace.csv")
@@ -314,7 +314,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             rows = (table["delta_mm"] > 0.1 * radius) & (table["delta_mm"] < depths.max()) & ~np.isnan(c)
             self.assertGreater(np.count_nonzero(rows), 10)
             close(c[rows], np.interp(table["delta_mm"][rows], depths, factors), atol=within)
-        # Ogden and Demiray over Neo-Hooke.
+        # The ratio of Ogden and of Demiray to Neo-Hooke.
         stiff = self.deep("stiffening_halfspace_sphere.csv")
         name = next(column for column in stiff if column.startswith("material"))
         for law, parameter in (("ogden", 9), ("ogden", -5), ("demiray", 0.5), ("demiray", 2)):
@@ -326,7 +326,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             close(ratio[mine], np.interp(table["delta_mm"][mine], depths, stiff["F_over_F_neohooke"][rows]), rtol=0.006)
 
     def test_figure6_finite_fit(self):
-        """What the README says of "almost exactly below 12 N"."""
+        """The README's statements about "almost exactly below 12 N"."""
         table = self.table("figure6_finite_at_12N")
         at_12 = self.table("figure6_at_12N")
 
@@ -335,8 +335,8 @@ class StudyChecks(flowing_checks.FlowingChecks):
 
         for tool in SHAPES:
             close(number("delta_12N_mm", tool, "small strain", 0.5), at_12["delta_mm"][at(at_12, "tool", tool)], rtol=1e-6)
-            # The response that Palpate stores (its table and eight samples as floats), against the
-            # solver. Flats have another mesh.
+            # The response that Palpate stores (its table and eight samples as floats), compared with the solver. The mesh
+            # of the flats is different.
             self.assertLess(number("storage_error", tool), 0.005 if tool != "flat3.2" else 0.01)
         # One modulus for all three tools: they agree within 7 % at 3 N, but not at 12 N.
         for column, least, most in (("modulus_3N_MPa", 0.05, 0.08), ("modulus_12N_MPa", 0.14, 0.18)):
@@ -352,16 +352,15 @@ class StudyChecks(flowing_checks.FlowingChecks):
             rows = (table["tool"] == tool) & (table["law"] == law) & (table["nu"] == nu)
             return table["delta_mm"][rows], table[name][rows]
 
-        # CalculiX, ν = 0.45: 1.2 % at the largest depth, where the code of the tables also differs
-        # from it.
+        # CalculiX with ν = 0.45: 1.2 % at the largest depth, where the code of the tables also differs from CalculiX.
         curve = results.read_table(DATA / "Studies" / "calculix" / "layer10-sphere6.35-neohooke-deep.csv")
         depths, forces = column("sphere12.7", "neohooke", 0.45, "force_over_modulus_mm2")
         rows = (depths >= 1) & (depths <= 4)
         modulus = 0.1 / (1 - 0.45 ** 2)
         close(forces[rows], [np.exp(np.interp(math.log(d), np.log(curve["deflection_mm"]), np.log(curve["force_N"]))) / modulus
                              for d in depths[rows]], rtol=0.012)
-        # Another code, on layers of one and two radii; here the thickness is 1.57 radii. c is
-        # linear in its logarithm to 0.5 %.
+        # Another code has layers of one and two radii; here the thickness is 1.57 radii. c is linear in the logarithm of
+        # the thickness to 0.5 %.
         oracle = self.deep("finite_layer_sphere.csv")
         part = math.log(10 / 6.35) / math.log(2)
         for nu in (0.45, 0.495):
@@ -372,8 +371,8 @@ class StudyChecks(flowing_checks.FlowingChecks):
                 around.append(np.interp(depths / 10, oracle["delta_over_h"][rows], oracle["c=F/F_small"][rows]))
             rows = depths >= 1
             close(c[rows], ((1 - part) * around[0] + part * around[1])[rows], atol=0.01)
-        # Ogden over Neo-Hooke, the same way. Linear interpolation between rows 0.05 apart has an
-        # error of 1 % from the curvature.
+        # The ratio of Ogden to Neo-Hooke, interpolated in the same way. Linear interpolation between rows 0.05 apart has an
+        # error of 1 %, because the curve is not straight.
         stiff = self.deep("stiffening_layer_flat.csv")
         (depths, ogden), (_, neo) = column("sphere12.7", "ogden 9", 0.495), column("sphere12.7", "neohooke", 0.495)
         name = next(title for title in stiff if title.startswith("case"))
@@ -394,7 +393,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
             self.assertGreater(ratio["ratio"][rows][0], ratio["ratio_small_strain"][rows][0])
 
     def test_figure8_finite(self):
-        """CalculiX's body is 100 mm high and not infinite: 1.8 % in the control (README); 4 % with its mesh."""
+        """CalculiX's body is 100 mm high, not infinite: 1.8 % in the control (README); 4 % with the error of its mesh."""
         table = self.table("figure8_finite")
         close(table["finite_strain_over_calculix"], 1, atol=0.04)
         deep = at(table, "case", "deep")
@@ -420,7 +419,7 @@ class StudyChecks(flowing_checks.FlowingChecks):
 
 
 def slip_loss_of_hertz(nu):
-    """2 ∫∫ μ p |du_r| dA over ∫ F dδ for R = E* = 1, μ = 1/2, from Hertz's own p and load inside r."""
+    """Returns 2 ∫∫ μ p |du_r| dA over ∫ F dδ for R = E* = 1, μ = 1/2, from Hertz's pressure p and the load inside r."""
     r, weights = quadrature(200)
     a = np.sqrt(np.linspace(0, 1, 4001)[1:, None])
     inside = np.maximum(0, 1 - (r / a) ** 2)
@@ -445,7 +444,7 @@ class TestCommitted(StudyChecks, unittest.TestCase):
 
 
 class TestNumbers(unittest.TestCase):
-    """To all the digits that the reference has."""
+    """Compares numbers with the reference, to all its digits."""
 
     def test_castigliano(self):
         found = castigliano.example()

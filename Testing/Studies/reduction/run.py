@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Responses with the fewest numbers within a tolerance: their cost and their error in several scenes.
+"""Cost and error of responses with the fewest numbers within a tolerance, in several scenes.
 
     ./run study reduction [--quick] [--output DIR]
 
@@ -33,7 +33,7 @@ COLUMNS = ("scene", "vertices", "tool", "tolerance", "form", "numbers", "numbers
 
 
 class Prober:
-    """A tip along a path, and how long that takes."""
+    """Computes the contacts of a tip along a path, and measures the time."""
 
     def __init__(self, body, tips):
         self.probe = vtkToolContactProbe()

@@ -13,9 +13,9 @@ from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 
 SCAN = pathlib.Path("/usr/share/mricron/templates/ch2.nii.gz")  # Debian's mricron-data: Colin 27
-RADIUS = 60.0                                                   # of the ball, mm
+RADIUS = 60.0                                                   # radius of the ball, mm
 YOUNG, POISSON = 0.035, 0.45                                    # MPa, -
-DEPTH = 2.0                                                     # of the curves, mm
+DEPTH = 2.0                                                     # depth of the curves, mm
 YOUNG_INDEX, THICKNESS_INDEX, COMPLIANCE_INDEX = 0, 1, 2
 
 
@@ -44,7 +44,7 @@ def add(body, name, values):
 
 
 def waves(directions):
-    """Between 0 and 1, smooth over the ball."""
+    """Returns values between 0 and 1 that vary smoothly over the ball."""
     x, y, z = directions.T
     return 0.5 + 0.5 * np.sin(5 * x + 1) * np.cos(4 * y) * np.cos(3 * z)
 
@@ -54,7 +54,7 @@ def homogeneous(level):
 
 
 def stiffness_map(level):
-    """Young's modulus from 10 to 60 kPa, and 10 % of noise."""
+    """A ball with a Young's modulus from 10 to 60 kPa and 10 % of noise."""
     body, directions = ball(level)
     noise = np.random.default_rng(1).uniform(0.95, 1.05, len(directions))
     add(body, "Stiffness", (0.01 + 0.05 * waves(directions)) * noise)
@@ -62,7 +62,7 @@ def stiffness_map(level):
 
 
 def layer_map(level):
-    """6 to 20 mm over a rigid base, which is missing under a sixth."""
+    """A ball with a layer of 6 to 20 mm on a rigid base. A sixth of the ball has no base."""
     body, directions = ball(level)
     thickness = 6 + 14 * waves(directions)
     add(body, "Thickness", np.where(directions[:, 2] < -2 / 3, 0.0, thickness))
@@ -70,14 +70,14 @@ def layer_map(level):
 
 
 def gives_way(level):
-    """In series with 0 to 20 mm/N of the body as a whole."""
+    """A ball with a global compliance of 0 to 20 mm/N in series."""
     body, directions = ball(level)
     add(body, "Compliance", 20 * waves(directions))
     return body, {COMPLIANCE_INDEX: "Compliance"}
 
 
 def head(level):
-    """The scalp over the skull of a scan, at its own resolution for the finest level."""
+    """The scalp over the skull of a scan; the finest level has the resolution of the scan."""
     reader, skin, layer = vtkNIFTIImageReader(), vtkSkinSurface(), vtkLayerThickness()
     reader.SetFileName(str(SCAN))
     skin.SetInputConnection(reader.GetOutputPort())
@@ -113,15 +113,14 @@ def respond(body, arrays, specification):
 
 
 def path(body, response, count):
-    """A polyline of tips that wander over the body, from vertex to vertex, 0.05 to 1.9 mm deep."""
+    """Returns a polyline of tips from triangle to triangle of the body, 0.05 to 1.9 mm deep."""
     data = body.GetPointData()
     points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
     normals = vtk_to_numpy(data.GetArray(response + "Normal")).astype(float)
     usable = vtk_to_numpy(data.GetArray(response + "Status")) == 0
     triangles = vtk_to_numpy(body.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     random = np.random.default_rng(2)
-    # Goes straight ahead over the triangles: the next one shares two corners and is not the one
-    # just left.
+    # The next triangle shares two corners with the present one and is not the preceding one.
     neighbours = {}
     for triangle, corners in enumerate(triangles):
         for k in range(3):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short version of ./run study reduction: how few numbers scenes need, and that the forces on tips stay the same.
+"""The short version of ./run study reduction: tests the number of numbers per scene, and that the forces do not change.
 
     test_reduction.py
 """

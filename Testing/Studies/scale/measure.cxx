@@ -72,8 +72,8 @@ double secondsOf(const Work& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The median of several passes, whose number keeps the total time about equal for every size; or a
-/// single pass.
+/// The median of several passes. The number of passes keeps the total time about equal for every
+/// size. With `once` there is a single pass.
 class Passes
 {
 public:
@@ -235,8 +235,8 @@ std::shared_ptr<const ContactBody> measureKernel(vtkPolyData* body, double point
   return kernel;
 }
 
-/// Measures the force on a tip 1 mm below the smooth body. It is less deep below the facets at that
-/// place.
+/// Measures the force on a tip 1 mm below the smooth body. The tip is less deep below the facets at
+/// that place.
 void measureForces(const ContactBody& kernel)
 {
   constexpr int Tips = 500;

@@ -4,10 +4,11 @@
 
     ./run study scale [--vertices N,N,...] [--quick] [--no-frames] [--output DIR]
 
-Runs palpateScale (measure.cxx) once per size, each in a process of its own, and writes scale.csv (a row per size:
-seconds, bytes per vertex, ns, relative errors), scale.md (a row per line: the slope of log(quantity) over log(vertices)
-from 10^5 vertices on, the largest factor between a size and that line, and the reason if a line is bent or not as
-steep as expected) and, with matplotlib, scale.png. Times depend on the machine; bytes and forces are the same everywhere.
+Runs palpateScale (measure.cxx) once per size, each time in a separate process, and writes scale.csv (a row per size:
+seconds, bytes per vertex, ns, relative errors), scale.md (a row per quantity: the slope of log(quantity) over
+log(vertices) from 10^5 vertices on, the largest factor between a size and the fitted line, and the reason if the line is
+bent or its slope not the expected one) and, with matplotlib, scale.png. Times depend on the machine; bytes and forces are
+the same everywhere.
 """
 import argparse
 import collections
@@ -22,10 +23,10 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SIZES = (1e4, 3e4, 1e5, 3e5, 1e6, 3e6, 8e6)
-LARGE = 9e4     # smallest size for fit
-STRAIGHT = 1.5  # a size that deviates from its line by a larger factor makes the line bent
+LARGE = 9e4     # smallest size that is used for the fit
+STRAIGHT = 1.5  # a line is bent if a size deviates from it by a larger factor
 
-# slope: the expected slope; reason: why, or in which range, the measured slope differs.
+# slope: the expected slope; reason: the reason for, or the range of, a different measured slope.
 Line = collections.namedtuple("Line", "column panel label slope reason")
 LINES = (
     Line("response_s", "time", "response, constants", 1, "below some 10^5 vertices starting threads and touching "
@@ -59,7 +60,7 @@ LINES = (
 
 
 def measure(program, vertices, frames, quick=False, within=None):
-    """name -> number, of a body of about so many vertices; its files lie for a while in the folder `within`."""
+    """Returns {name: number} for a body of about `vertices` vertices. Its files are temporarily in the folder `within`."""
     with tempfile.TemporaryDirectory(dir=within) as folder:
         command = [str(program), "--vertices", f"{vertices:.0f}", "--folder", folder]
         command += ["--frames"] if frames else []
@@ -69,10 +70,10 @@ def measure(program, vertices, frames, quick=False, within=None):
 
 
 def fit(rows, column):
-    """Slope of the line through log-log points, and the largest factor by which one lies off it.
+    """Returns the slope of the line through log-log points, and the largest factor by which a point deviates from the line.
 
-    The line goes through the sizes from LARGE on, if there are three, so that what costs the same at any size bends it
-    at its small end, where it can be seen.
+    The line is fitted to the sizes from LARGE on, if there are at least three. A fixed cost therefore appears as a
+    deviation at the small end.
     """
     n, y = (np.log([row[name] for row in rows]) for name in ("vertices", column))
     large = n >= np.log(LARGE)

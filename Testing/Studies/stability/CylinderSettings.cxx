@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part b: the settings at which the cylinder of Mahvash and Hayward (2002, section 5) is free of
-// oscillation. A mesh with radial normals, Table 1's responses at every vertex, eq. 3.
+// oscillation. The mesh has radial normals and the responses of Table 1 at every vertex; the force
+// is that of eq. 3.
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"
@@ -65,8 +66,8 @@ ResponseModel table1(const char* tool, double modulus)
   return model;
 }
 
-/// Pressed with 5 N and disturbed by a thousandth of the depth, normal and tangential, without any
-/// control.
+/// A tip pressed with 5 N and disturbed by a thousandth of the depth, normal and tangential,
+/// without any control.
 Course pressed(const LoopSetting& base, const char* tool, double modulus)
 {
   LoopSetting setting = base;
@@ -103,7 +104,7 @@ void cylinderSettings(bool isQuick)
 {
   std::puts("tool,push_N,rate_Hz,damping_Ns_per_m,hand_N_per_m,hand_Ns_per_m,modulus_MPa,stiffness_"
             "N_per_m");
-  // A hand that holds the tip sideways is needed: otherwise the tip leaves the top.
+  // The hand must hold the tip sideways; otherwise the tip leaves the top.
   for (const HandModel& hand : { HandModel{ 300.0, 0.0 }, HandModel{ 300.0, 5.0 } })
   {
     for (const double rate : { 500.0, 1000.0, 2000.0, 4000.0, 8000.0 })

@@ -41,7 +41,7 @@ ScheduledFault at(DeviceFault fault, double start, double duration)
   return scheduled;
 }
 
-/// A fault at random readings (a separate splitmix64) during the faulty period.
+/// A fault at random readings (from a separate splitmix64) during the faulty period.
 DeviceFaults sprinkled(DeviceFault fault, double share, double duration, double rate)
 {
   DeviceFaults faults;

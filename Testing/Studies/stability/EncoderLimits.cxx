@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part a: the effect of an encoder's step. A spring on rounded readings never comes to rest by
-// itself; Coulomb friction is needed to stop the last swing.
+// Part a: the effect of an encoder's step. A spring on rounded readings never comes to rest without
+// Coulomb friction, which must stop the last swing.
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"
@@ -15,7 +15,7 @@ namespace palpate::testing
 namespace
 {
 /// The remaining swing in the last half second: the worst of several pushes. One push allows rest
-/// on a whole step of the encoder, one is just between two steps.
+/// at a whole step of the encoder, another one is exactly between two steps.
 struct Rest
 {
   double swing = 0.0; ///< m
@@ -51,8 +51,8 @@ bool rests(const LoopSetting& setting, double stiffness)
   return restOf(setting, stiffness, 4).speed < 1e-6;
 }
 
-/// The largest stiffness at which the motion comes to rest, with all smaller ones on a ladder of 25
-/// % steps; up to ten times the passive stiffness.
+/// The largest stiffness at which the motion comes to rest. All smaller stiffnesses on a ladder of
+/// 25 % steps must come to rest too; the search ends at ten times the passive stiffness.
 double largestRestful(const LoopSetting& setting)
 {
   double high = 20.0;

@@ -40,7 +40,7 @@ public:
     this->Place = position;
     this->HasPlace = true;
   }
-  /// The force that the motor gets now. `isFree`: the tip touches nothing.
+  /// Sets the force of the motor from now on. `isFree`: the tip has no contact.
   void told(const Eigen::Vector3d& force, bool isFree)
   {
     this->Least = isFree ? std::min(this->Least, this->generated()) : this->Least;
@@ -48,7 +48,7 @@ public:
     this->Next = (this->Next + 1) % this->Pending.size();
   }
 
-  double work() const noexcept { return this->Work; } ///< on the mass, J
+  double work() const noexcept { return this->Work; } ///< work on the mass, J
   /// Largest energy gained since a free moment, J; since the beginning if there was none.
   double mostGenerated() const noexcept { return this->Most; }
 

@@ -21,8 +21,8 @@ namespace palpate::testing
 namespace
 {
 
-/// A friction model of Palpate, or for comparison the sign of the velocity (negative), by backward
-/// differences.
+/// A friction model of Palpate; or, for comparison, the sign of the velocity by backward
+/// differences (negative value).
 struct Model
 {
   std::string name;
@@ -98,7 +98,7 @@ private:
   double Last = 0.0;
 };
 
-/// Drift, mm, in 8 s under 0.5 + 0.2 sin(2π 2 t) N, which is raised within 4 s; from the mean of
+/// Drift (mm) in 8 s under 0.5 + 0.2 sin(2π 2 t) N, which is raised within 4 s: from the mean of
 /// one cycle to that of another.
 double drift(const Model& model, double rate)
 {
@@ -162,8 +162,8 @@ double restlessness(const Model& model, double rate, double stiffness)
   return peak;
 }
 
-/// True if a stuck mass comes to rest after a speed of 1e-8 m/s, and its motion is never large
-/// enough for sliding.
+/// Whether a stuck mass comes to rest after a speed of 1e-8 m/s. Its motion is never large enough
+/// for sliding.
 bool calms(const Model& model, double rate, double stiffness)
 {
   LoopSetting setting;

@@ -73,7 +73,7 @@ public:
     }
     this->Audit.told(forces, isFree);
   }
-  /// Runs and returns the largest speed of either mass (m/s) at the ticks.
+  /// Runs the loop and returns the largest speed of either mass (m/s) at the ticks.
   double peakSpeed(int ticks)
   {
     double peak = 0.0;
@@ -87,7 +87,7 @@ public:
     }
     return peak;
   }
-  /// Runs and returns first + `sign` second, m, at the ticks.
+  /// Runs the loop and returns first + `sign` second, m, at the ticks.
   std::vector<double> motion(double sign, int ticks)
   {
     std::vector<double> found;
@@ -117,7 +117,7 @@ private:
   double Peak = 0.0;
 };
 
-/// Two flat ends of 1.6 mm on a half-space whose modulus gives K = 2aE*.
+/// Two flat ends with a radius of 1.6 mm on a half-space; each has the stiffness K = 2aE*.
 struct Pair
 {
   LoopSetting setting;
@@ -125,7 +125,7 @@ struct Pair
   bool isOpposite = true; ///< which of the two motions is disturbed
 
   double apart() const { return this->radii * RadiusInMetres; }
-  /// K C of Boussinesq, each for a flat end: the coupling relative to the stiffness of one.
+  /// K C by Boussinesq for a flat end: the coupling relative to the stiffness of a single one.
   double share() const { return 2.0 / (Circle * this->radii); }
   double sign() const { return this->isOpposite ? -1.0 : 1.0; }
   int order() const
@@ -137,7 +137,7 @@ struct Pair
   {
     const double modulus = 1e-3 * stiffness / (2.0 * FlatRadius); // MPa
     const double range = 4e3 * EachPush / stiffness;
-    // Each carries its push. Its share of the push lowers the surface under the other.
+    // Each end carries its push. The surface under each end is also lowered by the other push.
     const double depth = EachPush / stiffness * (1.0 + this->share());
     const double swing = 0.05 * depth;
     return { this->setting, coupledPlate(linearModel("linear", 1e-3 * stiffness, range), modulus),
@@ -155,7 +155,7 @@ double largestStiffness(const Pair& pair)
   {
     const double middle = std::sqrt(low * high);
     TwoHands hands = pair.disturbed(middle);
-    hands.motion(pair.sign(), order + 2); // until the first forces and rounds have arrived
+    hands.motion(pair.sign(), order + 2); // runs until the first forces and rounds have arrived
     const bool isStable = largestPole(hands.motion(pair.sign(), 2 * order + 4), order) < 1.0;
     (isStable ? low : high) = middle;
   }
@@ -183,7 +183,7 @@ void printLimit(const Pair& pair)
   std::fflush(stdout);
 }
 
-/// Both are released above the body, one after the other.
+/// Both tools are released above the body, one after the other.
 void printPress(
   const LoopSetting& setting, const char* tool, double modulus, double apart, Control control)
 {

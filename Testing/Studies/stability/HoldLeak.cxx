@@ -43,7 +43,7 @@ void holdLeak(bool isQuick)
   {
     for (const double rate : { 1000.0, 4000.0 })
     {
-      // 20 and 100 mm/s turn at a tick, the others between two ticks.
+      // At 20 and 100 mm/s the motion turns at a tick, otherwise between two ticks.
       for (const double speed : { 0.02, 0.03, 0.1, 0.3 })
       {
         for (const double delay : { 0.0, 1.0 })

@@ -26,7 +26,7 @@ Eigen::VectorXcd polesOf(const std::vector<double>& readings, int order)
   }
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
   companion.diagonal(1).setOnes();
-  // A fast pole soon falls below rounding. It is then left out, not estimated.
+  // A fast pole soon decays below rounding. It is then left out, not estimated.
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
   solver.setThreshold(1e-11);
   solver.compute(past);

@@ -13,8 +13,9 @@ namespace palpate::testing
  * stable. Needs 2 order + 1 readings; a few more average out rounding.
  */
 double largestPole(const std::vector<double>& readings, int order);
-/// The same, only for poles that oscillate by more than 0.01 rad a tick; 0 if there is none. Slow
-/// creep, as in a body that relaxes, has poles so near 1 that rounding hides them.
+/// As largestPole(), only for poles that oscillate by more than 0.01 rad per tick; 0 if there is
+/// none. Slow creep, as in a body that relaxes, has poles so near 1 that they cannot be
+/// distinguished from 1.
 double largestSwingingPole(const std::vector<double>& readings, int order);
 } // namespace palpate::testing
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part b: each response model is pressed by a growing force until it buzzes, bare and under
-// control.
+// Part b: each response model is pressed by a growing force until the loop oscillates, without
+// control and with each control.
 #include "Parts.h"
 #include "Renderings.h"
 #include "ResponseModels.h"
@@ -20,7 +20,7 @@ constexpr double LeastPush = 1e-3; // N
 
 enum class Start
 {
-  Held,   ///< at rest near its depth, off by a thousandth of it
+  Held,   ///< at rest, a thousandth of the depth from the rest depth
   Dropped ///< released 1 mm above the surface
 };
 
@@ -42,9 +42,9 @@ Course pressed(
     loop, setting.watchedTicks(), 0.1 * depth * std::sqrt(stiffness / setting.plant.mass));
 }
 
-/// The largest stable push (N), up to StrongestPush, and the motion under that push; if there is
-/// none, the motion under the strongest. Without `isSought` only the strongest push is tried:
-/// `force` is 0 if it is unstable.
+/// The largest stable push (N), up to StrongestPush, and the motion under this push; if no push is
+/// stable, the motion under the strongest push. Without `isSought` only the strongest push is
+/// tried: `force` is 0 if it is unstable.
 struct ForceLimit
 {
   double force = 0.0;

@@ -38,7 +38,7 @@ struct RelaxingCase
     return { relaxingPlate(linearModel("linear", 1e-3 * stiffness, range), this->series),
       safetyOf(Control::None, LoopSetting()), withElements(this->elements) };
   }
-  /// Starts at the rest depth under the push, off by a tenth of it.
+  /// Starts at the rest depth under the push, disturbed by a tenth of this depth.
   VirtualLoop disturbed(double stiffness, Rendering& plate) const
   {
     const double depth = this->setting.push / stiffness;
@@ -90,7 +90,7 @@ void printLimit(const RelaxingCase& given)
   std::fflush(stdout);
 }
 
-/// Released 1 mm above the body, under the strongest push.
+/// The tip is released 1 mm above the body, under the strongest push.
 void printPress(
   const RelaxingCase& given, const ResponseModel& model, double modulus, Control control)
 {

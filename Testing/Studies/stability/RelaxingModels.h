@@ -27,7 +27,8 @@ inline std::vector<PronySeries> relaxingMaterials()
   return all;
 }
 
-/// "1:0.1", "0.5:0.02 0.8:0.2 1.2:2": strength and time (s) of each branch, without a comma.
+/// The material as text, such as "1:0.1" or "0.5:0.02 0.8:0.2 1.2:2": strength and time (s) of each
+/// branch, without a comma.
 inline std::string materialOf(const PronySeries& series)
 {
   std::string text = textOf(series);
@@ -38,7 +39,7 @@ inline std::string materialOf(const PronySeries& series)
   return text.empty() ? "elastic" : text;
 }
 
-/// plateOf(model) with relaxation.
+/// The body of plateOf(model), with relaxation.
 std::shared_ptr<const ContactBody> relaxingPlate(
   const ResponseModel& model, const PronySeries& series);
 

@@ -59,8 +59,8 @@ std::vector<TimedPath> timedPaths()
   std::vector<TimedPath> paths;
   paths.push_back(
     { "press", at(-0.2, 31.3), { { at(1.0, 31.3), 20.0 }, { at(-0.2, 31.3), 20.0 } } });
-  // Material that has relaxed under a slow press is exchanged for unrelaxed material, which unloads
-  // fast.
+  // Material that has relaxed under a slow press is exchanged for unrelaxed material, and the tip
+  // then unloads quickly.
   paths.push_back({ "slow in, slide, out", at(-0.2, 23.3),
     { { at(1.0, 23.3), 1.0 }, { at(1.0, 39.4), 20.0 }, { at(-0.2, 39.4), 20.0 },
       { at(-0.2, 23.3), 20.0 } } });
@@ -74,7 +74,7 @@ std::vector<TimedPath> timedPaths()
     sweeps.legs.push_back({ at(1.0, 32.1, 29.3), 20.0 });
     sweeps.legs.push_back({ at(1.0, 30.1), 20.0 });
   }
-  // Four triangles meet at (30, 30): there is an edge between the tips.
+  // Four triangles meet at (30, 30): the two tips are on opposite sides of an edge.
   for (int i = 0; i < 2000; ++i)
   {
     jumps.legs.push_back({ at(1.0, 29.9995), 8.0 });
@@ -103,7 +103,7 @@ std::vector<TimedPath> timedPaths()
 /// Results of a tip that moves once along a path in steps of `step` mm.
 struct TimedLap
 {
-  double jump = 0.0;  ///< largest |ΔF| of a step, over the force before it
+  double jump = 0.0;  ///< largest |ΔF| of a step, divided by the force before the step
   double gain = 0.0;  ///< ∮F·dx, the energy gained by the hand, mJ
   double scale = 0.0; ///< ∮|F||dx|, mJ
 };

@@ -12,7 +12,7 @@
 
 namespace palpate::testing
 {
-/// A law evaluated at run time against the plane z = 0, without checks, limits or memory of earlier
+/// A law evaluated at run time on the plane z = 0, without checks, limits or memory of earlier
 /// readings: a loop of ten lines.
 class BareLaw final : public Rendering
 {
@@ -64,11 +64,11 @@ private:
 /// Links of the safety chain that are on.
 enum class Control
 {
-  None,         ///< only the force limit, and that infinite unless set
+  None,         ///< only the force limit, which is infinite unless it is set
   Cap,          ///< stiffness cap, at 2b/T
   Passivity,    ///< passivity control, at 2b/T
-  ChainAtLimit, ///< all, for 2b/T, with a device that states no delay
-  Chain         ///< all, as the device states: for b/T, with the bound of its delay
+  ChainAtLimit, ///< all links, for 2b/T, with a device that states no delay
+  Chain         ///< all links, as the device states: for b/T, with the bound of its delay
 };
 constexpr Control AllControls[] = { Control::None, Control::Cap, Control::Passivity,
   Control::ChainAtLimit, Control::Chain };

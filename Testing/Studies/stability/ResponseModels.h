@@ -19,7 +19,7 @@ struct ResponseModel
   std::string name;
   std::function<IndentationPoint(double deflection)> law;
   double exponent = 1.0; ///< m of its stored form (ResponseSampling)
-  double range = 2.0;    ///< of its stored form, mm
+  double range = 2.0;    ///< range of its stored form, mm
 
   /// The depth at which the law has this force, at most the range.
   double depthOf(double force) const;
@@ -42,7 +42,7 @@ std::shared_ptr<const ContactBody> bodyOf(
   const Surface& surface, const ResponseStore& store, const ResponseModel& model);
 /// A plate in z = 0, centred at the origin, with this response.
 std::shared_ptr<const ContactBody> plateOf(const ResponseModel& model);
-/// The same on a half-space of this reduced modulus (MPa), which couples the tools.
+/// The plate of plateOf() on a half-space of this reduced modulus (MPa), which couples the tools.
 std::shared_ptr<const ContactBody> coupledPlate(const ResponseModel& model, double modulus);
 } // namespace palpate::testing
 

@@ -26,10 +26,10 @@ inline Course courseOf(const VirtualLoop& loop, bool rests, double speed)
   return { rests, speed, loop.peakForce(), loop.audit().mostGenerated() };
 }
 
-/// Checks that a small swing decays. In the last quarter of two times LoopSetting::watchedTicks its
-/// speed must be 1 % less than in the quarter before half time, which is the decay at a stiffness
-/// 0.05 % below the limit. The speed must also stay below `most` (m/s): above it the motion is a
-/// buzz that has stopped growing.
+/// Checks that a small swing decays. The motion is watched for two times LoopSetting::watchedTicks.
+/// In the last quarter its speed must be 1 % less than in the quarter before half time, which is
+/// the decay at a stiffness 0.05 % below the limit. The speed must also stay below `most` (m/s):
+/// above this speed the motion is an oscillation that has stopped growing.
 inline Course smallSwing(VirtualLoop& loop, int ticks, double most)
 {
   const int window = ticks / 2;

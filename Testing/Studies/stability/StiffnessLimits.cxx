@@ -15,8 +15,8 @@ namespace
 {
 constexpr double LightPush = 1.0; // N
 
-/// A mass at its rest depth on the plate under its push, off by a tenth of the depth. The target of
-/// the hand, if any, is the rest position.
+/// A mass at its rest depth on the plate under its push, disturbed by a tenth of the depth. The
+/// target of the hand, if there is a hand, is the rest position.
 VirtualLoop disturbed(const LoopSetting& setting, double stiffness, Rendering& plate)
 {
   const double depth = setting.push / stiffness;

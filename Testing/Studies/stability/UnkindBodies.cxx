@@ -23,7 +23,7 @@ std::vector<Vector3> inSection(const std::vector<Eigen::Vector2d>& corners)
   return path;
 }
 
-/// A convex edge along z. The path goes under one face towards the edge, over to the other face,
+/// A convex edge along z. The path leads under one face towards the edge, over to the other face,
 /// and back around the edge.
 UnkindBody wedge(double degrees, double size)
 {
@@ -46,7 +46,7 @@ UnkindBody wedge(double degrees, double size)
   return body;
 }
 
-/// A concave edge: a fan of tips has the same contact point, and there is no jump.
+/// A concave edge: all tips of a fan have the same contact point, and there is no jump.
 UnkindBody inner(int times)
 {
   return { "inner edge",
@@ -70,8 +70,8 @@ UnkindBody groove(int times)
     jump, UnkindDepth * jump };
 }
 
-/// A slab of 3 mm, pressed from above until the tip comes out below; then back around it. In the
-/// middle the nearest point changes to the other side, and the force reverses.
+/// A slab of 3 mm, pressed from above until the tip comes out below; the path then returns around
+/// the slab. In the middle the nearest point changes to the other side, and the force reverses.
 UnkindBody slab(int times)
 {
   return { "slab", subdivided(block(40.0, 3.0, 40.0), times),

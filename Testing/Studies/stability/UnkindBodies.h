@@ -15,9 +15,9 @@ struct UnkindBody
   std::string name;
   Surface surface;
   std::vector<Vector3> path; ///< corners; begins and ends outside, at the same place
-  /// |ΔF| over the force, and the jump of the contact point (mm), for the nearest point on this
-  /// path: 2 cos(ω/2) and 2 δ cos(ω/2) if the path crosses an edge of interior angle ω from face to
-  /// face.
+  /// |ΔF| over the force, and the jump of the contact point (mm), for a method that uses the
+  /// nearest point on this path. They are 2 cos(ω/2) and 2 δ cos(ω/2) if the path crosses an edge
+  /// of interior angle ω from face to face.
   double forceJump;
   double contactJump;
 };

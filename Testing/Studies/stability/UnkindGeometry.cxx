@@ -34,8 +34,8 @@ const char* nameOf(ForceForm form)
 /// Results of a tip that moves once along a closed path in steps of `step` mm.
 struct Lap
 {
-  double jump = 0.0;        ///< largest |ΔF| of a step, over the force before it
-  double contactJump = 0.0; ///< of the contact point, mm, while in contact
+  double jump = 0.0;        ///< largest |ΔF| of a step, divided by the force before the step
+  double contactJump = 0.0; ///< jump of the contact point, mm, while in contact
   double gain = 0.0;        ///< ∮F·dx, the energy gained by the hand, mJ
   double scale = 0.0;       ///< ∮|F||dx|, mJ
 };
@@ -99,8 +99,9 @@ double generated(const std::shared_ptr<const ContactBody>& body, const ContactSe
   return 1e3 * loop.audit().mostGenerated();
 }
 
-/// The tip goes down at the softest place of a varying response, at constant depth to the stiffest,
-/// up, and back outside. Energy put in at one place is returned at the other.
+/// The tip goes down at the softest place of a varying response, moves at constant depth to the
+/// stiffest place, and goes up and back outside. Energy put in at one place is returned at the
+/// other.
 std::vector<Vector3> fromSoftToStiff(const MeshedBody& body)
 {
   Vector3 softest = Vector3::UnitX();
@@ -184,7 +185,7 @@ void coarse(int cuts, bool isVaried, bool isQuick, Edges edges)
     smoothSphere(20.0), cuts, isVaried ? varied : uniform, MeshNormals::Exact, termsOf(edges));
   for (const ContactSettings& settings : allFormsAndSurfaces())
   {
-    // δ h/R². For EnergyConsistent on facets it is the angle between them, up to h/R.
+    // The expected jump is δ h/R². For EnergyConsistent on facets it is the angle between facets.
     const bool turns = settings.form == ForceForm::EnergyConsistent;
     const double jump = settings.surface == ContactSurface::Smooth
       ? 0.0

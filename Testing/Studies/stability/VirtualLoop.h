@@ -23,8 +23,8 @@ public:
   Rendering& operator=(const Rendering&) = delete;
   virtual ~Rendering() = default;
   virtual Eigen::Vector3d force(const DeviceSample& sample, double time) noexcept = 0;
-  /// s for which the device holds the last force if no other comes. The default is the watchdog
-  /// time of the protocol for a device with the usual time-out.
+  /// s, time for which the device holds the last force if no other force comes. The default is the
+  /// watchdog time of the protocol for a device with the usual time-out.
   virtual double holdTime() const noexcept { return 0.02; }
   /// True if the last reading was outside the body.
   virtual bool isFree() const noexcept = 0;
@@ -39,10 +39,10 @@ struct LoopSetting
   /// to the device together with the motor's force, so it must not be used with faults.
   double push = 0.0;
   double rate = 1000.0; ///< Hz
-  /// s: the bound of its delay that the device states.
+  /// s, bound of its delay that the device states.
   double statedDelay = 0.0;
-  /// s: begin and end of the time in which the host does nothing. The device then releases the
-  /// force by itself.
+  /// s, begin and end of the time in which the host does nothing. The device then ends the force
+  /// itself.
   double hostStalls = 0.0;
   double hostGoesOn = 0.0;
 
@@ -60,7 +60,7 @@ constexpr double StrongestPush = 10.0; // N
 constexpr HandModel Nobody{ 0.0, 0.0 };
 
 /**
- * A simulated device in a hand and a rendering, closed to a loop in virtual time. `rendering` must
+ * A closed loop of a simulated device in a hand and a rendering, in virtual time. `rendering` must
  * outlive the loop.
  */
 class VirtualLoop
@@ -71,18 +71,18 @@ public:
 
   void tick();
   void run(int ticks);
-  /// Runs and returns the largest |v| (m/s) at the ticks.
+  /// Runs the loop and returns the largest |v| (m/s) at the ticks.
   double peakSpeed(int ticks);
-  /// Runs and returns the heights z (m) at the ticks.
+  /// Runs the loop and returns the heights z (m) at the ticks.
   std::vector<double> heights(int ticks);
-  /// Runs and returns max z - min z, m.
+  /// Runs the loop and returns max z - min z, m.
   double swing(int ticks);
 
-  double time() const noexcept { return this->Time; } ///< of the next tick, s
+  double time() const noexcept { return this->Time; } ///< time of the next tick, s
   Eigen::Vector3d position() const noexcept { return this->Device->truePosition(); } ///< m
   Eigen::Vector3d velocity() const noexcept { return this->Device->trueVelocity(); } ///< m/s
   const Eigen::Vector3d& force() const noexcept { return this->Force; } ///< sent to the device, N
-  /// Force that the motor really applies.
+  /// The force that acts at the motor.
   const Eigen::Vector3d& acting() const noexcept { return this->Acting; }
   double peakForce() const noexcept { return this->Peak; } ///< N, of acting
   int notFinite() const noexcept { return this->Bad; }     ///< written forces that were not finite

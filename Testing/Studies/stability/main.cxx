@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // palpateStability PART [--quick] prints the rows of one part of the stability study as CSV on the
-// standard output. All in virtual time, so the results are the same on every machine.
+// standard output. All runs are in virtual time, so that the results are the same on every machine.
 #include "Parts.h"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of the stability study: stability.png (parts a and b, and the table of verdicts), details.png (the rest), and
-relaxing.png (bodies that relax)."""
+"""The pictures of the stability study: stability.png (parts a and b, and the table of verdicts), details.png (the other
+parts), and relaxing.png (bodies that relax)."""
 import matplotlib
 
 matplotlib.use("Agg")

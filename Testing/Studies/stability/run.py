@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stability of a loop: with which stiffness, force, friction, geometry and failures it stays stable.
+"""Stability of a loop: the stiffnesses, forces, friction, geometry and failures for which a loop is stable.
 
     ./run study stability [--quick] [--output DIR] [--program FILE]
 
 Runs the parts of palpateStability, two at a time, and writes to DIR (default build/studies/stability): a CSV per
 part that also has the values of theory, verdicts.csv and verdicts.md (method by failure), and with matplotlib
-stability.png, details.png and relaxing.png. Everything runs in virtual time, the same everywhere. Columns and units:
-README.md.
+stability.png, details.png and relaxing.png. All runs are in virtual time, with the same results on every machine. Columns
+and units: README.md.
 """
 import argparse
 import concurrent.futures
@@ -63,7 +63,7 @@ def encoder_with_theory(rows):
 
 
 def press_with_theory(rows):
-    """Of those held without control: the stiffness at which a loop must begin to buzz, and Table 1's force there."""
+    """Adds the stiffness at which a loop without control becomes unstable, and the force of Table 1 at this stiffness."""
     for row in rows:
         exact = theory.exact_limit(theory.MASS, row["damping_Ns_per_m"], 1 / row["rate_Hz"])
         force = theory.force_at_stiffness(row["model"], exact, row["modulus_MPa"])
@@ -106,7 +106,7 @@ THEORY = {"hands": hands_with_theory, "relaxing": relaxing_with_theory, "limits"
 
 
 def study(program, is_quick, parts=PARTS):
-    """All rows, by part."""
+    """Runs the parts and returns their rows: {part: rows}."""
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         texts = dict(zip(parts, pool.map(lambda part: measure(program, part, is_quick), parts)))
     tables = {part: read(text) for part, text in texts.items()}

@@ -4,7 +4,7 @@
 
     test_stability.py PROGRAM [UNITTEST ARGS]       PROGRAM: palpateStability
 
-Limits are compared with theory.py, which does not use Palpate; energies with zero; verdicts of failures are checked.
+Limits are compared with theory.py, which does not use Palpate, and energies with zero. Verdicts of failures are checked.
 """
 import csv
 import pathlib
@@ -26,7 +26,7 @@ def reference(name):
 
 
 class Theory(unittest.TestCase):
-    """theory.py against the reference table, whose eigenvalues another program found."""
+    """Compares theory.py with the reference table, whose eigenvalues come from another program."""
 
     def test_limits(self):
         for row in reference("stability_K_limits.csv"):
@@ -43,32 +43,32 @@ class Theory(unittest.TestCase):
             mass, damping, period = (float(row[name]) for name in ("m_kg", "b", "T_s"))
             self.assertAlmostEqual(theory.passive_relaxing(material, damping, period) / float(row["K_passive_closed"]), 1,
                                    delta=1e-12)
-            # The eigenvalues change by less than 1e-3 of a relative change of K. So their rounding
-            # gives a thousand times as much in K.
+            # The change of the eigenvalues is less than 1e-3 of a relative change of K. Therefore their rounding causes a
+            # thousand times as large an error of K.
             for delay, name in ((0.0, "K_stable_eig"), (1.0, "K_stable_eig_delay1")):
                 found = theory.relaxing_limit(material, mass, damping, period, delay)
                 self.assertAlmostEqual(found / float(row[name]), 1, delta=1e-6, msg=material)
 
 
 class Rows:
-    """What holds of the rows of a whole or a quick study."""
+    """Checks that apply to the rows of a whole study and of a quick study."""
 
     def check_limit(self, row, tolerance):
-        """The limit is the predicted one, and motion decays below it and grows above it."""
+        """Checks that the limit is the predicted one, and that motion decays below the limit and grows above it."""
         self.assertLess(abs(row["error"]), tolerance, row)
         self.assertLess(row["growth_below"], 1, row)
         self.assertGreater(row["growth_above"], 1, row)
 
     def test_exact_limits(self):
         for row in self.tables["limits"]:
-            # Bisected to 1e-11; the response is stored as float32. The issue asks for 1 %.
+            # The bisection ends at 1e-11; the response is stored as float32. The required accuracy is 1 %.
             self.assertLess(abs(row["error"]), 1e-5, row)
 
     def test_relaxing_limits(self):
         self.assertEqual({row["material"] for row in self.tables["relaxing"]},
                          {"1:0.01", "1:0.1", "1:1", "0.5:0.02 0.8:0.2 1.2:2"})
         for row in self.tables["relaxing"]:
-            # Identified from some hundred readings of a response in float32, with up to six poles.
+            # The limit is identified from some hundred readings of a response in float32, with up to six poles.
             self.check_limit(row, 1e-3)
 
     def test_relaxing_under_control(self):
@@ -87,7 +87,7 @@ class Rows:
     def test_limits_of_two_hands(self):
         self.assertEqual({row["motion"] for row in self.tables["hands"]}, {"opposite", "common"})
         for row in self.tables["hands"]:
-            # Boussinesq's C and curves as float32. The rounds of a tick are exact for springs.
+            # Boussinesq's C and the curves are float32. The rounds of a tick are exact for springs.
             self.check_limit(row, 1e-4)
 
     def test_two_hands_under_control(self):
@@ -139,8 +139,8 @@ class Rows:
 
     def test_leak(self):
         for row in run.select(self.tables["leak"], control="none"):
-            # To first order in the path per tick over the depth of 2 mm. A delayed force doubles
-            # it, and the turn may be between two ticks.
+            # The error is of first order in the path per tick over the depth of 2 mm. A delayed force doubles the error, and
+            # the turn may be between two ticks.
             slack = 0.01 + (1 + row["delay_ticks"]) * 1e3 * row["speed_m_s"] / row["rate_Hz"] / 2.0
             self.assertAlmostEqual(row["leaked_mJ"] / row["expected_mJ"], 1, delta=slack)
 

@@ -7,11 +7,11 @@ m v' = F - (b + b_h) v - k_h x; the force F = -K x_k is held for a period T and 
 exact_limit     largest stable K: the spectral radius of the matrix from tick to tick is one
 closed_limit    the same limit without hand and delay: b (1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m)
 relaxing_limit  the same limit for a spring that relaxes, F = -K (x + Σ h_i), h_i ← e_i h_i + c_i Δx, e_i = exp(-T/τ_i),
-                c_i = p_i (1 - e_i) τ_i/T: exact where the tip moves evenly in a tick
+                c_i = p_i (1 - e_i) τ_i/T: exact if the speed of the tip is constant in a tick
 passive_relaxing 2b/T over 1 + Σ p_i tanh(x_i)/x_i, x_i = T/2τ_i: the instantaneous stiffness counts
 pair_limit      for two flat ends on a half-space, r apart: K (1 -+ K C) for the opposite and the common motion, K C = 2a/(π r)
 passive_limit   2b/T: no motion of a hand can extract energy (Colgate and Schenkel 1997)
-delay_bound     b/(T/2 + t_d): limit of a continuous loop with the delay of hold and transport; a rule of thumb
+delay_bound     b/(T/2 + t_d): limit of a continuous loop with the delay of hold and transport; approximate
 encoder_bound   min(2b/T, 2 f_c/Δ): rounding to Δ is held by friction f_c (Diolaiti et al. 2006)
 leaked          F_max v (T + 2 t_d): energy that a press and release at speed v extracts
 """
@@ -20,12 +20,12 @@ import math
 
 import numpy as np
 
-MASS = 0.1              # kg, of the simulated device
+MASS = 0.1              # kg, mass of the simulated device
 STRONGEST_PUSH = 10.0   # N, as in part b
 
 
 def exponential(matrix):
-    """Of a matrix, by halving and Taylor's series."""
+    """Returns the exponential of a matrix, by halving and Taylor's series."""
     halvings = max(0, int(math.ceil(math.log2(max(1e-300, np.abs(matrix).sum(1).max())))) + 4)
     term = total = np.eye(len(matrix))
     for i in range(1, 18):
@@ -37,21 +37,21 @@ def exponential(matrix):
 
 
 def held(mass, damping, stiffness, time):
-    """(A, B): state (x, v) after `time` = A state + B F."""
+    """Returns (A, B), where the state (x, v) after `time` is A state + B F."""
     system = np.array([[0, 1, 0], [-stiffness / mass, -damping / mass, 1 / mass], [0, 0, 0]]) * time
     moved = exponential(system)
     return moved[:2, :2], moved[:2, 2]
 
 
 def tick_matrix(spring, mass, damping, period, delay, hand_stiffness, hand_damping):
-    """From (x, v, F on their way, oldest first) to the same a tick later."""
+    """Returns the matrix from the state (x, v, delayed forces, the oldest first) to the state a tick later."""
     whole = int(math.floor(delay + 1e-9))
     part = max(0.0, delay - whole)
     late = whole + (1 if part > 1e-9 else 0)
     total = damping + hand_damping
     first, first_push = held(mass, total, hand_stiffness, part * period)
     second, second_push = held(mass, total, hand_stiffness, (1 - part) * period)
-    pushes = [second @ first_push, second_push]      # of the old force until the new one arrives, then of the new
+    pushes = [second @ first_push, second_push]      # effect of the old force, and of the new one after its arrival
     matrix = np.zeros((2 + late, 2 + late))
     matrix[:2, :2] = second @ first
     now = np.zeros(2 + late)                         # the force of this tick, -K x
@@ -80,12 +80,12 @@ def exact_limit(mass, damping, period, delay=0.0, hand_stiffness=0.0, hand_dampi
 
 
 def branches_of(material):
-    """[(p, τ)] of "1:0.1 0.5:2"; of "elastic" none."""
+    """Returns [(p, τ)] of a material such as "1:0.1 0.5:2"; [] for "elastic"."""
     return [] if material == "elastic" else [tuple(map(float, each.split(":"))) for each in material.split()]
 
 
 def relaxing_matrix(spring, branches, mass, damping, period, delay):
-    """As tick_matrix, without a hand: from (x, v, h_i as they decayed, F on their way) to the same a tick later."""
+    """As tick_matrix, without a hand, for the state (x, v, decayed h_i, delayed forces)."""
     kept = [math.exp(-period / tau) for _, tau in branches]
     added = [spring * p * (1 - e) * tau / period for (p, tau), e in zip(branches, kept)]
     whole, n = int(round(delay)), len(branches)
@@ -142,7 +142,8 @@ def leaked(force, speed, period, delay):
 
 
 def force_at_stiffness(tool, stiffness, modulus):
-    """N, at which dF/dδ = 2 E* a reaches K (N/m); E* in MPa. inf: never; 0: from first touch; None: no closed form."""
+    """Returns the force (N) at which dF/dδ = 2 E* a equals K (N/m), with E* in MPa; inf: at no force; 0: from first contact
+    on; None: no closed form."""
     name, _, size = tool.partition(":")
     if name not in ("paraboloid", "sphere", "cone", "flat"):
         return None
@@ -160,7 +161,7 @@ def force_at_stiffness(tool, stiffness, modulus):
 
 
 def modulus_at(tool, stiffness, force):
-    """E* (MPa) of the half-space on which the tool, pressed by this force (N), feels K (N/m)."""
+    """Returns E* (MPa) of the half-space on which the stiffness under the tool at this force (N) is K (N/m)."""
     if tool.startswith("flat"):
         return 1e-3 * stiffness / (2 * float(tool.partition(":")[2]))
     low, high = 1e-6, 1e6
@@ -172,6 +173,7 @@ def modulus_at(tool, stiffness, force):
 
 
 def pair_limit(alone, apart_radii, motion):
-    """Each is let down by C times the other's force: apart the two are as stiff as K/(1 - K C), together as K/(1 + K C)."""
+    """Returns the limit of K for two flat ends. C times the force on one end lowers the other end, so that the stiffness is
+    K/(1 - K C) for opposite motion and K/(1 + K C) for common motion."""
     share = 2 / (math.pi * apart_radii)
     return alone * (1 - share if motion == "opposite" else 1 + share)

@@ -2,10 +2,10 @@
 """A table of the stability study: for each method and failure a verdict and the number on which it is based.
 
 survives   the failure has no effect, within the tolerance stated with each rule below
-bounded    the failure has an effect, but it ends, or gives no energy
-fails      oscillates, requests a force that is not a number, gives energy, or jumps or drifts by a large amount
+bounded    the failure has an effect, but the effect ends, or generates no energy
+fails      the loop oscillates, requests a force that is not a number, generates energy, or jumps or drifts strongly
 
-A cell is {group, method, failure, verdict, number, unit}. Thresholds are the study's own choice, each with its reason.
+A cell is {group, method, failure, verdict, number, unit}. The thresholds are chosen by this study, each with its reason.
 """
 import itertools
 
@@ -14,10 +14,10 @@ RENDERINGS = ("point spring", "law at run time", "stored, none", "stored, cap", 
               "stored, chain at 2b/T", "stored, chain")
 FAULTS = {"dropped": "20 % dropped", "late": "5 % late: by 5 ms", "nan": "2 % NaN", "stall": "0.1 s hang: of the device",
           "host": "0.1 s hang: of the host", "unplug": "unplugged 0.3 s", "delay": "1 ms delay"}
-STILL = 0.1           # mm/s; a hand cannot feel it
+STILL = 0.1           # mm/s; not perceptible by a hand
 NO_ENERGY = 1e-6      # mJ: tolerance of PassivityControl
 LITTLE_ENERGY = 0.1   # mJ; a tenth of the energy stored by the tissue of part f at its deepest
-QUADRATURE = 1e-5     # of force times path, in loops
+QUADRATURE = 1e-5     # fraction of force times path, in loops
 RATE = 1000.0
 RUBBER = 3.45         # MPa
 
@@ -35,7 +35,7 @@ def cell(group, method, failure, verdict, number, unit):
 
 
 def press_of(rows, method, modulus):
-    """The row of part b that is this way of rendering the 6.35 mm sphere (or its secant) on the stiffest body there."""
+    """Returns the row of part b for this rendering of the 6.35 mm sphere (or its secant) on the body of this modulus."""
     wanted = {"rate_Hz": RATE, "modulus_MPa": modulus}
     if method == "point spring":
         return first(rows, model="spring", evaluated="law", start="held", **wanted)
@@ -85,7 +85,7 @@ def friction_cells(rows):
 
     passive = 2 * RATE  # 2b/T of 1 N s/m
     for model in models:
-        # mm in 8 s; the swing itself is about 0.4 mm.
+        # Drift in mm in 8 s; the amplitude of the oscillation is about 0.4 mm.
         drift = abs(value(model, "drift_mm"))
         yield cell("friction", model, "drift", graded(drift, 1e-3, 1.0), drift, "mm")
         stuck, ripple = value(model, "stuck_share", 5.0), value(model, "speed_ripple", 5.0)
@@ -112,8 +112,7 @@ def geometry_cells(rows):
                                                   ("Paper", "NormalizedDirection", "EnergyConsistent")):
         method = f"{surface}, {form}" + (", edges felt" if edges == "felt" else "")
         wanted = {"surface": surface, "form": form, "edges": edges}
-        # A force jump of 1 % is not noticed (a tenth of the just-noticeable difference); one of 10
-        # % is.
+        # A force jump of 1 % is not noticeable (a tenth of the just-noticeable difference); a jump of 10 % is.
         for name, title in (("edge 90", "90° edge"), ("groove", "groove"), ("slab", "3 mm slab")):
             jump = worst(name, "force_jump", **wanted)
             if jump is not None:
@@ -142,7 +141,8 @@ def material_name(material):
 
 
 def relaxing_cells(tables):
-    """A spring, and the 6.35 mm sphere under 10 N, on bodies that relax; and closed paths over one that differs."""
+    """Yields cells for bodies that relax: a spring, the 6.35 mm sphere under 10 N, and closed paths over a body whose response
+    varies."""
     for material in dict.fromkeys(row["material"] for row in tables["relaxing-press"]):
         for elements, way in ELEMENTS.items():
             method = material_name(material) + (f", {way}" if material != "elastic" else "")
@@ -171,7 +171,7 @@ def relaxing_cells(tables):
 
 
 def hands_cells(tables):
-    """Two flat ends as springs, and two tools under 10 N each, that feel one another through a half-space."""
+    """Yields cells for two tools that are coupled by a half-space: flat ends as springs, and two tools under 10 N each."""
     for row in tables["hands"]:
         if row["rate_Hz"] == RATE and row["apart_radii"] == min(other["apart_radii"] for other in tables["hands"]):
             late = ", 1 tick late" if row["delay_ticks"] else ""
@@ -200,7 +200,7 @@ def judge(tables):
 
 
 def grid(cells, group):
-    """(methods, failures, {(method, failure): cell}) of a group, in their order."""
+    """Returns (methods, failures, {(method, failure): cell}) of a group, in their order."""
     mine = [c for c in cells if c["group"] == group]
     return (list(dict.fromkeys(c["method"] for c in mine)), list(dict.fromkeys(c["failure"] for c in mine)),
             {(c["method"], c["failure"]): c for c in mine})

@@ -24,7 +24,7 @@ private:
     const std::vector<int>& active, const Eigen::VectorXd& forces, Eigen::VectorXd& moved) override;
 
   const Eigen::MatrixXd& Matrix;
-  std::vector<double> Dense; // of the active nodes; grows to the largest contact so far
+  std::vector<double> Dense; // matrix of the active nodes; grows to the largest contact so far
   std::vector<double> Right;
 };
 

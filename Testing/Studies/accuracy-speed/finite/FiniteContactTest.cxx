@@ -31,7 +31,7 @@ ToolPointer tool(const char* text)
   return ToolPointer(makeTool(specification));
 }
 
-/// Made once; such a small mesh takes some tenths of a second.
+/// The plate is made once, because its mesh takes some tenths of a second.
 const FiniteBodyPointer& plate()
 {
   static const FiniteBodyPointer body = FiniteBody::make(finitePlate(), { 1.0, 4.0, 2.0 });
@@ -72,7 +72,8 @@ std::vector<std::pair<double, double>> fromCalculix(const std::string& name, dou
 }
 } // namespace
 
-// The solution is unique: it is the one subset with only compressive forces and no penetrated node.
+// The solution is unique: only one subset of the nodes has compressive forces alone and no
+// penetrated node.
 TEST(UnilateralContact, FindsTheOnlySubsetThatPushesAndHolds)
 {
   constexpr int nodes = 9;
@@ -188,7 +189,7 @@ TEST(FiniteMethods, LayerIsThatOfTheIntegralEquation)
     const double exact = 2.0 * modulus * radius * kappa * 0.5;
     // H is accurate to 1 % of C_g, which is a tenth to a quarter of the compliance here.
     EXPECT_TRUE(agrees(press(*finiteReference(layer(), flat), 0.0, 0.0, 0.5), exact, 5e-3));
-    // In addition the error of the series model, of the order (a/h)³ (the numbers of the manual).
+    // This tolerance includes the error of the series model, of the order (a/h)³ (see the manual).
     EXPECT_TRUE(agrees(press(*localAndGlobal(layer(), flat), 0.0, 0.0, 0.5), exact,
       5e-3 + 2.5 * std::pow(0.1 * radius, 3)));
   }

@@ -26,19 +26,20 @@ MethodPointer condensedContact(FiniteBodyPointer body, ToolPointer tool);
 
 /// Local + global at run time: the tool's half-space law in series with C_g at the site.
 MethodPointer localAndGlobal(FiniteBodyPointer body, ToolPointer tool);
-/// The same with C_g from six modes of the body.
+/// As localAndGlobal(), with C_g from six modes of the body.
 MethodPointer localAndModes(FiniteBodyPointer body, ToolPointer tool);
 /// Global compliance only: F = δ / C_g, for any shape of tool; NaN if C_g is not positive.
 MethodPointer globalOnly(FiniteBodyPointer body);
 /// One pressed node: F = δ / C_ii, the spring of a point contact on these elements.
 MethodPointer pressedNode(FiniteBodyPointer body);
 
-/// All of these methods, the full solution first. It takes a second per tip, the others micro- or
-/// milliseconds; its forces equal those of the condensed one to 1e-6.
+/// All of these methods, the full solution first. The full solution takes a second per tip, the
+/// other methods micro- or milliseconds. The forces of the full solution equal those of
+/// condensedContact() to 1e-6.
 std::vector<MethodPointer> finiteMethods(FiniteBodyPointer body, ToolPointer tool);
 
-/// The reference of the others: the exact half-space under the tool, plus the effect of the body by
-/// finite elements. About 0.1 s per tip.
+/// The reference for the other methods: the exact half-space under the tool, plus the effect of the
+/// body by finite elements. About 0.1 s per tip.
 MethodPointer finiteReference(FiniteBodyPointer body, ToolPointer tool);
 
 } // namespace palpate::testing

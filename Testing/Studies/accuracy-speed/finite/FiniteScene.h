@@ -32,21 +32,21 @@ struct FiniteScene
 /// The paper's rubber (E* = 3.45 MPa, ν = 0.45 as in the CalculiX study) as a plate 60 × 40 × 6 mm
 /// supported on its two short ends. Its global deflection is large.
 FiniteScene finitePlate();
-/// The same rubber, so deep and wide that it is a half-space for a tool of some mm.
+/// A block of this rubber, so deep and wide that it is a half-space for a tool of some mm.
 FiniteScene finiteBlock();
-/// The same rubber as a layer on a rigid base.
+/// A layer of this rubber on a rigid base.
 FiniteScene finiteLayer(double thickness = 10.0);
 
 /// Element sizes of a body, mm.
 struct FiniteMesh
 {
-  double spacing = 0.5; ///< of the elements in the window and on the top; divides the window
+  double spacing = 0.5; ///< size of the elements in the window and on the top; divides the window
   double window = 8.0;  ///< a tool may press at |x|, |y| <= window
-  double largest = 2.0; ///< element of a plate, which bends as a whole
+  double largest = 2.0; ///< largest element of a plate, which bends as a whole
 
-  /// Coarse and small, for tests.
+  /// A coarse and small mesh, for tests.
   static FiniteMesh quick() { return { 1.0, 6.0, 2.0 }; }
-  /// For finiteReference().
+  /// The mesh for finiteReference().
   static FiniteMesh reference() { return { 0.5, 8.0, 1.0 }; }
 };
 

@@ -5,8 +5,8 @@ namespace palpate::testing
 {
 namespace
 {
-/// Relative to the largest wanted motion; below the threshold by which UnilateralContact
-/// distinguishes a gap from rounding.
+/// Tolerance relative to the largest wanted motion. It is below the threshold by which
+/// UnilateralContact distinguishes a gap from rounding.
 constexpr double Residual = 1e-10;
 constexpr int MostGradients = 500;
 } // namespace

@@ -6,9 +6,8 @@
 namespace palpate::testing
 {
 
-/// The contact with the factorised body as a whole. The forces of the nodes in contact come from
-/// conjugate gradients, with a solution of the whole body in each step. Nothing is stored for the
-/// window.
+/// The contact with the whole factorised body. The forces of the nodes in contact come from
+/// conjugate gradients; each step solves the whole body. No compliance of the window is stored.
 class FullSolve : public NodalContact
 {
 public:

@@ -7,7 +7,8 @@
 namespace palpate::testing
 {
 
-/// Steps of `spacing` up to `fine`, then each is `growth` times the last, up to `largest`.
+/// Steps of size `spacing` up to `fine`. After that each step is `growth` times the preceding one,
+/// up to `largest`.
 struct Grading
 {
   double spacing;
@@ -19,10 +20,10 @@ struct Grading
 std::vector<double> gradedSteps(const Grading& grading, double length);
 
 /**
- * The scene's body of hexahedra: `spacing` across the window and for the first element of depth,
- * coarser away from it. Its supports are given by FixedX, FixedY, FixedZ. Body and deformation
- * under vertical forces are mirror-symmetric about x = 0 and y = 0: the supports that keep a plate
- * on edges from drifting carry no force.
+ * The scene's body of hexahedra: of size `spacing` across the window and for the first element
+ * below the surface, and coarser elsewhere. Its supports are given by FixedX, FixedY, FixedZ. Body
+ * and deformation under vertical forces are mirror-symmetric about x = 0 and y = 0. The supports
+ * that prevent a rigid motion of a plate on edges carry no force.
  */
 ElasticBodyInput gradedBlock(const FiniteScene& scene, const FiniteMesh& mesh);
 

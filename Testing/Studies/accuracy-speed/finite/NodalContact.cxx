@@ -11,8 +11,8 @@ namespace palpate::testing
 {
 namespace
 {
-/// Fraction of the depth by which the surface next to the contact may rise; nodes up to there are
-/// candidates for contact.
+/// Fraction of the depth by which the surface next to the contact may rise. Nodes within this
+/// height are candidates for contact.
 constexpr double Rise = 0.25;
 } // namespace
 

@@ -15,10 +15,10 @@ namespace palpate::testing
 {
 namespace
 {
-/// Squares are placed up to this many expected contact radii, and farther if the contact extends to
-/// there.
+/// Squares are placed up to this multiple of the expected contact radius, and farther if the
+/// contact extends beyond it.
 constexpr double Margin = 1.25;
-/// Relative to the depth; the iteration of the depth correction ends below it.
+/// Tolerance relative to the depth: the iteration of the depth correction ends below it.
 constexpr double Settled = 1e-7;
 
 /// The four values of cubic Lagrange interpolation at 0 <= t <= 3 between nodes 0, 1, 2, 3.

@@ -8,14 +8,13 @@ namespace palpate::testing
 {
 
 /**
- * The Green function split in two: G(x,X) = 1/(πE*|x-X|) + H(x,X). Elements resolve the first,
- * singular part badly, so it is exact here. The second part is smooth over some mm and comes from
- * elements (RegularField). Unlike C_g in series, H varies under the contact: a plate bends around
- * the tool.
- * The contact is solved on squares of uniform pressure around the tip (Love 1929), about `Squares`
- * across the contact. The error of these coarse squares in the singular part is measured on a
- * half-space under the same force, where the law of the tool is known. The depth is corrected by
- * it.
+ * Splits the Green function into two parts: G(x,X) = 1/(πE*|x-X|) + H(x,X). Elements resolve the
+ * first, singular part badly; therefore its exact form is used. The second part is smooth over some
+ * mm and comes from elements (RegularField). Unlike C_g in series, H varies under the contact,
+ * because a plate bends around the tool. The contact is solved on squares of uniform pressure
+ * around the tip (Love 1929), about `Squares` across the contact. The error of these coarse squares
+ * in the singular part is measured on a half-space under the same force, where the law of the tool
+ * is known. The depth is corrected by this error.
  */
 class SplitReference
   : public ContactMethod
@@ -45,8 +44,8 @@ private:
   ToolPointer Tool;
   int Across;
   UnilateralContact Contact;
-  std::vector<Eigen::Vector2d> Middles; ///< of the squares, relative to the axis
-  Eigen::MatrixXd Local;                ///< of the squares on a half-space, mm/N
+  std::vector<Eigen::Vector2d> Middles; ///< middles of the squares, relative to the axis
+  Eigen::MatrixXd Local;                ///< compliance of the squares on a half-space, mm/N
   Eigen::MatrixXd Whole;                ///< Local plus H
   const Eigen::MatrixXd* Matrix = nullptr;
   std::vector<int> Active;
