@@ -38,8 +38,8 @@ vtkStandardNewMacro(vtkLayerThickness);
 namespace
 {
 constexpr double SamplesPerVoxel = 4.0;
-constexpr double LargestTurn = 0.5; // cosine of 60°; at larger angles the surface counts as facing
-                                    // another way
+/// Cosine of 60°: the median excludes points whose normals are at a larger angle.
+constexpr double LargestTurn = 0.5;
 constexpr double MostSamples = 1e6; // largest number of samples per ray
 constexpr int ThicknessBlocks = 10;
 constexpr float NotFound = std::numeric_limits<float>::infinity();
@@ -86,7 +86,8 @@ public:
     this->Grey->CopyStructure(scan);
     this->Grey->GetPointData()->SetScalars(grey);
     this->Interpolator->SetInterpolationModeToLinear();
-    this->Interpolator->SetTolerance(0.5); // voxels: the skin may end at the border of the scan
+    // Voxels, because the skin may end at the border of the scan.
+    this->Interpolator->SetTolerance(0.5);
     this->Interpolator->Initialize(this->Grey);
   }
 
@@ -143,7 +144,7 @@ bool LeavesBody(
     near->begin(), near->end(), [&](vtkIdType j) { return surface.cosine(i, j) < 0.0; });
 }
 
-/** The median around point `i`, including the point itself. */
+/** Median of the depths around point `i`, including the depth at the point itself. */
 float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>& depth,
   double radius, vtkIdList* near, std::vector<float>& found)
 {
@@ -160,7 +161,7 @@ float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>
   }
   if (found.empty())
   {
-    return NotFound; // no normal
+    return NotFound; // the point has no normal
   }
   const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
   std::nth_element(found.begin(), middle, found.end());

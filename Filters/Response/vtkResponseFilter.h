@@ -46,9 +46,9 @@ public:
   ///@}
 
   ///@{
-  /** Thickness h of an elastic layer on a rigid base, mm, >= 0, of points without an array. 0, the
-   * default, means a half-space. On a body of true shape it is the layer with which AutomaticTerms
-   * compares. */
+  /** Thickness h of an elastic layer on a rigid base, mm, >= 0, used where no array gives the
+   * thickness. Default 0: a half-space. For a body of true shape, AutomaticTerms compares the
+   * response with that of this layer. */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}

@@ -59,11 +59,11 @@ public:
   };
 
   /**
-   * The renderer of the strip. The panel sets its background; its camera is not controlled. The
-   * strip should be about 256 pixels wide and 700 high; the panel shrinks in a smaller one.
+   * The renderer of the strip. The panel sets its background, but not its camera. The strip should
+   * be about 256 pixels wide and 700 pixels high. In a smaller strip the panel is drawn smaller.
    */
   void SetRenderer(vtkRenderer* renderer);
-  /** The setup. Its output must exist: call Update of the setup before On. */
+  /** The setup. Call Update of the setup before On, because the panel needs its output. */
   void SetSetup(vtkContactSetup* setup);
   /** The style, with session, scene and interactor. For Record and Picture it also needs files. */
   void SetStyle(vtkInteractorStyleHaptic* style);
@@ -73,17 +73,17 @@ public:
   void SetCharts(vtkLiveCharts* charts);
 
   ///@{
-  /** Shows or hides the panel, and starts or stops listening to the mouse. */
+  /** Shows or hides the panel. The panel receives mouse events only while it is shown. */
   void On();
   void Off();
   ///@}
 
-  /** Does the work of one frame, see above. */
+  /** Does the work of one frame (see the description of the class). */
   void Update();
 
   /**
-   * Chooses a tool of the setup, by its index from 0, in session, scene and charts. No effect if
-   * there is no such tool.
+   * Chooses the tool with index `tool` (from 0) of the setup, in session, scene and charts. No
+   * effect if there is no such tool.
    */
   void ChooseTool(int tool);
 
@@ -94,7 +94,7 @@ public:
   bool GetCompare();
   ///@}
   ///@{
-  /** Whether there are charts. Default on. Key g. */
+  /** Whether the charts are shown. Default on. Key g. */
   void SetChartsVisibility(bool visible);
   bool GetChartsVisibility();
   ///@}
@@ -108,7 +108,7 @@ public:
   bool FindButton(const std::string& label, int position[2]);
   bool FindSlider(const std::string& name, double value, int position[2]);
   ///@}
-  /** The last line of the panel: the work in progress, or the error. */
+  /** Returns the last line of the panel: the work in progress, or the error. */
   std::string GetStatus();
 
 protected:

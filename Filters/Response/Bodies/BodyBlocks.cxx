@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/** Names the filter that makes a body of other data. */
+/** Returns the name of the filter that makes a body from data of another type. */
 std::string advice(vtkDataObject* data)
 {
   struct Advice

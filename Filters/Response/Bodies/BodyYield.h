@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The compliance of a body as a whole, found from its closed surface, for the law of a tool on a
- * half-space in series with it. The module Solids computes it.
+ * Finds the compliance of a whole body from its closed surface. This compliance is in series with
+ * the law of a tool on a half-space. The module Solids computes it.
  */
 #ifndef BodyYield_h
 #define BodyYield_h
@@ -24,7 +24,7 @@ struct YieldRequest
 {
   double youngsModulus = 0.1; ///< MPa
   double poissonRatio = 0.45;
-  double radius = 2.0; ///< radius of the contact for which the compliance is exact, mm
+  double radius = 2.0; ///< radius of the contact for which the compliance is computed, mm
   std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
   int cells = 12000;   ///< approximate upper limit of the number of finite elements
 };
@@ -48,7 +48,8 @@ struct BodyYield
   std::string heldAt;                ///< the sides at which the body is held
   std::vector<std::string> warnings; ///< repairs of the surface
 
-  /// Whether the compliance is known at a point. On a mesh of few large triangles it is not.
+  /// Whether the compliance is known at any point. It is not known on a mesh of few large
+  /// triangles.
   bool isKnown() const
   {
     return std::any_of(
@@ -64,8 +65,8 @@ struct YieldModule : ModuleTable
 };
 
 /// Finds the compliance of a body, which must be the body() of a SoundBody. `made` is empty if
-/// `goOn(fraction of the work)` returned false. Returns "", or a message about the fault: the
-/// module is missing, or the body cannot be filled or held. Cost: vtkBodyCompliance.
+/// `goOn(fraction of the work)` returned false. Returns "" or an error message: the module is
+/// missing, or the body cannot be filled or held. Cost: see vtkBodyCompliance.
 PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldRequest& request,
   const std::function<bool(double)>& goOn, BodyYield& made);
 

@@ -41,7 +41,7 @@ struct PlainSurface
   }
 };
 
-/// The defects of the last surfaces that needed no repair, by their content.
+/// Recent surfaces that needed no repair: a hash of the content, and the defects.
 using SoundKey = std::tuple<std::size_t, std::size_t, SoundBody::Extent>;
 
 RecentValues<SoundKey, MeshDefects>& soundSurfaces()
@@ -51,8 +51,8 @@ RecentValues<SoundKey, MeshDefects>& soundSurfaces()
   return recent;
 }
 
-/// Returns a surface of the given triangles with their cell arrays. Each corner is replaced by its
-/// firstOf.
+/// Returns a surface of the given triangles with their cell arrays. `firstOf` replaces each corner
+/// by the first point at its place.
 template <class First>
 vtkSmartPointer<vtkPolyData> withTriangles(
   vtkPolyData* surface, const std::vector<TriangleCorners>& triangles, const First& firstOf)

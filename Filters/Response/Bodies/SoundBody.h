@@ -43,7 +43,7 @@ public:
 
   /// Number of points that are represented by another point.
   vtkIdType joinedPoints() const { return static_cast<vtkIdType>(this->Found.joinedPoints); }
-  /// The first point at the place of `point`.
+  /// Returns the first point at the place of `point`.
   vtkIdType firstAt(vtkIdType point) const
   {
     return this->First.empty() ? point : this->First[static_cast<std::size_t>(point)];
@@ -57,7 +57,8 @@ public:
 private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Body;
-  std::vector<std::int32_t> First; ///< empty: no points coincide
+  /// First point at the place of each point; empty: no points coincide.
+  std::vector<std::int32_t> First;
   MeshDefects Found;
   std::string Fault;
 };

@@ -19,11 +19,11 @@ class BodySeam;
 /// piece of a body.
 struct BodyGeometry
 {
-  std::vector<float> normals; ///< fillPointNormals()
+  std::vector<float> normals; ///< from fillPointNormals()
   std::vector<unsigned char> status;
   std::unique_ptr<CurvatureBound> bound;
   BodyLengths lengths{ 0.0, 0.0 };
-  std::string fault; ///< of the normals, or ""; then there is no bound
+  std::string fault; ///< error of the normals, or ""; after an error `bound` is null
 };
 
 /// Finds the geometry of a body. Never returns null. Collective.

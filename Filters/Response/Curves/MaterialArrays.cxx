@@ -47,7 +47,7 @@ MaterialArray arrayToProcess(
   const std::string name = which->Has(vtkDataObject::FIELD_NAME())
     ? which->Get(vtkDataObject::FIELD_NAME())
     : "active attribute";
-  return name.empty() ? MaterialArray{} // an empty name resets the array
+  return name.empty() ? MaterialArray{} // an empty name removes the array
                       : MaterialArray{ name, find(index) };
 }
 
@@ -74,7 +74,7 @@ MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 5
 
 namespace
 {
-/// Reads one value per point from an array that checkPointArray accepts.
+/// Reads one value per point from an array that has passed checkPointArray.
 void readValues(const std::string& name, vtkDataArray* array, PointValues& given)
 {
   given.name = array->GetName() ? array->GetName() : name;

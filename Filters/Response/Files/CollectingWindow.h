@@ -33,11 +33,11 @@ public:
     const std::string all = text;
     if (all.find("Error reading InformationKey") != std::string::npos)
     {
-      return; // an array has a NaN: only its range is lost
+      return; // an array contains NaN; only its range is lost
     }
     this->failed = true;
     if (this->error.empty() &&
-      // This text adds no information.
+      // This message adds no information to the first error.
       all.find("returned failure for request") == std::string::npos)
     {
       this->error = messageOf(all);
@@ -64,7 +64,7 @@ private:
   /** Some readers report an error as a warning and continue. */
   void warn(const std::string& text)
   {
-    // But not the name of an array that ends with "Error".
+    // The word boundary excludes names of arrays that end with "Error".
     static const std::regex isError("\\bError\\b");
     this->failed = this->failed || std::regex_search(text, isError);
     const std::string message = messageOf(text);
@@ -95,7 +95,8 @@ private:
 
   bool failed = false;
   std::string error;
-  std::vector<std::string> different; ///< warnings
+  /// The different warnings, in the order of their first occurrence.
+  std::vector<std::string> different;
 };
 
 /** During its lifetime, VTK's output goes to a CollectingWindow instead of the console. */

@@ -55,9 +55,9 @@ public:
   std::size_t joinedEdges() const noexcept { return this->Found.joinedEdges; }
 
   /**
-   * Combines values of the seam points over all ranks. `own` and the result have a value for each
+   * Combines values of the seam points over all ranks. `own` and the result have one value for each
    * of places(). The result is combine(...combine(start, first)..., last) over the values of all
-   * ranks in the order of the ranks, so the bits are the same everywhere. Collective.
+   * ranks, in the order of the ranks. So the bits are the same on all ranks. Collective.
    */
   template <class T, class Combine>
   std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const

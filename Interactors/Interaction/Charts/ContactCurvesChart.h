@@ -47,7 +47,7 @@ public:
 
   /// Sets the styles, one per curve. Has no effect if the styles are unchanged.
   void choose(const std::vector<Style>& styles);
-  /// Shows one curve per style.
+  /// Shows one curve per style, at the time `time` (s).
   void show(const std::vector<Curve>& curves, double time);
   /// Places or hides the running point.
   void showPoint(double deflection, double force);
@@ -59,7 +59,7 @@ private:
     explicit Line(const std::string& label);
     void show(const Curve& curve);
 
-    PlotTable trusted; ///< the part up to validity
+    PlotTable trusted; ///< the part of the curve up to validity
     PlotTable beyond;
     BandTable band;
   };

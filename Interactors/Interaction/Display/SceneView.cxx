@@ -10,7 +10,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double RaisedFocus = 0.09; // fraction of the distance
+/// Fraction of the distance, by which the focus is above the point.
+constexpr double RaisedFocus = 0.09;
 
 void placeCamera(vtkCamera* camera, const Eigen::Vector3d& focus, const Eigen::Vector3d& position,
   const Eigen::Vector3d& up)
