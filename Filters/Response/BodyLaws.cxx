@@ -33,7 +33,7 @@ namespace palpate
 {
 namespace
 {
-/// Fraction of the progress for the body's compliance, if included.
+/// Fraction of the progress for the body's compliance, if it is included.
 constexpr double WholeBodyShare = 0.9;
 
 /// Makes a response step by step. After each step all ranks agree on a fault and on an abort, so
@@ -63,7 +63,7 @@ private:
   struct Step
   {
     std::string (ResponseInMaking::*take)();
-    bool isForAll; ///< ranks without a piece of the body take the step, too
+    bool isForAll; ///< whether ranks without a piece of the body take the step, too
     bool isAlike;
   };
   static const std::array<Step, 14> Steps;

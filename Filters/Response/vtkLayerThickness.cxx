@@ -86,8 +86,7 @@ public:
     this->Grey->CopyStructure(scan);
     this->Grey->GetPointData()->SetScalars(grey);
     this->Interpolator->SetInterpolationModeToLinear();
-    // Voxels, because the skin may end at the border of the scan.
-    this->Interpolator->SetTolerance(0.5);
+    this->Interpolator->SetTolerance(0.5); // in voxels; the skin may end at the border of the scan
     this->Interpolator->Initialize(this->Grey);
   }
 

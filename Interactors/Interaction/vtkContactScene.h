@@ -104,8 +104,8 @@ public:
   void SetLargestForce(double largest);
   vtkGetMacro(LargestForce, double);
   ///@{
-  /** Factor by which the dent is drawn deeper than it is. The caption shows the factor. Default 1.
-   */
+  /** Factor by which the dent is drawn deeper than it is. The caption shows the factor. Default
+   * 1. */
   void SetExaggeration(double factor);
   double GetExaggeration();
   ///@}

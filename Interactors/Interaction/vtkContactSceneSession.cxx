@@ -23,9 +23,9 @@ namespace
 {
 // Priority among the observers of a frame. The scene is called last.
 constexpr float LastPriority = -1.0F;
-/// S, longest pause between two pictures that the trail bridges.
-constexpr double PassedSeconds = 2.0;
-constexpr double RemarkSeconds = 3.0; // s, for which the picture says that its scale has changed
+constexpr double PassedSeconds = 2.0; // longest time between two pictures that the trail bridges, s
+/// Time for which the picture says that its scale has changed, s.
+constexpr double RemarkSeconds = 3.0;
 } // namespace
 
 void vtkContactScene::Follow(vtkFrameClock* clock, vtkHapticSession* session)

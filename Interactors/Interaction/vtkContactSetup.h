@@ -178,8 +178,8 @@ public:
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
   ///@{
-  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. Default 0: tools are upright.
-   */
+  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. Default 0: tools are
+   * upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
   ///@}
@@ -307,9 +307,9 @@ public:
   vtkContactSettings* GetSettings();
   ///@}
 
-  /** Passes the output, the response of the chosen tool, Poisson's ratio, and the settings if there
-   * are any, to a session. Applies the changes if the session runs. Returns false after an error.
-   */
+  /** Passes the output, the response of the chosen tool, Poisson's ratio, and the settings if
+   * there are any, to a session. Applies the changes if the session runs. Returns false after
+   * an error. */
   bool ApplyTo(vtkHapticSession* session);
   /** Passes the output to a scene, with the chosen tool as it was when its response was made. */
   void ShowIn(vtkContactScene* scene);

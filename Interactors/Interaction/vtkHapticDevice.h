@@ -8,18 +8,18 @@
  *
  * Devices, by Open:
  * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
- * follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
- * maximum force is SimulatedForce. Neither stiffness nor energy is limited, because the force does
- * not act on the motion.
+ *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
+ *   maximum force is SimulatedForce. Neither stiffness nor energy is limited, because the force
+ *   does not act on the motion.
  * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that moves with the force: m dv/dt
- * = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m, default
- * 1). A hand of stiffness k (N/m, default 300) and hand-damping (N s/m, default 5) pulls it towards
- * the path, or towards the target of SteerTo. The force acts on the motion, so that stiffness cap
- * and passivity control work as on a real device with this damping: no spring above b/(T + 2
- * delays), where T is one over the session's Rate. Its maximum force is 10 N. Further settings:
- * friction (N), encoder-step (m), force-delay and sample-delay (s), hand-force (N), see
- * palpate::readPlant. Settings that are not given, and all settings of "plant" alone, have their
- * defaults.
+ *   = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m, default
+ *   1). A hand of stiffness k (N/m, default 300) and hand-damping (N s/m, default 5) pulls it
+ *   towards the path, or towards the target of SteerTo. The force acts on the motion, so that
+ *   stiffness cap and passivity control work as on a real device with this damping: no spring above
+ *   b/(T + 2 delays), where T is one over the session's Rate. Its maximum force is 10 N. Further
+ *   settings: friction (N), encoder-step (m), force-delay and sample-delay (s), hand-force (N), see
+ *   palpate::readPlant. Settings that are not given, and all settings of "plant" alone, have their
+ *   defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that uses the same reports, "unix:/PATH" or "udp:PORT"; needs
@@ -156,8 +156,8 @@ public:
    * the body's surface with the outward unit normal `normal`. At a negative height it presses.
    * Unlike SteerTo, the hand does not pass through the body: it lifts off, moves around the body
    * and comes down. It slides if both places are pressed and close to each other. The depth never
-   * exceeds the one given (palpate::GuidedHand). Before Start this is the starting place. A planar
-   * device moves on a straight line.
+   * exceeds the given depth (palpate::GuidedHand). Before Start this is the starting place. A
+   * planar device moves on a straight line.
    */
   void TouchAt(const double point[3], const double normal[3], double height);
   /**

@@ -213,9 +213,9 @@ public:
    */
   bool ApplyChanges();
 
-  /** Computes all ticks that are due in the next `seconds` of virtual time. The total time counts,
-   * not the lengths of the steps. No effect if the session does not run, or if `seconds` is not
-   * positive and finite. */
+  /** Computes all ticks that are due in the next `seconds` of virtual time. Only the sum of all
+   * steps matters, not their lengths. No effect if the session does not run, or if `seconds` is
+   * not positive and finite. */
   void Step(double seconds);
 
   int GetState() const;

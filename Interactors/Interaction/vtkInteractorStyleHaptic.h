@@ -12,7 +12,7 @@
  * - left button: the tool presses, PressDepth deep, and slides with the pointer; the wheel changes
  *   the depth by 0.1 mm per notch; a tool that the wheel presses keeps its depth;
  * - wheel without a button: the tool presses WheelDepth deep; each notch changes WheelDepth by 0.1
- * mm; at 0 the tool hovers again;
+ *   mm; at 0 the tool hovers again;
  * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees relative to the surface normal
  *   (with ViewPlane, relative to the direction to the viewer); key 0: upright;
  * - with Steering ViewPlane (key v), the pointer moves the tip in the plane through the tip

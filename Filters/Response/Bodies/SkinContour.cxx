@@ -63,8 +63,8 @@ std::array<int, 3> resampledSize(const SkinScan& scan, double resolution)
 }
 
 /**
- * Moves each grey level that is too close to the contour value away from that value, by a small
- * fraction of the step from contour to tissue. Voxels exactly at the contour value would give
+ * Moves each grey level that is too close to the contour value away from it, to a distance of
+ * Clearance times the step from contour to tissue. Voxels exactly at the contour value would give
  * triangles without area.
  */
 void keepClearOfVoxels(vtkImageData* image, float contour, float tissue)
@@ -237,7 +237,7 @@ vtkSmartPointer<vtkPolyData> contourSkin(
   }
   const double coarser =
     std::cbrt(1.0 * static_cast<double>(scan.values.size()) / lattice->GetNumberOfPoints());
-  // Removes the same wavelength in mm.
+  // On a finer lattice a smaller pass band removes the same wavelengths in mm.
   const double passBand = PassBand * std::min(1.0, coarser * coarser);
   if (!smooth(surface, wanted.iterations, passBand, part(stage, 0.6, 0.93)))
   {

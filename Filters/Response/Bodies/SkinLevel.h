@@ -15,7 +15,7 @@ struct SkinLevel
 {
   double given = 0.0;   ///< in the unit of the scan; for labels the middle of their range
   float contour = 0.0f; ///< level of the contour, for the values after mark()
-  float tissue = 0.0f; ///< value of tissue; its distance above the contour equals that of air below
+  float tissue = 0.0f;  ///< grey value of tissue; as far above the contour as air is below
   /// Whether the values are labels of tissues. Labels are not a measure of density. So mark()
   /// replaces the smallest label by 0 and all other labels by 1.
   bool isLabelled = false;

@@ -41,7 +41,8 @@ struct PlainSurface
   }
 };
 
-/// Recent surfaces that needed no repair: a hash of the content, and the defects.
+/// Key of a recent surface that needed no repair: hashes of its content. The cache stores the
+/// defects.
 using SoundKey = std::tuple<std::size_t, std::size_t, SoundBody::Extent>;
 
 RecentValues<SoundKey, MeshDefects>& soundSurfaces()

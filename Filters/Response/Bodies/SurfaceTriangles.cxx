@@ -116,8 +116,7 @@ void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& 
   }
 }
 
-/** Appends volumes without ghost cells. Surfaces of separate volumes would have walls at the seams.
- */
+/** Appends volumes without ghost cells. Separate surfaces would have walls at the seams. */
 vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& given)
 {
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;

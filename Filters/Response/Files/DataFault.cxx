@@ -77,7 +77,7 @@ vtkIdType pointsOf(int type, std::map<int, vtkIdType>& known)
 }
 
 /// Checks polyhedra and cells of higher order by a trial run of the surface filter. Only the
-/// classes of these cells know which content is valid.
+/// classes of these cells define which content is valid.
 std::string facesFault(vtkUnstructuredGrid* grid, double memory)
 {
   vtkNew<vtkDataSetSurfaceFilter> surface;

@@ -41,13 +41,13 @@ public:
 
   virtual bool isAsked(const LawRequest& request) const = 0;
 
-  /// Checks the settings of the term, whether or not the term is asked, and the arrays of this
+  /// Checks the settings of the term, whether or not the term is requested, and the arrays of this
   /// rank's piece of the body (null: a body without arrays). The range of the material is that of
   /// the whole body. Returns "" or an error that names the setting or the array.
   virtual std::string check(const TermBody& response, vtkPolyData* piece) const;
 
   /// Attaches the arrays of the term to a body that has its curves and no older arrays of the term.
-  /// Called if the term is asked. Returns "" or an error message.
+  /// Called if the term is requested. Returns "" or an error message.
   virtual std::string make(const TermBody& response, vtkPolyData* output) const;
 
   /// Includes the error of the term in the validity and the error of the response. Called after
@@ -55,7 +55,7 @@ public:
   /// are not added here.
   virtual std::string limit(const TermBody& response, vtkPolyData* output) const;
 
-  /// Returns the text and the ModelPart with which the model of the response describes an asked
+  /// Returns the text and the ModelPart with which the model of the response describes a requested
   /// term. The text begins with a comma.
   virtual ResponseModel words(const TermBody& response) const;
 
@@ -89,11 +89,11 @@ PALPATERESPONSE_EXPORT const std::array<const LawTerm*, 7>& lawTerms();
 /// Returns the first fault that LawTerm::check finds in any term, or "".
 PALPATERESPONSE_EXPORT std::string checkTerms(const TermBody& response, vtkPolyData* piece);
 
-/// Attaches the arrays of all asked terms, and includes their errors. Call it after the curves are
-/// attached. Returns "" or an error message.
+/// Attaches the arrays of all requested terms, and includes their errors. Call it after the curves
+/// are attached. Returns "" or an error message.
 PALPATERESPONSE_EXPORT std::string makeTerms(const TermBody& response, vtkPolyData* output);
 
-/// Returns the texts of all asked terms, one after the other, and the sum of their ModelParts.
+/// Returns the texts of all requested terms, one after the other, and the sum of their ModelParts.
 PALPATERESPONSE_EXPORT ResponseModel termsInWords(const TermBody& response);
 } // namespace palpate
 

@@ -16,7 +16,7 @@ namespace palpate
  * These are errors:
  * - more than CoupledContacts::Most polylines, or more single points than that at one Time;
  * - with Time, a polyline with two points at one time, or without a point at a time of another
- * polyline between its own first and last time;
+ *   polyline between its own first and last time;
  * - a single point whose Time is NaN or minus infinity.
  */
 std::string checkCoupledTips(vtkPolyData* tips);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file
+/** @file
  * A place where a body is or can be touched.
  */
 #ifndef TouchedPlace_h

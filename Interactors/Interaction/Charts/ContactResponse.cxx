@@ -24,9 +24,9 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// If the distance of a point from the plane of its triangle exceeds this value, the point is
-/// assumed to be on the smooth surface. In edge lengths. The value allows for the single precision
-/// of the tick's coordinates.
+/// Smallest distance of a point from the plane of its triangle, in edge lengths, at which the point
+/// is assumed to be on the smooth surface. It allows for the single precision of the tick's
+/// coordinates.
 constexpr double OffPlane = 1e-5;
 
 /// Returns the area coordinates of a point of the patch. They are found by Gauss-Newton steps from

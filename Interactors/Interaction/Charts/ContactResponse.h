@@ -46,8 +46,8 @@ public:
   /// Blended force (N) and blended range (mm); NaN if a corner of weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
-  /// Whether errors are stored; and the estimated relative error of force(), blended as the force
-  /// is, NaN beyond a range.
+  /// hasError: whether errors are stored. error: the estimated relative error of force(), blended
+  /// in the same way; NaN beyond a range.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
   /// Depth to which all corners are valid, mm; infinite if the body has no validity.

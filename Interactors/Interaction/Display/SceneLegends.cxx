@@ -34,7 +34,8 @@ namespace
 {
 constexpr int LegendSize = 15;
 constexpr double LegendWidth = 175.0; // pixels
-/// Pixels, always free below the legends, so that the legends do not move when the caption grows.
+/// Height that is always free below the legends, so that they do not move when the caption grows,
+/// pixels.
 constexpr double CaptionHeight = 160.0;
 constexpr double LegendBottom = 0.15;
 constexpr double LegendTop = 0.97;

@@ -17,7 +17,8 @@ namespace
 constexpr double TrackHeight = 4.0;
 constexpr double HandleWidth = 10.0;
 constexpr double HandleHeight = 18.0;
-/// Height of the middle of the track, as a fraction of the row's height.
+/// Height of the middle of the track above the bottom of the row, as a fraction of the row's
+/// height.
 constexpr double TrackShare = 0.24;
 constexpr double TextShare = 0.56;
 } // namespace

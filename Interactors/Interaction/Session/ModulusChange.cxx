@@ -22,7 +22,7 @@ namespace palpate
 namespace
 {
 constexpr double LargestChange = 1e6; // largest ratio of two moduli; floats keep their accuracy
-/// Relative rounding error of the product of modulus and compliance.
+/// Largest relative rounding error of the product of modulus and compliance.
 constexpr double Rounding = 1e-12;
 constexpr std::size_t Share = 65536; // number of values that a thread scales at a time
 
@@ -48,8 +48,8 @@ double factorBetween(const ResponseRequest& known, const ResponseRequest& wanted
     reducedModulus(known.youngsModulus, known.poissonRatio);
 }
 
-/// Whether the requests differ at most in the elastic constants, and no other elastic constants
-/// exist.
+/// Whether the requests differ at most in the elastic constants, and all other elastic constants of
+/// the body change with them.
 bool differInMaterialOnly(const ResponseRequest& known, const ResponseRequest& wanted);
 
 /// Whether the body is an elastic half-space with one material, at small strain.

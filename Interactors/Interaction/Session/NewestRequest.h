@@ -17,7 +17,8 @@
 
 namespace palpate
 {
-/** A thread that processes the newest request. A new request replaces waiting requests, and makes
+/**
+ * A thread that processes the newest request. A new request replaces waiting requests, and makes
  * the current one obsolete. Only the destructor waits for the thread. The thread starts with the
  * first request. It runs at lower priority if the system permits it.
  */
