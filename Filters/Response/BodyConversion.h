@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Conversion from vtkPolyData to the spans of the contact kernel.
+ * Conversion from vtkPolyData to the data of the contact kernel.
  *
- * This is the only place that fetches the response arrays of the data contract
- * (Contact/ResponseContract.h). An error text names the array, the expected form and the form
- * found.
+ * Only this code fetches the response arrays of the data contract (Contact/ResponseContract.h). An
+ * error message names the array, the expected form and the form found.
  */
 #ifndef BodyConversion_h
 #define BodyConversion_h
@@ -24,9 +23,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Checks the cells of a body. It must have triangles; other polygons, strips, corners without a
-/// point and more than 2^31 points are errors. Returns "" if the cells are valid, else an error
-/// message.
+/// Checks the cells of a body: it must have only triangles. Other polygons, strips, corners that
+/// refer to a missing point, and more than 2^31 points are errors. Returns "" if the cells are
+/// valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 
 /// Copy the cells and the points of a body that has passed checkTriangles: copyTriangles returns
@@ -34,7 +33,7 @@ PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 PALPATERESPONSE_EXPORT std::vector<std::int32_t> copyTriangles(vtkPolyData* body);
 PALPATERESPONSE_EXPORT std::vector<double> copyPoints(vtkPolyData* body);
 
-/// The surface of a body that has passed checkTriangles.
+/// Returns the surface of a body that has passed checkTriangles.
 PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 
 /// Returns the point data or the field data of a body: the one where the contract places the array.

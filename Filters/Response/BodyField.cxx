@@ -53,7 +53,7 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   return numbers.empty() ? own : triangleOf(numbers);
 }
 
-/// Views of the modes. Modes of other types are copied into `kept`.
+/// Returns views of the modes. Modes of other types are converted to arrays in `kept`.
 std::vector<ModeSpan> viewModes(
   const std::vector<vtkDataArray*>& modes, std::vector<vtkSmartPointer<vtkDataArray>>& kept)
 {

@@ -48,7 +48,8 @@ public:
   /// Returns "" or an error message, the same on all ranks.
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// The parts that displace() left out, as sentences. Missing modes are reported once.
+  /// Sentences about the parts of the field that displace() has left out. Missing modes are
+  /// reported once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 
 private:

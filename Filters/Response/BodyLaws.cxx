@@ -95,14 +95,15 @@ private:
     return !this->Observer || this->Observer(from + (1.0 - from) * done);
   }
   SurfaceShape shape() const;
-  /// Collective: all ranks return the same fault, or no correction if one of them was aborted.
+  /// Makes the finite-strain correction. Collective: all ranks return the same fault, or no
+  /// correction if one of them was aborted.
   Checked<std::unique_ptr<StrainCorrection>> makeStrain(
     const BodyMaterial& material, const StrainLaw& law) const;
 
   const Ranks& All;
   vtkPolyData* Input;
   vtkPolyData* Output;
-  LawRequest Request; ///< with the chosen terms
+  LawRequest Request; ///< the request, with the chosen terms
   const std::function<bool(double)>& Observer;
   BodyMaterial Material;
   bool HasPiece;

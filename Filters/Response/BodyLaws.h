@@ -41,10 +41,11 @@ struct LawRequest
   const MeasuredBodyError* measured = nullptr;
   RelaxationRequest relaxation = {}; ///< relaxation of the body, for a response
   bool couples = false;              ///< for a response: whether contacts on the body can interact
-  MaterialArray pressed = {};        ///< for a response: nonzero at the points that get a response;
-                                     ///< without an array all points get one
-  bool wholeBody = false;            ///< for a response: whether it includes the body's compliance
-                                     ///< (WholeBody.h)
+  /// For a response: nonzero at the points that get a response; without an array, all points get
+  /// one.
+  MaterialArray pressed = {};
+  bool wholeBody = false; ///< for a response: whether it includes the body's compliance
+                          ///< (WholeBody.h)
 };
 
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.

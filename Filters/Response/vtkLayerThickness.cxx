@@ -70,7 +70,7 @@ struct Surface
   }
 };
 
-/** Reads the scan along rays into the body. */
+/** Finds the base under a point from the values of the scan along a ray into the body. */
 class Rays
 {
 public:
@@ -134,7 +134,8 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/** Whether a surface that faces away from the normal of point `i` is within `reach` of a place. */
+/** Whether a point of the surface within `reach` of a place has a normal at more than 90 degrees to
+ * the normal of point `i`. */
 bool LeavesBody(
   const Surface& surface, vtkIdType i, const double place[3], double reach, vtkIdList* near)
 {

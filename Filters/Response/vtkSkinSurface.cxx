@@ -105,7 +105,7 @@ int vtkSkinSurface::FillInputPortInformation(int, vtkInformation* info)
 int vtkSkinSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // The outer skin is a property of the whole scan.
+  // The outer skin can only be found from the whole scan.
   vtkInformation* info = input[0]->GetInformationObject(0);
   int whole[6];
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);

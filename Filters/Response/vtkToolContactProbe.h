@@ -201,7 +201,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether tips that press at the same time interact, see above. Default off. */
+  /** Whether tips that press at the same time interact (see the description of the class). Default
+   * off. */
   vtkSetMacro(Coupled, bool);
   vtkGetMacro(Coupled, bool);
   vtkBooleanMacro(Coupled, bool);

@@ -84,7 +84,7 @@ public:
   vtkTypeMacro(vtkToolTouch, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The outputs.
+  /// Indices of the output ports.
   enum OutputPort
   {
     BodyPort = 0,
@@ -221,7 +221,7 @@ private:
   bool MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   bool MakeTools(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   void MakeArrows(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
-  /// Reports a fault, unless it is "".
+  /// Reports the fault as an error, unless it is "".
   bool Fail(const std::string& fault);
 
   vtkSmartPointer<vtkContactSettings> Settings; ///< never null

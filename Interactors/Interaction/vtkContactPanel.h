@@ -3,10 +3,11 @@
  * @class vtkContactPanel
  * @brief sliders and buttons for tool, material, contact and display during contact
  *
- * Fills its own renderer, a strip of the window, with: the tools and the size of the chosen one,
- * Young's modulus, Poisson's ratio, friction, the model of the body, the exaggeration of the dent,
- * the comparison of tools, charts, the session, record and picture. (A live version of Mahvash and
- * Hayward 2002, figure 9.) Made of vtkSliderWidget and vtkButtonWidget.
+ * Fills its own renderer, a strip of the window, with controls for: the tools and the size of the
+ * chosen one, Young's modulus, Poisson's ratio, friction, the model of the body, the exaggeration
+ * of the dent, the comparison of tools, charts, the session, record and picture. (It is a live
+ * version of Mahvash and Hayward 2002, figure 9.) The controls are vtkSliderWidgets and
+ * vtkButtonWidgets.
  *
  * Set a renderer of a window with an interactor; a setup; the style that has session, scene and
  * files; the clock; and the charts, if there are any. Then call On. At each frame of the clock, the
@@ -65,11 +66,12 @@ public:
   void SetRenderer(vtkRenderer* renderer);
   /** The setup. Call Update of the setup before On, because the panel needs its output. */
   void SetSetup(vtkContactSetup* setup);
-  /** The style, with session, scene and interactor. For Record and Picture it also needs files. */
+  /** The style, which must have session, scene and interactor. The buttons Record and Picture also
+   * need its files. */
   void SetStyle(vtkInteractorStyleHaptic* style);
-  /** The clock whose frames the panel follows. Without a clock, call Update. */
+  /** The clock. The panel is updated at each of its frames. Without a clock, call Update. */
   void SetClock(vtkFrameClock* clock);
-  /** Optional: the charts, for Compare, Charts and Timing. */
+  /** Optional: the charts. The controls Compare, Charts and Timing need them. */
   void SetCharts(vtkLiveCharts* charts);
 
   ///@{

@@ -16,9 +16,9 @@
  *   With a global compliance, a is the radius for the local part of the deflection.
  * - The trail is the path of the contact, coloured by the force there, with a legend in N.
  * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows.
- * - ShowSession fits this scale and the colours of the trail to the force: they grow at once if the
- *   force exceeds them, and shrink if for 3 s of contact all forces along the trail have been below
- *   a third of them. For 3 s after a change the picture says "scale changed".
+ * - ShowSession adapts this scale and the colours of the trail to the force. They grow at once if
+ *   the force exceeds them. They shrink if for 3 s of contact all forces along the trail have been
+ *   below a third of their end. For 3 s after a change the picture says "scale changed".
  * - A caption gives the tool, the deflection, the contact radius, the forces, the reasons for a
  *   different applied force, and the limit of validity.
  *
@@ -110,8 +110,8 @@ public:
   double GetExaggeration();
   ///@}
   ///@{
-  /** On (default): the vertex shader displaces the body, at a cost that does not grow with the
-   * mesh. Off: vtkContactDeflection displaces it, point by point. */
+  /** On (default): the vertex shader displaces the body. The cost does not depend on the size of
+   * the mesh. Off: vtkContactDeflection displaces the body point by point. */
   void SetDeflectionByShader(bool on);
   bool GetDeflectionByShader();
   ///@}
@@ -132,9 +132,9 @@ public:
   ///@}
 
   /**
-   * For a blind comparison: only the position of a contact is shown, by a ball on the surface,
-   * independent of the depth of the tip. Tool, forces, dent, circle, trail and legends are not
-   * drawn. The caption has only title and remark. Default off.
+   * Whether the scene is for a blind comparison. It then shows only the position of a contact, by a
+   * ball on the surface, independent of the depth of the tip. Tool, forces, dent, circle, trail and
+   * legends are not drawn. The caption has only title and remark. Default off.
    */
   void SetBlind(bool blind);
 
@@ -142,10 +142,10 @@ public:
   bool ShowTrail(vtkPolyData* probed);
   ///@{
   /**
-   * The live trail: the number of the last contacts of ShowSession, at least 0.05 mm apart; 0 for
-   * none. Default 600: 20 s of motion at 30 pictures per second. It replaces a trail of ShowTrail.
-   * If the session's recorder has a history (HistorySeconds), the trail also passes through the
-   * contacts between two pictures, 1 mm apart.
+   * Length of the live trail: number of the last contacts of ShowSession, at least 0.05 mm apart;
+   * 0: no trail. Default 600: 20 s of motion at 30 pictures per second. The live trail replaces a
+   * trail of ShowTrail. If the session's recorder has a history (HistorySeconds), the trail also
+   * passes through contacts between two pictures, 1 mm apart.
    */
   vtkSetClampMacro(TrailLength, int, 0, VTK_INT_MAX);
   vtkGetMacro(TrailLength, int);
@@ -192,8 +192,8 @@ public:
   ///@}
 
   /**
-   * Distance from the contact at which the deflection field ends, mm; 0 (default): where its
-   * validity ends.
+   * Distance from the contact at which the deflection field ends, mm. 0 (default): the field ends
+   * where its validity ends.
    */
   void SetFieldRadius(double radius);
 

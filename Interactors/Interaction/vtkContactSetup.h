@@ -269,7 +269,7 @@ public:
   /** Makes the responses in the background, with a lower priority. Does nothing if responses for
    * the present settings exist or are being made. */
   void Request();
-  /** Whether the requested responses are not ready yet. */
+  /** Whether requested responses are still being made. */
   bool IsBusy();
   /** Completed fraction of the requested work, 0 to 1; 1 if no request is pending. */
   double GetProgress();
@@ -289,7 +289,8 @@ public:
    * makes a new object.
    */
   vtkPolyData* GetOutput();
-  /** The tool for which a response was made; null before the first Update or Collect. */
+  /** The tool for which the response with this index was made; null before the first Update or
+   * Collect. */
   vtkContactTool* GetOutputTool(int tool);
 
   /** A sentence that gives the form of a tool's response that sessions use, and the reason; "" if

@@ -45,7 +45,7 @@ public:
   };
 
   ///@{
-  /** The interactor with timer and window. It must be initialised before Start. */
+  /** The interactor, which has the timer and the window. It must be initialised before Start. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
   ///@}

@@ -92,7 +92,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether forces are fitted to the device, see above. Default off: the factor is 1. */
+  /** Whether forces are fitted to the device (see the description of the class). Default off: the
+   * factor is 1. */
   vtkSetMacro(FitForce, bool);
   vtkGetMacro(FitForce, bool);
   vtkBooleanMacro(FitForce, bool);

@@ -129,9 +129,9 @@ public:
   ///@}
   ///@{
   /**
-   * Adds a device, by a name as in vtkHapticDevice::Open; it takes part after the next Start.
-   * Returns its index, or -1 after an error. Path, mapping and steering are set on
-   * GetDevice(index), which is null for a wrong index. RemoveAddedDevices keeps only the first
+   * Adds a device, with a name as in vtkHapticDevice::Open. It takes part after the next Start.
+   * Returns its index, or -1 after an error. Path, mapping and steering of the device are set on
+   * GetDevice(index), which is null for an invalid index. RemoveAddedDevices keeps only the first
    * device.
    */
   int AddDevice(const std::string& name);
@@ -171,10 +171,10 @@ public:
 
   ///@{
   /**
-   * With RealTime: time before each tick at which the servo thread wakes up and rehearses the
-   * contact, s, 0 to half a period; see ServoLoopSettings. With rehearsal, the delay from the
-   * sample to the force is shorter, but each tick needs this additional processor time. Default 0:
-   * the thread sleeps until the tick.
+   * With RealTime: time before each tick at which the servo thread wakes up and computes the
+   * contact in advance (rehearsal), s, 0 to half a period; see ServoLoopSettings. Rehearsal
+   * shortens the delay from the sample to the force, but each tick needs this additional processor
+   * time. Default 0: the thread sleeps until the tick.
    */
   vtkSetMacro(Rehearsal, double);
   vtkGetMacro(Rehearsal, double);
@@ -182,8 +182,9 @@ public:
 
   ///@{
   /**
-   * With RealTime: whether the memory of the process is locked against paging, if the system allows
-   * it. A library does not lock memory by itself, so the program must request it. Default off.
+   * With RealTime: whether the memory of the process is locked against paging, if the system
+   * permits it. Only the program may decide this, so a library does not do it by default. Default
+   * off.
    */
   vtkSetMacro(LockMemory, bool);
   vtkGetMacro(LockMemory, bool);
@@ -219,7 +220,8 @@ public:
   void Step(double seconds);
 
   int GetState() const;
-  /** State of one of several devices. Each device can be in the state DeviceLost independently. */
+  /** State of one of several devices. Each device has its own state; one can be in the state
+   * DeviceLost while the others run. */
   int GetState(int device) const;
   /** Virtual time of the next tick, s. */
   double GetTime() const;

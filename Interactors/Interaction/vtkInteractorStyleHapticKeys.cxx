@@ -24,7 +24,7 @@ const std::map<char, unsigned long> KeyEvents = { { ' ', vtkInteractorStyleHapti
   { 't', vtkInteractorStyleHaptic::HistogramEvent } };
 } // namespace
 
-/// The functions of mouse and keys, as shown by KeyHelp.
+/// Returns the text for KeyHelp: the functions of mouse and keys.
 const char* vtkInteractorStyleHaptic::OwnKeys()
 {
   return "? or h\tthis help, on and off\n"

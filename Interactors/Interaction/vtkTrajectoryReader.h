@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Time steps announced per second, 1 to 10000. (A session has a thousand ticks per second or
-   * more.) Default 25.
+   * Number of announced time steps per second, 1 to 10000. Default 25. (A session has a thousand or
+   * more ticks per second.)
    */
   vtkSetClampMacro(FrameRate, double, 1.0, 10000.0);
   vtkGetMacro(FrameRate, double);

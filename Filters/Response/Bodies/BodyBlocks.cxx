@@ -137,7 +137,7 @@ void BodyBlocks::addTree(vtkDataObjectTree* tree, const std::string& name)
   child.TakeReference(tree->NewTreeIterator());
   child->VisitOnlyLeavesOff();
   child->TraverseSubTreeOff();
-  child->SkipEmptyNodesOff(); // the blocks then have the same numbers on all ranks
+  child->SkipEmptyNodesOff(); // the numbers of the blocks are then equal on all ranks
   unsigned int number = 0;
   for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem(), ++number)
   {

@@ -19,13 +19,14 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Material, support and mesh of the body, in addition to its surface. See vtkBodyCompliance.
+/// Input of findYield in addition to the surface: material, support and mesh of the body. See
+/// vtkBodyCompliance.
 struct YieldRequest
 {
   double youngsModulus = 0.1; ///< MPa
   double poissonRatio = 0.45;
   double radius = 2.0; ///< radius of the contact for which the compliance is computed, mm
-  std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
+  std::string fixed;   ///< FixedFaces; "": the side on which the body rests most stably
   int cells = 12000;   ///< approximate upper limit of the number of finite elements
 };
 
@@ -41,8 +42,8 @@ struct BodyYield
   std::vector<double> compliance;    ///< mm/N; empty after an abort
   std::vector<double> error;         ///< mm/N, >= 0
   std::vector<unsigned char> status; ///< 0: the compliance is known
-  /// Motion of the surface under a force (GlobalModes.h): the modes one after another, 3 numbers
-  /// per point, sqrt(mm/N), and the sign of each mode. Used by displays only.
+  /// Motion of the surface under a force (GlobalModes.h). `modes`: one mode after another, 3
+  /// numbers per point, sqrt(mm/N). `signs`: the sign of each mode. Used by displays only.
   std::vector<float> modes;
   std::vector<signed char> signs;
   std::string heldAt;                ///< the sides at which the body is held

@@ -22,7 +22,8 @@ namespace
 using Corner = std::array<double, 3>;
 
 /**
- * Hash of bytes. Two hashes with different start values make a collision practically impossible.
+ * Hash of bytes. If two hashes with different start values are compared, a collision is practically
+ * impossible.
  */
 std::uint64_t mix(std::uint64_t hash, const void* data, std::size_t size)
 {
@@ -50,8 +51,8 @@ struct KeyHash
 };
 
 /**
- * Makes a key of the corners of a polygon and of the block's name. It does not depend on the corner
- * at which the polygon begins.
+ * Makes a key from the corners of a polygon and the name of the block. The key does not depend on
+ * the corner at which the polygon begins.
  */
 Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std::string& block)
 {

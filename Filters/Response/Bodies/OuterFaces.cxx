@@ -200,7 +200,8 @@ vtkSmartPointer<vtkPolyData> outerFaces(
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputConnection(source->GetOutputPort());
-  surface->DelegationOff(); // with delegation the order of points depends on the number of threads
+  // With delegation, the order of points would depend on the number of threads.
+  surface->DelegationOff();
   surface->Update();
   notes.push_back(joined("surface extracted from ", volume->GetNumberOfCells(), " cells"));
   if (!isStructured(data))

@@ -106,9 +106,10 @@ vtkSmartPointer<vtkPolyData> contourOf(
 }
 
 /**
- * Sets the window for which PassBand was chosen: it leaves 3 % of waves of 8 spacings. Before March
- * 2024 (VTK 9.4, and the 9.3 in ParaView 5.13) VTK had no other window. Since then Nuttall's window
- * is the default. It needs more iterations for the same result, and leaves 54 %.
+ * Sets Hamming's window, for which PassBand was chosen. With this window, waves of 8 spacings keep
+ * 3 % of their amplitude. Before March 2024 (VTK 9.4, and the 9.3 in ParaView 5.13) VTK had no
+ * other window. Since then Nuttall's window is the default. With it, more iterations are needed for
+ * the same result, and the waves keep 54 %.
  */
 template <typename TFilter>
 auto useHamming(TFilter* smooth, int) -> decltype(smooth->SetWindowFunctionToHamming())
@@ -120,7 +121,7 @@ void useHamming(TFilter*, long)
 {
 }
 
-/** Runs VTK's windowed-sinc filter. Smooth corrects the scale of the result. */
+/** Runs VTK's windowed-sinc filter. The function smooth corrects the scale of the result. */
 bool smoothRaw(vtkPolyData* surface, int iterations, double passBand, FilterStage stage)
 {
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;

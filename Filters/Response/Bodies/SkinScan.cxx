@@ -82,7 +82,7 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
   const vtkIdType X = scan.size[0];
   const vtkIdType Y = scan.size[1];
   const vtkIdType Z = scan.size[2];
-  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x
+  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x, for the present w
   auto lengthen = [&extrema, pick, X](vtkIdType row, vtkIdType end)
   {
     std::vector<float> shorter(X);

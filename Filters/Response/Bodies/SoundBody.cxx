@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// The triangles of a surface as plain numbers.
+/// The triangles of a surface as arrays of numbers.
 struct PlainSurface
 {
   std::vector<std::int32_t> triangles;

@@ -92,7 +92,7 @@ struct ShapeKey
   std::array<std::size_t, 3> surface; ///< hashes of this rank's piece
   double radius;
   bool hasEdges;
-  bool isOfFaces; ///< whether the curvature is that of the faces and excludes sharp edges
+  bool isOfFaces; ///< whether the curvature is computed from the faces, without sharp edges
 
   bool operator==(const ShapeKey& other) const
   {

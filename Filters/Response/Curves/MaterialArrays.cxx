@@ -42,7 +42,7 @@ MaterialArray arrayToProcess(
     : nullptr;
   if (!which || !which->Has(vtkAlgorithm::INPUT_PORT()))
   {
-    return {}; // never set: the constant property is used
+    return {}; // no array was set: the constant property is used
   }
   const std::string name = which->Has(vtkDataObject::FIELD_NAME())
     ? which->Get(vtkDataObject::FIELD_NAME())

@@ -93,8 +93,8 @@ vtkSmartPointer<vtkPolyData> asPolyData(const FileMesh& mesh)
   return made;
 }
 
-/// Merges corners at the same place into one point. Triangles with two corners at the same place
-/// are left out.
+/// Merges corners at the same place into one point. Leaves out triangles with two corners at the
+/// same place.
 vtkSmartPointer<vtkPolyData> mergedCorners(vtkPolyData* facets)
 {
   vtkNew<vtkPoints> points;
@@ -148,7 +148,7 @@ void readStlFile(const std::string& path, BodyData& result)
   }
 }
 
-/// Upper limit of the memory for the content of a file, bytes: DEFLATE compresses by a factor of at
+/// Upper limit of the memory for the content of a file, bytes. DEFLATE compresses by a factor of at
 /// most 1032.
 double memoryFor(const std::string& path)
 {

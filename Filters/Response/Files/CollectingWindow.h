@@ -45,13 +45,13 @@ public:
   }
 
   bool hasFailed() const { return this->failed; }
-  /** The first error. Without errors, the first warning. */
+  /** Returns the first error or, if there are no errors, the first warning. */
   std::string reason() const { return this->error.empty() ? this->firstWarning() : this->error; }
   std::string firstWarning() const
   {
     return this->different.empty() ? std::string() : this->different.front();
   }
-  /** Prints each warning once, in order, and only the first few. */
+  /** Prints the first few warnings, in order and without repetition. */
   void printWarnings() const
   {
     for (const std::string& warning : this->different)
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  /** Some readers report an error as a warning and continue. */
+  /** Stores a warning. Some readers report an error as a warning and continue. */
   void warn(const std::string& text)
   {
     // The word boundary excludes names of arrays that end with "Error".
@@ -76,7 +76,7 @@ private:
   }
 
   /**
-   * Extracts the message from "ERROR: In file, line n\nclass (address): message\n\n", since VTK
+   * Extracts the message from the text "ERROR: In file, line n\nclass (address): message\n\n". VTK
    * passes only the whole text.
    */
   static std::string messageOf(const std::string& text)

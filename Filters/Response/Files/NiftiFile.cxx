@@ -46,7 +46,7 @@ Affine sform(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// The lengths of a voxel along the axes; 1 if the header does not state them.
+/// Returns the lengths of a voxel along the axes; 1 if the header does not state them.
 Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
 {
   Eigen::Vector3d sides;

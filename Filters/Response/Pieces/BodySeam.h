@@ -39,7 +39,8 @@ public:
     std::size_t size = 0;
     std::vector<Place> places; ///< seam points of this rank, in ascending order of the points
     std::vector<std::vector<std::int32_t>> seams; ///< seam numbers of the places of each rank
-    /// Border edges that coincide with an edge of another piece in the opposite direction.
+    /// Number of border edges that coincide with an edge of another piece in the opposite
+    /// direction.
     std::size_t joinedEdges = 0;
   };
 
@@ -50,8 +51,8 @@ public:
   const Ranks& ranks() const noexcept { return this->Among; }
   /// The seam points of this rank, in ascending order of the points.
   const std::vector<Place>& places() const noexcept { return this->Found.places; }
-  /// Border edges of all ranks that coincide with an edge of another piece in the opposite
-  /// direction.
+  /// Number of border edges of all ranks that coincide with an edge of another piece in the
+  /// opposite direction.
   std::size_t joinedEdges() const noexcept { return this->Found.joinedEdges; }
 
   /**

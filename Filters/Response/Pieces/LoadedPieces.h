@@ -25,7 +25,7 @@ struct PressedTips
   vtkPolyData* tips = nullptr;
   const ContactSettings& settings;
   double indentation = 0.0; ///< mm
-  /// The kernel of one rank: presses the tips into a part of the body.
+  /// The kernel for one rank. It presses the tips into a part of the body.
   std::function<void(const ContactBody& part, const TipVisitor& visit)> press;
 };
 

@@ -67,7 +67,8 @@ public:
     return all;
   }
 
-  /// The bodies of all ranks, in rank order, on rank `to`; empty on other ranks.
+  /// Returns the bodies of all ranks, in rank order, on rank `to`. Returns an empty list on other
+  /// ranks.
   std::vector<vtkSmartPointer<vtkPolyData>> send(vtkPolyData* own, int to) const;
   /// Copies the body of rank `from` to all ranks.
   void spread(vtkPolyData* body, int from) const;

@@ -27,7 +27,8 @@ constexpr double NeighbourDistance = 2.0; // contact radii
 constexpr double BestLean = 0.8;
 // Cosine of the angle between normal and line of sight. Below this value a place is hard to see.
 constexpr double ClearCosine = 0.5;
-/// With this exponent, 10 % of disagreement lowers the rating as much as a corner of the picture.
+/// With this exponent, 10 % of disagreement of the normals lowers the rating as much as a corner of
+/// the picture.
 constexpr int FlatnessExponent = 8;
 /// Smallest factor of validity, > 0: if no place is within validity, the other factors decide.
 constexpr double SmallestValidity = 1e-3;

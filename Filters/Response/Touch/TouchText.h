@@ -22,8 +22,8 @@ struct Touch
   double range = 0.0;     ///< Range of the response at the place, mm
   double scale = 0.0;     ///< length of the arrow per force, mm/N
   PlaceValidity validity;
-  double sunk = 0.0;    ///< distance by which another tool lowers the surface here, mm
-  bool isAlone = false; ///< another tool presses, but the response has no coupling
+  double sunk = 0.0;    ///< distance by which another tool lowers the surface at the place, mm
+  bool isAlone = false; ///< whether another tool presses and the response has no coupling
 
   bool touches() const { return this->place.cell >= 0; }
 };

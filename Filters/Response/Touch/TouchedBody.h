@@ -48,7 +48,7 @@ public:
   /// Returns the place of a surface point in a cell of the body.
   TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
 
-  /// Unit normal of the facet, on the side of the response's normals.
+  /// Unit normal of the facet. It points to the same side as the normals of the response.
   Vector3 normal(const TouchedPlace& place) const;
   /// Whether all corners of the triangle have a response.
   bool isValid(const TouchedPlace& place) const;

@@ -30,7 +30,7 @@ constexpr const char* Declarations = "//VTK::PositionVC::Dec";
 constexpr const char* Beginning = "//VTK::CustomBegin::Impl";
 
 // Functions of the shader for the contact with index h.
-// palpateRange: contact radius, q at the kink, q at the reach, reach.
+// palpateRange: contact radius, q at the kink, q at the reach, reach (q: see DeflectionTable).
 // palpateDraw: exaggeration, number of intervals of the table, start of the fade as a cosine and as
 // a distance.
 // The functions have no branches, because software renderers compute both sides of a branch.

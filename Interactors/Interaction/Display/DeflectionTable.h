@@ -36,7 +36,7 @@ struct DeflectionTable
 
   float radius = 0.0F; ///< a, mm
   float kink = 0.5F;   ///< q at the end of the first segment
-  float far = 0.0F;    ///< q at the reach
+  float far = 0.0F;    ///< q at the reach of the field
   std::array<Node, Nodes> nodes{};
 
 private:

@@ -19,7 +19,7 @@ struct LabelPlace
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
 };
 
-/// A text that belongs to the head of an arrow.
+/// A text at the head of an arrow.
 struct AnchoredLabel
 {
   vtkTextActor* text; ///< positioned in world coordinates

@@ -69,7 +69,7 @@ public:
   /// Requests new responses if the settings have changed. Passes finished responses to the session
   /// and the scene. Returns whether responses were finished.
   bool update();
-  /// Chooses new force scales if the forces have become much larger or smaller.
+  /// Chooses new force scales if the forces have become much larger or smaller than before.
   void fitScales();
 
   void chooseTool(int tool);

@@ -16,7 +16,7 @@ namespace palpate
 /// stored under the prefix of the response. They may be made on any thread.
 struct BodyKernels
 {
-  /// Largest force (N) and stiffness (N/mm).
+  /// Largest force (N) and largest stiffness (N/mm) of a response.
   using Peaks = std::pair<double, double>;
 
   std::map<std::string, std::shared_ptr<const ContactBody>> read;

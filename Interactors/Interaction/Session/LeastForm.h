@@ -17,7 +17,7 @@ struct LeastFormRequest
 {
   vtkSmartPointer<vtkPolyData> body; ///< the body with the response
   std::string name;                  ///< prefix of the response
-  double tolerance = 0.01;           ///< relative error of the force
+  double tolerance = 0.01;           ///< largest relative error of the force
   double deflection = 0.0;           ///< deflection for regime and validity, mm; 0: half of Range
 
   /// Name of the array with the body's global compliance (mm/N). If it is given, a point force is

@@ -67,9 +67,9 @@ private:
 /// Settings that determine which ticks are stored.
 struct TicksKept
 {
-  bool all = true;                ///< all ticks of the run
+  bool all = true;                ///< whether all ticks of the run are stored
   double historySeconds = 0.0;    ///< length of the history, s
-  std::shared_ptr<TickTape> tape; ///< stores the ticks between its start() and stop()
+  std::shared_ptr<TickTape> tape; ///< tape that stores the ticks between its start() and stop()
 };
 } // namespace palpate
 
