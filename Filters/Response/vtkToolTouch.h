@@ -150,7 +150,7 @@ public:
   ///@{
   /**
    * The settings of the contact. Other objects may share them. Friction does not act, since a
-   * single tip has no history. Default, or if null is set: a separate object.
+   * single tip has no history. Null sets a separate object, which is also the default.
    */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();

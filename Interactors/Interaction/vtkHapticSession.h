@@ -113,16 +113,16 @@ public:
   ///@{
   /**
    * The settings of the contact. Other sessions may share them. Read at Start and ApplyChanges,
-   * which fail with an error if a value is out of its range. Default, or if null is set: a separate
-   * object with the default values.
+   * which fail with an error if a value is out of its range. Null sets a separate object with the
+   * default values, which is also the default.
    */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
   /**
-   * The device. Read at Start, except for the target of a simulated hand. Default, or if null is
-   * set: a separate "simulated" device.
+   * The device. Read at Start, except for the target of a simulated hand. Null sets a separate
+   * "simulated" device, which is also the default.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
@@ -144,14 +144,15 @@ public:
   ///@}
   ///@{
   /**
-   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, or if null
-   * is set: a separate object.
+   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Null sets a
+   * separate object, which is also the default.
    */
   void SetSafety(vtkHapticSafety* safety);
   vtkHapticSafety* GetSafety();
   ///@}
   ///@{
-  /** The recorder of the ticks. Read at Start. Default, or if null is set: a separate object. */
+  /** The recorder of the ticks. Read at Start. Null sets a separate object, which is also the
+   * default. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
   ///@}
@@ -340,7 +341,7 @@ private:
   double Rehearsal = 0.0;
   vtkIdType Starts = 0;
   double FittedFactor = 1.0; ///< force factor of the newest servo scene
-  std::string FitReason;     ///< reason if the factor is below 1
+  std::string FitReason;     ///< reason for a factor below 1; "" if the factor is 1
 
   // Body and modification time for which defects were reported last.
   vtkPolyData* Unsound = nullptr;

@@ -36,7 +36,7 @@ Vector3d cornerAt(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Vector area of a polygon times two: along the normal, with twice the area as length.
+/// Returns a vector along the normal of a polygon whose length is twice the area.
 Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));

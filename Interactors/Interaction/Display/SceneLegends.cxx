@@ -117,7 +117,7 @@ void SceneLegends::explainGaps(const std::string& words)
 
 double SceneLegends::share(vtkRenderer* renderer)
 {
-  // The width in pixels is then the same for any width of the viewport.
+  // The width of the legends in pixels is the same for any width of the viewport.
   const int width = renderer ? std::max(renderer->GetSize()[0], 1) : 1;
   return std::min(1.0, LegendWidth / static_cast<double>(width));
 }

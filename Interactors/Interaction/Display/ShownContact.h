@@ -24,7 +24,7 @@ inline bool isNoticeable(const Eigen::Vector3d& part, const Eigen::Vector3d& for
   return part.norm() > 0.02 * force.norm();
 }
 
-/// One contact to draw, from a live session or from a tip of a probe. In the body's frame, mm, N.
+/// One contact to draw, from a live session or from a tip of a probe (body's frame, mm, N).
 struct ShownContact
 {
   /// The tick. If there is no contact, its contact normal is the direction of the tool.
